@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/script/walk.h"
+#include "scene/campus_description.h"
+
+namespace campuswalk::config {
+
+/// Where files that are named without a path are looked for.
+struct SearchPaths {
+    std::vector<std::filesystem::path> avatars;  ///< folders with NAME.avatar.yaml, after those near the walk
+};
+
+/// A walk with the campus it names, both read and checked for form.
+struct Run {
+    engine::Walk walk;
+    scene::CampusDescription campus;
+};
+
+// All throw scene::InputError with every mistake of the file (and of the files it names) at once. Codes:
+//   missing-file, yaml-syntax, wrong-type, unknown-key, missing-key, duplicate-key, bad-value, unknown-name,
+//   duplicate-name, empty-file.
+
+/// Reads `NAME.walk.yaml`, the campus it names and its avatar profile; resolves places and spawns.
+/// `warnings` collects what is odd but harmless.
+Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search,
+             std::vector<scene::Diagnostic>& warnings);
+
+/// Reads `NAME.campus.yaml` alone.
+scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file,
+                                                 std::vector<scene::Diagnostic>& warnings);
+
+/// Reads `NAME.avatar.yaml` alone.
+engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file,
+                                  std::vector<scene::Diagnostic>& warnings);
+
+}  // namespace campuswalk::config

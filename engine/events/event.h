@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace campuswalk::engine {
+
+using Tick = std::int64_t;
+
+enum class EventKind : std::uint8_t {
+    walk_start,
+    walk_end,
+    avatar_spawn,
+    avatar_teleport,
+    avatar_arrive,   ///< a walk_to reached its target
+    avatar_blocked,  ///< a walk_to gave up
+    avatar_land,     ///< ground again after a fall, with its height
+    avatar_fell,     ///< below everything there is
+    collision_enter,
+    collision_stay,
+    collision_exit,
+    trigger_enter,
+    trigger_stay,
+    trigger_exit,
+    ray_enter,
+    ray_stay,
+    ray_exit,
+    popup_open,
+    popup_close,
+    snapshot_take,
+    expect_fail,
+};
+
+/// The name in logs and patterns, e.g. "collision.enter".
+std::string_view name_of(EventKind kind);
+/// All names, for checking patterns.
+std::vector<std::string> event_kind_names();
+
+/// A number that logs print with a fixed count of decimals.
+struct Decimal {
+    double value = 0.0;
+    int digits = 3;
+};
+
+/// Positions print with millimetres.
+using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string>;
+
+/// A named detail of an event, printed `name=value` in text and as a member in JSON, in this order.
+struct Field {
+    std::string_view name;
+    FieldValue value;
+};
+
+/// One thing that happened. Ordered within a walk by (tick, at, exits before enters, object).
+struct Event {
+    Tick tick = 0;
+    double at = 1.0;  ///< fraction of the tick at which it happened, (0, 1]
+    EventKind kind = EventKind::walk_start;
+    std::string object;
+    std::vector<Field> fields;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "collision/counters.h"
+#include "engine/events/event.h"
+#include "engine/observers/observer.h"
+#include "engine/script/walk.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine {
+
+/// Why a walk did not pass: a step that gave up or an expectation that was not met.
+struct Failure {
+    SourceMark mark;  ///< the step or expectation in the walk file
+    std::string code; ///< "blocked", "fell", "sequence", "never", "count", "reaches"
+    std::string message;
+};
+
+struct WalkSummary {
+    bool passed = false;
+    Tick ticks = 0;
+    std::int64_t events = 0;   ///< events logged between walk.start and walk.end
+    double distance = 0.0;     ///< metres, along the path of the foot point
+    std::uint64_t hash = 0;    ///< over the bits of every tick's position and every event
+    std::vector<Failure> failures;
+    collision::QueryCounters counters;
+};
+
+/// Checks what needs the campus' geometry: every spawn and teleport must be free. Returns the complaints
+/// (code spawn-blocked, at the step's line), empty when the walk can run.
+std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk);
+
+/// Plays the walk from its first step to its last, evaluates the expectations and shows every frame to the
+/// observers, in their order. Deterministic: the same campus and walk give the same frames.
+WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers);
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "engine/avatar.h"
+#include "scene/diagnostic.h"
+
+namespace campuswalk::engine {
+
+using scene::SourceMark;
+
+// ---- camera -------------------------------------------------------------------------------------------
+
+enum class View { first_person, third_person, top };
+
+struct CameraSettings {
+    View view = View::first_person;
+    int width = 1280;   ///< pixels
+    int height = 720;   ///< pixels
+    double fov = 1.0471975511965976;  ///< radians (60°), vertical
+    double height_above = 40.0;       ///< metres above the avatar, for View::top
+    double distance = 4.0;            ///< metres behind the avatar, for View::third_person
+};
+
+// ---- steps --------------------------------------------------------------------------------------------
+// Names are resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
+
+/// A point to go to. Without a height of its own (`[x, z]`) only the horizontal distance counts.
+struct Target {
+    std::string label;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    bool has_height = false;
+};
+
+/// Puts the avatar down; the first step of every walk. `spawn` must be free: it is checked before the run.
+struct SpawnStep {
+    SourceMark mark;
+    std::string label;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    double yaw = 0.0;
+};
+
+enum class IfBlocked { fail, proceed };  // YAML: fail | continue
+
+struct WalkToStep {
+    SourceMark mark;
+    Target target;
+    double within = 0.05;            ///< metres, horizontal
+    std::optional<double> timeout;   ///< simulated seconds; default 2 x straight-line time + 5 s
+    std::optional<double> speed;     ///< metres a second
+    IfBlocked if_blocked = IfBlocked::fail;
+};
+
+struct WaitStep {
+    SourceMark mark;
+    double seconds = 0.0;
+};
+
+struct TurnStep {
+    SourceMark mark;
+    double angle = 0.0;     ///< radians
+    bool absolute = false;  ///< to the angle instead of by it
+};
+
+struct LookAtStep {
+    SourceMark mark;
+    Target target;  ///< without a height: level with the eyes
+};
+
+struct TeleportStep {
+    SourceMark mark;
+    std::string label;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    std::optional<double> yaw;
+};
+
+struct SnapshotStep {
+    SourceMark mark;
+    std::string name;  ///< file name without extension
+    CameraSettings camera;
+};
+
+using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep>;
+
+// ---- expectations -------------------------------------------------------------------------------------
+
+/// `KIND OBJECT` with globs in both, as in "popup.open library" or "collision.* bench/*".
+/// A pattern without an object matches any.
+struct EventPattern {
+    SourceMark mark;
+    std::string kind;
+    std::string object = "*";
+};
+
+struct ExpectSequence {
+    SourceMark mark;
+    std::vector<EventPattern> events;  ///< in this order, others may come between
+};
+
+struct ExpectNever {
+    SourceMark mark;
+    EventPattern event;
+};
+
+struct ExpectCount {
+    SourceMark mark;
+    EventPattern event;
+    std::optional<int> equals;
+    std::optional<int> at_least;
+    std::optional<int> at_most;
+};
+
+struct ExpectReaches {
+    SourceMark mark;
+    Target target;
+    double within = 0.5;  ///< metres; in three dimensions when the target has a height
+};
+
+using Expectation = std::variant<ExpectSequence, ExpectNever, ExpectCount, ExpectReaches>;
+
+// ---- the walk -----------------------------------------------------------------------------------------
+
+struct SimSettings {
+    int ticks_per_second = 60;
+    double stay_every = 1.0;  ///< simulated seconds between stay events; 0 = every tick
+    std::uint64_t seed = 0;   ///< logged; kept for steps that draw random numbers
+};
+
+/// One `NAME.walk.yaml`, resolved and checked.
+struct Walk {
+    std::string name;  ///< from the file's name
+    SourceMark mark;
+    std::filesystem::path campus;  ///< the campus file, resolved
+    std::string campus_name;
+    AvatarProfile avatar;
+    SimSettings sim;
+    CameraSettings camera;
+    std::vector<Step> steps;
+    std::vector<Expectation> expectations;
+};
+
+}  // namespace campuswalk::engine

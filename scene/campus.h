@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/world.h"
+#include "scene/campus_description.h"
+#include "scene/model.h"
+
+namespace campuswalk::scene {
+
+/// An object of the collision world under the name that events use. `objects[i]` is ObjectId i.
+struct CampusObject {
+    std::string id;
+    SourceMark mark;                      ///< the collider it came from
+    std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
+    bool popup = false;
+};
+
+/// A campus ready to walk in: what the user described, the models to draw, the world to collide with.
+struct Campus {
+    CampusDescription description;
+    std::vector<Model> models;  ///< one a scene file
+    std::vector<CampusObject> objects;
+    collision::World world;
+
+    /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
+    std::uint32_t layer_index(const std::string& layer) const;
+};
+
+/// Imports the scenes and builds every collider's shape and tree. All mistakes are reported together:
+/// those of import_model, and
+///   no-node        a glob matches no node (with the nearest name)
+///   empty-mesh     the nodes of a collider have no triangle
+///   duplicate-id   two objects end up with one id
+///   too-many-layers more than 31
+Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
+                   std::vector<Diagnostic>& warnings);
+
+}  // namespace campuswalk::scene

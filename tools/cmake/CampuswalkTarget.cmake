@@ -1,0 +1,40 @@
+# Compiler settings that every target of the project shares, in one place.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(campuswalk_flags INTERFACE)
+# Same bits from every compiler and level: no fused multiply-add behind our back.
+target_compile_options(campuswalk_flags INTERFACE -ffp-contract=off)
+target_compile_options(
+    campuswalk_flags
+    INTERFACE -Wall
+              -Wextra
+              -Wpedantic
+              -Wconversion
+              -Wsign-conversion
+              -Wshadow
+              -Wnon-virtual-dtor
+              -Woverloaded-virtual
+              $<$<BOOL:${CAMPUSWALK_WERROR}>:-Werror>)
+target_include_directories(campuswalk_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(CAMPUSWALK_SANITIZE)
+    target_compile_options(campuswalk_flags INTERFACE -fsanitize=${CAMPUSWALK_SANITIZE}
+                                                      -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(campuswalk_flags INTERFACE -fsanitize=${CAMPUSWALK_SANITIZE})
+endif()
+
+# campuswalk_layer(NAME SOURCES… [PUBLIC targets…] [PRIVATE targets…])
+# One static library a layer, known to others as campuswalk::NAME.
+function(campuswalk_layer name)
+    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+    add_library(campuswalk_${name} STATIC ${arg_SOURCES})
+    add_library(campuswalk::${name} ALIAS campuswalk_${name})
+    target_link_libraries(campuswalk_${name} PUBLIC campuswalk_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()
