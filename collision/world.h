@@ -50,7 +50,8 @@ public:
     /// Replaces `out` by the objects that pass the filter and whose boxes overlap `box`, ascending.
     void candidates(const Aabb& box, const QueryFilter& filter, std::vector<ObjectId>& out) const;
     /// Likewise for the segment from `from` to `to`.
-    void candidates(const Vec3& from, const Vec3& to, const QueryFilter& filter, std::vector<ObjectId>& out) const;
+    void candidates(const Vec3& from, const Vec3& to, const QueryFilter& filter,
+                    std::vector<ObjectId>& out) const;
 
 private:
     void keep_visible(const QueryFilter& filter, std::vector<ObjectId>& out) const;

@@ -8,15 +8,15 @@ namespace campuswalk::engine {
 /// The visitor's body and abilities (`NAME.avatar.yaml`); a walk may override any field.
 /// Defaults follow what game engines ship: Jolt's 50° slope and 0.4 m step are a little generous for people.
 struct AvatarProfile {
-    double height = 1.8;              ///< metres, total
-    double radius = 0.3;              ///< metres
-    double eye_height = 1.65;         ///< metres above the foot point
-    double speed = 1.4;               ///< metres a second, a person's usual pace
-    double step_height = 0.3;         ///< metres, the highest riser that is climbed
-    double max_slope = 0.8726646259971648;  ///< radians (50°), the steepest ground that is walked
-    double skin_width = 0.02;         ///< metres, the gap kept to walls
-    double turn_speed = 3.141592653589793;  ///< radians a second, for `turn` and `look_at`
-    double look_distance = 10.0;      ///< metres, reach of the ray strategy
+    double height = 1.8;                     ///< metres, total
+    double radius = 0.3;                     ///< metres
+    double eye_height = 1.65;                ///< metres above the foot point
+    double speed = 1.4;                      ///< metres a second, a person's usual pace
+    double step_height = 0.3;                ///< metres, the highest riser that is climbed
+    double max_slope = 0.8726646259971648;   ///< radians (50°), the steepest ground that is walked
+    double skin_width = 0.02;                ///< metres, the gap kept to walls
+    double turn_speed = 3.141592653589793;   ///< radians a second, for `turn` and `look_at`
+    double look_distance = 10.0;             ///< metres, reach of the ray strategy
     std::vector<std::string> ignore_layers;  ///< layers the avatar neither bumps into nor sees
 };
 

@@ -26,9 +26,9 @@ struct FrameRecord {
     Tick tick = 0;
     double time = 0.0;  ///< seconds: tick / ticks_per_second, never a running sum
     AvatarState avatar;
-    std::span<const Event> events;                 ///< in log order
+    std::span<const Event> events;                   ///< in log order
     std::span<const SnapshotStep* const> snapshots;  ///< pictures the script asks for at this moment
-    std::span<const std::size_t> open_popups;      ///< indices into the campus' buildings, oldest first
+    std::span<const std::size_t> open_popups;        ///< indices into the campus' buildings, oldest first
 };
 
 }  // namespace campuswalk::engine

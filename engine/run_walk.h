@@ -15,17 +15,17 @@ namespace campuswalk::engine {
 
 /// Why a walk did not pass: a step that gave up or an expectation that was not met.
 struct Failure {
-    SourceMark mark;  ///< the step or expectation in the walk file
-    std::string code; ///< "blocked", "fell", "sequence", "never", "count", "reaches"
+    SourceMark mark;   ///< the step or expectation in the walk file
+    std::string code;  ///< "blocked", "fell", "sequence", "never", "count", "reaches"
     std::string message;
 };
 
 struct WalkSummary {
     bool passed = false;
     Tick ticks = 0;
-    std::int64_t events = 0;   ///< events logged between walk.start and walk.end
-    double distance = 0.0;     ///< metres, along the path of the foot point
-    std::uint64_t hash = 0;    ///< over the bits of every tick's position and every event
+    std::int64_t events = 0;  ///< events logged between walk.start and walk.end
+    double distance = 0.0;    ///< metres, along the path of the foot point
+    std::uint64_t hash = 0;   ///< over the bits of every tick's position and every event
     std::vector<Failure> failures;
     collision::QueryCounters counters;
 };

@@ -93,7 +93,7 @@ struct ColliderDescription {
     bool each = false;  ///< one object a matched node instead of one for all
     ShapeDescription shape;
     DetectionModes modes;
-    std::string layer;  ///< empty or one of CampusDescription::layers
+    std::string layer;   ///< empty or one of CampusDescription::layers
     bool popup = false;  ///< its events open the building's pop-up
 };
 

@@ -17,9 +17,15 @@ enum class MeshIndex : std::uint32_t {};
 enum class MaterialIndex : std::uint32_t {};
 enum class TextureIndex : std::uint32_t {};
 
-constexpr std::size_t index_of(MeshIndex i) { return static_cast<std::size_t>(i); }
-constexpr std::size_t index_of(MaterialIndex i) { return static_cast<std::size_t>(i); }
-constexpr std::size_t index_of(TextureIndex i) { return static_cast<std::size_t>(i); }
+constexpr std::size_t index_of(MeshIndex i) {
+    return static_cast<std::size_t>(i);
+}
+constexpr std::size_t index_of(MaterialIndex i) {
+    return static_cast<std::size_t>(i);
+}
+constexpr std::size_t index_of(TextureIndex i) {
+    return static_cast<std::size_t>(i);
+}
 
 /// 8-bit sRGB colour with linear alpha, rows from top to bottom.
 struct Texture {
@@ -47,18 +53,18 @@ struct Material {
 struct Mesh {
     std::string name;
     std::vector<Eigen::Vector3f> positions;
-    std::vector<Eigen::Vector3f> normals;                ///< one a position, unit length
-    std::vector<Eigen::Vector2f> uvs;                    ///< empty or one a position; v runs down (glTF)
-    std::vector<std::array<std::uint8_t, 4>> colors;     ///< empty or one a position; linear RGBA
-    std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices into positions
+    std::vector<Eigen::Vector3f> normals;                 ///< one a position, unit length
+    std::vector<Eigen::Vector2f> uvs;                     ///< empty or one a position; v runs down (glTF)
+    std::vector<std::array<std::uint8_t, 4>> colors;      ///< empty or one a position; linear RGBA
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions
     MaterialIndex material{};
 };
 
 /// A named place in the hierarchy. Parents come before their children.
 struct Node {
     std::string name;
-    int parent = -1;                                              ///< index into Model::nodes, -1 at the root
-    Eigen::Matrix4d X_world_node = Eigen::Matrix4d::Identity();   ///< affine, maps mesh positions to the world
+    int parent = -1;                                             ///< index into Model::nodes, -1 at the root
+    Eigen::Matrix4d X_world_node = Eigen::Matrix4d::Identity();  ///< affine, maps mesh positions to the world
     std::vector<MeshIndex> meshes;
 };
 

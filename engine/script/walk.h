@@ -22,8 +22,8 @@ enum class View { first_person, third_person, top };
 
 struct CameraSettings {
     View view = View::first_person;
-    int width = 1280;   ///< pixels
-    int height = 720;   ///< pixels
+    int width = 1280;                 ///< pixels
+    int height = 720;                 ///< pixels
     double fov = 1.0471975511965976;  ///< radians (60°), vertical
     double height_above = 40.0;       ///< metres above the avatar, for View::top
     double distance = 4.0;            ///< metres behind the avatar, for View::third_person
@@ -52,9 +52,9 @@ enum class IfBlocked { fail, proceed };  // YAML: fail | continue
 struct WalkToStep {
     SourceMark mark;
     Target target;
-    double within = 0.05;            ///< metres, horizontal
-    std::optional<double> timeout;   ///< simulated seconds; default 2 x straight-line time + 5 s
-    std::optional<double> speed;     ///< metres a second
+    double within = 0.05;           ///< metres, horizontal
+    std::optional<double> timeout;  ///< simulated seconds; default 2 x straight-line time + 5 s
+    std::optional<double> speed;    ///< metres a second
     IfBlocked if_blocked = IfBlocked::fail;
 };
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "collision/shapes.h"
+#include "collision/triangle_mesh.h"
+
+namespace campuswalk::collision {
+
+/// A node's outer layer.
+struct BoundingSphere {
+    Vec3 center = Vec3::Zero();
+    double radius = 0.0;
+};
+
+/// A node's inner layer: the box, and the sphere about the box's centre.
+struct OrientedBox {
+    Vec3 center = Vec3::Zero();
+    Mat3 axes = Mat3::Identity();  ///< columns, orthonormal
+    Vec3 half_extents = Vec3::Zero();
+    double radius = 0.0;  ///< of the inner sphere: from `center` to the farthest vertex
+};
+
+/// Centre of the inscribed circle: the corners weighted by the lengths of the opposite edges. A triangle
+/// of no size gives its corner.
+Vec3 incentre(const Triangle& triangle);
+
+/// Outer sphere (paper III.A.1): centre = mean of the triangles' incentres, radius to the farthest vertex.
+BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles);
+
+/// Inner layer (paper III.A.2): axes = eigenvectors of the vertices' covariance, extents by projection.
+///
+/// The paper's eq. (3) sums products of the coordinates themselves; a covariance is taken about the mean
+/// of eq. (2), as here (and as in Gottschalk, Lin, Manocha 1996): without it the first axis of a mesh far
+/// from its origin would point at the origin instead of along the mesh.
+OrientedBox fit_inner_box(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles);
+
+}  // namespace campuswalk::collision

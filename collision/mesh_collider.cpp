@@ -1,0 +1,34 @@
+#include "collision/mesh_collider.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace campuswalk::collision {
+
+namespace {
+
+const TriangleMesh& checked(const TriangleMesh& mesh) {
+    if (mesh.triangles.empty()) {
+        throw std::invalid_argument("a mesh collider needs at least one triangle");
+    }
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t v : triangle) {
+            if (v >= mesh.positions.size()) {
+                throw std::invalid_argument("a triangle names a vertex that is not there");
+            }
+        }
+    }
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [](const auto& p) { return p.allFinite(); })) {
+        throw std::invalid_argument("a vertex is not finite");
+    }
+    return mesh;
+}
+
+}  // namespace
+
+MeshCollider::MeshCollider(TriangleMesh mesh)
+    : mesh_(std::move(mesh)), tree_(build_hybrid_tree(checked(mesh_))) {}
+
+}  // namespace campuswalk::collision
