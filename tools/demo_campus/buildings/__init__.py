@@ -1,0 +1,1 @@
+"""The buildings, one function each, in files by kind."""
