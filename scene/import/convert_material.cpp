@@ -1,0 +1,109 @@
+#include "scene/import/convert_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+
+namespace campuswalk::scene {
+namespace {
+
+// Below this an opacity is an exporter's confusion of opacity with transparency: nobody models the invisible.
+constexpr float kLeastOpacity = 0.02F;
+constexpr float kBlack = 0.01F;
+
+/// A colour component as a finite number in 0..1.
+float tidy(float value) {
+    return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
+}
+
+float linear_from_srgb(float value) {
+    const float v = tidy(value);
+    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+bool is_repeating(aiTextureMapMode mode) {
+    return mode != aiTextureMapMode_Clamp && mode != aiTextureMapMode_Decal;
+}
+
+std::optional<TextureReference> base_color_texture(const aiMaterial& source) {
+    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+        aiString path;
+        TextureReference texture;
+        aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+        if (source.GetTexture(type, 0, &path, nullptr, &texture.uv_channel, nullptr, nullptr, modes) ==
+                aiReturn_SUCCESS &&
+            path.length > 0) {
+            texture.uri = path.C_Str();
+            texture.repeat = is_repeating(modes[0]) && is_repeating(modes[1]);
+            return texture;
+        }
+    }
+    return std::nullopt;
+}
+
+AlphaMode to_alpha_mode(const std::string& gltf_name) {
+    return gltf_name == "MASK"    ? AlphaMode::mask
+           : gltf_name == "BLEND" ? AlphaMode::blend
+                                  : AlphaMode::opaque;
+}
+
+/// Diffuse colours of older formats are display values, and often black when a texture is there to replace
+/// them.
+void convert_legacy_color(const aiMaterial& source, const aiColor4D& diffuse, ConvertedMaterial& out) {
+    const bool black = std::max({diffuse.r, diffuse.g, diffuse.b}) < kBlack;
+    auto& color = out.material.base_color;
+    if (!(out.texture && black)) {
+        color = {linear_from_srgb(diffuse.r), linear_from_srgb(diffuse.g), linear_from_srgb(diffuse.b), 1.0F};
+    }
+    float opacity = 1.0F;
+    source.Get(AI_MATKEY_OPACITY, opacity);
+    if (std::isfinite(opacity) && opacity >= kLeastOpacity && opacity < 1.0F) {
+        color[3] = opacity;
+        out.material.alpha_mode = AlphaMode::blend;
+    }
+}
+
+}  // namespace
+
+ConvertedMaterial convert_material(const aiMaterial& source) {
+    ConvertedMaterial out;
+    Material& material = out.material;
+    aiString name;
+    if (source.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) {
+        material.name = name.C_Str();
+    }
+    out.texture = base_color_texture(source);
+
+    // The glTF importer fills the diffuse colour for both of glTF's material models.
+    aiColor4D diffuse(1, 1, 1, 1);
+    source.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse);
+    aiColor3D emissive(0, 0, 0);
+    source.Get(AI_MATKEY_COLOR_EMISSIVE, emissive);
+    int two_sided = 0;
+    const bool says_sides = source.Get(AI_MATKEY_TWOSIDED, two_sided) == aiReturn_SUCCESS;
+
+    aiString alpha_mode;
+    const bool is_gltf = source.Get(AI_MATKEY_GLTF_ALPHAMODE, alpha_mode) == aiReturn_SUCCESS;
+    if (is_gltf) {
+        material.base_color = {tidy(diffuse.r), tidy(diffuse.g), tidy(diffuse.b), tidy(diffuse.a)};
+        material.alpha_mode = to_alpha_mode(alpha_mode.C_Str());
+        source.Get(AI_MATKEY_GLTF_ALPHACUTOFF, material.alpha_cutoff);
+        material.emissive = {tidy(emissive.r), tidy(emissive.g), tidy(emissive.b)};
+        material.double_sided = says_sides && two_sided != 0;
+    } else {
+        convert_legacy_color(source, diffuse, out);
+        material.emissive = {linear_from_srgb(emissive.r), linear_from_srgb(emissive.g),
+                             linear_from_srgb(emissive.b)};
+        material.double_sided = true;
+        out.cut_out_by_texture = material.alpha_mode == AlphaMode::opaque;
+    }
+    // An emissive texture says where it glows; without it the whole surface would.
+    if (source.GetTextureCount(aiTextureType_EMISSIVE) > 0) {
+        material.emissive = {0, 0, 0};
+    }
+    return out;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,121 @@
+#include "scene/import/read_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+namespace campuswalk::scene {
+namespace {
+
+struct RefusedFormat {
+    std::string_view extension;
+    std::string_view cure;
+};
+
+// Formats whose importer in assimp 5.2.5 crashes on real files, which would take the program with it.
+constexpr std::array<RefusedFormat, 2> kRefused = {{
+    {".ifc", "IFC is not read: its importer crashes on real files; convert it to glTF (IfcConvert, Blender)"},
+    {".3mf", "3MF is not read: its importer crashes on damaged files; convert it to glTF or OBJ"},
+}};
+
+void check_readable(const SceneFile& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file.path, ignored)) {
+        throw InputError(file.mark, "missing-file", "the scene '" + file.file + "' is not there");
+    }
+    if (!std::ifstream(file.path, std::ios::binary)) {
+        throw InputError(file.mark, "missing-file", "the scene '" + file.file + "' cannot be read");
+    }
+}
+
+void check_format(const SceneFile& file) {
+    std::string extension = file.path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const RefusedFormat& refused : kRefused) {
+        if (extension == refused.extension) {
+            throw InputError(file.mark, "bad-model", std::string(refused.cure));
+        }
+    }
+}
+
+void configure(Assimp::Importer& importer) {
+    // Names as the author sees them, not the exporter's ids.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+    // One node for one object, not a chain of seven `$AssimpFbx$` pivots.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_CAMERAS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_LIGHTS, false);
+}
+
+/// Triangulation reads vertices by the faces' indices without looking.
+bool indices_in_range(const aiScene& scene) {
+    for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned int f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (std::any_of(face.mIndices, face.mIndices + face.mNumIndices,
+                            [&](unsigned int i) { return i >= mesh.mNumVertices; })) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool has_polygons(const aiScene& scene) {
+    return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [](const aiMesh* mesh) {
+        return std::any_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces,
+                           [](const aiFace& face) { return face.mNumIndices > 3; });
+    });
+}
+
+[[noreturn]] void throw_bad_model(const SceneFile& file, const ReadScene& read, std::string words) {
+    while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) {
+        words.pop_back();
+    }
+    std::string message = "'" + file.file + "' is not a model that can be read: " + words;
+    for (const std::string& name : read.files->refused()) {
+        if (words.find(name) == std::string::npos) {
+            message += "; '" + name + "' is missing or outside the scene's folder";
+        }
+    }
+    throw InputError(file.mark, "bad-model", message);
+}
+
+}  // namespace
+
+void read_scene(const SceneFile& file, ReadScene& out) {
+    check_readable(file);
+    check_format(file);
+    configure(out.importer);
+    out.files = new LockedFiles(SceneFolder(file.path));
+    out.importer.SetIOHandler(out.files);
+    try {
+        out.scene = out.importer.ReadFile(file.path.filename().string(), 0);
+        if (out.scene == nullptr) {
+            throw_bad_model(file, out, out.importer.GetErrorString());
+        }
+        if (!indices_in_range(*out.scene)) {
+            throw_bad_model(file, out, "a face uses a vertex that is not there");
+        }
+        if (has_polygons(*out.scene)) {
+            out.scene = out.importer.ApplyPostProcessing(aiProcess_Triangulate);
+        }
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw_bad_model(file, out, error.what());
+    }
+    if (out.scene == nullptr || out.scene->mRootNode == nullptr) {
+        throw_bad_model(file, out, "nothing is in it");
+    }
+}
+
+}  // namespace campuswalk::scene

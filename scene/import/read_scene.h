@@ -1,0 +1,25 @@
+#pragma once
+
+#include <assimp/Importer.hpp>
+
+#include "scene/campus_description.h"
+#include "scene/diagnostic.h"
+#include "scene/import/locked_files.h"
+
+struct aiScene;
+
+namespace campuswalk::scene {
+
+/// A file as assimp sees it, alive as long as `importer`.
+struct ReadScene {
+    Assimp::Importer importer;
+    LockedFiles* files = nullptr;  ///< owned by the importer
+    const aiScene* scene = nullptr;
+};
+
+/// Opens and parses the file; polygons are triangulated, nothing else is changed: no step runs that would
+/// merge nodes (their names are what colliders go by), and joining vertices and making normals are done
+/// after it, faster and exactly. Throws InputError missing-file or bad-model.
+void read_scene(const SceneFile& file, ReadScene& out);
+
+}  // namespace campuswalk::scene

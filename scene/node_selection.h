@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/campus_description.h"
+#include "scene/diagnostic.h"
+#include "scene/model.h"
+
+namespace campuswalk::scene {
+
+/// A node of one of a campus' models.
+struct NodeRef {
+    std::size_t model = 0;
+    std::size_t node = 0;
+};
+
+/// The nodes that a glob names, without those below another named one: a node stands for its subtree.
+/// In the order of the scene files, then of the nodes.
+std::vector<NodeRef> topmost_matches(const std::vector<Model>& models, std::span<const NodeGlob> globs);
+
+/// Complains (`no-node`, at the glob) about every glob that no node's name matches, with the nearest name.
+void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> globs,
+                 DiagnosticList& diagnostics);
+
+/// The triangles of some subtrees in world coordinates.
+struct WorldGeometry {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots);
+
+}  // namespace campuswalk::scene
