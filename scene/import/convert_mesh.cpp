@@ -166,6 +166,7 @@ ConvertedMesh convert_mesh(const aiMesh& source, const MeshStyle& style) {
         out.index_out_of_range = true;
         return out;
     }
+    out.points_and_lines = source.mNumFaces - triangles.size();
     for (const Triangle& triangle : triangles) {
         for (const std::uint32_t vertex : triangle) {
             if (!to_vector(source.mVertices[vertex]).allFinite()) {

@@ -17,6 +17,7 @@ struct ConvertedMesh {
     Mesh mesh;  ///< triangles only (points and lines dropped), no vertex that no triangle uses; no material
     bool index_out_of_range = false;
     bool position_not_finite = false;
+    std::size_t points_and_lines = 0;  ///< faces with fewer than three corners, dropped
     std::size_t repaired_normals = 0;  ///< zero or not finite in the file, taken from the face instead
     std::size_t repaired_uvs = 0;      ///< not finite in the file, set to 0
 };

@@ -1,5 +1,7 @@
 #include "scene/import/corner_normals.h"
 
+#include <Eigen/Geometry>
+
 #include "scene/weld.h"
 
 namespace campuswalk::scene {

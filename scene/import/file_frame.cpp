@@ -1,8 +1,10 @@
 #include "scene/import/file_frame.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include <assimp/scene.h>
+#include <Eigen/LU>
 
 namespace campuswalk::scene {
 namespace {
@@ -10,16 +12,30 @@ namespace {
 constexpr double kMetresPerCentimetre = 0.01;
 
 /// Metres a unit of an FBX file, 1 for every other format.
-double metres_per_file_unit(const aiScene& scene) {
+double metres_per_file_unit(const aiMetadata& metadata) {
+    float unit = 0.0F;
     double centimetres = 0.0;
-    if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UnitScaleFactor", centimetres)) {
-        float value = 0.0F;
-        if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UnitScaleFactor", value)) {
-            return 1.0;
-        }
-        centimetres = static_cast<double>(value);
+    if (!metadata.Get("UnitScaleFactor", centimetres)) {
+        centimetres = metadata.Get("UnitScaleFactor", unit) ? static_cast<double>(unit) : 0.0;
     }
     return std::isfinite(centimetres) && centimetres > 0.0 ? centimetres * kMetresPerCentimetre : 1.0;
+}
+
+/// The rotation that brings an FBX file's axes (right, up and towards the viewer) to +X, +Y and +Z; identity
+/// for every other format and for axes that make no right-handed frame.
+Eigen::Matrix3d house_from_file_axes(const aiMetadata& metadata) {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
+    int row = 0;
+    for (const char* name : {"CoordAxis", "UpAxis", "FrontAxis"}) {
+        std::int32_t axis = -1;
+        std::int32_t sign = 1;
+        if (!metadata.Get(name, axis) || axis < 0 || axis > 2) {
+            return Eigen::Matrix3d::Identity();
+        }
+        metadata.Get(std::string(name) + "Sign", sign);
+        rotation(row++, axis) = sign < 0 ? -1.0 : 1.0;
+    }
+    return rotation.determinant() == 1.0 ? rotation : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
 }  // namespace
@@ -31,9 +47,13 @@ Eigen::Matrix4d house_from_file(const SceneFile& file, const aiScene& scene) {
             0, 0, 1,          //
             0, -1, 0;
     }
+    double scale = file.metres_per_unit * file.scale;
+    if (scene.mMetaData != nullptr) {
+        rotation *= house_from_file_axes(*scene.mMetaData);
+        scale *= metres_per_file_unit(*scene.mMetaData);
+    }
     Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
-    result.topLeftCorner<3, 3>() =
-        rotation * (file.metres_per_unit * file.scale * metres_per_file_unit(scene));
+    result.topLeftCorner<3, 3>() = rotation * scale;
     result.topRightCorner<3, 1>() = file.position;
     return result;
 }

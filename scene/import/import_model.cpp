@@ -23,12 +23,13 @@ std::string in_quotes(const std::string& name) {
 /// One import under way: the parts of the model and the complaints about them.
 class Import {
 public:
-    Import(const SceneFile& file, const ReadScene& read)
-        : file_(file), scene_(*read.scene), textures_(scene_, SceneFolder(file.path)) {
+    Import(const SceneFile& file, const ReadScene& read, EmptyModel if_empty)
+        : file_(file), scene_(*read.scene), if_empty_(if_empty), textures_(scene_, SceneFolder(file.path)) {
         model_.file = file.file;
         tree_ = convert_nodes(*scene_.mRootNode, house_from_file(file, scene_));
     }
 
+    void name_nodes();
     void check_nodes();
     void convert_materials();
     void convert_meshes();
@@ -36,7 +37,7 @@ public:
     void load_textures();
     void check_side_files(const LockedFiles& files);
     void check_features();
-    Model finish(std::vector<Diagnostic>& warnings, EmptyModel if_empty);
+    Model finish(std::vector<Diagnostic>& warnings);
 
 private:
     void convert_one(unsigned int scene_mesh, const std::string& node);
@@ -51,13 +52,32 @@ private:
 
     const SceneFile& file_;
     const aiScene& scene_;
+    EmptyModel if_empty_;
     TextureLoader textures_;
     DiagnosticList diagnostics_;
     NodeTree tree_;
     Model model_;
     std::vector<ConvertedMaterial> materials_;
     std::vector<std::optional<MeshIndex>> mesh_of_;  // by aiScene's mesh; none: not placed or not usable
+    std::size_t points_and_lines_ = 0;
+    std::string points_and_lines_node_;  // the first that has any
 };
+
+/// A COLLADA node may have an id and no name: its id is the author's word all the same.
+void Import::name_nodes() {
+    const auto is_made_up = [](const Node& node) { return node.name.starts_with(kMadeUpColladaName); };
+    if (!std::ranges::any_of(tree_.nodes, is_made_up)) {
+        return;
+    }
+    ReadScene with_ids;
+    read_scene(file_, with_ids, ColladaNames::ids);
+    const NodeTree ids = convert_nodes(*with_ids.scene->mRootNode, Eigen::Matrix4d::Identity());
+    for (std::size_t i = 0; i < tree_.nodes.size() && ids.nodes.size() == tree_.nodes.size(); ++i) {
+        if (is_made_up(tree_.nodes[i])) {
+            tree_.nodes[i].name = ids.nodes[i].name;
+        }
+    }
+}
 
 void Import::check_nodes() {
     for (const Node& node : tree_.nodes) {
@@ -77,16 +97,18 @@ void Import::convert_materials() {
     }
 }
 
+/// Nothing in it can be walked on: a mistake when it was made for triangles, else part of the drawing's
+/// lines.
 void Import::report_no_triangle(const aiMesh& source, const std::string& node) {
-    constexpr unsigned int kNoTriangleAsked = aiPrimitiveType_POINT | aiPrimitiveType_LINE;
-    const bool points_or_lines =
-        source.mPrimitiveTypes != 0 && (source.mPrimitiveTypes & ~kNoTriangleAsked) == 0;
-    if (points_or_lines) {
-        warning("no-triangles", file_.file + ": node " + in_quotes(node) +
-                                    " has only points or lines, which are neither drawn nor walked on");
-    } else {
-        error("empty-mesh", file_.file + ": the mesh of node " + in_quotes(node) +
-                                " has no triangle; give it faces or remove it");
+    constexpr unsigned int kPointsAndLines = aiPrimitiveType_POINT | aiPrimitiveType_LINE;
+    if ((source.mPrimitiveTypes & ~kPointsAndLines) != 0 || source.mPrimitiveTypes == 0) {
+        const std::string message = file_.file + ": the mesh of node " + in_quotes(node) +
+                                    " has no triangle; give it faces or remove it";
+        if (if_empty_ == EmptyModel::refuse) {
+            error("empty-mesh", message);
+        } else {
+            warning("empty-mesh", message);
+        }
     }
 }
 
@@ -109,6 +131,10 @@ void Import::convert_one(unsigned int scene_mesh, const std::string& node) {
     style.flat_normals = is_gltf_name(file_.path);
     style.uv_channel = materials_[material].texture ? materials_[material].texture->uv_channel : 0;
     ConvertedMesh converted = convert_mesh(source, style);
+    if (converted.points_and_lines > 0 && points_and_lines_ == 0) {
+        points_and_lines_node_ = node;
+    }
+    points_and_lines_ += converted.points_and_lines;
     if (converted.index_out_of_range) {
         error("bad-model",
               file_.file + ": a face of node " + in_quotes(node) + " uses a vertex that is not there");
@@ -146,6 +172,11 @@ void Import::convert_meshes() {
         warning("unplaced-mesh", file_.file + ": " + std::to_string(unplaced) + " of " +
                                      std::to_string(seen.size()) +
                                      " meshes are placed by no node of the default scene and are left out");
+    }
+    if (points_and_lines_ > 0) {
+        warning("points-and-lines", file_.file + ": " + std::to_string(points_and_lines_) +
+                                        " points and lines are left out, the first in node " +
+                                        in_quotes(points_and_lines_node_));
     }
 }
 
@@ -208,7 +239,7 @@ void Import::check_side_files(const LockedFiles& files) {
     for (const std::string& name : files.refused()) {
         if (name.ends_with(".mtl")) {
             warning("missing-materials", file_.file + ": the material file " + in_quotes(name) +
-                                             " is not there; everything is drawn white");
+                                             " is not there; its materials are drawn plain");
             return;
         }
     }
@@ -221,8 +252,8 @@ void Import::check_features() {
     }
 }
 
-Model Import::finish(std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
-    if (!diagnostics_.has_errors() && model_.meshes.empty() && if_empty == EmptyModel::refuse) {
+Model Import::finish(std::vector<Diagnostic>& warnings) {
+    if (!diagnostics_.has_errors() && model_.meshes.empty() && if_empty_ == EmptyModel::refuse) {
         error("empty-mesh", in_quotes(file_.file) + " has no triangle");
     }
     diagnostics_.throw_if_errors();
@@ -240,7 +271,8 @@ Model Import::finish(std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
 Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
     ReadScene read;
     read_scene(file, read);
-    Import import(file, read);
+    Import import(file, read, if_empty);
+    import.name_nodes();
     import.check_nodes();
     import.convert_materials();
     import.convert_meshes();
@@ -248,7 +280,7 @@ Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings, Emp
     import.load_textures();
     import.check_side_files(*read.files);
     import.check_features();
-    return import.finish(warnings, if_empty);
+    return import.finish(warnings);
 }
 
 }  // namespace campuswalk::scene

@@ -22,7 +22,7 @@ enum class EmptyModel { refuse, accept };
 ///   bad-vertex     a position or a node's transform is NaN or infinite, with the node's name
 ///   bad-texture    a texture is missing or cannot be decoded, with its material's name
 /// Repairs and oddities that do not stop a walk go to `warnings`:
-///   no-triangles       a node has nothing but points or lines, which are dropped
+///   points-and-lines   how many were left out
 ///   repaired-normals   normals that are zero or not finite, taken from the faces
 ///   repaired-uvs       texture coordinates that are not finite, set to 0
 ///   unplaced-mesh      meshes that no node of the default scene places

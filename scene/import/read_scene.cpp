@@ -44,9 +44,8 @@ void check_format(const SceneFile& file) {
     }
 }
 
-void configure(Assimp::Importer& importer) {
-    // Names as the author sees them, not the exporter's ids.
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+void configure(Assimp::Importer& importer, ColladaNames names) {
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names == ColladaNames::names);
     // One node for one object, not a chain of seven `$AssimpFbx$` pivots.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
@@ -91,10 +90,10 @@ bool has_polygons(const aiScene& scene) {
 
 }  // namespace
 
-void read_scene(const SceneFile& file, ReadScene& out) {
+void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names) {
     check_readable(file);
     check_format(file);
-    configure(out.importer);
+    configure(out.importer, names);
     out.files = new LockedFiles(SceneFolder(file.path));
     out.importer.SetIOHandler(out.files);
     try {

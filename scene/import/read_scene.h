@@ -17,9 +17,14 @@ struct ReadScene {
     const aiScene* scene = nullptr;
 };
 
+/// What COLLADA nodes are called by: the `name` that authors see, or the `id`. A node that lacks the one
+/// asked for gets a name that starts with kMadeUpColladaName.
+enum class ColladaNames { names, ids };
+constexpr const char* kMadeUpColladaName = "$ColladaAutoName$";
+
 /// Opens and parses the file; polygons are triangulated, nothing else is changed: no step runs that would
 /// merge nodes (their names are what colliders go by), and joining vertices and making normals are done
 /// after it, faster and exactly. Throws InputError missing-file or bad-model.
-void read_scene(const SceneFile& file, ReadScene& out);
+void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names = ColladaNames::names);
 
 }  // namespace campuswalk::scene

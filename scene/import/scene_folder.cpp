@@ -30,11 +30,13 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-std::string with_forward_slashes(std::string_view uri) {
+std::string tidy_path(std::string_view uri) {
     constexpr std::string_view kScheme = "file://";
     if (uri.starts_with(kScheme)) {
         uri.remove_prefix(kScheme.size());
     }
+    // PLY comments end in the carriage return of another system.
+    uri = uri.substr(0, uri.find_last_not_of(" \t\r\n") + 1);
     std::string path(uri);
     std::ranges::replace(path, '\\', '/');
     return path;
@@ -101,7 +103,7 @@ std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool 
 }
 
 std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
-    const std::string path = with_forward_slashes(uri);
+    const std::string path = tidy_path(uri);
     if (auto found = try_path(path, false)) {
         return found;
     }
@@ -109,7 +111,7 @@ std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
 }
 
 std::optional<fs::path> SceneFolder::find_picture(std::string_view uri) const {
-    const std::string path = with_forward_slashes(uri);
+    const std::string path = tidy_path(uri);
     for (const std::string& name : {path, percent_decoded(path)}) {
         if (auto found = try_path(name, true)) {
             return found;
