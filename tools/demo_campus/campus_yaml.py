@@ -86,6 +86,7 @@ def _building_colliders(out, campus):
 def _furniture_colliders(out, campus):
     out.note("Street furniture. Notice boards are seen by rays only: one may walk through them.")
     out.each("flower-bed", "flower_bed_*", "box")
+    out.each("planter", "planter_*", "box")
     out.each("bench", "bench_*", "box")
     out.each("lamp", "lamp_*", "capsule", radius="0.16", height="3.9")
     out.each("bin", "bin_*", "capsule", radius="0.28", height="0.95")
@@ -145,7 +146,7 @@ OUTDOOR_PLACES = {
     "avenue-south": (0.0, 66.0), "avenue-bench": (0.0, 62.0), "avenue-tree": (0.0, 58.0),
     "avenue": (0.0, 50.0), "avenue-north": (0.0, 34.0), "square": (0.0, 17.0),
     "square-north": (0.0, -6.0), "square-east": (7.5, 11.0), "square-west": (-7.5, 11.0),
-    "bed-approach": (9.0, 32.0), "bed-east": (13.0, 17.0), "theatre-path": (-14.0, 50.0), "cafeteria-path": (16.0, 50.0),
+    "bed-approach": (9.0, 32.0), "bed-side": (12.8, 23.2), "bed-east": (12.8, 17.0), "theatre-path": (-14.0, 50.0), "cafeteria-path": (16.0, 50.0),
     "admin-path": (-31.0, 8.0), "science-path": (34.0, 8.0), "pond-quay": (59.0, 64.0),
     "pond-beach": (88.5, 64.0), "pond-walk-north": (74.0, 49.5), "gallery-path": (-66.0, 74.0),
     "sports-path": (-60.0, -51.6), "dorm-path": (60.0, -46.0), "observatory-path": (22.0, -66.0),

@@ -119,5 +119,5 @@ def pendant_lamp(drop=0.8):
     mesh = Mesh()
     mesh.box("iron", (-0.01, -drop, -0.01), (0.01, 0.0, 0.01), "yY")
     lathe(mesh, "lamp_glass", [(0.0, -drop - 0.28), (0.16, -drop - 0.24), (0.19, -drop - 0.12),
-                               (0.05, -drop), (0.0, -drop)], 10)
+                               (0.05, -drop), (0.0, -drop)], 8)
     return mesh

@@ -29,7 +29,7 @@ def lamp():
     """A lantern on a turned post, 3.9 m."""
     mesh = Mesh()
     lathe(mesh, "iron", [(0.17, 0.0), (0.17, 0.25), (0.10, 0.40), (0.10, 0.55), (0.06, 0.65),
-                         (0.045, 3.15), (0.10, 3.22), (0.05, 3.30)], 10)
+                         (0.045, 3.15), (0.10, 3.22), (0.05, 3.30)], 8)
     lathe(mesh, "lamp_glass", [(0.09, 3.28), (0.17, 3.62)], 6, smooth=False)
     lathe(mesh, "iron", [(0.24, 3.60), (0.22, 3.66), (0.08, 3.82), (0.03, 3.84), (0.0, 3.94)], 6,
           smooth=False)
@@ -59,18 +59,16 @@ def bicycle(colour="fabric_red"):
     """A bicycle, seen from the side along z."""
     mesh = Mesh()
     for z in (-0.52, 0.52):
-        for k in range(12):
-            a, b = 30.0 * k, 30.0 * (k + 1)
+        for k in range(10):
+            a, b = 36.0 * k, 36.0 * (k + 1)
             tube(mesh, "iron", (0.0, 0.34 + 0.33 * sin_deg(a), z + 0.33 * cos_deg(a)),
-                 (0.0, 0.34 + 0.33 * sin_deg(b), z + 0.33 * cos_deg(b)), 0.018, 0.018, 4)
-        for a in (0, 60, 120):
-            tube(mesh, "metal", (0.0, 0.34 - 0.32 * sin_deg(a), z - 0.32 * cos_deg(a)),
-                 (0.0, 0.34 + 0.32 * sin_deg(a), z + 0.32 * cos_deg(a)), 0.006, 0.006, 3)
+                 (0.0, 0.34 + 0.33 * sin_deg(b), z + 0.33 * cos_deg(b)), 0.018, 0.018, 3)
+        tube(mesh, "metal", (-0.05, 0.34, z), (0.05, 0.34, z), 0.03, 0.03, 4)
     frame = [((0, 0.34, -0.52), (0, 0.80, -0.18)), ((0, 0.34, -0.52), (0, 0.30, -0.02)),
              ((0, 0.30, -0.02), (0, 0.88, -0.20)), ((0, 0.30, -0.02), (0, 0.80, 0.36)),
              ((0, 0.78, -0.16), (0, 0.82, 0.36)), ((0, 0.34, 0.52), (0, 0.98, 0.34))]
     for a, b in frame:
-        tube(mesh, colour, a, b, 0.022, 0.022, 5)
+        tube(mesh, colour, a, b, 0.022, 0.022, 4)
     tube(mesh, "iron", (-0.26, 1.0, 0.30), (0.26, 1.0, 0.30), 0.016, 0.016, 4)
     mesh.box("iron", (-0.07, 0.88, -0.34), (0.07, 0.94, -0.08))
     return mesh
@@ -188,6 +186,19 @@ def flower_bed(length, width, kinds, random):
                                   (x - dx, y1, z - dz)],
                       [(kind / 4, 1.0), (kind / 4 + 0.25, 1.0), (kind / 4 + 0.25, 0.0),
                        (kind / 4, 0.0)], [(0.0, 1.0, 0.0)] * 4)
+    return mesh
+
+
+PLANTER_SIZE = 2.2
+SOIL_HEIGHT = 0.36
+
+
+def planter():
+    """A square stone box for a tree; its upper edge serves as a seat."""
+    mesh, half = Mesh(), PLANTER_SIZE / 2
+    outline = [(-half, half), (half, half), (half, -half), (-half, -half)]
+    ring(mesh, "granite", outline, -0.2, 0.45, 0.3)
+    mesh.poly("soil", [(x * 0.75, SOIL_HEIGHT, z * 0.75) for x, z in outline])
     return mesh
 
 

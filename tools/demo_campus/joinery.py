@@ -32,6 +32,8 @@ WINDOWS = {
     "shop": WindowStyle("frame_dark", "clear_glass", sill="concrete", lintel=None, columns=2,
                         rows=1, see_through=True),
     "slot": WindowStyle("frame_dark", columns=1, rows=3, lintel=None, sill=None),
+    "slot_lit": WindowStyle("frame_dark", "clear_glass", columns=1, rows=3, lintel=None, sill=None,
+                            see_through=True),
     "stone": WindowStyle("frame_dark", columns=2, rows=3, setback=0.2),
     "clerestory": WindowStyle("frame_dark", "clear_glass", columns=4, rows=1, sill=None,
                               lintel=None, see_through=True),

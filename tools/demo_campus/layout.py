@@ -74,21 +74,14 @@ POND_WATER = 0.35     # rim to water surface
 POND_CORNERS = 24
 
 
-def _pond_ring(share, drop_east=0.0):
-    """The pond's outline scaled about its centre (drop_east: share added on the eastern side)."""
-    ring = []
-    for i in range(POND_CORNERS):
-        angle = 360.0 / POND_CORNERS * i
-        c, s = cos_deg(angle), sin_deg(angle)
-        scale = share + drop_east * max(0.0, c)
-        ring.append((POND_CENTRE[0] + POND_RADII[0] * scale * c,
-                     POND_CENTRE[1] + POND_RADII[1] * scale * s))
-    return facing_up(ring)
+def _ellipse(centre, radii, corners):
+    step = 360.0 / corners
+    return facing_up([(centre[0] + radii[0] * cos_deg(step * i), centre[1] + radii[1] * sin_deg(step * i))
+                      for i in range(corners)])
 
 
-POND_RIM = _pond_ring(1.0)
-# The western quay is a vertical wall; towards the east the bed rises as a beach one can leave by.
-POND_COPING = _pond_ring(1.05)
+POND_RIM = _ellipse(POND_CENTRE, POND_RADII, POND_CORNERS)
+POND_COPING = _ellipse(POND_CENTRE, (POND_RADII[0] * 1.05, POND_RADII[1] * 1.05), POND_CORNERS)
 
 
 @dataclass(frozen=True)
@@ -140,8 +133,15 @@ RIBBONS = (
     Ribbon("path_pavilion_south", "path", 2.0, ((74.0, 46.5), (74.0, 50.0))),
 )
 
-# Paved areas that are not ribbons: (name, material, world polygon).
-AREAS = (
+# Bands of small stones in the square's paving, and a disc round the fountain.
+_BAND = 0.45
+_INLAYS = tuple(("path_inlay_%02d" % (i + 1), "setts", poly) for i, poly in enumerate(
+    [_ellipse(FOUNTAIN, (6.4, 6.4), 32)]
+    + [rect(x - _BAND, -17.0, x + _BAND, 31.0) for x in (-13.0, 13.0)]
+    + [rect(-25.0, z - _BAND, 25.0, z + _BAND) for z in (-10.0, 3.0, 16.0, 26.0)]))
+
+# Paved areas that are not ribbons, the upper ones first: (name, material, world polygon).
+AREAS = _INLAYS + (
     ("square", "slabs", SQUARE),
     ("path_terrace", "slabs", rect(17.0, 40.5, 25.5, 59.5)),
     ("path_courtyard", "slabs", rect(-54.5, -2.5, -36.5, 18.5)),

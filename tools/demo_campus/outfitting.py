@@ -31,6 +31,7 @@ BEDS = [(9.0, 21.0, 0.0, 4.4, 1.8, (0, 1)), (-9.0, 21.0, 0.0, 4.4, 1.8, (2, 3)),
         (18.4, 56.0, 90.0, 3.6, 1.2, (0, 1)), (18.4, 43.6, 90.0, 3.6, 1.2, (2, 3)),
         (-68.9, 68.0, 90.0, 4.0, 1.2, (2, 3)), (40.0, 5.0, 90.0, 3.6, 1.4, (1, 3)),
         (40.0, 11.0, 90.0, 3.6, 1.4, (0, 2))]
+PLANTERS = [(-20.0, -6.0), (20.0, -6.0), (-20.0, 24.5), (20.0, 24.5)]  # trees in stone boxes
 SIGN_POSTS = [("WELCOME TO CAMPUS", 6.2, 85.0, 0.0), ("MAIN LIBRARY", -12.8, -12.0, 0.0),
               ("LECTURE THEATRE", -6.0, 47.2, 90.0), ("CAFETERIA", 6.0, 47.4, -90.0),
               ("ADMINISTRATION", -29.0, 11.4, 90.0), ("SCIENCE BLOCK", 30.0, 11.4, -90.0),
@@ -83,6 +84,7 @@ class Outfitting:
         random = Random(77)
         for x, z, yaw, length, width, kinds in BEDS:
             self._put("flower_bed", furniture.flower_bed(length, width, kinds, random), x, z, yaw)
+        self._many("planter", furniture.planter(), PLANTERS)
         for text, x, z, yaw in SIGN_POSTS:
             self._put("sign", furniture.sign(SIGNS.index(text)), x, z, yaw)
         for owner, text, x, y, z in WALL_SIGNS:

@@ -109,7 +109,7 @@ def _surfaces():
                 _strip(((-119.0, ROAD_Z), (119.0, ROAD_Z)), -near, -near - PAVEMENT_WIDTH)]
     kerbs = [_kerbs(r) for r in RIBBONS]
     kerbs += [_area_kerb("kerb_" + name.split("_", 1)[-1], facing_up(poly))
-              for name, _, poly in AREAS]
+              for name, _, poly in AREAS if not name.startswith("path_inlay")]
     return ([Surface("pond_coping", "granite", COPING_TOP, coping)] + roads + areas + paths
             + kerbs[:1] + [Surface("path_pavement", "slabs", PAVEMENT_TOP, pavement)] + kerbs[1:])
 
@@ -156,7 +156,7 @@ class Paving:
 
     def meshes(self):
         """[(node name, mesh)] of every surface."""
-        return [(surface.name, self._mesh(surface)) for surface in self.surfaces]
+        return [(surface.name, self._mesh(surface)) for surface in self.surfaces if surface.pieces]
 
     def _mesh(self, surface):
         mesh, terrain = Mesh(), self._terrain

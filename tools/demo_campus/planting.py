@@ -4,12 +4,15 @@ from . import vegetation
 from .exact import Random, cos_deg, sin_deg
 from .gltf import Node
 from .layout import EAST, NORTH, PLACEMENTS, POND_CENTRE, POND_RADII, SOUTH, WEST
+from .furniture import SOIL_HEIGHT
+from .outfitting import PLANTERS
+from .paving import PATH_TOP
 from .vegetation import HEDGE_LENGTH, SPECIES
 
 TRUNK_TO_PAVING = 0.9   # metres kept between a trunk and any paving
 WALL_GAP = 1.6          # metres kept between a crown and a house
 AVENUE_X, AVENUE_PITCH = 4.7, 8.0
-SCATTERED = 150         # trees tried for the open lawns
+SCATTERED = 46          # trees on the open lawns
 BORDER = 6.0            # metres kept to the edge of the site
 
 
@@ -48,30 +51,32 @@ class Planting:
                                for k in range(8)]
         return all(self._paving.lift(x + dx, z + dz) == 0.0 for dx, dz in ring)
 
-    def tree(self, species, x, z, scale=None, gap=0.8, must=False):
-        """Plants a tree if there is room (always when it must)."""
+    def tree(self, species, x, z, scale=None, gap=0.8, box_height=None):
+        """Plants a tree if there is room, or in any case in a box of soil of some height."""
         crown = SPECIES[species][2]
-        if not must and not self._free(x, z, crown, gap):
+        if box_height is None and not self._free(x, z, crown, gap):
             return
         random = self._random
         self._counts[species] = self._counts.get(species, 0) + 1
         self._spots.append((x, z, crown))
         self.nodes.append(Node("tree_%s_%03d" % (species, self._counts[species]),
                                random.pick(self._meshes[species]),
-                               (x, self._terrain.height(x, z), z),
+                               (x, self._terrain.height(x, z) + (box_height or 0.0), z),
                                round(random.between(0.0, 360.0), 1),
                                scale or round(random.between(0.85, 1.2), 3)))
 
     def plant(self):
         """All trees: avenue, streets, square, pond, then the open lawns."""
+        for x, z in PLANTERS:
+            self.tree("lime", x, z, 0.82, box_height=SOIL_HEIGHT + PATH_TOP)
         z = 34.0
         while z < 72.0:
             for x in (-AVENUE_X, AVENUE_X):
                 self.tree("lime", x, z, round(self._random.between(0.92, 1.05), 3), 0.55)
             z += AVENUE_PITCH
-        for k in range(16):
-            self.tree("oak" if k % 3 else "lime", -112.0 + 15.0 * k, 83.6, gap=0.7)
-            self.tree("poplar", -114.0 + 15.2 * k, 98.5 - 2.6, gap=0.6)
+        for k in range(12):
+            self.tree("oak" if k % 3 else "lime", -110.0 + 20.0 * k, 83.6, gap=0.7)
+            self.tree("poplar", -112.0 + 20.3 * k, 98.5 - 2.6, gap=0.6)
         for x, z in ((-31.0, -12.0), (-31.0, 26.0), (31.0, 26.0), (30.0, -3.0), (-30.0, 31.0),
                      (38.0, -12.0), (-12.0, 36.5), (12.0, 36.5), (-20.0, 36.5), (20.0, 36.5)):
             self.tree("cherry", x, z, gap=0.6)
@@ -79,18 +84,18 @@ class Planting:
             angle = 51.0 * k + 18.0
             self.tree("willow", POND_CENTRE[0] + 21.5 * cos_deg(angle),
                       POND_CENTRE[1] + 18.5 * sin_deg(angle), gap=0.6)
-        for k in range(14):
-            self.tree("spruce", -95.0 + 14.3 * k + self._random.between(-2, 2),
+        for k in range(11):
+            self.tree("spruce", -95.0 + 18.3 * k + self._random.between(-2, 2),
                       -108.0 + 2.0 + self._random.between(0.0, 1.5), gap=0.6)
-            self.tree("birch", 112.5, -90.0 + 13.0 * k + self._random.between(-2, 2), gap=0.6)
-            self.tree("poplar", -112.5, -92.0 + 13.0 * k + self._random.between(-2, 2), gap=0.6)
+            self.tree("birch", 112.5, -90.0 + 16.0 * k + self._random.between(-2, 2), gap=0.6)
+            self.tree("poplar", -112.5, -92.0 + 16.5 * k + self._random.between(-2, 2), gap=0.6)
         self._scatter()
 
     def _scatter(self):
         kinds = ["oak", "oak", "birch", "birch", "lime", "spruce", "cherry"]
         planted = len(self.nodes)
-        for _ in range(SCATTERED * 4):
-            if len(self.nodes) - planted >= SCATTERED // 2:
+        for _ in range(SCATTERED * 10):
+            if len(self.nodes) - planted >= SCATTERED:
                 break
             x, z = self._random.between(-100.0, 100.0), self._random.between(-96.0, 82.0)
             self.tree(self._random.pick(kinds), x, z, gap=1.15)

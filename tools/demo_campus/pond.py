@@ -27,7 +27,7 @@ def basin():
     for i in range(POND_CORNERS):
         j = (i + 1) % POND_CORNERS
         steep = cos_deg(360.0 / POND_CORNERS * (i + 0.5)) < 0.15
-        mesh.quad("granite" if steep else "gravel", rim[j], rim[i], bed[i], bed[j])
+        mesh.quad("granite" if steep else "gravel", bed[j], bed[i], rim[i], rim[j])
         mesh.poly("pond_bed", [bed[i], bed[j], centre])
     return mesh
 

@@ -67,7 +67,7 @@ def flat(mesh, poly, parts, y, parapet=0.7, wall_material="concrete", coping="st
     """A flat roof with a parapet; parts: convex polygons that make up the outline."""
     for part in parts:
         mesh.poly(covering, [(x, y, z) for x, z in part])
-    ring(mesh, wall_material, poly, y - 0.05, y + parapet, thickness)
+    ring(mesh, wall_material, poly, y, y + parapet, thickness)
     cope = offset(poly, 0.06)
     ring(mesh, coping, cope, y + parapet - 0.02, y + parapet + 0.08, thickness + 0.12)
 

@@ -107,7 +107,7 @@ def science():
               top, top + 1.1)
     _canopy(block)
     block.door_trigger(0.0, 0.06, 7.6, 4.0)
-    block.points = {"science-door": (0.0, 0.1, 8.6)}
+    block.points = {"science-door": (0.0, 0.06, 8.6)}
     return block
 
 
@@ -188,5 +188,5 @@ def sports_hall():
                     Opening(9.4, 2.2, 0.9, 2.5, "casement")]}, "porch")
     flat(hall.part("porch"), porch, [porch], 3.4, 0.4, "brick_dark", "concrete")
     hall.door_trigger(0.0, 0.1, 13.2)
-    hall.points = {"sports-hall-door": (0.0, 0.1, 13.8)}
+    hall.points = {"sports-hall-door": (0.0, 0.06, 13.8)}
     return hall

@@ -85,6 +85,7 @@ def clock_tower():
     tower.shell(WallStyle("ashlar", None, "stone"), base, 0.0, 4.4,
                 {0: [Opening(3.2, 1.3, 0.1, 2.5, "door")]})
     band(walls, "stone", base, 4.2, 4.6, 0.15)
+    walls.poly("stone", [(x, 4.6, z) for x, z in base])
     slots = [Opening(2.8, 0.7, y, y + 1.7, "stone") for y in (1.4, 5.2, 9.0)]
     tower.shell(WallStyle("brick_red", None, "stone"), shaft, 4.5, 17.0,
                 {k: slots for k in range(4)})
@@ -135,6 +136,7 @@ def observatory():
     walls, dome = house.part("walls"), house.part("dome")
     band(walls, "stone", drum, 2.6, 2.85, 0.07)
     band(walls, "stone", drum, 6.4, 6.75, 0.45)
+    walls.poly("stone", [(x, 6.75, z) for x, z in drum])
     for x, z in offset(drum, 0.36):
         walls.box("iron", (x - 0.025, 6.75, z - 0.025), (x + 0.025, 7.7, z + 0.025), "y")
     rail = offset(drum, 0.36)

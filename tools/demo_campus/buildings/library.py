@@ -75,6 +75,12 @@ def _upper_floor(library):
     library.ceiling("plaster_inside", room, UPPER - SLAB, [STAIR_HOLE])
     library.hole_edges("wood", STAIR_HOLE, UPPER - SLAB, UPPER, "upper_floor")
     library.ceiling("plaster_inside", room, CEILING)
+    for x in (-15.0, -11.4, -7.8, -4.2, -0.6, 12.2, 15.6):  # oak beams over the hall
+        library.part("ceiling").box("wood_dark", (x - 0.13, UPPER - SLAB - 0.22, -9.7),
+                                    (x + 0.13, UPPER - SLAB, 1.875), "Yz")
+    for x in (-14.0, -9.5, 0.0, 4.5, 9.0, 13.5):
+        library.part("ceiling").box("wood_dark", (x - 0.13, CEILING - 0.25, -9.7),
+                                    (x + 0.13, CEILING, 9.7), "YzZ")
     stairs = library.part("stairs")
     flight(stairs, STAIR_X, STAIR_Z0, STAIR_Z1, FLOOR, RISERS, material="wood")
     parapet_wall(stairs, (STAIR_X, FLOOR + 0.05, STAIR_Z1 + 0.02),
@@ -157,7 +163,7 @@ def build():
         "library-door": (0.0, FLOOR, 10.0), "library-lobby": (0.0, FLOOR, 6.5),
         "library-desk": (1.8, FLOOR, 5.6), "library-hall": (0.0, FLOOR, 0.5),
         "library-reading-room": (-6.6, FLOOR, 6.0), "library-stacks": (0.0, FLOOR, -5.5),
-        "library-wall": (-1.4, FLOOR, -9.9),
+        "library-wall": (-1.4, FLOOR, -9.45),
         "library-stairs-foot": (2.6, FLOOR, -8.9),
         "library-stairs-bottom": (3.6, FLOOR, -8.9),
         "library-stairs-top": (STAIR_END + 0.7, UPPER, -8.9),

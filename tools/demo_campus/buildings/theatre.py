@@ -29,7 +29,7 @@ def _front_edge(poly):
 
 
 def _openings(front):
-    slots = [Opening(SIDE * k / 4, 0.8, 1.6, 5.4, "slot") for k in (1, 2, 3)]
+    slots = [Opening(SIDE * k / 4, 0.8, 1.6, 5.4, "slot_lit") for k in (1, 2, 3)]
     holes = {i: slots for i in range(8) if i not in (front, (front + 4) % 8)}
     holes[front] = [Opening(SIDE / 2, 1.6, 0.0, 2.5, "open"),
                     Opening(SIDE / 2, 2.4, 3.6, 5.4, "clerestory")]
@@ -51,11 +51,34 @@ def _hall(theatre, room):
             mesh.box("wood", (x0, top + 0.66, z0 - 0.36), (x1, top + 0.70, z0 - 0.02))
             mesh.box("wood_dark", (x0, top, z0 - 0.06), (x1, top + 0.66, z0 - 0.02), "yY")
             mesh.box("fabric_red", (x0, top + 0.02, z0 - 0.88), (x1, top + 0.44, z0 - 0.56), "y")
+    _panelling(theatre, room)
     stage = theatre.part("stage")
     prism(stage, "wood", rect(-4.4, 3.4, 4.4, FOYER_Z - 0.14), FLOOR, FLOOR + 2 * RISER)
     prism(stage, "wood", rect(-4.4, 3.1, 4.4, 3.4), FLOOR, FLOOR + RISER)
     stage.box("screen", (-3.4, 2.0, FOYER_Z - 0.22), (3.4, 5.2, FOYER_Z - 0.16), "Z")
     theatre.prop("lectern", furn.counter(0.8, 0.5, 1.15), (3.2, FLOOR + 2 * RISER, 4.6), 180.0)
+
+
+def _panelling(theatre, room):
+    """Wooden boards along the hall's walls, and acoustic ribs under its ceiling."""
+    mesh, inner = theatre.part("panelling"), offset(room, -0.05)
+    for i, (ax, az) in enumerate(inner):
+        bx, bz = inner[(i + 1) % len(inner)]
+        if az + bz > 12.0:
+            continue
+        low, high = FLOOR, FLOOR + 1.45 + RISER * max(0.0, -(az + bz) / 2 / ROW_DEPTH)
+        az2, bz2 = min(az, FOYER_Z - 0.2), min(bz, FOYER_Z - 0.2)
+        if az2 != az:
+            ax = ax + (bx - ax) * (az2 - az) / (bz - az)
+        if bz2 != bz:
+            bx = bx + (ax - bx) * (bz2 - bz) / (az - bz)
+        mesh.quad("wood_dark", (bx, low, bz2), (ax, low, az2), (ax, min(high, 1.55), az2),
+                  (bx, min(high, 1.55), bz2))
+    for k in range(6):
+        z = 4.6 - 2.6 * k
+        reach = clip(rect(-APOTHEM, z - 0.1, APOTHEM, z + 0.1), room)
+        x0, _, x1, _ = bounds(reach)
+        mesh.box("wood", (x0 + 0.3, CEILING - 0.55, z - 0.08), (x1 - 0.3, CEILING, z + 0.08), "Y")
 
 
 def _roof(theatre, outline):
