@@ -15,9 +15,11 @@ struct KnownFeature {
     std::string_view effect;
 };
 
-constexpr std::array<KnownFeature, 2> kIgnored = {{
-    {"EXT_mesh_gpu_instancing", "copies that it places are missing; export without GPU instancing"},
-    {"KHR_texture_transform", "textures may sit or repeat wrongly; apply texture transforms before export"},
+constexpr std::array<KnownFeature, 2> kIgnoredExtensions = {{
+    {"EXT_mesh_gpu_instancing",
+     "ignored, the copies that it places are missing; export without GPU instancing"},
+    {"KHR_texture_transform",
+     "ignored, textures may sit or repeat wrongly; apply texture transforms before export"},
 }};
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -52,6 +54,30 @@ std::string json_text(const std::filesystem::path& path) {
     return text;
 }
 
+/// The number of objects in the array that follows the key, 0 when there is none.
+std::size_t count_objects(const std::string& json, const std::string& key) {
+    const std::size_t at = json.find('"' + key + '"');
+    const std::size_t open =
+        at == std::string::npos ? at : json.find_first_not_of(": \t\r\n", at + key.size() + 2);
+    if (open == std::string::npos || json[open] != '[') {
+        return 0;
+    }
+    std::size_t count = 0;
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = open; i < json.size(); ++i) {
+        if (json[i] == '"' && json[i - 1] != '\\') {
+            in_string = !in_string;
+        } else if (!in_string && (json[i] == '[' || json[i] == '{')) {
+            count += json[i] == '{' && depth == 1 ? 1U : 0U;
+            ++depth;
+        } else if (!in_string && (json[i] == ']' || json[i] == '}') && --depth == 0) {
+            break;
+        }
+    }
+    return count;
+}
+
 }  // namespace
 
 bool is_gltf_name(const std::filesystem::path& path) {
@@ -65,10 +91,14 @@ std::vector<IgnoredFeature> ignored_gltf_features(const std::filesystem::path& p
         return found;
     }
     const std::string text = json_text(path);
-    for (const KnownFeature& feature : kIgnored) {
+    for (const KnownFeature& feature : kIgnoredExtensions) {
         if (text.find('"' + std::string(feature.extension) + '"') != std::string::npos) {
             found.push_back({std::string(feature.extension), std::string(feature.effect)});
         }
+    }
+    if (const std::size_t scenes = count_objects(text, "scenes"); scenes > 1) {
+        found.push_back(
+            {std::to_string(scenes) + " scenes", "only the default one is read; export one scene a file"});
     }
     return found;
 }

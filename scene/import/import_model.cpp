@@ -167,12 +167,6 @@ void Import::convert_meshes() {
             }
         }
     }
-    const auto unplaced = std::ranges::count(seen, false);
-    if (unplaced > 0) {
-        warning("unplaced-mesh", file_.file + ": " + std::to_string(unplaced) + " of " +
-                                     std::to_string(seen.size()) +
-                                     " meshes are placed by no node of the default scene and are left out");
-    }
     if (points_and_lines_ > 0) {
         warning("points-and-lines", file_.file + ": " + std::to_string(points_and_lines_) +
                                         " points and lines are left out, the first in node " +
@@ -247,8 +241,7 @@ void Import::check_side_files(const LockedFiles& files) {
 
 void Import::check_features() {
     for (const IgnoredFeature& feature : ignored_gltf_features(file_.path)) {
-        warning("unsupported-feature",
-                file_.file + ": " + feature.extension + " is ignored: " + feature.effect);
+        warning("unsupported-feature", file_.file + ": " + feature.name + ": " + feature.effect);
     }
 }
 

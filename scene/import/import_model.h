@@ -25,9 +25,8 @@ enum class EmptyModel { refuse, accept };
 ///   points-and-lines   how many were left out
 ///   repaired-normals   normals that are zero or not finite, taken from the faces
 ///   repaired-uvs       texture coordinates that are not finite, set to 0
-///   unplaced-mesh      meshes that no node of the default scene places
 ///   missing-materials  an OBJ's material file isn't there
-///   unsupported-feature  glTF extensions that assimp ignores although the picture or the shape needs them
+///   unsupported-feature  what assimp ignores in a glTF file although the picture or the shape needs it
 Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings,
                    EmptyModel if_empty = EmptyModel::refuse);
 

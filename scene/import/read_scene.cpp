@@ -79,6 +79,9 @@ bool has_polygons(const aiScene& scene) {
     while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) {
         words.pop_back();
     }
+    if (words.find("OBJ-file is too small") != std::string::npos) {
+        throw InputError(file.mark, "empty-mesh", "'" + file.file + "' has no triangle");
+    }
     std::string message = "'" + file.file + "' is not a model that can be read: " + words;
     for (const std::string& name : read.files->refused()) {
         if (words.find(name) == std::string::npos) {

@@ -1,0 +1,237 @@
+#include "scene/import/import_model.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "tests/scene/model_files.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using test::errors_of;
+using test::has_code;
+using test::scene_file;
+using test::text_of;
+
+class ImportModelTest : public testing::Test {
+protected:
+    Model import(const std::string& name) { return import_model(scene_file(folder_, name), warnings_); }
+    std::vector<Diagnostic> errors(const std::string& name) {
+        return errors_of([&] { import(name); });
+    }
+    /// Rewrites `from` as `to` in a file.
+    void edit(const std::string& name, const std::string& from, const std::string& to) {
+        std::stringstream text;
+        text << std::ifstream(folder_.path() / name).rdbuf();
+        std::string content = text.str();
+        const std::size_t at = content.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        folder_.write(name, content.replace(at, from.size(), to));
+    }
+
+    test::TemporaryFolder folder_;
+    std::vector<Diagnostic> warnings_;
+};
+
+TEST_F(ImportModelTest, KeepsNamesHierarchyAndPlaces) {
+    test::write_gltf(
+        folder_, "campus",
+        {{.name = "campus"},
+         {.name = "library", .X_parent_node = test::translation(10, 0, 0), .parent = 0},
+         {.name = "walls", .size = {4, 2, 6}, .X_parent_node = test::translation(0, 1, 0), .parent = 1}});
+    const Model model = import("campus.gltf");
+    ASSERT_EQ(model.nodes.size(), 3U);
+    EXPECT_EQ(model.nodes[0].name, "campus");
+    EXPECT_EQ(model.nodes[1].name, "library");
+    EXPECT_EQ(model.nodes[2].name, "walls");
+    EXPECT_EQ(model.nodes[2].parent, 1);
+    EXPECT_EQ(count_triangles(model), 12U);
+    EXPECT_EQ(world_bounds(model).min, Eigen::Vector3d(8, 0, -3));
+    EXPECT_EQ(world_bounds(model).max, Eigen::Vector3d(12, 2, 3));
+    EXPECT_NEAR(test::signed_volume(model), 48.0, 1e-6);
+    EXPECT_TRUE(warnings_.empty()) << text_of(warnings_);
+}
+
+TEST_F(ImportModelTest, GivesFlatNormalsToGltfWithout) {
+    test::write_gltf(folder_, "box", {{.name = "box", .size = {2, 2, 2}}});
+    const Model model = import("box.gltf");
+    const Mesh& mesh = model.meshes[0];
+    ASSERT_EQ(mesh.positions.size(), 24U);
+    ASSERT_EQ(mesh.normals.size(), 24U);
+    for (std::size_t i = 0; i < 24; ++i) {
+        EXPECT_FLOAT_EQ(mesh.normals[i].cwiseAbs().maxCoeff(), 1.0F);
+        EXPECT_FLOAT_EQ(mesh.normals[i].dot(mesh.positions[i]), 1.0F);
+    }
+}
+
+TEST_F(ImportModelTest, AppliesUpUnitScaleAndPosition) {
+    folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {100, 200, 300}));
+    SceneFile file = scene_file(folder_, "box.obj");
+    file.up = UpAxis::z;
+    file.metres_per_unit = 0.01;
+    file.scale = 2.0;
+    file.position = {10, 20, 30};
+    const Model model = import_model(file, warnings_);
+    // 2 x 4 x 6 m, z up becomes y up: (x, y, z) goes to (x, z, -y).
+    EXPECT_LT((world_bounds(model).min - Eigen::Vector3d(10, 20, 26)).norm(), 1e-9);
+    EXPECT_LT((world_bounds(model).max - Eigen::Vector3d(12, 26, 30)).norm(), 1e-9);
+    EXPECT_NEAR(test::signed_volume(model), 48.0, 1e-9);
+}
+
+TEST_F(ImportModelTest, TurnsMirroredNodesRightSideOut) {
+    Eigen::Matrix4d mirror = Eigen::Matrix4d::Identity();
+    mirror(0, 0) = -1.0;
+    test::write_gltf(folder_, "pair", {{.name = "mirrored", .size = {1, 2, 3}, .X_parent_node = mirror}});
+    EXPECT_NEAR(test::signed_volume(import("pair.gltf")), 6.0, 1e-6);
+
+    // A mesh that an upright node uses too is copied, not flipped under its feet.
+    test::write_gltf(folder_, "shared",
+                     {{.name = "upright", .size = {1, 2, 3}},
+                      {.name = "mirrored", .size = {1, 1, 1}, .X_parent_node = mirror}});
+    edit("shared.gltf", "\"mesh\":1", "\"mesh\":0");
+    const Model model = import("shared.gltf");
+    EXPECT_EQ(model.meshes.size(), 2U);
+    EXPECT_NEAR(test::signed_volume(model), 12.0, 1e-6);
+}
+
+TEST_F(ImportModelTest, IsTheSameEachTime) {
+    folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
+    const Model first = import("box.obj");
+    const Model second = import("box.obj");
+    ASSERT_EQ(first.meshes.size(), second.meshes.size());
+    EXPECT_EQ(first.meshes[0].positions, second.meshes[0].positions);
+    EXPECT_EQ(first.meshes[0].normals, second.meshes[0].normals);
+    EXPECT_EQ(first.meshes[0].triangles, second.meshes[0].triangles);
+}
+
+TEST_F(ImportModelTest, JoinsTheVerticesThatObjFacesShare) {
+    folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
+    EXPECT_EQ(import("box.obj").meshes[0].positions.size(), 24U);  // three normals at each of 8 corners
+}
+
+TEST_F(ImportModelTest, TriangulatesPolygonsAndLeavesLinesOut) {
+    folder_.write("face.obj", "o face\nv 0 0 0\nv 2 0 0\nv 2 0 1\nv 1 0 0.2\nv 0 0 1\nf 1 5 4 3 2\nl 1 2\n");
+    EXPECT_EQ(count_triangles(import("face.obj")), 3U);
+    EXPECT_TRUE(has_code(warnings_, "points-and-lines")) << text_of(warnings_);
+}
+
+TEST_F(ImportModelTest, AppliesFbxUnitsAndAxes) {
+    const auto fbx = [](int up, int front, int front_sign, int unit) {
+        std::ostringstream out;
+        out << "; FBX 7.3.0 project file\nFBXHeaderExtension:  {\n FBXHeaderVersion: 1003\n FBXVersion: "
+               "7300\n}\n"
+            << "GlobalSettings:  {\n Version: 1000\n Properties70:  {\n"
+            << "  P: \"UpAxis\", \"int\", \"Integer\", \"\"," << up << "\n"
+            << "  P: \"UpAxisSign\", \"int\", \"Integer\", \"\",1\n"
+            << "  P: \"FrontAxis\", \"int\", \"Integer\", \"\"," << front << "\n"
+            << "  P: \"FrontAxisSign\", \"int\", \"Integer\", \"\"," << front_sign << "\n"
+            << "  P: \"CoordAxis\", \"int\", \"Integer\", \"\",0\n"
+            << "  P: \"CoordAxisSign\", \"int\", \"Integer\", \"\",1\n"
+            << "  P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," << unit << "\n }\n}\n"
+            << "Objects:  {\n Geometry: 1000, \"Geometry::tri\", \"Mesh\" {\n"
+            << "  Vertices: *9 {\n   a: 0,0,0,100,0,0,0,0,200\n  }\n"
+            << "  PolygonVertexIndex: *3 {\n   a: 0,1,-3\n  }\n  GeometryVersion: 124\n }\n"
+            << " Model: 2000, \"Model::tri\", \"Mesh\" {\n  Version: 232\n }\n}\n"
+            << "Connections:  {\n C: \"OO\",2000,0\n C: \"OO\",1000,2000\n}\n";
+        return out.str();
+    };
+    folder_.write("y_cm.fbx", fbx(1, 2, 1, 1));
+    EXPECT_LT((world_bounds(import("y_cm.fbx")).max - Eigen::Vector3d(1, 0, 2)).norm(), 1e-9);
+    folder_.write("z_m.fbx", fbx(2, 1, -1, 100));
+    EXPECT_LT((world_bounds(import("z_m.fbx")).max - Eigen::Vector3d(100, 200, 0)).norm(), 1e-9);
+}
+
+TEST_F(ImportModelTest, ReportsAMissingFileWhereItIsNamed) {
+    const auto found = errors("nowhere.gltf");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "missing-file");
+    EXPECT_EQ(found[0].mark.file, "test.campus.yaml");
+    EXPECT_EQ(found[0].mark.line, 3);
+    EXPECT_TRUE(has_code(errors("."), "missing-file"));  // a folder
+}
+
+TEST_F(ImportModelTest, ReportsWhatAssimpRefuses) {
+    folder_.write("broken.gltf", "{\"asset\":");
+    const auto found = errors("broken.gltf");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "bad-model");
+    EXPECT_EQ(found[0].message.find(folder_.path().string()), std::string::npos) << found[0].message;
+    folder_.write("notes.xyz", "hello");
+    EXPECT_TRUE(has_code(errors("notes.xyz"), "bad-model"));
+    folder_.write("house.ifc", "ISO-10303-21;");
+    EXPECT_NE(text_of(errors("house.ifc")).find("glTF"), std::string::npos);
+}
+
+TEST_F(ImportModelTest, ReadsNoBufferOutsideTheScenesFolder) {
+    test::TemporaryFolder outside;
+    test::write_gltf(folder_, "box", {{.name = "box", .size = {1, 1, 1}}});
+    ASSERT_EQ(count_triangles(import("box.gltf")), 12U);
+    std::filesystem::rename(folder_.path() / "box.bin", outside.path() / "box.bin");
+    const std::string absolute = (outside.path() / "box.bin").string();
+    const std::string climbing = "../" + outside.path().filename().string() + "/box.bin";
+    edit("box.gltf", "box.bin", absolute);
+    EXPECT_TRUE(has_code(errors("box.gltf"), "bad-model"));
+    edit("box.gltf", absolute, climbing);
+    EXPECT_TRUE(has_code(errors("box.gltf"), "bad-model"));
+    edit("box.gltf", climbing, "sub%20folder/box.bin");
+    std::filesystem::create_directory(folder_.path() / "sub folder");
+    std::filesystem::rename(outside.path() / "box.bin", folder_.path() / "sub folder/box.bin");
+    EXPECT_EQ(count_triangles(import("box.gltf")), 12U);
+}
+
+TEST_F(ImportModelTest, RefusesAFileWithoutTrianglesUnlessAskedToLook) {
+    test::write_gltf(folder_, "empty", {{.name = "nothing"}});
+    EXPECT_TRUE(has_code(errors("empty.gltf"), "empty-mesh"));
+    const Model model = import_model(scene_file(folder_, "empty.gltf"), warnings_, EmptyModel::accept);
+    EXPECT_EQ(model.nodes.size(), 1U);
+    EXPECT_TRUE(model.meshes.empty());
+}
+
+TEST_F(ImportModelTest, NamesTheNodesOfBadVertices) {
+    const std::string good = test::obj_box("good", {0, 0, 0}, {1, 1, 1});
+    folder_.write("nan.obj", good + "o bad_tree\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n" +
+                                 "o bad_wall\nv 0 0 0\nv 1 inf 0\nv 0 1 0\nf 12 13 14\n");
+    const auto found = errors("nan.obj");
+    ASSERT_EQ(found.size(), 2U) << text_of(found);
+    EXPECT_EQ(found[0].code, "bad-vertex");
+    EXPECT_NE(found[0].message.find("bad_tree"), std::string::npos);
+    EXPECT_NE(found[1].message.find("bad_wall"), std::string::npos);
+}
+
+TEST_F(ImportModelTest, AnUnusedBadVertexHarmsNobody) {
+    folder_.write("spare.obj", "v nan nan nan\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n");
+    const Model model = import("spare.obj");
+    EXPECT_EQ(world_bounds(model).max, Eigen::Vector3d(1, 1, 0));
+}
+
+TEST_F(ImportModelTest, ReportsAllMistakesOfAFileTogether) {
+    folder_.write("two.mtl", "newmtl wood\nmap_Kd wood.png\nnewmtl stone\nmap_Kd stone.png\n");
+    folder_.write("two.obj",
+                  "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\no a\nusemtl wood\nf 1 2 3\n"
+                  "o b\nusemtl stone\nf 1 2 3\no c\nusemtl stone\nf 1 2 4\n");
+    const auto found = errors("two.obj");
+    EXPECT_EQ(found.size(), 3U) << text_of(found);
+    EXPECT_TRUE(has_code(found, "bad-vertex"));
+    EXPECT_TRUE(has_code(found, "bad-texture"));
+}
+
+TEST_F(ImportModelTest, WarnsAboutWhatAssimpLeavesOut) {
+    test::write_gltf(folder_, "box",
+                     {{.name = "box", .size = {1, 1, 1}}, {.name = "other", .size = {1, 1, 1}}});
+    edit("box.gltf", "{\"nodes\":[0,1]}", "{\"nodes\":[0]},{\"nodes\":[1]}");
+    edit("box.gltf", "\"asset\"", "\"extensionsUsed\":[\"EXT_mesh_gpu_instancing\"],\"asset\"");
+    EXPECT_EQ(count_triangles(import("box.gltf")), 12U);
+    EXPECT_NE(text_of(warnings_).find("2 scenes"), std::string::npos) << text_of(warnings_);
+    EXPECT_NE(text_of(warnings_).find("EXT_mesh_gpu_instancing"), std::string::npos) << text_of(warnings_);
+    EXPECT_TRUE(has_code(warnings_, "unsupported-feature")) << text_of(warnings_);
+    warnings_.clear();
+    folder_.write("plain.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 1, 1}));
+    EXPECT_EQ(count_triangles(import("plain.obj")), 12U);
+    EXPECT_TRUE(has_code(warnings_, "missing-materials")) << text_of(warnings_);
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/campus_description.h"
+#include "scene/model.h"
+
+namespace campuswalk::scene::test {
+
+/// An empty folder that is gone after the test.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    /// Writes a file, with the folders it needs.
+    void write(const std::string& name, std::string_view bytes) const;
+
+private:
+    std::filesystem::path path_;
+};
+
+/// A node of a glTF file to write: a box of full edge lengths `size` about its origin, or nothing when zero.
+struct TinyNode {
+    std::string name;
+    Eigen::Vector3f size = Eigen::Vector3f::Zero();
+    Eigen::Matrix4d X_parent_node = Eigen::Matrix4d::Identity();
+    int parent = -1;
+};
+
+Eigen::Matrix4d translation(double x, double y, double z);
+
+/// Writes NAME.gltf and NAME.bin: each box has 24 vertices without normals and 12 triangles.
+void write_gltf(const TemporaryFolder& folder, const std::string& name, const std::vector<TinyNode>& nodes);
+
+/// OBJ text of a box: `o NAME`, 8 vertices, 12 triangles; `first_vertex` is 1 plus the vertices before it.
+std::string obj_box(const std::string& name, const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                    int first_vertex = 1);
+
+/// An uncompressed TGA picture of one colour, `rgba`.
+std::string tga_picture(int width, int height, std::array<unsigned char, 4> rgba);
+
+SceneFile scene_file(const TemporaryFolder& folder, const std::string& name);
+SceneFile shared_scene(const std::string& name);
+
+/// Where real models are; empty when the folder is absent.
+std::filesystem::path shared_data();
+
+/// The diagnostics that `call` throws in an InputError; none when it doesn't throw.
+std::vector<Diagnostic> errors_of(const std::function<void()>& call);
+bool has_code(const std::vector<Diagnostic>& diagnostics, const std::string& code);
+std::string text_of(const std::vector<Diagnostic>& diagnostics);
+
+/// The volume that the triangles of all nodes enclose: negative when they face inwards.
+double signed_volume(const Model& model);
+
+}  // namespace campuswalk::scene::test
