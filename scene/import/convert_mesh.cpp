@@ -62,6 +62,7 @@ public:
         }
     }
 
+    bool has_uvs() const { return uvs_ != nullptr; }
     bool has_generated_normals() const { return !source_.HasNormals(); }
 
     /// Appends the vertex of corner `corner` (3 a triangle) to the converted mesh.
@@ -146,6 +147,9 @@ void append_welded(const VertexSource& vertices, std::size_t corners, ConvertedM
 void append_indexed(const VertexSource& vertices, const std::vector<Triangle>& triangles,
                     std::size_t vertex_count, ConvertedMesh& out) {
     std::vector<std::uint32_t> number(vertex_count, kUnused);
+    out.mesh.positions.reserve(vertex_count);
+    out.mesh.normals.reserve(vertex_count);
+    out.mesh.uvs.reserve(vertices.has_uvs() ? vertex_count : 0);
     for (std::size_t corner = 0; corner < triangles.size() * 3; ++corner) {
         std::uint32_t& n = number[triangles[corner / 3][corner % 3]];
         if (n == kUnused) {

@@ -1,48 +1,43 @@
 #include "scene/import/locked_files.h"
 
-#include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <memory>
 
 #include <assimp/IOStream.hpp>
 
 namespace campuswalk::scene {
 namespace {
 
-class BytesInMemory final : public Assimp::IOStream {
+/// A file on disk, read where it lies: a copy in memory would double the cost of large models.
+class OpenFile final : public Assimp::IOStream {
 public:
-    explicit BytesInMemory(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
+    OpenFile(std::FILE* file, std::size_t size) : file_(file, &std::fclose), size_(size) {}
 
     std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
-        if (size == 0 || count == 0) {
-            return 0;
-        }
-        const std::size_t items = std::min(count, (bytes_.size() - at_) / size);
-        if (items > 0) {
-            std::memcpy(buffer, bytes_.data() + at_, items * size);
-        }
-        at_ += items * size;
-        return items;
+        return size == 0 || count == 0 ? 0 : std::fread(buffer, size, count, file_.get());
     }
     std::size_t Write(const void* /*buffer*/, std::size_t /*size*/, std::size_t /*count*/) override {
         return 0;
     }
     aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_.size();
+        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? Tell() : size_;
         const std::size_t target = base + offset;  // wraps for a negative offset, as assimp expects
-        if (target > bytes_.size()) {
-            return aiReturn_FAILURE;
-        }
-        at_ = target;
-        return aiReturn_SUCCESS;
+        const bool moved =
+            target <= size_ && std::fseek(file_.get(), static_cast<long>(target), SEEK_SET) == 0;
+        return moved ? aiReturn_SUCCESS : aiReturn_FAILURE;
     }
-    std::size_t Tell() const override { return at_; }
-    std::size_t FileSize() const override { return bytes_.size(); }
+    std::size_t Tell() const override {
+        const long at = std::ftell(file_.get());
+        return at < 0 ? 0 : static_cast<std::size_t>(at);
+    }
+    std::size_t FileSize() const override { return size_; }
     void Flush() override {}
 
 private:
-    std::vector<std::uint8_t> bytes_;
-    std::size_t at_ = 0;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    std::size_t size_ = 0;
 };
 
 }  // namespace
@@ -72,12 +67,14 @@ bool LockedFiles::Exists(const char* name) const {
 Assimp::IOStream* LockedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
-    auto bytes = path ? read_bytes(*path) : std::nullopt;
-    if (!bytes) {
+    std::error_code error;
+    const auto size = path ? std::filesystem::file_size(*path, error) : 0;
+    std::FILE* file = path && !error ? std::fopen(path->c_str(), "rb") : nullptr;
+    if (file == nullptr) {
         refused_.emplace_back(name);
         return nullptr;
     }
-    return new BytesInMemory(std::move(*bytes));
+    return new OpenFile(file, static_cast<std::size_t>(size));
 }
 
 void LockedFiles::Close(Assimp::IOStream* stream) {

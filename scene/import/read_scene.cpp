@@ -53,26 +53,24 @@ void configure(Assimp::Importer& importer, ColladaNames names) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_LIGHTS, false);
 }
 
-/// Triangulation reads vertices by the faces' indices without looking.
-bool indices_in_range(const aiScene& scene) {
+struct FaceCheck {
+    bool indices_in_range = true;  ///< triangulation reads vertices by them without looking
+    bool has_polygons = false;
+};
+
+FaceCheck check_faces(const aiScene& scene) {
+    FaceCheck check;
     for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& mesh = *scene.mMeshes[m];
         for (unsigned int f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
-            if (std::any_of(face.mIndices, face.mIndices + face.mNumIndices,
-                            [&](unsigned int i) { return i >= mesh.mNumVertices; })) {
-                return false;
+            check.has_polygons = check.has_polygons || face.mNumIndices > 3;
+            for (unsigned int k = 0; k < face.mNumIndices; ++k) {
+                check.indices_in_range = check.indices_in_range && face.mIndices[k] < mesh.mNumVertices;
             }
         }
     }
-    return true;
-}
-
-bool has_polygons(const aiScene& scene) {
-    return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [](const aiMesh* mesh) {
-        return std::any_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces,
-                           [](const aiFace& face) { return face.mNumIndices > 3; });
-    });
+    return check;
 }
 
 [[noreturn]] void throw_bad_model(const SceneFile& file, const ReadScene& read, std::string words) {
@@ -104,10 +102,11 @@ void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names) {
         if (out.scene == nullptr) {
             throw_bad_model(file, out, out.importer.GetErrorString());
         }
-        if (!indices_in_range(*out.scene)) {
+        const FaceCheck faces = check_faces(*out.scene);
+        if (!faces.indices_in_range) {
             throw_bad_model(file, out, "a face uses a vertex that is not there");
         }
-        if (has_polygons(*out.scene)) {
+        if (faces.has_polygons) {
             out.scene = out.importer.ApplyPostProcessing(aiProcess_Triangulate);
         }
     } catch (const InputError&) {
