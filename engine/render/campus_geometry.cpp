@@ -1,0 +1,155 @@
+#include "engine/render/campus_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace campuswalk::engine::render {
+namespace {
+
+std::int16_t to_signed_16(double value) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767.0));
+}
+
+// An opaque triangle with the place it has in the drawing order.
+struct SortedTriangle {
+    std::size_t material = 0;
+    std::int32_t cell_x = 0;
+    std::int32_t cell_z = 0;
+    std::array<std::uint32_t, 3> corners = {0, 0, 0};
+
+    bool same_batch(const SortedTriangle& o) const {
+        return material == o.material && cell_x == o.cell_x && cell_z == o.cell_z;
+    }
+};
+
+class Baker {
+public:
+    Baker(std::span<const scene::Model> models, double cell_size) : cell_size_(cell_size) {
+        for (const scene::Model& model : models) {
+            const scene::Bounds bounds = scene::world_bounds(model);
+            if (!bounds.empty()) {
+                geometry_.bounds.extend(bounds.min);
+                geometry_.bounds.extend(bounds.max);
+            }
+        }
+        if (!geometry_.bounds.empty()) {
+            geometry_.origin = 0.5 * (geometry_.bounds.min + geometry_.bounds.max);
+        }
+        for (const scene::Model& model : models) {
+            add_model(model);
+        }
+    }
+
+    CampusGeometry finish() {
+        // Stable: triangles of a batch keep the models' order, so equal depths resolve the same everywhere.
+        std::ranges::stable_sort(triangles_, [](const SortedTriangle& a, const SortedTriangle& b) {
+            return std::tie(a.material, a.cell_x, a.cell_z) < std::tie(b.material, b.cell_x, b.cell_z);
+        });
+        geometry_.indices.reserve(3 * triangles_.size());
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            if (i == 0 || !triangles_[i].same_batch(triangles_[i - 1])) {
+                geometry_.batches.push_back({triangles_[i].material, geometry_.indices.size(), 0, {}});
+            }
+            Batch& batch = geometry_.batches.back();
+            for (const std::uint32_t corner : triangles_[i].corners) {
+                geometry_.indices.push_back(corner);
+                batch.bounds.extend(position(corner).cast<double>());
+            }
+            batch.count += 3;
+        }
+        return std::move(geometry_);
+    }
+
+private:
+    Eigen::Vector3f position(std::uint32_t vertex) const {
+        return Eigen::Vector3f(geometry_.vertices[vertex].position.data());
+    }
+
+    void add_model(const scene::Model& model) {
+        const std::size_t first_material = geometry_.materials.size();
+        for (const scene::Material& material : model.materials) {
+            const bool textured =
+                material.base_color_texture && index_of(*material.base_color_texture) < model.textures.size();
+            geometry_.materials.push_back(
+                {material, textured ? &model.textures[index_of(*material.base_color_texture)] : nullptr});
+        }
+        const std::size_t plain = geometry_.materials.size();  // for meshes without a material
+        geometry_.materials.emplace_back();
+        for (const scene::Node& node : model.nodes) {
+            for (const scene::MeshIndex mesh_index : node.meshes) {
+                const scene::Mesh& mesh = model.meshes[index_of(mesh_index)];
+                const std::size_t material = index_of(mesh.material);
+                add_mesh(mesh, node.X_world_node,
+                         material < model.materials.size() ? first_material + material : plain);
+            }
+        }
+    }
+
+    void add_mesh(const scene::Mesh& mesh, const Eigen::Matrix4d& X_world_node, std::size_t material) {
+        const auto first = static_cast<std::uint32_t>(geometry_.vertices.size());
+        const Eigen::Matrix3d linear = X_world_node.topLeftCorner<3, 3>();
+        const Eigen::Vector3d offset = X_world_node.topRightCorner<3, 1>() - geometry_.origin;
+        const double determinant = linear.determinant();
+        // The cofactor matrix maps normals; unlike the inverse it also exists for flattened nodes.
+        Eigen::Matrix3d cofactor;
+        for (int i = 0; i < 3; ++i) {
+            cofactor.col(i) = linear.col((i + 1) % 3).cross(linear.col((i + 2) % 3));
+        }
+        if (determinant < 0.0) {
+            cofactor = -cofactor;
+        }
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const Eigen::Vector3d normal = i < mesh.normals.size()
+                                               ? Eigen::Vector3d(cofactor * mesh.normals[i].cast<double>())
+                                               : Eigen::Vector3d::UnitY();
+            geometry_.vertices.push_back(make_vertex(
+                linear * mesh.positions[i].cast<double>() + offset, normal.normalized(),
+                i < mesh.uvs.size() ? mesh.uvs[i] : Eigen::Vector2f(0, 0),
+                i < mesh.colors.size() ? mesh.colors[i] : std::array<std::uint8_t, 4>{255, 255, 255, 255}));
+        }
+        for (const auto& t : mesh.triangles) {
+            std::array<std::uint32_t, 3> corners = {first + t[0], first + t[1], first + t[2]};
+            if (determinant < 0.0) {
+                std::swap(corners[1], corners[2]);  // a mirrored node turns its triangles inside out
+            }
+            add_triangle(corners, material);
+        }
+    }
+
+    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t material) {
+        const Eigen::Vector3f centre =
+            (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0F;
+        if (geometry_.materials[material].material.alpha_mode == scene::AlphaMode::blend) {
+            geometry_.blend.push_back({material, corners, centre});
+            return;
+        }
+        triangles_.push_back({material, static_cast<std::int32_t>(std::floor(centre.x() / cell_size_)),
+                              static_cast<std::int32_t>(std::floor(centre.z() / cell_size_)), corners});
+    }
+
+    double cell_size_;
+    CampusGeometry geometry_;
+    std::vector<SortedTriangle> triangles_;
+};
+
+}  // namespace
+
+Vertex make_vertex(const Eigen::Vector3d& position, const Eigen::Vector3d& normal, const Eigen::Vector2f& uv,
+                   const std::array<std::uint8_t, 4>& color) {
+    Vertex vertex;
+    for (int i = 0; i < 3; ++i) {
+        vertex.position[static_cast<std::size_t>(i)] = static_cast<float>(position[i]);
+        vertex.normal[static_cast<std::size_t>(i)] = to_signed_16(normal[i]);
+    }
+    vertex.uv = {uv.x(), uv.y()};
+    vertex.color = color;
+    return vertex;
+}
+
+CampusGeometry bake(std::span<const scene::Model> models, double cell_size) {
+    return Baker(models, cell_size).finish();
+}
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "scene/model.h"
+
+namespace campuswalk::engine::render {
+
+/// A vertex as the shaders take it, 32 bytes.
+struct Vertex {
+    std::array<float, 3> position = {0, 0, 0};          ///< metres from CampusGeometry::origin
+    std::array<std::int16_t, 4> normal = {0, 0, 0, 0};  ///< unit length is 32767
+    std::array<float, 2> uv = {0, 0};
+    std::array<std::uint8_t, 4> color = {255, 255, 255, 255};  ///< linear
+};
+
+Vertex make_vertex(const Eigen::Vector3d& position, const Eigen::Vector3d& normal, const Eigen::Vector2f& uv,
+                   const std::array<std::uint8_t, 4>& color);
+
+/// A material of any of the models, with the texture it names.
+struct SurfaceMaterial {
+    scene::Material material;
+    const scene::Texture* texture = nullptr;  ///< null for none; owned by the model
+};
+
+/// Triangles of one material in one cell: what is culled and drawn in one call.
+struct Batch {
+    std::size_t material = 0;    ///< index into CampusGeometry::materials
+    std::size_t first = 0;       ///< index into CampusGeometry::indices
+    std::size_t count = 0;       ///< indices
+    Eigen::AlignedBox3d bounds;  ///< metres from CampusGeometry::origin
+};
+
+/// A see-through triangle, kept apart because such triangles are sorted for every picture.
+struct BlendTriangle {
+    std::size_t material = 0;
+    std::array<std::uint32_t, 3> corners = {0, 0, 0};
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+};
+
+/// Every mesh of every model placed in the world, ready for upload. Placements are baked, not instanced:
+/// a few hundred thousand vertices are cheaper to keep than thousands of small draw calls.
+struct CampusGeometry {
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world point that vertex coordinates count from
+    scene::Bounds bounds;                              ///< world
+    std::vector<SurfaceMaterial> materials;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;  ///< of the batches
+    std::vector<Batch> batches;          ///< opaque and masked, by material
+    std::vector<BlendTriangle> blend;
+};
+
+/// `cell_size` in metres. The models must outlive the result (it points to their textures).
+CampusGeometry bake(std::span<const scene::Model> models, double cell_size);
+
+}  // namespace campuswalk::engine::render

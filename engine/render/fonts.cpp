@@ -1,0 +1,74 @@
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
+
+#include "engine/render/canvas.h"
+#include "engine/render/render_error.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+// Where Debian and Ubuntu, Fedora, Arch and openSUSE put them.
+constexpr std::array<std::string_view, 7> kFolders = {
+    "/usr/share/fonts/truetype/dejavu",
+    "/usr/share/fonts/truetype/wqy",
+    "/usr/share/fonts/dejavu-sans-fonts",
+    "/usr/share/fonts/wqy-microhei-fonts",
+    "/usr/share/fonts/TTF",
+    "/usr/share/fonts/wenquanyi/wqy-microhei",
+    "/usr/share/fonts/truetype",
+};
+
+bool add_font(FcConfig* config, std::string_view file) {
+    for (const std::string_view folder : kFolders) {
+        const std::filesystem::path path = std::filesystem::path(folder) / file;
+        std::error_code error;
+        if (std::filesystem::exists(path, error) &&
+            FcConfigAppFontAddFile(config, reinterpret_cast<const FcChar8*>(path.c_str())) == FcTrue) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+Fonts::Fonts() {
+    FcConfig* config = FcConfigCreate();
+    const bool regular = add_font(config, "DejaVuSans.ttf");
+    const bool bold = add_font(config, "DejaVuSans-Bold.ttf");
+    add_font(config, "wqy-microhei.ttc");
+    if (!regular || !bold) {
+        FcConfigDestroy(config);
+        throw RenderError(
+            "snapshots with text need the font DejaVu Sans: install it (Debian, Ubuntu: apt install "
+            "fonts-dejavu-core "
+            "fonts-wqy-microhei; Fedora: dnf install dejavu-sans-fonts)");
+    }
+    PangoFontMap* map = pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT);
+    pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map), config);
+    FcConfigDestroy(config);  // the map holds its own reference
+    context_.reset(pango_font_map_create_context(map));
+    g_object_unref(map);
+
+    // Not the user's locale, which also picks between fonts.
+    pango_context_set_language(context_.get(), pango_language_from_string("en"));
+    pango_context_set_round_glyph_positions(context_.get(), FALSE);
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context_.get(), options);
+    cairo_font_options_destroy(options);
+}
+
+void Fonts::Release::operator()(_PangoContext* context) const {
+    g_object_unref(context);
+}
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+namespace campuswalk::engine::render {
+
+/// An OpenGL 3.3 core context without a window. All drawing goes to framebuffer objects of our own, so a
+/// backend needs no surface. A new backend (EGL, …) is one more .cpp with a make_… function here.
+class GlContext {
+public:
+    using Procedure = void (*)();
+
+    virtual ~GlContext() = default;
+
+    /// Makes the context the calling thread's current one. Throws RenderError when the driver refuses.
+    virtual void make_current() = 0;
+    /// The entry point of a GL function, null when the driver has none of that name.
+    virtual Procedure procedure(const char* name) const = 0;
+    /// For messages: "OSMesa".
+    virtual std::string_view backend() const = 0;
+};
+
+/// Software rendering through Mesa's libOSMesa, which is opened here, not linked: programs that draw no
+/// picture pay nothing for it. Throws RenderError when the library is missing or too old.
+std::unique_ptr<GlContext> make_osmesa_context();
+
+}  // namespace campuswalk::engine::render

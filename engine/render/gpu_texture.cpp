@@ -1,0 +1,49 @@
+#include "engine/render/gpu_texture.h"
+
+#include <array>
+
+#include "engine/render/mip_chain.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+GLuint make_texture(const GlFunctions& gl, bool repeat) {
+    GLuint texture = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    const GLint wrap = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+void upload_level(const GlFunctions& gl, int level, int width, int height, const std::uint8_t* rgba) {
+    gl.TexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+}
+
+}  // namespace
+
+GLuint upload_texture(const GlFunctions& gl, const scene::Texture& texture, bool cutout, float alpha_cutoff) {
+    const GLuint name = make_texture(gl, texture.repeat);
+    upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
+    if (!cutout) {
+        gl.GenerateMipmap(GL_TEXTURE_2D);
+        return name;
+    }
+    int level = 0;
+    for (const MipLevel& mip : cutout_mip_chain(texture, alpha_cutoff)) {
+        upload_level(gl, ++level, mip.width, mip.height, mip.rgba.data());
+    }
+    return name;
+}
+
+GLuint upload_white(const GlFunctions& gl) {
+    const GLuint name = make_texture(gl, true);
+    const std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
+    upload_level(gl, 0, 1, 1, white.data());
+    return name;
+}
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,138 @@
+#include "engine/render/map_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <cairo.h>
+
+namespace campuswalk::engine::render {
+namespace {
+
+constexpr Ink kLine = {1.0, 1.0, 1.0, 0.95};
+constexpr Ink kRim = {0.05, 0.07, 0.09, 0.70};
+constexpr Ink kPathColor = {1.0, 0.80, 0.16, 0.95};
+constexpr Ink kArrow = {0.93, 0.23, 0.16, 1.0};
+constexpr double kEdge = 26.0;  // pixels from the picture's border, in a picture 720 high
+
+void stroke_twice(const Canvas& canvas, const Ink& ink, double width, double rim) {
+    cairo_t* cr = canvas.cairo();
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    canvas.set_ink(kRim);
+    cairo_set_line_width(cr, width + rim);
+    cairo_stroke_preserve(cr);
+    canvas.set_ink(ink);
+    cairo_set_line_width(cr, width);
+    cairo_stroke(cr);
+}
+
+bool overlap(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
+    return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+}
+
+}  // namespace
+
+double round_length(double metres) {
+    const double power = std::pow(10.0, std::floor(std::log10(metres)));
+    for (const double step : {5.0, 2.0}) {
+        if (step * power <= metres) {
+            return step * power;
+        }
+    }
+    return power;
+}
+
+void draw_scale_bar(const Canvas& canvas, const Viewpoint& view) {
+    const double s = canvas.scale();
+    const double metres_per_pixel = view.height / canvas.height();
+    const double length = round_length(0.18 * canvas.width() * metres_per_pixel);
+    const double pixels = length / metres_per_pixel;
+    const double x = canvas.width() - kEdge * s - pixels;
+    const double y = canvas.height() - kEdge * s;
+    cairo_t* cr = canvas.cairo();
+    cairo_move_to(cr, x, y - 7.0 * s);
+    cairo_line_to(cr, x, y);
+    cairo_line_to(cr, x + pixels, y);
+    cairo_line_to(cr, x + pixels, y - 7.0 * s);
+    stroke_twice(canvas, kLine, 2.2 * s, 3.0 * s);
+    std::array<char, 40> text{};
+    if (length >= 1000.0) {
+        std::snprintf(text.data(), text.size(), "%g km", length / 1000.0);
+    } else {
+        std::snprintf(text.data(), text.size(), "%g m", length);
+    }
+    canvas.label(x + 0.5 * pixels, y - 16.0 * s, text.data(), {14.0 * s, true, kLine, 0.0, 1});
+}
+
+void draw_north_arrow(const Canvas& canvas) {
+    const double s = canvas.scale();
+    const double x = canvas.width() - (kEdge + 12.0) * s;
+    const double y = (kEdge + 34.0) * s;
+    cairo_t* cr = canvas.cairo();
+    cairo_move_to(cr, x, y - 20.0 * s);
+    cairo_line_to(cr, x + 9.0 * s, y + 10.0 * s);
+    cairo_line_to(cr, x, y + 4.0 * s);
+    cairo_line_to(cr, x - 9.0 * s, y + 10.0 * s);
+    cairo_close_path(cr);
+    canvas.set_ink(kLine);
+    cairo_fill_preserve(cr);
+    canvas.set_ink(kRim);
+    cairo_set_line_width(cr, 1.6 * s);
+    cairo_stroke(cr);
+    canvas.label(x, y - 32.0 * s, "N", {16.0 * s, true, kLine, 0.0, 1});
+}
+
+void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels) {
+    const double s = canvas.scale();
+    const TextStyle style = {14.0 * s, true, kLine, 0.0, 1};
+    std::vector<Eigen::Vector4d> taken;
+    for (const MapLabel& label : labels) {
+        const auto pixel = pixel_of(view, canvas.width(), canvas.height(), label.position);
+        if (!pixel) {
+            continue;
+        }
+        const Eigen::Vector2d half = 0.5 * canvas.text_size(label.text, style) + Eigen::Vector2d(4, 2) * s;
+        const Eigen::Vector4d box(pixel->x() - half.x(), pixel->y() - half.y(), pixel->x() + half.x(),
+                                  pixel->y() + half.y());
+        const bool inside = box[0] > 0 && box[1] > 0 && box[2] < canvas.width() && box[3] < canvas.height();
+        if (!inside || std::ranges::any_of(taken, [&](const auto& other) { return overlap(box, other); })) {
+            continue;  // better none than unreadable
+        }
+        taken.push_back(box);
+        canvas.label(pixel->x(), pixel->y(), label.text, style);
+    }
+}
+
+void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path) {
+    if (path.size() < 2) {
+        return;
+    }
+    for (const Eigen::Vector3d& point : path) {
+        if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), point)) {
+            cairo_line_to(canvas.cairo(), pixel->x(), pixel->y());
+        }
+    }
+    stroke_twice(canvas, kPathColor, 2.6 * canvas.scale(), 2.2 * canvas.scale());
+}
+
+void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size) {
+    cairo_t* cr = canvas.cairo();
+    cairo_save(cr);
+    cairo_translate(cr, x, y);
+    cairo_rotate(cr, -yaw);  // y runs down here
+    cairo_move_to(cr, 0.0, -size);
+    cairo_line_to(cr, 0.68 * size, 0.85 * size);
+    cairo_line_to(cr, 0.0, 0.45 * size);
+    cairo_line_to(cr, -0.68 * size, 0.85 * size);
+    cairo_close_path(cr);
+    cairo_restore(cr);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    canvas.set_ink({1, 1, 1, 0.95});
+    cairo_set_line_width(cr, 0.28 * size);
+    cairo_stroke_preserve(cr);
+    canvas.set_ink(kArrow);
+    cairo_fill(cr);
+}
+
+}  // namespace campuswalk::engine::render

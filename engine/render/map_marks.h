@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "engine/render/camera.h"
+#include "engine/render/canvas.h"
+
+namespace campuswalk::engine::render {
+
+/// A name to write on a map at a place in the world.
+struct MapLabel {
+    std::string text;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/// The longest "round" length (1, 2 or 5 times a power of ten, metres) not above `metres`.
+double round_length(double metres);
+
+/// What makes a top view a map; `view` is the orthographic view that the canvas' picture was drawn with.
+void draw_scale_bar(const Canvas& canvas, const Viewpoint& view);
+void draw_north_arrow(const Canvas& canvas);
+void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
+/// The way walked so far, world points.
+void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
+/// An arrow head of `size` pixels at (x, y) that points along the heading `yaw` on a north-up map.
+void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size);
+
+}  // namespace campuswalk::engine::render

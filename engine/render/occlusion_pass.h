@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/render/camera.h"
+#include "engine/render/gl_functions.h"
+#include "engine/render/gpu_campus.h"
+#include "engine/render/shader_program.h"
+
+namespace campuswalk::engine::render {
+
+/// Contact shading: a map, half as wide and high as the picture, of how much ambient light reaches each place
+/// (1 all of it). Only for perspective cameras.
+class OcclusionPass {
+public:
+    /// For pictures of `width` x `height` pixels; arguments by reference must outlive this.
+    OcclusionPass(const GlFunctions& gl, int width, int height, const ShaderProgram& opaque,
+                  const ShaderProgram& masked);
+    OcclusionPass(const OcclusionPass&) = delete;
+    OcclusionPass& operator=(const OcclusionPass&) = delete;
+    ~OcclusionPass();
+
+    /// Draws the map for what `view` sees; `radius` in metres. `figure` (null for none) counts too.
+    void draw(const GpuCampus& campus, const GpuMesh* figure, std::size_t figure_indices,
+              const Viewpoint& view, const Eigen::Matrix4d& clip_campus, double radius) const;
+
+    /// Sets the surface shader's uniforms; binds the map to texture unit 3.
+    void bind(const ShaderProgram& surface) const;
+
+private:
+    struct Layer {
+        GLuint texture = 0;
+        GLuint framebuffer = 0;
+    };
+    Layer make_layer(GLenum format, GLenum attachment) const;
+    void fill(const Layer& layer) const;
+
+    const GlFunctions& gl_;
+    const ShaderProgram& opaque_;
+    const ShaderProgram& masked_;
+    ShaderProgram occlusion_;
+    ShaderProgram blur_;
+    int picture_width_ = 0;
+    int picture_height_ = 0;
+    int width_ = 0;
+    int height_ = 0;
+    Layer depth_;
+    Layer raw_;
+    Layer smooth_;
+    GLuint no_vertices_ = 0;
+};
+
+}  // namespace campuswalk::engine::render

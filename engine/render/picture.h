@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace campuswalk::engine::render {
+
+/// A finished, opaque picture: 8-bit sRGB, rows from top to bottom, 4 bytes a pixel (R, G, B, 255).
+struct Picture {
+    int width = 0;   ///< pixels
+    int height = 0;  ///< pixels
+    std::vector<std::uint8_t> rgba;
+
+    std::size_t offset(int x, int y) const {
+        return 4 *
+               (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    }
+    /// Red, green, blue of the pixel in column x and row y.
+    std::array<std::uint8_t, 3> pixel(int x, int y) const {
+        const std::size_t i = offset(x, y);
+        return {rgba[i], rgba[i + 1], rgba[i + 2]};
+    }
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/render/gl_functions.h"
+#include "engine/render/picture.h"
+
+namespace campuswalk::engine::render {
+
+/// Where a picture is drawn: colour (sRGB) and depth (float) with several samples a pixel, and the plain
+/// picture that they are averaged into.
+class RenderTarget {
+public:
+    /// Throws RenderError when the driver can't do the size or the number of samples.
+    RenderTarget(const GlFunctions& gl, int width, int height, int samples);
+    RenderTarget(const RenderTarget&) = delete;
+    RenderTarget& operator=(const RenderTarget&) = delete;
+    ~RenderTarget();
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// Drawing goes here from now on; cleared to `background` (linear) and the far plane.
+    void begin(const Eigen::Vector3d& background) const;
+    /// Averages the samples and fetches the pixels.
+    Picture finish() const;
+
+private:
+    GLuint attach(GLenum attachment, GLenum format, int samples) const;
+
+    const GlFunctions& gl_;
+    int width_ = 0;
+    int height_ = 0;
+    GLuint framebuffer_ = 0;
+    GLuint color_ = 0;
+    GLuint depth_ = 0;
+    GLuint resolved_framebuffer_ = 0;
+    GLuint resolved_color_ = 0;
+};
+
+}  // namespace campuswalk::engine::render

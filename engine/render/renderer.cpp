@@ -1,0 +1,212 @@
+#include "engine/render/renderer.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "engine/render/avatar_figure.h"
+#include "engine/render/campus_geometry.h"
+#include "engine/render/gl_functions.h"
+#include "engine/render/gpu_campus.h"
+#include "engine/render/occlusion_pass.h"
+#include "engine/render/render_target.h"
+#include "engine/render/shader_program.h"
+#include "engine/render/shaders.h"
+#include "engine/render/shadow_maps.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+// Around the campus on a plan, linear: the grey of paper.
+const Eigen::Vector3d kPaper(0.60, 0.61, 0.59);
+
+std::unique_ptr<GlContext> made_current(std::unique_ptr<GlContext> context) {
+    context->make_current();
+    return context;
+}
+
+}  // namespace
+
+class Renderer::Drawing {
+public:
+    Drawing(std::span<const scene::Model> models, const RenderSettings& settings,
+            std::unique_ptr<GlContext> context)
+        : settings_(settings),
+          context_(made_current(std::move(context))),
+          gl_(load_gl_functions(*context_)),
+          geometry_(bake(models, settings.cell_size)),
+          campus_(reversed_depth(gl_), geometry_),
+          figure_mesh_(gl_),
+          depth_(gl_, "depth", {shaders::kVersion, shaders::kDepthVertex},
+                 {shaders::kVersion, shaders::kDepthFragment}),
+          masked_depth_(gl_, "masked depth", {shaders::kVersion, shaders::kDepthVertex},
+                        {shaders::kVersion, shaders::kMaskedDepthFragment}),
+          surface_(gl_, "surface", {shaders::kVersion, shaders::kSurfaceVertex},
+                   {shaders::kVersion, shaders::kAirChunk, shaders::kShadowChunk, shaders::kSurfaceFragment}),
+          sky_(gl_, "sky", {shaders::kVersion, shaders::kSkyVertex},
+               {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
+          shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_) {
+        gl_.GenVertexArrays(1, &no_vertices_);
+    }
+
+    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
+        context_->make_current();
+        fit_target(width, height);
+        const Eigen::Vector3d eye = view.position - geometry_.origin;
+        const Eigen::Matrix4d clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
+        const bool perspective = view.projection == Projection::perspective;
+        const GpuMesh* figure_mesh = figure ? upload(*figure) : nullptr;
+
+        const bool near_shadows = settings_.shadows && perspective;
+        if (near_shadows) {
+            shadows_.draw_near(eye, -view.R_world_camera.col(2), figure_mesh, figure_indices_);
+        }
+        const bool occlusion = perspective && settings_.occlusion_radius > 0.0;
+        if (occlusion) {
+            occlusion_->draw(campus_, figure_mesh, figure_indices_, view, clip_campus,
+                             settings_.occlusion_radius);
+        }
+
+        target_->begin(kPaper);
+        begin_surfaces(eye, clip_campus, perspective);
+        shadows_.bind(surface_, near_shadows);
+        if (occlusion) {
+            occlusion_->bind(surface_);
+        }
+        const Frustum frustum(clip_campus);
+        if (figure_mesh != nullptr) {
+            campus_.set_plain_material(surface_);
+            figure_mesh->bind();
+            figure_mesh->draw(0, figure_indices_);
+        }
+        if (settings_.samples > 1) {
+            gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        }
+        campus_.draw_solid(surface_, frustum, eye);
+        gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        if (perspective) {
+            draw_sky(view, width, height);
+        }
+        draw_see_through(frustum, eye, perspective);
+        return target_->finish();
+    }
+
+    const scene::Bounds& bounds() const { return geometry_.bounds; }
+
+private:
+    // Depth from 1 (near) to 0 (far) needs GL's clip space changed before anything is drawn.
+    static const GlFunctions& reversed_depth(const GlFunctions& gl) {
+        gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+        gl.Enable(GL_FRAMEBUFFER_SRGB);
+        gl.FrontFace(GL_CCW);
+        return gl;
+    }
+
+    void fit_target(int width, int height) {
+        if (target_ && target_->width() == width && target_->height() == height) {
+            return;
+        }
+        target_.reset();
+        occlusion_.reset();
+        target_ = std::make_unique<RenderTarget>(gl_, width, height, settings_.samples);
+        occlusion_ = std::make_unique<OcclusionPass>(gl_, width, height, depth_, masked_depth_);
+    }
+
+    Eigen::Matrix4d clip_from_campus(const Viewpoint& view, double aspect) const {
+        Eigen::Matrix4d world_campus = Eigen::Matrix4d::Identity();
+        world_campus.topRightCorner<3, 1>() = geometry_.origin;
+        return clip_from_world(view, aspect) * world_campus;
+    }
+
+    const GpuMesh* upload(const Figure& figure) {
+        const FigureMesh mesh = make_figure(figure.avatar, figure.profile, figure.stride, geometry_.origin);
+        figure_mesh_.upload_vertices(mesh.vertices);
+        figure_mesh_.upload_indices(mesh.indices);
+        figure_indices_ = mesh.indices.size();
+        return &figure_mesh_;
+    }
+
+    void set_air(const ShaderProgram& program) const {
+        program.set("to_sun", Eigen::Vector3d(settings_.to_sun.normalized()));
+        program.set("sun_color", settings_.sun_color);
+        program.set("zenith_color", settings_.zenith_color);
+        program.set("horizon_color", settings_.horizon_color);
+    }
+
+    void begin_surfaces(const Eigen::Vector3d& eye, const Eigen::Matrix4d& clip_campus, bool fog) const {
+        gl_.Disable(GL_BLEND);
+        surface_.use();
+        set_air(surface_);
+        surface_.set("clip_campus", clip_campus);
+        surface_.set("eye", eye);
+        surface_.set("sky_light", settings_.sky_light);
+        surface_.set("ground_light", settings_.ground_light);
+        surface_.set("side_light", settings_.side_light);
+        surface_.set("fog_density", fog && settings_.fog_distance > 0.0 ? 1.0 / settings_.fog_distance : 0.0);
+        surface_.set("base_color_map", 0);
+        surface_.set("occlusion_map", 3);
+        surface_.set("occlusion_scale", Eigen::Vector2d(0, 0));
+    }
+
+    void draw_sky(const Viewpoint& view, int width, int height) const {
+        const double tangent = std::tan(0.5 * view.fov);
+        sky_.use();
+        set_air(sky_);
+        sky_.set("ray_centre", Eigen::Vector3d(-view.R_world_camera.col(2)));
+        sky_.set("ray_right", Eigen::Vector3d(tangent * width / height * view.R_world_camera.col(0)));
+        sky_.set("ray_up", Eigen::Vector3d(tangent * view.R_world_camera.col(1)));
+        gl_.Disable(GL_CULL_FACE);
+        gl_.DepthMask(GL_FALSE);
+        gl_.BindVertexArray(no_vertices_);
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        gl_.DepthMask(GL_TRUE);
+    }
+
+    void draw_see_through(const Frustum& frustum, const Eigen::Vector3d& eye, bool occlusion) const {
+        gl_.Enable(GL_BLEND);
+        gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        gl_.DepthMask(GL_FALSE);
+        surface_.use();
+        // The occlusion map knows what is behind the pane, not the pane.
+        if (occlusion) {
+            surface_.set("occlusion_scale", Eigen::Vector2d(0, 0));
+        }
+        campus_.draw_blend(surface_, frustum, eye);
+        gl_.DepthMask(GL_TRUE);
+        gl_.Disable(GL_BLEND);
+    }
+
+    RenderSettings settings_;
+    std::unique_ptr<GlContext> context_;
+    GlFunctions gl_;
+    CampusGeometry geometry_;
+    GpuCampus campus_;
+    GpuMesh figure_mesh_;
+    std::size_t figure_indices_ = 0;
+    ShaderProgram depth_;
+    ShaderProgram masked_depth_;
+    ShaderProgram surface_;
+    ShaderProgram sky_;
+    ShadowMaps shadows_;
+    GLuint no_vertices_ = 0;
+    std::unique_ptr<RenderTarget> target_;
+    std::unique_ptr<OcclusionPass> occlusion_;
+};
+
+Renderer::Renderer(std::span<const scene::Model> models, const RenderSettings& settings,
+                   std::unique_ptr<GlContext> context)
+    : drawing_(std::make_unique<Drawing>(models, settings, std::move(context))) {}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Picture Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
+    return drawing_->draw(view, width, height, figure);
+}
+
+const scene::Bounds& Renderer::bounds() const {
+    return drawing_->bounds();
+}
+
+}  // namespace campuswalk::engine::render

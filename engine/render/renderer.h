@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "engine/avatar.h"
+#include "engine/frame_record.h"
+#include "engine/render/camera.h"
+#include "engine/render/gl_context.h"
+#include "engine/render/picture.h"
+#include "engine/render/render_settings.h"
+#include "scene/model.h"
+
+namespace campuswalk::engine::render {
+
+/// The avatar to be drawn as a figure.
+struct Figure {
+    AvatarState avatar;
+    AvatarProfile profile;
+    double stride = 0.0;  ///< phase of its step, radians; 0 stands still
+};
+
+/// Draws models with sun, shadows and sky. The same models, settings and arguments give the same bytes.
+/// All calls from one thread at a time.
+class Renderer {
+public:
+    /// Uploads the models and draws the campus' shadow map, so the first picture isn't the slow one. The
+    /// models must outlive the renderer. Throws RenderError when the machine can't draw.
+    explicit Renderer(std::span<const scene::Model> models, const RenderSettings& settings = {},
+                      std::unique_ptr<GlContext> context = make_osmesa_context());
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// A picture of `width` x `height` pixels. Throws RenderError for a size that can't be drawn.
+    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {});
+
+    /// Of all models together.
+    const scene::Bounds& bounds() const;
+
+private:
+    class Drawing;
+    std::unique_ptr<Drawing> drawing_;
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+
+namespace campuswalk::engine::render::shaders {
+
+// GLSL 3.30 sources. A program is `version` + chunks + its own source; the chunks declare the uniforms that
+// they use. Positions are in the campus frame (metres from CampusGeometry::origin).
+
+extern const std::string_view kVersion;
+
+/// vec3 sky_color(vec3 direction): gradient, haze and sun. vec3 tone(vec3 linear): tone curve.
+extern const std::string_view kAirChunk;
+/// float sunlight(vec3 position, vec3 normal): 0 in shadow, 1 in the sun.
+extern const std::string_view kShadowChunk;
+
+extern const std::string_view kSurfaceVertex;
+extern const std::string_view kSurfaceFragment;
+extern const std::string_view kSkyVertex;
+extern const std::string_view kSkyFragment;
+extern const std::string_view kDepthVertex;
+extern const std::string_view kDepthFragment;        ///< opaque: nothing to compute
+extern const std::string_view kMaskedDepthFragment;  ///< leaves holes where the texture is transparent
+extern const std::string_view kScreenVertex;         ///< a triangle over the whole picture
+extern const std::string_view kOcclusionFragment;
+extern const std::string_view kBlurFragment;
+
+}  // namespace campuswalk::engine::render::shaders

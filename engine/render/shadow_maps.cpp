@@ -1,0 +1,150 @@
+#include "engine/render/shadow_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace campuswalk::engine::render {
+namespace {
+
+ShadowMap make_map(const GlFunctions& gl, int size) {
+    ShadowMap map;
+    map.size = size;
+    gl.GenTextures(1, &map.texture);
+    gl.BindTexture(GL_TEXTURE_2D, map.texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size, size, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                  nullptr);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    gl.GenFramebuffers(1, &map.framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.texture, 0);
+    const GLenum none = GL_NONE;
+    gl.DrawBuffers(1, &none);
+    gl.ReadBuffer(GL_NONE);
+    return map;
+}
+
+// The sun sees the box from `low` to `high` of its frame; depth 0 is the side towards it.
+void aim(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vector3d& low,
+         const Eigen::Vector3d& high) {
+    const Eigen::Vector3d size = (high - low).cwiseMax(1.0);
+    Eigen::Matrix4d clip_sun = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < 2; ++i) {
+        clip_sun(i, i) = 2.0 / size[i];
+        clip_sun(i, 3) = -(low[i] + high[i]) / size[i];
+    }
+    clip_sun(2, 2) = -1.0 / size.z();
+    clip_sun(2, 3) = high.z() / size.z();
+    Eigen::Matrix4d sun_campus = Eigen::Matrix4d::Identity();
+    sun_campus.topLeftCorner<3, 3>() = R_sun_campus;
+    map.clip_campus = clip_sun * sun_campus;
+    map.metres_per_texel = std::max(size.x(), size.y()) / map.size;
+}
+
+// Clip coordinates run from -1 to 1, texture coordinates from 0 to 1.
+Eigen::Matrix4d texture_from_clip() {
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    m(0, 0) = m(1, 1) = 0.5;
+    m(0, 3) = m(1, 3) = 0.5;
+    return m;
+}
+
+}  // namespace
+
+ShadowMaps::ShadowMaps(const GlFunctions& gl, const RenderSettings& settings, const CampusGeometry& geometry,
+                       const GpuCampus& campus, const ShaderProgram& opaque, const ShaderProgram& masked)
+    : gl_(gl), settings_(settings), campus_(campus), opaque_(opaque), masked_(masked) {
+    const Eigen::Vector3d towards = settings.to_sun.normalized();
+    const Eigen::Vector3d right = towards.unitOrthogonal();
+    R_sun_campus_.row(0) = right.transpose();
+    R_sun_campus_.row(1) = towards.cross(right).transpose();
+    R_sun_campus_.row(2) = towards.transpose();
+
+    Eigen::AlignedBox3d box;
+    for (const Batch& batch : geometry.batches) {
+        for (int i = 0; i < 8; ++i) {
+            box.extend(R_sun_campus_ * batch.bounds.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+        }
+    }
+    if (box.isEmpty()) {
+        box.extend(Eigen::Vector3d::Zero());
+    }
+    // A margin in depth: avatars stand on the campus, not in its box.
+    lowest_ = box.min() - Eigen::Vector3d(0, 0, 3);
+    highest_ = box.max() + Eigen::Vector3d(0, 0, 3);
+    if (!settings.shadows) {
+        return;
+    }
+    far_ = make_map(gl, settings.shadow_size);
+    near_ = make_map(gl, settings.near_shadow_size);
+    aim(far_, R_sun_campus_, lowest_, highest_);
+    aim(near_, R_sun_campus_, lowest_, highest_);
+    draw(far_, nullptr, 0);
+}
+
+void ShadowMaps::draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
+                           std::size_t figure_indices) {
+    const double radius = settings_.near_shadow_radius;
+    const Eigen::Vector3d level = Eigen::Vector3d(forwards.x(), 0.0, forwards.z());
+    const Eigen::Vector3d centre = R_sun_campus_ * (eye + 0.75 * radius * level);
+    // In whole texels, so that edges don't crawl from one picture to the next.
+    const double texel = 2.0 * radius / near_.size;
+    Eigen::Vector3d low = lowest_;
+    Eigen::Vector3d high = highest_;
+    for (int i = 0; i < 2; ++i) {
+        const double snapped = texel * std::round(centre[i] / texel);
+        low[i] = snapped - radius;
+        high[i] = snapped + radius;
+    }
+    aim(near_, R_sun_campus_, low, high);
+    draw(near_, figure, figure_indices);
+}
+
+void ShadowMaps::draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+    gl_.Viewport(0, 0, map.size, map.size);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LEQUAL);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ClearDepth(1.0);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    // Both sides cast: many campus models have walls that are one sheet, seen from the sun's side or not.
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Disable(GL_BLEND);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    gl_.PolygonOffset(1.5F, 2.0F);
+    campus_.draw_depth(opaque_, masked_, map.clip_campus);
+    if (figure != nullptr) {
+        opaque_.use();
+        opaque_.set("clip_campus", map.clip_campus);
+        figure->bind();
+        figure->draw(0, figure_indices);
+    }
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void ShadowMaps::bind(const ShaderProgram& surface, bool with_near) const {
+    surface.set("far_shadow", 1);
+    surface.set("near_shadow", 2);
+    surface.set("shadows", settings_.shadows ? 1.0 : 0.0);
+    if (!settings_.shadows) {
+        return;
+    }
+    gl_.ActiveTexture(GL_TEXTURE1);
+    gl_.BindTexture(GL_TEXTURE_2D, far_.texture);
+    gl_.ActiveTexture(GL_TEXTURE2);
+    gl_.BindTexture(GL_TEXTURE_2D, near_.texture);
+    surface.set("far_shadow_world", Eigen::Matrix4d(texture_from_clip() * far_.clip_campus));
+    surface.set("near_shadow_world", Eigen::Matrix4d(texture_from_clip() * near_.clip_campus));
+    surface.set("far_texel", Eigen::Vector3d(1.0 / far_.size, 1.0 / far_.size, far_.metres_per_texel));
+    surface.set("near_texel", Eigen::Vector3d(1.0 / near_.size, 1.0 / near_.size, near_.metres_per_texel));
+    surface.set("near_share", with_near ? 1.0 : 0.0);
+}
+
+}  // namespace campuswalk::engine::render

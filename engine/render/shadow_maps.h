@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/render/gl_functions.h"
+#include "engine/render/gpu_campus.h"
+#include "engine/render/render_settings.h"
+#include "engine/render/shader_program.h"
+
+namespace campuswalk::engine::render {
+
+/// One depth picture seen from the sun.
+struct ShadowMap {
+    GLuint texture = 0;
+    GLuint framebuffer = 0;
+    int size = 0;  ///< texels a side
+    Eigen::Matrix4d clip_campus = Eigen::Matrix4d::Identity();
+    double metres_per_texel = 0.0;  ///< along the longer axis
+};
+
+/// The sun's shadows: a map of the whole campus, drawn once, and a finer one around the camera.
+class ShadowMaps {
+public:
+    /// Draws the far map. All arguments must outlive this.
+    ShadowMaps(const GlFunctions& gl, const RenderSettings& settings, const CampusGeometry& geometry,
+               const GpuCampus& campus, const ShaderProgram& opaque, const ShaderProgram& masked);
+
+    /// Redraws the near map for a camera at `eye` (campus frame) that looks along `forwards`. `figure`, null
+    /// for none, casts a shadow too; its vertices are in the campus frame.
+    void draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
+                   std::size_t figure_indices);
+
+    /// Sets the shadow chunk's uniforms; binds the maps to texture units 1 and 2.
+    void bind(const ShaderProgram& surface, bool with_near) const;
+
+private:
+    void draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const;
+
+    const GlFunctions& gl_;
+    const RenderSettings& settings_;
+    const GpuCampus& campus_;
+    const ShaderProgram& opaque_;
+    const ShaderProgram& masked_;
+    Eigen::Matrix3d R_sun_campus_;  // rows: right, up, towards the sun
+    Eigen::Vector3d lowest_;        // of the campus' box in the sun's frame
+    Eigen::Vector3d highest_;
+    ShadowMap far_;
+    ShadowMap near_;
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "engine/observers/observer.h"
+#include "engine/render/snapshot_painter.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine::render {
+
+/// Writes `FOLDER/WALK NAME/SNAPSHOT NAME.png` for every snapshot step, with the pop-ups that are open then.
+/// A walk without snapshots opens no GL library and makes no folder.
+class SnapshotObserver final : public Observer {
+public:
+    /// `campus` must outlive the observer.
+    SnapshotObserver(const scene::Campus& campus, std::filesystem::path folder,
+                     SnapshotSettings settings = {});
+    ~SnapshotObserver() override;
+
+    void begin(const Walk& walk) override;
+    /// Throws RenderError when the machine can't draw, std::runtime_error naming a file that can't be
+    /// written.
+    void frame(const FrameRecord& record) override;
+
+    /// The pictures written since construction, in order.
+    const std::vector<std::filesystem::path>& files() const { return files_; }
+
+private:
+    void follow(const AvatarState& avatar);
+
+    const scene::Campus& campus_;
+    std::filesystem::path folder_;
+    SnapshotSettings settings_;
+    std::unique_ptr<SnapshotPainter> painter_;
+    std::string walk_name_;
+    AvatarProfile profile_;
+    std::vector<Eigen::Vector3d> path_;  // a point every half metre, then where the avatar is
+    Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
+    double walked_ = 0.0;  // metres, for the phase of the step
+    bool moving_ = false;
+    bool started_ = false;
+    std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "engine/frame_record.h"
+#include "engine/render/camera.h"
+#include "engine/render/canvas.h"
+#include "engine/render/info_window.h"
+#include "engine/render/map_marks.h"
+#include "engine/render/minimap.h"
+#include "engine/render/picture.h"
+#include "engine/render/render_settings.h"
+#include "engine/render/renderer.h"
+#include "engine/script/walk.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine::render {
+
+/// What is drawn besides the campus.
+struct SnapshotSettings {
+    RenderSettings light;
+    bool minimap = true;           ///< in views from the avatar
+    double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
+    int minimap_pixels = 1600;     ///< longer side of the plan it is cut from; memory is four bytes a pixel
+    std::size_t max_windows = 3;   ///< pop-ups shown at once; more would hide the campus
+    bool labels = true;            ///< building titles on plans
+    bool caption = false;          ///< walk name and time in the upper left corner
+    FreeDistance free_distance;    ///< keeps the third-person camera out of walls; without it, it isn't
+};
+
+/// One picture to take of a walk.
+struct Shot {
+    CameraSettings camera;
+    AvatarState avatar;
+    AvatarProfile profile;
+    double stride = 0.0;                       ///< phase of the avatar's step, radians
+    std::span<const std::size_t> open_popups;  ///< building indices, oldest first
+    std::span<const Eigen::Vector3d> path;     ///< walked so far, shown in View::top
+    std::string caption;                       ///< shown when SnapshotSettings::caption
+};
+
+/// Draws finished snapshots of one campus: the picture, and over it windows, minimap and map marks. Holds the
+/// GL context; make it when the first picture is needed. Throws RenderError when the machine can't draw.
+class SnapshotPainter {
+public:
+    /// `campus` must outlive the painter.
+    SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings);
+
+    Picture draw(const Shot& shot);
+    /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
+    Picture draw_plan(int width, int height);
+    /// From any viewpoint, nothing drawn over it.
+    Picture draw_view(const Viewpoint& view, int width, int height);
+
+    const scene::Bounds& bounds() const { return renderer_.bounds(); }
+
+private:
+    Viewpoint viewpoint(const Shot& shot) const;
+    Picture draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view);
+    std::vector<InfoWindow> windows(const Shot& shot, const Viewpoint& view) const;
+    std::optional<Eigen::Vector2d> anchor(std::size_t building, const Shot& shot,
+                                          const Viewpoint& view) const;
+    std::vector<MapLabel> labels() const;
+    const Minimap& minimap();
+
+    const scene::Campus& campus_;
+    SnapshotSettings settings_;
+    Fonts fonts_;
+    Renderer renderer_;
+    std::vector<scene::Bounds> building_bounds_;  // one a building, empty for one without nodes
+    std::optional<Minimap> minimap_;
+};
+
+}  // namespace campuswalk::engine::render
