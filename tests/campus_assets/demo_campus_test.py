@@ -20,6 +20,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from demo_campus import site                                 # noqa: E402
 from demo_campus.layout import FLOOR_ABOVE_PAD, PLACEMENTS   # noqa: E402
 from demo_campus.polygon import bounds, contains             # noqa: E402
+from coplanar import overlaps, world_faces                   # noqa: E402
 from glb_reader import Glb                                   # noqa: E402
 
 MODELS = ("ground.glb", "buildings.glb", "vegetation.glb", "furniture.glb")
@@ -74,7 +75,7 @@ def check_sizes():
 
 def check_models():
     """Counts, names and the health of every mesh."""
-    total, terrain, roots = 0, 0, []
+    total, terrain, roots, faces = 0, 0, [], []
     for name in MODELS:
         glb = Glb(os.path.join(ROOT, "campus_assets", "demo", name))
         for fault in glb.faults():
@@ -82,6 +83,9 @@ def check_models():
         total += glb.drawn()
         terrain += glb.drawn("terrain")
         roots += glb.root_names()
+        faces += world_faces(glb)
+    for pair, area in overlaps(faces).items():
+        check(False, "%s and %s flicker over %.2f m2" % (*pair, area))
     check(len(roots) == len(set(roots)), "root nodes share a name")
     check(MIN_TRIANGLES <= total <= MAX_TRIANGLES, "%d triangles are drawn" % total)
     check(terrain <= total * MAX_TERRAIN_SHARE, "terrain has %d of %d triangles" % (terrain, total))

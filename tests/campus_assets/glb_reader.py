@@ -45,6 +45,17 @@ class Glb:
                                   view["byteOffset"] + accessor["byteOffset"])
         return flat if width == 1 else [flat[i:i + width] for i in range(0, len(flat), width)]
 
+    def mesh_triangles(self, mesh):
+        """[(material name, [three corners])] of a mesh, in its own frame; cut-outs left out."""
+        for primitive in self.json["meshes"][mesh]["primitives"]:
+            material = self.json["materials"][primitive["material"]]
+            if material.get("alphaMode") == "MASK":
+                continue
+            corners = self._read(primitive["attributes"]["POSITION"])
+            indices = self._read(primitive["indices"])
+            yield material["name"], [[corners[k] for k in indices[i:i + 3]]
+                                     for i in range(0, len(indices), 3)]
+
     def faults(self):
         """Messages about everything that is wrong."""
         content = self.json

@@ -76,7 +76,8 @@ def _building_colliders(out, campus):
                       "size": _vector(trigger.size)}
             if building.place.yaw_deg:
                 fields["yaw_deg"] = _number(building.place.yaw_deg)
-            out.add("%s/%s" % (building.id, trigger.name), mode="trigger", layer="buildings", **fields)
+            out.add("%s/%s" % (building.id, trigger.name), mode="trigger", layer="buildings",
+                    **fields)
     tower = next(b for b in campus.buildings if b.id == "clock-tower")
     out.add("clock-tower/face", building="clock-tower", shape="box",
             center=_vector(tower.place.point(0.0, 19.2, 3.05)), size="[3.6, 3.6, 0.3]", mode="ray",
@@ -140,13 +141,15 @@ def _ground(campus, x, z, lift=0.0):
     return x, campus.paving.top(x, z) + lift, z
 
 
-SPAWNS = {"main-gate": (0.0, 89.0, 0.0), "square-south": (0.0, 26.0, 0.0), "pond-side": (90.5, 64.0, 90.0),
+SPAWNS = {"main-gate": (0.0, 89.0, 0.0), "square-south": (0.0, 26.0, 0.0),
+          "pond-side": (90.5, 64.0, 90.0),
           "north": (22.0, -66.0, 180.0), "west-road": (-104.0, 0.0, 0.0)}
 OUTDOOR_PLACES = {
     "avenue-south": (0.0, 66.0), "avenue-bench": (0.0, 62.0), "avenue-tree": (0.0, 58.0),
     "avenue": (0.0, 50.0), "avenue-north": (0.0, 34.0), "square": (0.0, 17.0),
     "square-north": (0.0, -6.0), "square-east": (7.5, 11.0), "square-west": (-7.5, 11.0),
-    "bed-approach": (9.0, 32.0), "bed-side": (12.8, 23.2), "bed-east": (12.8, 17.0), "theatre-path": (-14.0, 50.0), "cafeteria-path": (16.0, 50.0),
+    "bed-approach": (9.0, 32.0), "bed-side": (12.8, 23.2), "bed-east": (12.8, 17.0),
+    "theatre-path": (-14.0, 50.0), "cafeteria-path": (16.0, 50.0),
     "admin-path": (-31.0, 8.0), "science-path": (34.0, 8.0), "pond-quay": (59.0, 64.0),
     "pond-beach": (88.5, 64.0), "pond-walk-north": (74.0, 49.5), "gallery-path": (-66.0, 74.0),
     "sports-path": (-60.0, -51.6), "dorm-path": (60.0, -46.0), "observatory-path": (22.0, -66.0),

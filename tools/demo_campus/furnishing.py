@@ -33,7 +33,7 @@ def chair(seat="wood", legs="iron"):
     mesh.box(seat, (-0.21, 0.60, -0.23), (0.21, 0.86, -0.20))
     _legs(mesh, legs, 0.20, 0.20, 0.42, 0.035)
     for x in (-0.20, 0.165):
-        mesh.box(legs, (x, 0.45, -0.23), (x + 0.035, 0.62, -0.20), "yY")
+        mesh.box(legs, (x, 0.45, -0.225), (x + 0.035, 0.62, -0.205), "yY")
     return mesh
 
 

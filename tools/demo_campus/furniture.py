@@ -161,7 +161,7 @@ def sculpture():
     return mesh
 
 
-BED_HEIGHT = 0.42
+BED_HEIGHT, SOIL_HEIGHT = 0.42, 0.36
 
 
 def flower_bed(length, width, kinds, random):
@@ -170,9 +170,8 @@ def flower_bed(length, width, kinds, random):
     half_x, half_z = length / 2, width / 2
     outline = [(-half_x, half_z), (half_x, half_z), (half_x, -half_z), (-half_x, -half_z)]
     ring(mesh, "stone", outline, -0.25, BED_HEIGHT, 0.18)
-    inner = 0.18
-    mesh.poly("soil", [(-half_x + inner, 0.36, half_z - inner), (half_x - inner, 0.36, half_z - inner),
-                       (half_x - inner, 0.36, -half_z + inner), (-half_x + inner, 0.36, -half_z + inner)])
+    soil = [(x * (1 - 0.18 / half_x), SOIL_HEIGHT, z * (1 - 0.18 / half_z)) for x, z in outline]
+    mesh.poly("soil", soil)
     count = int(length * width * 5)
     for _ in range(count):
         x = random.between(-half_x + 0.4, half_x - 0.4)
@@ -190,7 +189,6 @@ def flower_bed(length, width, kinds, random):
 
 
 PLANTER_SIZE = 2.2
-SOIL_HEIGHT = 0.36
 
 
 def planter():
@@ -211,7 +209,7 @@ def wall_panel():
     mesh, half = Mesh(), WALL_PANEL / 2
     mesh.box("brick_red", (-half, -0.9, -0.12), (half, WALL_HEIGHT - 0.2, 0.12), "yxX")
     mesh.box("stone", (-half, WALL_HEIGHT - 0.2, -0.18), (half, WALL_HEIGHT - 0.1, 0.18), "xX")
-    mesh.box("brick_red", (-half - 0.25, -0.9, -0.25), (-half + 0.25, WALL_HEIGHT, 0.25), "y")
+    mesh.box("brick_red", (-half - 0.25, -0.9, -0.25), (-half + 0.25, WALL_HEIGHT, 0.25), "yY")
     mesh.box("stone", (-half - 0.31, WALL_HEIGHT, -0.31), (-half + 0.31, WALL_HEIGHT + 0.12, 0.31))
     return mesh
 

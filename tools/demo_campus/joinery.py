@@ -76,7 +76,7 @@ def window(style_name, width, height):
         mesh.box(style.sill, (-half - LEDGE_SIDE, -0.09, -style.setback),
                  (half + LEDGE_SIDE, 0.005, LEDGE), "z")
     if style.lintel:
-        mesh.box(style.lintel, (-half - LEDGE_SIDE, height, -0.05),
+        mesh.box(style.lintel, (-half - LEDGE_SIDE, height, 0.0),
                  (half + LEDGE_SIDE, height + 0.20, LEDGE - 0.03), "z")
     return mesh
 
@@ -96,10 +96,10 @@ def closed_door(width, height, setback=0.12, frame="stone"):
 def surround(mesh, width, height, material="stone", out=0.06, side=0.22):
     """An architrave around an opening, with a small hood."""
     half = width / 2
-    mesh.box(material, (-half - side, 0.0, -0.05), (-half, height, out), "zy")
-    mesh.box(material, (half, 0.0, -0.05), (half + side, height, out), "zy")
-    mesh.box(material, (-half - side, height, -0.05), (half + side, height + side, out), "z")
-    mesh.box(material, (-half - side - 0.08, height + side, -0.05),
+    mesh.box(material, (-half - side, 0.0, 0.0), (-half, height, out), "zy")
+    mesh.box(material, (half, 0.0, 0.0), (half + side, height, out), "zy")
+    mesh.box(material, (-half - side, height, 0.0), (half + side, height + side, out), "z")
+    mesh.box(material, (-half - side - 0.08, height + side, 0.0),
              (half + side + 0.08, height + side + 0.10, out + 0.16), "z")
 
 

@@ -76,8 +76,8 @@ POND_CORNERS = 24
 
 def _ellipse(centre, radii, corners):
     step = 360.0 / corners
-    return facing_up([(centre[0] + radii[0] * cos_deg(step * i), centre[1] + radii[1] * sin_deg(step * i))
-                      for i in range(corners)])
+    return facing_up([(centre[0] + radii[0] * cos_deg(step * i),
+                       centre[1] + radii[1] * sin_deg(step * i)) for i in range(corners)])
 
 
 POND_RIM = _ellipse(POND_CENTRE, POND_RADII, POND_CORNERS)
@@ -101,8 +101,8 @@ def _corner(cx, cz, radius, start_deg, stop_deg, steps=6):
 
 
 def _pond_walk():
-    return tuple((POND_CENTRE[0] + 17.5 * cos_deg(15.0 * i), POND_CENTRE[1] + 14.5 * sin_deg(15.0 * i))
-                 for i in range(25))
+    return tuple((POND_CENTRE[0] + 17.5 * cos_deg(15.0 * i),
+                  POND_CENTRE[1] + 14.5 * sin_deg(15.0 * i)) for i in range(25))
 
 
 ROAD_Z = 91.0

@@ -33,7 +33,8 @@ class Planting:
     def _free(self, x, z, crown, gap):
         if not (WEST + BORDER < x < EAST - BORDER and NORTH + BORDER < z < SOUTH - BORDER):
             return False
-        px, pz = (x - POND_CENTRE[0]) / (POND_RADII[0] + 3.0), (z - POND_CENTRE[1]) / (POND_RADII[1] + 3.0)
+        px = (x - POND_CENTRE[0]) / (POND_RADII[0] + 3.0)
+        pz = (z - POND_CENTRE[1]) / (POND_RADII[1] + 3.0)
         if px * px + pz * pz < 1.0:
             return False
         for place in PLACEMENTS.values():

@@ -16,7 +16,8 @@ def flight(mesh, x0, z0, z1, y0, risers, tread=TREAD, material="stone", directio
         near, far = x0 + direction * tread * i, x0 + direction * tread * (i + 1)
         low, high = min(near, far), max(near, far)
         top = y0 + RISER * (i + 1)
-        mesh.box(material, (low, top - RISER, z0), (high, top, z1), "y" + ("X" if direction > 0 else "x"))
+        hidden = "yX" if direction > 0 else "yx"
+        mesh.box(material, (low, top - RISER, z0), (high, top, z1), hidden)
         if i:  # the flanks down to the floor below
             for z, flip in ((z1, False), (z0, True)):
                 face = [(low, y0, z), (high, y0, z), (high, top - RISER, z), (low, top - RISER, z)]

@@ -56,9 +56,11 @@ def _grid_face(mesh, material, origin, direction, s_range, y0, y1, openings, fli
             mesh.poly(material, corners[::-1] if flip else corners)
 
 
-def wall(mesh, style, a, b, y0, y1, openings=(), inner_range=None, ends=CLOSED, top=True):
+def wall(mesh, style, a, b, y0, y1, openings=(), inner_range=None, ends=CLOSED, top=True,
+         thresholds=True):
     """A wall whose outer face runs from a to b with the outside on the right hand.
 
+    thresholds: False leaves out the sills of doorways, where a floor runs through.
     inner_range: where the inner face starts and stops along a->b (mitred corners shorten it).
     Returns [(opening, middle point, direction, outward)] for whatever fills the openings.
     """
@@ -76,7 +78,7 @@ def wall(mesh, style, a, b, y0, y1, openings=(), inner_range=None, ends=CLOSED, 
     places = []
     for opening in openings:
         _reveal(mesh, style.reveal or style.inner or style.outer, a, direction, out, depth, y0,
-                opening)
+                opening, thresholds or opening.bottom > 0.0)
         places.append((opening, (a[0] + direction[0] * opening.at, y0 + opening.bottom,
                                  a[1] + direction[1] * opening.at), direction, out))
     return places
@@ -97,8 +99,8 @@ def _edges(mesh, style, a, back, direction, length, s_range, y0, y1, ends, top):
         mesh.quad(style.outer, front(length, y0), rear(s1, y0), rear(s1, y1), front(length, y1))
 
 
-def _reveal(mesh, material, a, direction, out, depth, y0, opening):
-    """The four (or three, for a door) faces inside an opening."""
+def _reveal(mesh, material, a, direction, out, depth, y0, opening, sill):
+    """The four faces inside an opening, or three without its sill."""
     left, right = opening.at - opening.width / 2, opening.at + opening.width / 2
     low, high = y0 + opening.bottom, y0 + opening.top
 
@@ -110,8 +112,9 @@ def _reveal(mesh, material, a, direction, out, depth, y0, opening):
               at(right, high, 0), at(right, high, depth))
     mesh.quad(material, at(left, high, 0), at(left, high, depth),
               at(right, high, depth), at(right, high, 0))
-    mesh.quad(material, at(left, low, depth), at(left, low, 0),
-              at(right, low, 0), at(right, low, depth))
+    if sill:
+        mesh.quad(material, at(left, low, depth), at(left, low, 0),
+                  at(right, low, 0), at(right, low, depth))
 
 
 def perimeter(mesh, style, poly, y0, y1, openings=None, top=True):
@@ -136,7 +139,22 @@ def partition(mesh, material, a, b, y0, y1, openings=(), thickness=0.25):
     length = sqrt(dx * dx + dz * dz)
     ox, oz = -dz / length * thickness / 2, dx / length * thickness / 2
     style = WallStyle(material, material, material, thickness)
-    return wall(mesh, style, (a[0] + ox, a[1] + oz), (b[0] + ox, b[1] + oz), y0, y1, openings)
+    return wall(mesh, style, (a[0] + ox, a[1] + oz), (b[0] + ox, b[1] + oz), y0, y1, openings,
+                thresholds=False)
+
+
+def wainscot(mesh, material, a, b, y0, openings=(), height=1.0, thickness=0.29):
+    """Panelling along both sides of a partition, interrupted at its doorways."""
+    dx, dz = b[0] - a[0], b[1] - a[1]
+    length = sqrt(dx * dx + dz * dz)
+    start = -0.05  # its ends reach into the walls it runs against
+    for opening in sorted(openings, key=lambda o: o.at) + [None]:
+        stop = opening.at - opening.width / 2 - 0.04 if opening else length + 0.05
+        if stop - start > 0.1:
+            ends = [(a[0] + dx * s / length, a[1] + dz * s / length) for s in (start, stop)]
+            partition(mesh, material, *ends, y0, y0 + height, (), thickness)
+        if opening:
+            start = opening.at + opening.width / 2 + 0.04
 
 
 def row(length, count, width, bottom, top, fill, margin=1.2, skip=()):

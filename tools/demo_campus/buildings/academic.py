@@ -2,7 +2,7 @@
 
 from ..mesh import Mesh
 from ..polygon import rect
-from ..roofs import barrel, cornice, flat, gable, hip
+from ..roofs import barrel, cone, cornice, flat, gable, hip
 from ..shapes import band, prism
 from ..stairs import front_steps
 from ..walls import Opening, WallStyle, row
@@ -63,7 +63,6 @@ def admin():
 
 def _turret(mesh, y):
     """A ridge turret with louvres and a copper cap."""
-    from ..roofs import cone  # only this house has one
     body = rect(-1.3, -9.3, 1.3, -6.7)
     prism(mesh, "frame_white", body, y, y + 2.6, top=False)
     band(mesh, "frame_white", body, y + 2.3, y + 2.6, 0.15)
@@ -172,7 +171,7 @@ def sports_hall():
     hall.shell(lower, body, 0.0, 2.6, {})
     strip = {0: row(36.0, 9, 2.8, 1.6, 3.2, "casement"), 2: row(36.0, 9, 2.8, 1.6, 3.2, "casement"),
              1: row(22.0, 5, 2.8, 1.6, 3.2, "casement"), 3: row(22.0, 5, 2.8, 1.6, 3.2, "casement")}
-    hall.shell(upper, body, 2.6, top, strip)
+    hall.shell(upper, body, 2.6, top, strip, footing=0.0)
     band(hall.part("walls"), "concrete", body, 2.45, 2.7, 0.08)
     barrel(hall.part("roof"), "metal_roof", "cladding", (-18, -12, 18, 10), top, 3.6)
     rib = Mesh()

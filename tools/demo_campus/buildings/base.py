@@ -82,12 +82,13 @@ class Building:
                 kind = "door" if opening.fill in ("open", "door") else "window"
                 self.prop(kind, mesh, at, yaw_towards(*out))
 
-    def shell(self, style, poly, y0, y1, openings=None, part="walls", top=True):
+    def shell(self, style, poly, y0, y1, openings=None, part="walls", top=True, footing=FOOTING):
         """Outer walls along a polygon, with their windows and doors.
 
-        They go a hand deeper than y0, behind the plinth, so that no slit opens under them.
+        They go a hand (footing) deeper than y0, behind the plinth, so that no slit opens under them.
         """
-        prism(self.part(part), style.outer, poly, y0 - FOOTING, y0, top=False)
+        if footing:
+            prism(self.part(part), style.outer, poly, y0 - footing, y0, top=False)
         self.fill(perimeter(self.part(part), style, poly, y0, y1, openings, top),
                   style.thickness)
 
@@ -101,10 +102,12 @@ class Building:
         for piece in _minus(poly, holes):
             self.part(part).poly(material, [(x, y, z) for x, z in reversed(piece)])
 
-    def hole_edges(self, material, hole, y0, y1, part="floor"):
-        """The faces of a slab around an opening, looking into it."""
+    def hole_edges(self, material, hole, y0, y1, part="floor", skip=()):
+        """The faces of a slab around an opening, looking into it; skip: edges along a wall."""
         mesh, count = self.part(part), len(hole)
         for i, (ax, az) in enumerate(hole):
+            if i in skip:
+                continue
             bx, bz = hole[(i + 1) % count]
             mesh.quad(material, (bx, y0, bz), (ax, y0, az), (ax, y1, az), (bx, y1, bz))
 

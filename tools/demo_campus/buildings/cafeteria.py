@@ -1,6 +1,7 @@
 """The cafeteria: one storey, white render and larch boards, a terrace under parasols."""
 
 from .. import furnishing as furn
+from ..furniture import parasol
 from ..layout import FLOOR_ABOVE_PAD as FLOOR
 from ..polygon import rect
 from ..roofs import flat
@@ -57,7 +58,6 @@ def _group(building, table, chair, at, seats=((0.0, 0.72, 180.0), (0.0, -0.72, 0
 
 def _terrace(cafe):
     table, chair = furn.round_table(0.45, "metal"), furn.chair("wood")
-    from ..furniture import parasol  # outdoor furniture knows the indoor kind, not the reverse
     shade = parasol()
     for x, z in ((-7.5, 10.2), (-4.2, 11.8), (4.6, 10.4), (7.6, 12.2), (-7.4, 13.3)):
         _group(cafe, table, chair, (x, 0.06, z), ((0.7, 0.0, -90.0), (-0.7, 0.0, 90.0)))
@@ -69,8 +69,8 @@ def build():
     cafe = Building("cafeteria")
     outline = rect(-HALF_X, -HALF_Z, HALF_X, HALF_Z)
     cafe.voids = [inside(outline, 0.05)]
-    band(cafe.part("plinth"), "concrete", outline, -0.3, FLOOR - 0.04, 0.05, bottom=False)
-    cafe.shell(WALLS, outline, FLOOR, WALL_TOP, _openings())
+    band(cafe.part("plinth"), "concrete", outline, -0.3, FLOOR - 0.02, 0.05, bottom=False)
+    cafe.shell(WALLS, outline, FLOOR, WALL_TOP, _openings(), top=False)
     band(cafe.part("walls"), "wood_cladding", outline, 2.98, 3.9, 0.06)
     roof = cafe.part("roof")
     flat(roof, outline, [outline], WALL_TOP, 0.45, "frame_dark", "metal")

@@ -10,7 +10,7 @@ from .base import Building, Trigger, inside
 HALF_X, HALF_Z = 12.0, 8.0
 WALL_TOP, CEILING = 5.0, 4.6
 TEETH, TOOTH_RISE = 4, 2.2
-WALLS = WallStyle("brick_dark", "plaster_inside", "frame_dark", 0.30)
+WALLS = WallStyle("brick_dark", "frame_white", "frame_dark", 0.30)
 
 
 def _roof(gallery):
@@ -40,6 +40,12 @@ def _exhibits(gallery):
     for i, z in enumerate((-5.0, -1.6, 4.6)):
         gallery.prop("painting", pictures[(i + 1) % 4], (-11.7, FLOOR, z), 90.0)
         gallery.prop("painting", pictures[(i + 2) % 4], (11.7, FLOOR, z), -90.0)
+    for i, x in enumerate((2.6, 4.6, 10.4)):  # both sides of the long partition
+        gallery.prop("painting", pictures[i], (x, FLOOR, 1.25))
+        gallery.prop("painting", pictures[(i + 2) % 4], (x, FLOOR, 1.0), 180.0)
+    for i, z in enumerate((-0.4, -6.6)):
+        gallery.prop("painting", pictures[i + 1], (-0.13, FLOOR, z), -90.0)
+        gallery.prop("painting", pictures[i], (0.13, FLOOR, z), 90.0)
     for i, (x, z) in enumerate(((-8.5, -3.0), (-4.5, -3.0), (4.0, -3.4), (8.5, -3.4), (8.5, 3.4))):
         gallery.prop("exhibit", furn.plinth_with_figure(i % 3), (x, FLOOR, z))
     gallery.prop("desk", furn.counter(2.0), (-4.2, FLOOR, 4.6), 90.0)
@@ -50,7 +56,7 @@ def build():
     gallery = Building("gallery")
     outline = rect(-HALF_X, -HALF_Z, HALF_X, HALF_Z)
     gallery.voids = [inside(outline, 0.05)]
-    band(gallery.part("plinth"), "concrete", outline, -0.3, FLOOR - 0.04, 0.05, bottom=False)
+    band(gallery.part("plinth"), "concrete", outline, -0.3, FLOOR - 0.02, 0.05, bottom=False)
     front = [Opening(12.0, 1.6, 0.0, 2.5, "open"), Opening(8.6, 2.6, 0.4, 3.2, "shop"),
              Opening(5.2, 2.6, 0.4, 3.2, "shop"), Opening(17.0, 2.6, 0.4, 3.2, "shop"),
              Opening(20.4, 2.6, 0.4, 3.2, "shop")]

@@ -54,7 +54,8 @@ def _archway(gate, depth, lodge_top, top):
     body = rect(-half, -depth, half, depth)
     windows = {k: [Opening(half + dx, 0.9, 0.8, 2.3, "stone") for dx in (-2.2, 0.0, 2.2)]
                for k in (0, 2)}
-    gate.shell(WallStyle("ashlar", None, "stone"), body, lodge_top, top, windows, "arch")
+    gate.shell(WallStyle("ashlar", None, "stone"), body, lodge_top, top, windows, "arch",
+               footing=0.0)
     band(mesh, "stone", body, lodge_top - 0.1, lodge_top + 0.15, 0.09)
     cornice(gate.part("roof"), "stone", body, top)
     gable(gate.part("roof"), "slate", "ashlar", (-half, -depth, half, depth), top, 3.0, "z", 0.4,
@@ -88,7 +89,7 @@ def clock_tower():
     walls.poly("stone", [(x, 4.6, z) for x, z in base])
     slots = [Opening(2.8, 0.7, y, y + 1.7, "stone") for y in (1.4, 5.2, 9.0)]
     tower.shell(WallStyle("brick_red", None, "stone"), shaft, 4.5, 17.0,
-                {k: slots for k in range(4)})
+                {k: slots for k in range(4)}, footing=0.0)
     for y in (8.4, 12.4, 16.6):
         band(walls, "stone", shaft, y, y + 0.35, 0.1)
     for x in (-2.8, 2.8):
@@ -100,7 +101,8 @@ def clock_tower():
     _clock_faces(tower, 3.0, 19.2)
     belfry = rect(-2.5, -2.5, 2.5, 2.5)
     arches = [Opening(x, 1.3, 0.5, 3.0, "slot") for x in (1.5, 3.5)]
-    tower.shell(WallStyle("ashlar", None, "stone"), belfry, 21.7, 25.6, {k: arches for k in range(4)})
+    tower.shell(WallStyle("ashlar", None, "stone"), belfry, 21.7, 25.6, {k: arches for k in range(4)},
+                footing=0.0)
     cornice(tower.part("roof"), "stone", belfry, 25.8)
     cone(tower.part("roof"), "copper", belfry, 25.8, 6.4, 0.4, "stone")
     lathe(tower.part("roof"), "brass", [(0.05, 31.9), (0.05, 33.0), (0.22, 33.2), (0.0, 33.5)], 8)
@@ -197,12 +199,14 @@ def greenhouse():
         x = -half_x + 2 * half_x * k / 11
         for z in (-half_z, half_z):
             frame.box("frame_white", (x - 0.05, sill, z - 0.05), (x + 0.05, eaves, z + 0.05), "yY")
-            beam(frame, "frame_white", (x, eaves - 0.05, z), (x, ridge - 0.05, 0.0), 0.08, 0.1)
+            beam(frame, "frame_white", (x, eaves - 0.05, z * 1.01), (x, ridge - 0.05, 0.0), 0.08, 0.1)
     for y, z in ((sill, half_z), (sill, -half_z), (eaves, half_z), (eaves, -half_z), (ridge, 0.0)):
-        frame.box("frame_white", (-half_x, y - 0.04, z - 0.06), (half_x, y + 0.08, z + 0.06))
+        frame.box("frame_white", (-half_x - 0.03, y - 0.04, z - 0.06),
+                  (half_x + 0.03, y + 0.08, z + 0.06))
     for x in (-half_x, half_x):
-        frame.box("frame_white", (x - 0.05, eaves - 0.04, -half_z), (x + 0.05, eaves + 0.06, half_z))
-    house.part("frame").box("door_wood", (-0.6, 0.0, half_z - 0.06), (0.6, 2.3, half_z + 0.06), "y")
+        frame.box("frame_white", (x - 0.05, eaves - 0.04, -half_z - 0.03),
+                  (x + 0.05, eaves + 0.06, half_z + 0.03))
+    house.part("frame").box("door_wood", (-0.6, 0.0, half_z - 0.09), (0.6, 2.3, half_z + 0.09), "y")
     _beds(house, half_x)
     house.door_trigger(0.0, 0.06, half_z + 0.4)
     house.points = {"greenhouse-door": (0.0, 0.06, half_z + 1.3)}

@@ -6,7 +6,7 @@ from ..polygon import rect
 from ..roofs import cornice, gable, hip
 from ..shapes import band, lathe, prism
 from ..stairs import RISER, flight, front_steps, parapet_wall, railing, ramp
-from ..walls import Opening, WallStyle, partition, row
+from ..walls import Opening, WallStyle, partition, row, wainscot
 from .base import Building, Trigger, inside
 
 HALF_X, HALF_Z = 17.0, 10.0
@@ -73,7 +73,7 @@ def _upper_floor(library):
     room = inside(rect(-HALF_X, -HALF_Z, HALF_X, HALF_Z), WALLS.thickness)
     library.floor("parquet", room, UPPER, [STAIR_HOLE], "upper_floor")
     library.ceiling("plaster_inside", room, UPPER - SLAB, [STAIR_HOLE])
-    library.hole_edges("wood", STAIR_HOLE, UPPER - SLAB, UPPER, "upper_floor")
+    library.hole_edges("wood", STAIR_HOLE, UPPER - SLAB, UPPER, "upper_floor", (2,))
     library.ceiling("plaster_inside", room, CEILING)
     for x in (-15.0, -11.4, -7.8, -4.2, -0.6, 12.2, 15.6):  # oak beams over the hall
         library.part("ceiling").box("wood_dark", (x - 0.13, UPPER - SLAB - 0.22, -9.7),
@@ -89,19 +89,23 @@ def _upper_floor(library):
                  (STAIR_END + 0.1, UPPER, STAIR_Z1 + 0.14), 0.12, 1.05, "wood_dark")
     parapet_wall(stairs, (STAIR_X + 0.14, UPPER, STAIR_Z0),
                  (STAIR_X + 0.14, UPPER, STAIR_Z1 + 0.08), 0.12, 1.05, "wood_dark")
+    door = [Opening(9.7, 1.2, 0.0, 2.2)]
     partition(library.part("partitions"), "plaster_inside", (-5.0, 9.7), (-5.0, -9.7), UPPER,
-              CEILING, [Opening(9.7, 1.2, 0.0, 2.2)])
+              CEILING, door)
+    wainscot(library.part("partitions"), "wood_dark", (-5.0, 9.7), (-5.0, -9.7), UPPER, door)
 
 
 def _ground_floor(library):
     library.floor("parquet", inside(rect(-HALF_X, -HALF_Z, HALF_X, HALF_Z), WALLS.thickness), FLOOR)
     mesh, top = library.part("partitions"), UPPER - SLAB
-    partition(mesh, "plaster_inside", (-16.7, 2.0), (16.7, 2.0), FLOOR, top,
-              [Opening(16.7 + x, width, 0.0, 2.3) for x, width in
-               ((-11.0, 1.2), (0.0, 1.5), (11.0, 1.2))])
+    doors = [Opening(16.7 + x, width, 0.0, 2.3) for x, width in
+             ((-11.0, 1.2), (0.0, 1.5), (11.0, 1.2))]
+    partition(mesh, "plaster_inside", (-16.7, 2.0), (16.7, 2.0), FLOOR, top, doors)
+    wainscot(mesh, "wood_dark", (-16.7, 2.0), (16.7, 2.0), FLOOR, doors)
+    door = [Opening(3.7, 1.2, 0.0, 2.3)]
     for x in (-5.0, 5.0):
-        partition(mesh, "plaster_inside", (x, 9.7), (x, 2.125), FLOOR, top,
-                  [Opening(3.7, 1.2, 0.0, 2.3)])
+        partition(mesh, "plaster_inside", (x, 9.7), (x, 2.125), FLOOR, top, door)
+        wainscot(mesh, "wood_dark", (x, 9.7), (x, 2.125), FLOOR, door)
 
 
 def _furniture(library):
@@ -125,6 +129,13 @@ def _furniture(library):
     for x in (0.0, 4.5, 9.0, 13.5):
         library.prop("shelf", shelf, (x, UPPER, 7.2), 90.0)
         _table_group(library, table, chair, (x, UPPER, 1.0))
+    pictures = [furn.painting(i) for i in range(4)]
+    for i, x in enumerate((-14.0, -7.5, -3.0, 3.0, 7.5, 14.0)):
+        library.prop("painting", pictures[i % 4], (x, FLOOR + 0.25, 2.13))
+    for i, z in enumerate((4.2, 8.2)):
+        library.prop("painting", pictures[i], (-4.87, FLOOR + 0.25, z), 90.0)
+        library.prop("painting", pictures[i + 2], (4.87, FLOOR + 0.25, z), -90.0)
+        library.prop("painting", pictures[i + 1], (-4.87, UPPER + 0.1, z), 90.0)
     lamp = furn.pendant_lamp(0.5)
     for x in (-11.0, 0.0, 11.0):
         for z in (-4.0, 6.0):

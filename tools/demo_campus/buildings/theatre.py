@@ -100,9 +100,9 @@ def build():
     outline = _outline()
     room = inside(outline, WALLS.thickness)
     theatre.voids = [inside(outline, 0.05)]
-    band(theatre.part("plinth"), "concrete", outline, -0.3, FLOOR - 0.04, 0.06, bottom=False)
+    band(theatre.part("plinth"), "concrete", outline, -0.3, FLOOR - 0.02, 0.06, bottom=False)
     theatre.shell(WALLS, outline, FLOOR, WALL_TOP, _openings(_front_edge(outline)))
-    band(theatre.part("walls"), "concrete", outline, 3.0, 3.35, 0.08)
+    band(theatre.part("walls"), "concrete", outline, 5.6, 5.9, 0.08)
     theatre.floor("floor_tiles", room, FLOOR)
     theatre.ceiling("plaster_inside", room, CEILING)
     for x, z in outline:  # concrete buttresses at the corners
