@@ -95,6 +95,7 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
         return;
     }
     std::vector<std::string> names;
+    names.reserve(matches.size());
     for (const NodeRef& match : matches) {
         names.push_back(campus_.models[match.model].nodes[match.node].name);
     }

@@ -96,7 +96,8 @@ std::size_t count_duplicate_faces(const Model& model, const Bounds& bounds) {
             }
             for (const auto& t : mesh.triangles) {
                 std::array<std::uint32_t, 3> face = {numbers[t[0]], numbers[t[1]], numbers[t[2]]};
-                std::rotate(face.begin(), std::ranges::min_element(face), face.end());  // turning direction kept
+                std::rotate(face.begin(), std::ranges::min_element(face),
+                            face.end());  // turning direction kept
                 const std::size_t known = faces.size();
                 duplicates += faces.number_of(face) < known ? 1U : 0U;
             }

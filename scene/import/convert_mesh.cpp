@@ -25,7 +25,7 @@ Eigen::Vector3f to_vector(const aiVector3D& v) {
 
 std::uint8_t to_byte(float value) {
     const float clamped = value > 0.0F ? std::min(value, 1.0F) : 0.0F;  // NaN becomes 0
-    return static_cast<std::uint8_t>(clamped * 255.0F + 0.5F);
+    return static_cast<std::uint8_t>(std::lround(clamped * 255.0F));
 }
 
 /// The triangles as the file has them; false when an index points past the vertices.

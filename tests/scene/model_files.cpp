@@ -41,8 +41,30 @@ std::string box_bytes(const Eigen::Vector3f& size) {
     return bytes;
 }
 
-constexpr std::size_t kVertexBytes = 24 * 12;
-constexpr std::size_t kIndexBytes = 36 * 2;
+constexpr std::size_t kVertexBytes = 24UL * 12UL;
+constexpr std::size_t kIndexBytes = 36UL * 2UL;
+
+std::string array_json(const std::vector<std::string>& items) {
+    std::string text = "[";
+    for (const std::string& item : items) {
+        text += text.size() == 1 ? "" : ",";
+        text += item;
+    }
+    return text + "]";
+}
+
+std::string view_json(std::size_t offset, std::size_t length) {
+    std::ostringstream text;
+    text << R"({"buffer":0,"byteOffset":)" << offset << R"(,"byteLength":)" << length << "}";
+    return text.str();
+}
+
+std::string accessor_json(int view, int component_type, int count, const char* type) {
+    std::ostringstream text;
+    text << R"({"bufferView":)" << view << R"(,"componentType":)" << component_type << R"(,"count":)" << count
+         << R"(,"type":")" << type << "\"}";
+    return text.str();
+}
 
 std::string node_json(const std::vector<TinyNode>& nodes, std::size_t i, int mesh) {
     std::ostringstream out;
@@ -55,14 +77,14 @@ std::string node_json(const std::vector<TinyNode>& nodes, std::size_t i, int mes
     if (mesh >= 0) {
         out << ",\"mesh\":" << mesh;
     }
-    std::string children;
+    std::vector<std::string> children;
     for (std::size_t c = 0; c < nodes.size(); ++c) {
         if (nodes[c].parent == static_cast<int>(i)) {
-            children += (children.empty() ? "" : ",") + std::to_string(c);
+            children.push_back(std::to_string(c));
         }
     }
     if (!children.empty()) {
-        out << ",\"children\":[" << children << "]";
+        out << ",\"children\":" << array_json(children);
     }
     out << "}";
     return out.str();
@@ -94,46 +116,41 @@ Eigen::Matrix4d translation(double x, double y, double z) {
 
 void write_gltf(const TemporaryFolder& folder, const std::string& name, const std::vector<TinyNode>& nodes) {
     std::string bin;
-    std::string views;
-    std::string accessors;
-    std::string meshes;
-    std::string node_list;
-    std::string roots;
-    int mesh_count = 0;
+    std::vector<std::string> views;
+    std::vector<std::string> accessors;
+    std::vector<std::string> meshes;
+    std::vector<std::string> node_texts;
+    std::vector<std::string> roots;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         int mesh = -1;
         if (!nodes[i].size.isZero()) {
-            const std::string at = std::to_string(bin.size());
-            const std::string indices_at = std::to_string(bin.size() + kVertexBytes);
-            const std::string first = std::to_string(2 * mesh_count);
-            const std::string second = std::to_string(2 * mesh_count + 1);
-            const std::string comma = mesh_count == 0 ? "" : ",";
-            views += comma + "{\"buffer\":0,\"byteOffset\":" + at +
-                     ",\"byteLength\":" + std::to_string(kVertexBytes) +
-                     "},{\"buffer\":0,\"byteOffset\":" + indices_at +
-                     ",\"byteLength\":" + std::to_string(kIndexBytes) + "}";
-            accessors += comma + "{\"bufferView\":" + first +
-                         ",\"componentType\":5126,\"count\":24,\"type\":\"VEC3\"},{\"bufferView\":" + second +
-                         ",\"componentType\":5123,\"count\":36,\"type\":\"SCALAR\"}";
-            meshes += comma + "{\"primitives\":[{\"attributes\":{\"POSITION\":" + first +
-                      "},\"indices\":" + second + "}]}";
+            mesh = static_cast<int>(meshes.size());
+            std::ostringstream text;
+            text << R"({"primitives":[{"attributes":{"POSITION":)" << 2 * mesh << R"(},"indices":)"
+                 << 2 * mesh + 1 << "}]}";
+            meshes.push_back(text.str());
+            views.push_back(view_json(bin.size(), kVertexBytes));
+            views.push_back(view_json(bin.size() + kVertexBytes, kIndexBytes));
+            accessors.push_back(accessor_json(2 * mesh, 5126, 24, "VEC3"));
+            accessors.push_back(accessor_json(2 * mesh + 1, 5123, 36, "SCALAR"));
             bin += box_bytes(nodes[i].size);
-            mesh = mesh_count++;
         }
-        node_list += (i == 0 ? "" : ",") + node_json(nodes, i, mesh);
+        node_texts.push_back(node_json(nodes, i, mesh));
         if (nodes[i].parent < 0) {
-            roots += (roots.empty() ? "" : ",") + std::to_string(i);
+            roots.push_back(std::to_string(i));
         }
     }
-    std::string json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + roots +
-                       "]}],\"nodes\":[" + node_list + "]";
-    if (mesh_count > 0) {
-        json += ",\"meshes\":[" + meshes + "],\"accessors\":[" + accessors + "],\"bufferViews\":[" + views +
-                "],\"buffers\":[{\"uri\":\"" + name + ".bin\",\"byteLength\":" + std::to_string(bin.size()) +
-                "}]";
+    std::ostringstream json;
+    json << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" << array_json(roots)
+         << R"(}],"nodes":)" << array_json(node_texts);
+    if (!meshes.empty()) {
+        json << R"(,"meshes":)" << array_json(meshes) << R"(,"accessors":)" << array_json(accessors)
+             << R"(,"bufferViews":)" << array_json(views) << R"(,"buffers":[{"uri":")" << name
+             << R"(.bin","byteLength":)" << bin.size() << "}]";
         folder.write(name + ".bin", bin);
     }
-    folder.write(name + ".gltf", json + "}");
+    json << "}";
+    folder.write(name + ".gltf", json.str());
 }
 
 std::string obj_box(const std::string& name, const Eigen::Vector3d& low, const Eigen::Vector3d& high,

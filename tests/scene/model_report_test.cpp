@@ -109,8 +109,10 @@ TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
 TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {
     std::string text;
     for (int i = 0; i < 100; ++i) {
-        text += test::obj_box("house_" + std::to_string(i), {i % 10 * 10.0, 0, i / 10 * 10.0},
-                              {i % 10 * 10.0 + 5, 4, i / 10 * 10.0 + 5}, 1 + 8 * i);
+        const int row = i / 10;
+        const Eigen::Vector3d corner(i % 10 * 10.0, 0, row * 10.0);
+        text +=
+            test::obj_box("house_" + std::to_string(i), corner, corner + Eigen::Vector3d(5, 4, 5), 1 + 8 * i);
     }
     folder_.write("town.obj", text);
     EXPECT_TRUE(outlier_nodes(import("town.obj")).empty());

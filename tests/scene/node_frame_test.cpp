@@ -68,7 +68,8 @@ TEST(UprightFrame, OfACollapsedNodeIsStillAFrame) {
 }
 
 TEST(RotationAboutY, AgreesWithTheLibraryToTheLastBits) {
-    for (double angle = -20.0; angle < 20.0; angle += 0.01) {
+    for (int i = -2000; i < 2000; ++i) {
+        const double angle = i * 0.01;
         const Mat3 rotation = rotation_about_y(angle);
         ASSERT_NEAR(rotation(0, 0), std::cos(angle), 1e-14) << angle;
         ASSERT_NEAR(rotation(0, 2), std::sin(angle), 1e-14) << angle;
