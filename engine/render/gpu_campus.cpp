@@ -71,8 +71,6 @@ void GpuCampus::set_plain_material(const ShaderProgram& surface) const {
     gl_.BindTexture(GL_TEXTURE_2D, white_);
     surface.set("base_color", Eigen::Vector4d(1, 1, 1, 1));
     surface.set("emissive", Eigen::Vector3d(0, 0, 0));
-    surface.set("alpha_mode", 0);
-    surface.set("glossy", 0.0);
     set_culling(gl_, false);
 }
 
@@ -85,18 +83,17 @@ void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index) co
     surface.set("emissive",
                 Eigen::Vector3d(material.emissive[0], material.emissive[1], material.emissive[2]));
     surface.set("alpha_cutoff", material.alpha_cutoff);
-    const bool blend = material.alpha_mode == scene::AlphaMode::blend;
-    surface.set("alpha_mode", blend ? 2 : material.alpha_mode == scene::AlphaMode::mask ? 1 : 0);
-    // A see-through surface without a picture on it is glass or water far more often than not.
-    surface.set("glossy", blend && textures_[index] == white_ ? 1.0 : 0.0);
+    // Translucent all over is glass or water far more often than not; a picture with holes is not.
+    surface.set("glossy", material.base_color[3] < 1.0F ? 1.0 : 0.0);
     set_culling(gl_, material.double_sided);
 }
 
-void GpuCampus::draw_solid(const ShaderProgram& surface, const Frustum& frustum,
+void GpuCampus::draw_solid(const ShaderProgram& surface, scene::AlphaMode mode, const Frustum& frustum,
                            const Eigen::Vector3d& eye) const {
     std::vector<std::pair<double, const Batch*>> order;
     for (const Batch& batch : geometry_.batches) {
-        if (frustum.may_show(batch.bounds)) {
+        if (geometry_.materials[batch.material].material.alpha_mode == mode &&
+            frustum.may_show(batch.bounds)) {
             order.emplace_back(batch.bounds.squaredExteriorDistance(eye), &batch);
         }
     }

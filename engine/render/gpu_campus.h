@@ -21,8 +21,10 @@ public:
     void draw_depth(const ShaderProgram& opaque, const ShaderProgram& masked,
                     const Eigen::Matrix4d& clip_campus) const;
 
-    /// Opaque and masked surfaces, those nearest to `eye` (campus frame) first. `surface` must be in use.
-    void draw_solid(const ShaderProgram& surface, const Frustum& frustum, const Eigen::Vector3d& eye) const;
+    /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `surface`
+    /// must be in use.
+    void draw_solid(const ShaderProgram& surface, scene::AlphaMode mode, const Frustum& frustum,
+                    const Eigen::Vector3d& eye) const;
 
     /// See-through triangles, the farthest from `eye` first. `surface` must be in use.
     void draw_blend(const ShaderProgram& surface, const Frustum& frustum, const Eigen::Vector3d& eye) const;

@@ -33,7 +33,7 @@ void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarStat
     cairo_save(cr);
     cairo_arc(cr, centre.x(), centre.y(), circle, 0.0, kFullTurn);
     cairo_clip_preserve(cr);
-    canvas.set_ink({0.60, 0.62, 0.58, 1.0});  // beyond the campus
+    canvas.set_ink({0.797, 0.803, 0.791, 1.0});  // beyond the campus: as plans have it
     cairo_fill(cr);
     const double metres_per_plan_pixel = minimap.view.height / minimap.plan.height;
     const double scale = circle / minimap.radius * metres_per_plan_pixel;

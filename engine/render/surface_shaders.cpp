@@ -49,6 +49,7 @@ layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec2 vertex_uv;
 layout(location = 3) in vec4 vertex_color;
 uniform mat4 clip_campus;
+invariant gl_Position;
 out vec3 position;
 out vec3 normal;
 out vec2 uv;
@@ -62,6 +63,11 @@ void main() {
     gl_Position = clip_campus * vec4(vertex_position, 1.0);
 }
 )";
+
+// Separate programs, not a branch: a shader that can discard is run before its depth test, so every hidden
+// wall would be lit in full.
+const std::string_view kDefineCutout = "#define CUTOUT\n";
+const std::string_view kDefineSeeThrough = "#define SEE_THROUGH\n";
 
 const std::string_view kSurfaceFragment = R"(
 in vec3 position;
@@ -79,8 +85,7 @@ uniform sampler2D base_color_map;
 uniform vec4 base_color;
 uniform vec3 emissive;
 uniform float alpha_cutoff;
-uniform int alpha_mode;     // 0 opaque, 1 mask, 2 blend
-uniform float glossy;       // 1 for plain panes and water, which mirror the sky
+uniform float glossy;       // 1 for panes and water, which mirror the sky
 uniform sampler2D occlusion_map;
 uniform vec2 occlusion_scale;  // from pixels to the map's coordinates; 0 without a map
 
@@ -91,15 +96,15 @@ vec3 ambient(vec3 n) {
 
 void main() {
     vec4 base = base_color * color * texture(base_color_map, uv);
-    if (alpha_mode == 1) {
-        // The edge is as sharp as the picture, not as the texture: alpha becomes the pixel's coverage.
-        base.a = clamp((base.a - alpha_cutoff) / max(fwidth(base.a), 0.0001) + 0.5, 0.0, 1.0);
-        if (base.a < 0.02) {
-            discard;
-        }
-    } else if (alpha_mode == 0) {
-        base.a = 1.0;
+#if defined(CUTOUT)
+    // The edge is as sharp as the picture, not as the texture: alpha becomes the pixel's coverage.
+    base.a = clamp((base.a - alpha_cutoff) / max(fwidth(base.a), 0.0001) + 0.5, 0.0, 1.0);
+    if (base.a < 0.02) {
+        discard;
     }
+#elif !defined(SEE_THROUGH)
+    base.a = 1.0;
+#endif
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     float facing = dot(n, to_sun);
     float sun = facing > 0.0 ? facing * sunlight(position, n) : 0.0;
@@ -110,6 +115,7 @@ void main() {
     vec3 to_eye = eye - position;
     float distance_to_eye = length(to_eye);
     vec3 outwards = -to_eye / max(distance_to_eye, 0.001);
+#if defined(SEE_THROUGH)
     if (glossy > 0.0) {
         // Schlick's approximation for glass and water: 4 % seen straight on, everything at a grazing angle.
         float mirror = 0.04 + 0.96 * pow(1.0 - max(dot(-outwards, n), 0.0), 5.0);
@@ -118,6 +124,7 @@ void main() {
         base.a = mirror + (1.0 - mirror) * base.a;
         result /= max(base.a, 0.001);
     }
+#endif
     if (fog_density > 0.0) {
         float clear = exp(-distance_to_eye * fog_density);
         result = mix(sky_color(vec3(outwards.x, 0.0, outwards.z)), result, clear);
@@ -130,6 +137,7 @@ const std::string_view kDepthVertex = R"(
 layout(location = 0) in vec3 vertex_position;
 layout(location = 2) in vec2 vertex_uv;
 uniform mat4 clip_campus;
+invariant gl_Position;
 out vec2 uv;
 
 void main() {
