@@ -11,19 +11,19 @@ namespace campuswalk::collision {
 
 /// The body that is moved: an upright capsule, metres.
 struct MoverSettings {
-    double height = 1.8;         ///< total
+    double height = 1.8;  ///< total
     double radius = 0.3;
-    double step_height = 0.3;    ///< the highest edge it rolls over
+    double step_height = 0.3;            ///< the highest edge it rolls over
     double min_up = 0.6427876096865393;  ///< cosine of the steepest slope it walks on (50°)
-    double skin = 0.02;          ///< gap kept to flat walls
-    double gravity = 9.81;       ///< metres a second squared
+    double skin = 0.02;                  ///< gap kept to flat walls
+    double gravity = 9.81;               ///< metres a second squared
 };
 
 struct MoverState {
-    Vec3 foot = Vec3::Zero();      ///< lowest point of the capsule
-    double vertical_speed = 0.0;   ///< metres a second, up positive; 0 while grounded
+    Vec3 foot = Vec3::Zero();     ///< lowest point of the capsule
+    double vertical_speed = 0.0;  ///< metres a second, up positive; 0 while grounded
     bool grounded = false;
-    double fall_from = 0.0;        ///< greatest height since the ground was left, metres
+    double fall_from = 0.0;  ///< greatest height since the ground was left, metres
 };
 
 /// A solid object beside or above the body; the ground underfoot and steps that are climbed don't count.
@@ -37,7 +37,7 @@ struct MoveTrace {
     std::vector<Vec3> path;       ///< foot points: the start, then the end of every equal part of the tick
     std::vector<Touch> touching;  ///< nearest gap of each object within reach, ascending by object
     bool landed = false;
-    double fall_height = 0.0;     ///< when landed, metres
+    double fall_height = 0.0;  ///< when landed, metres
 };
 
 /// Moves a capsule through the solid objects of a world: slides along walls, follows the ground, climbs
@@ -74,7 +74,7 @@ private:
     Segment body(const Vec3& foot) const;
     void gather(const Vec3& foot, double sideways, double up, double down, QueryCounters& counters);
     void find_contacts(const Vec3& foot, double reach);
-    Kind kind_of(const Obstacle& obstacle, const Closest& closest, const Vec3& normal, const Vec3& foot) const;
+    Kind kind_of(const Obstacle& obstacle, const Vec3& normal, const Vec3& foot) const;
     bool is_step(const Obstacle& obstacle, const Vec3& foot) const;
     bool owned_by_floor(const Vec3& point) const;
 
@@ -85,8 +85,10 @@ private:
     /// Sweeps the body and returns the displacement that is free.
     Vec3 free_part(const Vec3& foot, const Vec3& move, double radius) const;
     bool supported(const Vec3& foot) const;
-    Vec3 steepest_support(const Vec3& foot) const;
-    void list_touching(const Vec3& foot, MoveTrace& trace) const;
+    Vec3 resting_normal(const Vec3& foot) const;
+    void list_touching(const Vec3& foot, MoveTrace& trace);
+
+    static void land(MoverState& state, const Vec3& foot, MoveTrace& trace);
 
     static HalfPlane half_plane(const Contact& contact, double radius, double keep);
     static Vec3 solve(const Vec3& wish, const std::vector<HalfPlane>& planes);

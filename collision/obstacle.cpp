@@ -123,7 +123,8 @@ bool walkable_at(const Obstacle& obstacle, const Vec3& point, double min_up) {
                       object.shape);
 }
 
-std::optional<double> sweep(const Segment& segment, double radius, const Vec3& move, const Obstacle& obstacle) {
+std::optional<double> sweep(const Segment& segment, double radius, const Vec3& move,
+                            const Obstacle& obstacle) {
     // The distance between convex bodies is a convex function of the fraction of a straight move, so Newton's
     // method from the left climbs to the first contact and never passes it; once the distance stops falling
     // there is none.

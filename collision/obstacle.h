@@ -14,11 +14,11 @@ namespace campuswalk::collision {
 /// convex solid.
 struct Obstacle {
     ObjectId object{};
-    std::uint32_t triangle = 0;        ///< index in the object's mesh; 0 for a solid
-    const Object* solid = nullptr;     ///< set for a convex solid
-    Triangle corners;                  ///< for a triangle
-    Vec3 normal = Vec3::Zero();        ///< for a triangle: unit face normal, zero if it has no area
-    double top = 0.0;                  ///< greatest y
+    std::uint32_t triangle = 0;     ///< index in the object's mesh; 0 for a solid
+    const Object* solid = nullptr;  ///< set for a convex solid
+    Triangle corners;               ///< for a triangle
+    Vec3 normal = Vec3::Zero();     ///< for a triangle: unit face normal, zero if it has no area
+    double top = 0.0;               ///< greatest y
 };
 
 /// Replaces `out` by everything that passes the filter within `radius` of the segment, ordered by object and
@@ -34,6 +34,7 @@ bool walkable_at(const Obstacle& obstacle, const Vec3& point, double min_up);
 
 /// The first fraction of `move` at which a capsule of `radius` about `segment` touches the obstacle; none if
 /// it never does or if it only moves away. Conservative: the fraction is never too large.
-std::optional<double> sweep(const Segment& segment, double radius, const Vec3& move, const Obstacle& obstacle);
+std::optional<double> sweep(const Segment& segment, double radius, const Vec3& move,
+                            const Obstacle& obstacle);
 
 }  // namespace campuswalk::collision

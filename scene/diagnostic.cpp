@@ -46,8 +46,8 @@ InputError::InputError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(joined(diagnostics)), diagnostics_(std::move(diagnostics)) {}
 
 InputError::InputError(SourceMark mark, std::string code, std::string message)
-    : InputError(std::vector<Diagnostic>{
-          {Severity::error, std::move(mark), std::move(code), std::move(message)}}) {}
+    : InputError(
+          std::vector<Diagnostic>{{Severity::error, std::move(mark), std::move(code), std::move(message)}}) {}
 
 void DiagnosticList::error(const SourceMark& mark, std::string code, std::string message) {
     diagnostics_.push_back({Severity::error, mark, std::move(code), std::move(message)});
@@ -62,7 +62,8 @@ void DiagnosticList::append(const std::vector<Diagnostic>& diagnostics) {
 }
 
 bool DiagnosticList::has_errors() const {
-    return std::ranges::any_of(diagnostics_, [](const Diagnostic& d) { return d.severity == Severity::error; });
+    return std::ranges::any_of(diagnostics_,
+                               [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
 void DiagnosticList::throw_if_errors() const {
