@@ -31,4 +31,9 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 MeshCollider::MeshCollider(TriangleMesh mesh)
     : mesh_(std::move(mesh)), tree_(build_hybrid_tree(checked(mesh_))) {}
 
+const ClosedParts& MeshCollider::closed_parts() const {
+    std::call_once(closed_once_, [this] { closed_.emplace(mesh_); });
+    return *closed_;
+}
+
 }  // namespace campuswalk::collision

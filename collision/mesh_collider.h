@@ -1,5 +1,9 @@
 #pragma once
 
+#include <mutex>
+#include <optional>
+
+#include "collision/closed_parts.h"
 #include "collision/hybrid_tree.h"
 #include "collision/triangle_mesh.h"
 
@@ -14,10 +18,14 @@ public:
 
     const TriangleMesh& mesh() const { return mesh_; }
     const HybridTree& tree() const { return tree_; }
+    /// Found when first asked for: few meshes ever are.
+    const ClosedParts& closed_parts() const;
 
 private:
     TriangleMesh mesh_;
     HybridTree tree_;
+    mutable std::once_flag closed_once_;
+    mutable std::optional<ClosedParts> closed_;
 };
 
 }  // namespace campuswalk::collision

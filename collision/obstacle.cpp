@@ -32,6 +32,23 @@ void append_triangles(const World& world, ObjectId id, const MeshCollider& mesh,
     }
 }
 
+void append_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
+                   std::vector<Obstacle>& out, QueryCounters& counters) {
+    const Object& object = world.object(id);
+    if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
+        append_triangles(world, id, **mesh, segment, radius, out, counters);
+        return;
+    }
+    Obstacle o;
+    o.object = id;
+    o.solid = &object;
+    o.top = world.bounds(id).max.y();
+    ++counters.np;
+    if (closest(segment, o).distance <= radius) {
+        out.push_back(o);
+    }
+}
+
 bool up_at(const Box& box, const Pose& X, const Vec3& point, double min_up) {
     const Vec3 p = X.inverse_apply(point);
     for (int axis = 0; axis < 3; ++axis) {
@@ -89,20 +106,14 @@ void gather_obstacles(const World& world, const QueryFilter& filter, const Segme
     thread_local std::vector<ObjectId> candidates;
     world.candidates(box.grown(radius), filter, candidates);
     for (const ObjectId id : candidates) {
-        const Object& object = world.object(id);
-        if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
-            append_triangles(world, id, **mesh, segment, radius, out, counters);
-            continue;
-        }
-        Obstacle o;
-        o.object = id;
-        o.solid = &object;
-        o.top = world.bounds(id).max.y();
-        ++counters.np;
-        if (closest(segment, o).distance <= radius) {
-            out.push_back(o);
-        }
+        append_pieces(world, id, segment, radius, out, counters);
     }
+}
+
+void gather_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
+                   std::vector<Obstacle>& out, QueryCounters& counters) {
+    out.clear();
+    append_pieces(world, id, segment, radius, out, counters);
 }
 
 Closest closest(const Segment& segment, const Obstacle& obstacle) {

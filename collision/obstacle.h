@@ -26,6 +26,10 @@ struct Obstacle {
 void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,
                       std::vector<Obstacle>& out, QueryCounters& counters);
 
+/// Likewise for one object.
+void gather_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
+                   std::vector<Obstacle>& out, QueryCounters& counters);
+
 Closest closest(const Segment& segment, const Obstacle& obstacle);
 
 /// Does a surface of the obstacle at `point` (a point of it) face up by at least `min_up` (the cosine of the
