@@ -312,6 +312,16 @@ void CapsuleMover::list_touching(const Vec3& foot, MoveTrace& trace) {
     }
 }
 
+void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, QueryCounters& counters) {
+    gather(foot, 0.0, 0.0, search, counters);
+    const Vec3 down = free_part(foot, Vec3(0, -search, 0), settings_.radius + kRest);
+    const bool found = down.y() > -search && supported(foot + down);
+    state = MoverState{};
+    state.grounded = found;
+    state.foot = found ? Vec3(foot + down) : foot;
+    state.fall_from = state.foot.y();
+}
+
 void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters) {
     gather(state.foot, 0.0, settings_.step_height, settings_.step_height, counters);
     list_touching(state.foot, trace);

@@ -47,6 +47,10 @@ class CapsuleMover {
 public:
     CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter);
 
+    /// Puts the body down at `foot`, which must be free (see free_place): on the ground if that is within
+    /// `search` metres below, in the air otherwise.
+    void place(MoverState& state, const Vec3& foot, double search, QueryCounters& counters);
+
     /// One tick: `wish` is the horizontal displacement asked for (y = 0), `seconds` the tick's length.
     void move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace, QueryCounters& counters);
 

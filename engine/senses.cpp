@@ -1,0 +1,137 @@
+#include "engine/senses.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "collision/cast.h"
+#include "collision/overlap_span.h"
+#include "collision/trigonometry.h"
+
+namespace campuswalk::engine {
+
+using collision::Aabb;
+using collision::Detection;
+using collision::QueryFilter;
+using collision::Ray;
+using collision::Segment;
+using collision::Vec3;
+
+namespace {
+
+// Contact begins a little inside the distance at which it ends, so that resting at it doesn't flicker.
+constexpr double kTouchSlack = 1e-3;   // metres beyond the skin: bumping into something begins
+constexpr double kPartSlack = 5e-3;    // metres beyond the skin: and ends
+constexpr double kVolumeSlack = 1e-3;  // metres outside a trigger at which it is left
+
+}  // namespace
+
+Senses::Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
+               Tick stay_ticks)
+    : campus_(campus),
+      avatar_(avatar),
+      ignored_layers_(ignored_layers),
+      solids_(stay_ticks),
+      triggers_(stay_ticks),
+      gaze_(stay_ticks) {}
+
+void Senses::sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                   std::vector<SensedTransition>& out, collision::QueryCounters& counters) {
+    out.clear();
+    see_solids(trace);
+    collect(tick, Strategy::collision, solids_, out);
+    see_triggers(trace, counters);
+    collect(tick, Strategy::trigger, triggers_, out);
+    see_gaze(avatar, counters);
+    collect(tick, Strategy::ray, gaze_, out);
+    std::ranges::sort(out, {}, [](const SensedTransition& s) {
+        return std::tuple(s.transition.at, s.transition.phase, s.transition.object, s.strategy);
+    });
+}
+
+void Senses::leave_all(Tick tick, std::vector<SensedTransition>& out) {
+    out.clear();
+    const auto leave = [&](Strategy strategy, ContactTracker& tracker) {
+        changes_.clear();
+        tracker.leave_all(tick, changes_);
+        for (const Transition& t : changes_) {
+            out.push_back({strategy, t, 0.0});
+        }
+    };
+    leave(Strategy::collision, solids_);
+    leave(Strategy::trigger, triggers_);
+    leave(Strategy::ray, gaze_);
+}
+
+void Senses::collect(Tick tick, Strategy strategy, ContactTracker& tracker,
+                     std::vector<SensedTransition>& out) {
+    changes_.clear();
+    tracker.update(tick, seen_, changes_);
+    for (const Transition& t : changes_) {
+        out.push_back({strategy, t, strategy == Strategy::ray ? gaze_distance_ : 0.0});
+    }
+}
+
+void Senses::see_solids(const collision::MoveTrace& trace) {
+    seen_.clear();
+    for (const collision::Touch& touch : trace.touching) {
+        const double slack = solids_.active(touch.object) ? kPartSlack : kTouchSlack;
+        if (touch.gap <= avatar_.skin_width + slack) {
+            seen_.push_back({touch.object});
+        }
+    }
+}
+
+void Senses::see_triggers(const collision::MoveTrace& trace, collision::QueryCounters& counters) {
+    seen_.clear();
+    Aabb box;
+    for (const Vec3& foot : trace.path) {
+        box.extend(foot);
+        box.extend(foot + Vec3(0, avatar_.height, 0));
+    }
+    const QueryFilter filter{Detection::trigger, ignored_layers_};
+    campus_.world.candidates(box.grown(avatar_.radius + kVolumeSlack), filter, candidates_);
+    const auto parts = static_cast<double>(std::max<std::size_t>(1, trace.path.size() - 1));
+    for (const collision::ObjectId id : candidates_) {
+        const bool was_in = triggers_.active(id);
+        const double radius = avatar_.radius + (was_in ? kVolumeSlack : 0.0);
+        Sighting sighting{id, false, false, 1.0, 0.0};
+        for (std::size_t i = 0; i < trace.path.size(); ++i) {
+            const Vec3& foot = trace.path[i];
+            const bool last = i + 1 == trace.path.size();
+            if (last && i > 0) {
+                break;
+            }
+            const Vec3 move = last ? Vec3(Vec3::Zero()) : Vec3(trace.path[i + 1] - foot);
+            const Segment body{foot + Vec3(0, avatar_.radius, 0),
+                               foot + Vec3(0, avatar_.height - avatar_.radius, 0)};
+            const auto span = overlap_span(campus_.world, id, body, radius, move, counters);
+            sighting.present = span && span->at_end;
+            if (span) {
+                const auto part = static_cast<double>(i);
+                sighting.enter_at = sighting.met ? sighting.enter_at : (part + span->enter) / parts;
+                sighting.exit_at = (part + span->leave) / parts;
+                sighting.met = true;
+            }
+        }
+        if (was_in || sighting.met) {
+            seen_.push_back(sighting);
+        }
+    }
+}
+
+void Senses::see_gaze(const AvatarState& avatar, collision::QueryCounters& counters) {
+    seen_.clear();
+    const auto [sin_yaw, cos_yaw] = collision::sin_cos(avatar.yaw);
+    const auto [sin_pitch, cos_pitch] = collision::sin_cos(avatar.pitch);
+    const Vec3 direction(-sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch);
+    const Vec3 eye = avatar.position + Vec3(0, avatar_.eye_height, 0);
+    const Ray ray{eye, eye + avatar_.look_distance * direction};
+    const QueryFilter filter{Detection::solid | Detection::ray, ignored_layers_};
+    const auto hit = collision::cast(campus_.world, filter, ray, Detection::ray, counters);
+    if (hit && any_of(campus_.world.object(hit->object).detection, Detection::ray)) {
+        gaze_distance_ = hit->fraction * avatar_.look_distance;
+        seen_.push_back({hit->object});
+    }
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "collision/counters.h"
+#include "collision/mover.h"
+#include "collision/world.h"
+#include "engine/avatar.h"
+#include "engine/events/contact_tracker.h"
+#include "engine/frame_record.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine {
+
+enum class Strategy { collision, trigger, ray };
+
+/// A transition with the strategy that saw it.
+struct SensedTransition {
+    Strategy strategy = Strategy::collision;
+    Transition transition;
+    double distance = 0.0;  ///< ray: from the eye to what is looked at, metres
+};
+
+/// The paper's three detection strategies for one avatar: what it bumps into, what volumes it is in, and what
+/// it looks at ("light projection").
+class Senses {
+public:
+    Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
+           Tick stay_ticks);
+
+    /// After a tick that moved the avatar along `trace.path`. Replaces `out`, in log order: by time within
+    /// the tick, exits before enters before stays, then by object.
+    void sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+               std::vector<SensedTransition>& out, collision::QueryCounters& counters);
+
+    /// Everything ends at once. Replaces `out`.
+    void leave_all(Tick tick, std::vector<SensedTransition>& out);
+
+private:
+    void see_solids(const collision::MoveTrace& trace);
+    void see_triggers(const collision::MoveTrace& trace, collision::QueryCounters& counters);
+    void see_gaze(const AvatarState& avatar, collision::QueryCounters& counters);
+    void collect(Tick tick, Strategy strategy, ContactTracker& tracker, std::vector<SensedTransition>& out);
+
+    const scene::Campus& campus_;
+    AvatarProfile avatar_;
+    std::uint32_t ignored_layers_;
+    ContactTracker solids_;
+    ContactTracker triggers_;
+    ContactTracker gaze_;
+    double gaze_distance_ = 0.0;
+    std::vector<Sighting> seen_;
+    std::vector<Transition> changes_;
+    std::vector<collision::ObjectId> candidates_;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+#include <Eigen/Core>
+
+namespace campuswalk::engine {
+
+/// FNV-1a (64 bits) over everything a walk did: equal hashes mean equal walks, to the bit.
+class StateHash {
+public:
+    void add(std::uint64_t bits) {
+        for (int shift = 0; shift < 64; shift += 8) {
+            add_byte(static_cast<std::uint8_t>(bits >> shift));
+        }
+    }
+    void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); }  // -0 and 0 are one place
+    void add(const Eigen::Vector3d& v) {
+        add(v.x());
+        add(v.y());
+        add(v.z());
+    }
+    void add(std::string_view text) {
+        for (const char c : text) {
+            add_byte(static_cast<std::uint8_t>(c));
+        }
+        add(static_cast<std::uint64_t>(text.size()));
+    }
+
+    std::uint64_t value() const { return value_; }
+
+private:
+    void add_byte(std::uint8_t byte) { value_ = (value_ ^ byte) * 0x100000001b3ULL; }
+
+    std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace campuswalk::engine
