@@ -30,7 +30,7 @@ void ContactTracker::update(Tick tick, const std::vector<Sighting>& seen, std::v
                 next_.push_back(*old);
             }
             ++old;
-        } else if (s.present || s.met) {
+        } else if (s.present || (s.met && s.exit_at > s.enter_at)) {  // a graze of no length is no contact
             out.push_back({s.object, Phase::enter, s.enter_at, 0});
             if (s.present) {
                 next_.push_back({s.object, tick});
