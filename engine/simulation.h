@@ -1,0 +1,92 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/counters.h"
+#include "collision/mover.h"
+#include "engine/events/popups.h"
+#include "engine/frame_record.h"
+#include "engine/script/player.h"
+#include "engine/script/walk.h"
+#include "engine/senses.h"
+#include "engine/state_hash.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine {
+
+/// The step that ended a walk early.
+struct Stop {
+    SourceMark mark;
+    std::string code;  ///< "blocked" or "fell"
+    std::string message;
+};
+
+/// The frame loop: script, mover, senses, events, pop-ups, one after the other, a tick at a time. It knows no
+/// observer and keeps no clock but the tick count. `campus` and `walk` must outlive it.
+class Simulation {
+public:
+    Simulation(const scene::Campus& campus, const Walk& walk);
+
+    bool finished() const { return finished_; }
+
+    /// Plays one tick; the record is valid until the next call. Tick 0 is the spawn.
+    const FrameRecord& step();
+
+    /// The exits of everything that is still met, at the last tick. Call once, when finished.
+    const FrameRecord& leave_everything();
+
+    const std::optional<Stop>& stop() const { return stop_; }
+    double distance() const { return distance_; }
+    std::uint64_t hash() const { return hash_.value(); }
+    const collision::QueryCounters& counters() const { return counters_; }
+
+private:
+    void move(const Intent& intent);
+    void put(const Intent::Placement& placement, double yaw);
+    void report_transitions(const char* cause);
+    void report_transition(const SensedTransition& sensed, const char* cause);
+    void report_step_end();
+    void report_fall();
+    const FrameRecord& finish_record();
+
+    Eigen::Vector3d position_at(double fraction) const;
+    Event& add(EventKind kind, std::string object, double at = 1.0);
+    void end_walk(const SourceMark& mark, std::string code, std::string message);
+
+    const scene::Campus& campus_;
+    const Walk& walk_;
+    double dt_;
+    collision::QueryFilter solids_;
+    collision::CapsuleMover mover_;
+    ScriptPlayer script_;
+    Senses senses_;
+    Popups popups_;
+
+    Tick tick_ = -1;
+    AvatarState avatar_;
+    collision::MoverState body_;
+    collision::MoveTrace trace_;
+    std::vector<SensedTransition> transitions_;
+    std::vector<Event> events_;
+    std::vector<const SnapshotStep*> snapshots_;
+    const char* placed_ = nullptr;  ///< why the avatar was put somewhere this tick
+    FrameRecord record_;
+
+    bool finished_ = false;
+    std::optional<Stop> stop_;
+    double distance_ = 0.0;
+    StateHash hash_;
+    collision::QueryCounters counters_;
+};
+
+/// The object's settings for the collision layer.
+collision::MoverSettings mover_settings(const AvatarProfile& avatar);
+/// Bits of the layers the avatar takes no notice of.
+std::uint32_t ignored_layers(const scene::Campus& campus, const AvatarProfile& avatar);
+
+/// How far above a written-down place the avatar looks for a free one, and below it for ground, metres.
+constexpr double kPlacementSearch = 0.5;
+
+}  // namespace campuswalk::engine
