@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "collision/ray.h"
 
 namespace campuswalk::collision {

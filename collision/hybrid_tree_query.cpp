@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "collision/closest.h"
 
 namespace campuswalk::collision {

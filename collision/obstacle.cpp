@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "collision/hybrid_tree_query.h"
 
 namespace campuswalk::collision {
