@@ -10,14 +10,25 @@ uniform vec3 sun_color;
 uniform vec3 zenith_color;
 uniform vec3 horizon_color;
 
+// Around the sun, even down to the horizon: the haze it lights up.
+vec3 wide_glow(float towards_sun) {
+    float t = max(towards_sun, 0.0);
+    t *= t;
+    return (0.10 * t * t * t) * sun_color;
+}
+
+vec3 fog_color(vec3 direction) {
+    return horizon_color + wide_glow(dot(direction.xz, to_sun.xz));
+}
+
 vec3 sky_color(vec3 direction) {
     float up = max(direction.y, 0.0);
     // The haze is thickest at the horizon: its share falls off with the length of the way through it.
     float haze = exp(-4.5 * up);
     vec3 color = mix(zenith_color, horizon_color, haze);
     float towards_sun = max(dot(direction, to_sun), 0.0);
-    float glow = 0.10 * pow(towards_sun, 6.0) + 0.22 * pow(towards_sun, 90.0) + 3.0 * smoothstep(0.9994, 0.9998, towards_sun);
-    color += glow * sun_color * vec3(1.0, 0.92, 0.78);
+    float disc = 3.0 * smoothstep(0.9994, 0.9998, towards_sun);
+    color += wide_glow(towards_sun) + (0.22 * pow(towards_sun, 90.0) + disc) * sun_color * vec3(1.0, 0.92, 0.78);
     // Below the horizon, where the campus ends: the ground's far haze.
     float down = smoothstep(0.0, 0.25, -direction.y);
     return mix(color, horizon_color * vec3(0.62, 0.63, 0.60), down);
@@ -29,12 +40,9 @@ vec3 tone(vec3 linear) {
     const float start = 0.7;
     const float room = 1.0 - start;
     float peak = max(linear.r, max(linear.g, linear.b));
-    if (peak <= start) {
-        return linear;
-    }
-    float over = peak - start;
-    float squeezed = start + room * over / (over + room);
-    float share = squeezed / peak;
+    float over = max(peak - start, 0.0);
+    float squeezed = min(peak, start) + room * over / (over + room);
+    float share = squeezed / max(peak, 0.0001);
     return mix(linear * share, vec3(squeezed), 0.35 * (1.0 - share));
 }
 )";

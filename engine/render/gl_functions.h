@@ -61,6 +61,7 @@ namespace campuswalk::engine::render {
     X(READBUFFER, ReadBuffer)                                         \
     X(READPIXELS, ReadPixels)                                         \
     X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) \
+    X(SCISSOR, Scissor)                                               \
     X(SHADERSOURCE, ShaderSource)                                     \
     X(TEXIMAGE2D, TexImage2D)                                         \
     X(TEXPARAMETERF, TexParameterf)                                   \
@@ -68,6 +69,7 @@ namespace campuswalk::engine::render {
     X(UNIFORM1F, Uniform1f)                                           \
     X(UNIFORM1I, Uniform1i)                                           \
     X(UNIFORM2F, Uniform2f)                                           \
+    X(UNIFORM2I, Uniform2i)                                           \
     X(UNIFORM3F, Uniform3f)                                           \
     X(UNIFORM4F, Uniform4f)                                           \
     X(UNIFORMMATRIX4FV, UniformMatrix4fv)                             \

@@ -20,13 +20,14 @@ OcclusionPass::OcclusionPass(const GlFunctions& gl, int width, int height, const
       width_((width + 1) / 2),
       height_((height + 1) / 2),
       depth_(make_layer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT)),
-      raw_(make_layer(GL_R8, GL_COLOR_ATTACHMENT0)),
-      smooth_(make_layer(GL_R8, GL_COLOR_ATTACHMENT0)) {
+      raw_(make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0)),
+      half_smooth_(make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0)),
+      smooth_(make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0)) {
     gl.GenVertexArrays(1, &no_vertices_);
 }
 
 OcclusionPass::~OcclusionPass() {
-    for (const Layer& layer : {depth_, raw_, smooth_}) {
+    for (const Layer& layer : {depth_, raw_, half_smooth_, smooth_}) {
         gl_.DeleteFramebuffers(1, &layer.framebuffer);
         gl_.DeleteTextures(1, &layer.texture);
     }
@@ -38,7 +39,7 @@ OcclusionPass::Layer OcclusionPass::make_layer(GLenum format, GLenum attachment)
     gl_.GenTextures(1, &layer.texture);
     gl_.BindTexture(GL_TEXTURE_2D, layer.texture);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width_, height_, 0,
-                   depth ? GL_DEPTH_COMPONENT : GL_RED, depth ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+                   depth ? GL_DEPTH_COMPONENT : GL_RG, GL_FLOAT, nullptr);
     const GLint filter = depth ? GL_NEAREST : GL_LINEAR;
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -83,22 +84,29 @@ void OcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, std::si
     gl_.BindTexture(GL_TEXTURE_2D, depth_.texture);
     const Eigen::Vector2d size(width_, height_);
     const double tangent = std::tan(0.5 * view.fov);
+    const Eigen::Vector2d half(tangent * picture_width_ / picture_height_, tangent);
     occlusion_.use();
     occlusion_.set("depth_map", 0);
     occlusion_.set("map_size", size);
-    occlusion_.set("tan_half_fov", Eigen::Vector2d(tangent * picture_width_ / picture_height_, tangent));
+    occlusion_.set("ray_scale", Eigen::Vector2d(2.0 * half.cwiseQuotient(size)));
+    occlusion_.set("ray_offset", Eigen::Vector2d(half.cwiseQuotient(size) - half));
     occlusion_.set("near_distance", view.near_distance);
     occlusion_.set("radius", radius);
+    occlusion_.set("pixels_per_radius", radius * height_ / (2.0 * tangent));
     fill(raw_);
-
-    gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_2D, raw_.texture);
-    blur_.use();
-    blur_.set("depth_map", 0);
-    blur_.set("occlusion_map", 1);
-    blur_.set("map_size", size);
-    fill(smooth_);
+    blur(raw_, half_smooth_, Eigen::Vector2i(1, 0));
+    blur(half_smooth_, smooth_, Eigen::Vector2i(0, 1));
     gl_.Enable(GL_DEPTH_TEST);
+}
+
+void OcclusionPass::blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const {
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, from.texture);
+    blur_.use();
+    blur_.set("occlusion_map", 0);
+    blur_.set("axis", axis);
+    blur_.set("last", Eigen::Vector2i(width_ - 1, height_ - 1));
+    fill(to);
 }
 
 void OcclusionPass::bind(const ShaderProgram& surface) const {

@@ -33,6 +33,7 @@ private:
         GLuint framebuffer = 0;
     };
     Layer make_layer(GLenum format, GLenum attachment) const;
+    void blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const;
     void fill(const Layer& layer) const;
 
     const GlFunctions& gl_;
@@ -46,6 +47,7 @@ private:
     int height_ = 0;
     Layer depth_;
     Layer raw_;
+    Layer half_smooth_;
     Layer smooth_;
     GLuint no_vertices_ = 0;
 };

@@ -33,8 +33,8 @@ struct RenderSettings {
     int samples = 4;
     /// Ambient light is dimmed in corners and under things closer than this, metres; 0 = nowhere.
     double occlusion_radius = 0.9;
-    /// Metres a side of the cells that triangles are sorted into for culling; about a building.
-    double cell_size = 60.0;
+    /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.
+    double cell_size = 20.0;
 };
 
 }  // namespace campuswalk::engine::render

@@ -90,11 +90,12 @@ private:
     };
 
     ShaderProgram surface_program(std::string_view name, std::string_view define) const {
-        return {gl_,
-                name,
-                {shaders::kVersion, shaders::kSurfaceVertex},
-                {shaders::kVersion, define, shaders::kAirChunk, shaders::kShadowChunk,
-                 shaders::kSurfaceFragment}};
+        return {
+            gl_,
+            name,
+            {shaders::kVersion, shaders::kSurfaceVertex},
+            {shaders::kVersion, define, settings_.shadows ? std::string_view() : shaders::kDefineNoShadows,
+             shaders::kAirChunk, shaders::kShadowChunk, shaders::kSurfaceFragment}};
     }
 
     // Depth from 1 (near) to 0 (far) needs GL's clip space changed before anything is drawn.
@@ -141,27 +142,29 @@ private:
         set_air(surface);
         surface.set("clip_campus", frame.clip_campus);
         surface.set("eye", frame.eye);
+        surface.set("ambient_middle", Eigen::Vector3d(0.5 * (settings_.sky_light + settings_.ground_light)));
+        surface.set("ambient_rise", Eigen::Vector3d(0.5 * (settings_.sky_light - settings_.ground_light)));
+        const Eigen::Vector3d level = Eigen::Vector3d(settings_.to_sun.x(), 0.0, settings_.to_sun.z());
+        surface.set("side_axis", Eigen::Vector3d(settings_.side_light * level.normalized()));
         surface.set("sky_light", settings_.sky_light);
-        surface.set("ground_light", settings_.ground_light);
-        surface.set("side_light", settings_.side_light);
         const bool fog = frame.perspective && settings_.fog_distance > 0.0;
         surface.set("fog_density", fog ? 1.0 / settings_.fog_distance : 0.0);
         surface.set("base_color_map", 0);
-        surface.set("occlusion_map", 3);
-        surface.set("occlusion_scale", Eigen::Vector2d(0, 0));
         shadows_.bind(surface, frame.near_shadows);
+        if (frame.occlusion) {
+            occlusion_->bind(surface);
+        } else {
+            campus_.bind_white(GL_TEXTURE3);
+            surface.set("occlusion_map", 3);
+        }
     }
 
     void draw_solid(const Frame& frame) const {
         const Frustum frustum(frame.clip_campus);
         gl_.Disable(GL_BLEND);
-        if(getenv("PRE")){gl_.ColorMask(0,0,0,0);gl_.Disable(GL_CULL_FACE);campus_.draw_depth(depth_,depth_,frame.clip_campus);gl_.ColorMask(1,1,1,1);}
         for (const auto& [program, mode] :
              {std::pair(&opaque_, scene::AlphaMode::opaque), std::pair(&cutout_, scene::AlphaMode::mask)}) {
             begin_surfaces(*program, frame);
-            if (frame.occlusion) {
-                occlusion_->bind(*program);
-            }
             const bool cutouts = mode == scene::AlphaMode::mask;
             if (frame.figure != nullptr && !cutouts) {
                 campus_.set_plain_material(*program);

@@ -63,6 +63,10 @@ void ShaderProgram::set(const char* uniform, double value) const {
     gl_.Uniform1f(location(uniform), static_cast<float>(value));
 }
 
+void ShaderProgram::set(const char* uniform, const Eigen::Vector2i& value) const {
+    gl_.Uniform2i(location(uniform), value.x(), value.y());
+}
+
 void ShaderProgram::set(const char* uniform, const Eigen::Vector2d& value) const {
     const Eigen::Vector2f v = value.cast<float>();
     gl_.Uniform2f(location(uniform), v.x(), v.y());

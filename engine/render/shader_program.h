@@ -21,6 +21,7 @@ public:
     void use() const;
     void set(const char* uniform, int value) const;
     void set(const char* uniform, double value) const;
+    void set(const char* uniform, const Eigen::Vector2i& value) const;
     void set(const char* uniform, const Eigen::Vector2d& value) const;
     void set(const char* uniform, const Eigen::Vector3d& value) const;
     void set(const char* uniform, const Eigen::Vector4d& value) const;

@@ -5,11 +5,14 @@
 namespace campuswalk::engine::render::shaders {
 
 // GLSL 3.30 sources. A program is `version` + chunks + its own source; the chunks declare the uniforms that
-// they use. Positions are in the campus frame (metres from CampusGeometry::origin).
+// they use. llvmpipe runs both sides of every branch and does uniform arithmetic again for every pixel, so
+// there are few branches here and the arithmetic is done by the caller. Positions are in the campus frame
+// (metres from CampusGeometry::origin).
 
 extern const std::string_view kVersion;
 
-/// vec3 sky_color(vec3 direction): gradient, haze and sun. vec3 tone(vec3 linear): tone curve.
+/// vec3 sky_color(vec3 direction): gradient, haze and sun. vec3 fog_color(vec3 direction): the sky where it
+/// meets the ground. vec3 tone(vec3 linear): tone curve.
 extern const std::string_view kAirChunk;
 /// float sunlight(vec3 position, vec3 normal): 0 in shadow, 1 in the sun.
 extern const std::string_view kShadowChunk;
@@ -19,6 +22,8 @@ extern const std::string_view kSurfaceVertex;
 extern const std::string_view kSurfaceFragment;
 extern const std::string_view kDefineCutout;
 extern const std::string_view kDefineSeeThrough;
+/// Before the shadow chunk: the sun shines everywhere.
+extern const std::string_view kDefineNoShadows;
 extern const std::string_view kSkyVertex;
 extern const std::string_view kSkyFragment;
 extern const std::string_view kDepthVertex;

@@ -8,28 +8,6 @@
 namespace campuswalk::engine::render {
 namespace {
 
-ShadowMap make_map(const GlFunctions& gl, int size) {
-    ShadowMap map;
-    map.size = size;
-    gl.GenTextures(1, &map.texture);
-    gl.BindTexture(GL_TEXTURE_2D, map.texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size, size, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                  nullptr);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    gl.GenFramebuffers(1, &map.framebuffer);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.texture, 0);
-    const GLenum none = GL_NONE;
-    gl.DrawBuffers(1, &none);
-    gl.ReadBuffer(GL_NONE);
-    return map;
-}
-
 // The sun sees the box from `low` to `high` of its frame; depth 0 is the side towards it.
 void aim(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vector3d& low,
          const Eigen::Vector3d& high) {
@@ -47,8 +25,8 @@ void aim(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vecto
     map.metres_per_texel = std::max(size.x(), size.y()) / map.size;
 }
 
-// Clip coordinates run from -1 to 1, texture coordinates from 0 to 1.
-Eigen::Matrix4d texture_from_clip() {
+// Clip coordinates run from -1 to 1, shares of a map from 0 to 1.
+Eigen::Matrix4d unit_from_clip() {
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
     m(0, 0) = m(1, 1) = 0.5;
     m(0, 3) = m(1, 3) = 0.5;
@@ -81,11 +59,34 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, const RenderSettings& settings, co
     if (!settings.shadows) {
         return;
     }
-    far_ = make_map(gl, settings.shadow_size);
-    near_ = make_map(gl, settings.near_shadow_size);
+    far_.size = settings.shadow_size;
+    near_.size = settings.near_shadow_size;
+    near_.left = far_.size;
+    make_texture();
     aim(far_, R_sun_campus_, lowest_, highest_);
     aim(near_, R_sun_campus_, lowest_, highest_);
     draw(far_, nullptr, 0);
+}
+
+void ShadowMaps::make_texture() {
+    width_ = far_.size + near_.size;
+    height_ = std::max(far_.size, near_.size);
+    gl_.GenTextures(1, &texture_);
+    gl_.BindTexture(GL_TEXTURE_2D, texture_);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width_, height_, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                   nullptr);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    gl_.GenFramebuffers(1, &framebuffer_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture_, 0);
+    const GLenum none = GL_NONE;
+    gl_.DrawBuffers(1, &none);
+    gl_.ReadBuffer(GL_NONE);
 }
 
 void ShadowMaps::draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
@@ -107,8 +108,10 @@ void ShadowMaps::draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& fo
 }
 
 void ShadowMaps::draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-    gl_.Viewport(0, 0, map.size, map.size);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.Viewport(map.left, 0, map.size, map.size);
+    gl_.Enable(GL_SCISSOR_TEST);  // for the clear, which knows no viewport
+    gl_.Scissor(map.left, 0, map.size, map.size);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.DepthMask(GL_TRUE);
@@ -127,23 +130,28 @@ void ShadowMaps::draw(const ShadowMap& map, const GpuMesh* figure, std::size_t f
         figure->draw(0, figure_indices);
     }
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
+    gl_.Disable(GL_SCISSOR_TEST);
+}
+
+void ShadowMaps::set_map(const ShaderProgram& surface, const ShadowMap& map, const char* matrix,
+                         const char* region) const {
+    surface.set(matrix, Eigen::Matrix4d(unit_from_clip() * map.clip_campus));
+    const double size = map.size;
+    surface.set(region,
+                Eigen::Vector4d(size / width_, size / height_, static_cast<double>(map.left) / width_, 0.0));
 }
 
 void ShadowMaps::bind(const ShaderProgram& surface, bool with_near) const {
-    surface.set("far_shadow", 1);
-    surface.set("near_shadow", 2);
-    surface.set("shadows", settings_.shadows ? 1.0 : 0.0);
     if (!settings_.shadows) {
         return;
     }
     gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_2D, far_.texture);
-    gl_.ActiveTexture(GL_TEXTURE2);
-    gl_.BindTexture(GL_TEXTURE_2D, near_.texture);
-    surface.set("far_shadow_world", Eigen::Matrix4d(texture_from_clip() * far_.clip_campus));
-    surface.set("near_shadow_world", Eigen::Matrix4d(texture_from_clip() * near_.clip_campus));
-    surface.set("far_texel", Eigen::Vector3d(1.0 / far_.size, 1.0 / far_.size, far_.metres_per_texel));
-    surface.set("near_texel", Eigen::Vector3d(1.0 / near_.size, 1.0 / near_.size, near_.metres_per_texel));
+    gl_.BindTexture(GL_TEXTURE_2D, texture_);
+    surface.set("shadow_map", 1);
+    set_map(surface, far_, "far_shadow_campus", "far_region");
+    set_map(surface, near_, "near_shadow_campus", "near_region");
+    surface.set("shadow_texel", Eigen::Vector2d(1.0 / width_, 1.0 / height_));
+    surface.set("texel_metres", Eigen::Vector2d(far_.metres_per_texel, near_.metres_per_texel));
     surface.set("near_share", with_near ? 1.0 : 0.0);
 }
 

@@ -9,10 +9,9 @@
 
 namespace campuswalk::engine::render {
 
-/// One depth picture seen from the sun.
+/// One depth picture seen from the sun, a square within the texture of both.
 struct ShadowMap {
-    GLuint texture = 0;
-    GLuint framebuffer = 0;
+    int left = 0;  ///< texels, of its place in the texture
     int size = 0;  ///< texels a side
     Eigen::Matrix4d clip_campus = Eigen::Matrix4d::Identity();
     double metres_per_texel = 0.0;  ///< along the longer axis
@@ -30,10 +29,13 @@ public:
     void draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
                    std::size_t figure_indices);
 
-    /// Sets the shadow chunk's uniforms; binds the maps to texture units 1 and 2.
+    /// Sets the shadow chunk's uniforms; binds the maps to texture unit 1.
     void bind(const ShaderProgram& surface, bool with_near) const;
 
 private:
+    void make_texture();
+    void set_map(const ShaderProgram& surface, const ShadowMap& map, const char* matrix,
+                 const char* region) const;
     void draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const;
 
     const GlFunctions& gl_;
@@ -46,6 +48,10 @@ private:
     Eigen::Vector3d highest_;
     ShadowMap far_;
     ShadowMap near_;
+    int width_ = 0;  // texels, of the texture of both
+    int height_ = 0;
+    GLuint texture_ = 0;
+    GLuint framebuffer_ = 0;
 };
 
 }  // namespace campuswalk::engine::render
