@@ -7,25 +7,21 @@
 
 #include "collision/counters.h"
 #include "engine/events/event.h"
+#include "engine/expect/failure.h"
 #include "engine/observers/observer.h"
 #include "engine/script/walk.h"
 #include "scene/campus.h"
 
 namespace campuswalk::engine {
 
-/// Why a walk did not pass: a step that gave up or an expectation that was not met.
-struct Failure {
-    SourceMark mark;   ///< the step or expectation in the walk file
-    std::string code;  ///< "blocked", "fell", "sequence", "never", "count", "reaches"
-    std::string message;
-};
-
 struct WalkSummary {
     bool passed = false;
     Tick ticks = 0;
     std::int64_t events = 0;  ///< events logged between walk.start and walk.end
     double distance = 0.0;    ///< metres, along the path of the foot point
-    std::uint64_t hash = 0;   ///< over the bits of every tick's position and every event
+    /// Over the bits of every tick's position and every event, but not over the verdicts: what is expected of
+    /// a walk doesn't change it.
+    std::uint64_t hash = 0;
     std::vector<Failure> failures;
     collision::QueryCounters counters;
 };

@@ -15,10 +15,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// This far below everything there is, the avatar has fell off the world, metres.
+/// This far below everything there is, the avatar has fallen off the world, metres.
 constexpr double kAbyss = 10.0;
 /// Falls of less than this are steps, not landings worth an event, metres.
 constexpr double kNotableFall = 0.5;
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
 struct KindsOf {
     EventKind enter;
@@ -49,21 +50,29 @@ std::string popup_body(const scene::Building& building) {
     return body;
 }
 
-void add_to(StateHash& hash, const Event& event) {
+void add_value(StateHash& hash, std::int64_t value) {
+    hash.add(static_cast<std::uint64_t>(value));
+}
+void add_value(StateHash& hash, const Decimal& value) {
+    hash.add(value.value);
+}
+void add_value(StateHash& hash, const Vector3d& value) {
+    hash.add(value);
+}
+void add_value(StateHash& hash, const std::string& value) {
+    hash.add(std::string_view(value));
+}
+void add_value(StateHash& hash, const Text& value) {
+    hash.add(std::string_view(value.value));
+}
+
+void add_event(StateHash& hash, const Event& event) {
     hash.add(static_cast<std::uint64_t>(event.kind));
     hash.add(event.at);
     hash.add(std::string_view(event.object));
     for (const Field& field : event.fields) {
         hash.add(field.name);
-        if (const auto* integer = std::get_if<std::int64_t>(&field.value)) {
-            hash.add(static_cast<std::uint64_t>(*integer));
-        } else if (const auto* decimal = std::get_if<Decimal>(&field.value)) {
-            hash.add(decimal->value);
-        } else if (const auto* vector = std::get_if<Vector3d>(&field.value)) {
-            hash.add(*vector);
-        } else {
-            hash.add(std::string_view(std::get<std::string>(field.value)));
-        }
+        std::visit([&](const auto& value) { add_value(hash, value); }, field.value);
     }
 }
 
@@ -107,8 +116,7 @@ const FrameRecord& Simulation::step() {
     move(intent);
     if (tick_ == 0) {
         Event& start = add(EventKind::walk_start, walk_.name);
-        start.fields = {{"pos", avatar_.position},
-                        {"yaw", Decimal{avatar_.yaw * 180.0 / 3.14159265358979323846, 1}}};
+        start.fields = {{"pos", avatar_.position}, {"yaw", Decimal{avatar_.yaw * kDegrees, 1}}};
     }
     senses_.sense(tick_, avatar_, trace_, transitions_, counters_);
     report_transitions(placed_);
@@ -160,7 +168,7 @@ void Simulation::put(const Intent::Placement& placement, double yaw) {
     avatar_.position = body_.foot;
     if (tick_ > 0) {
         Event& event = add(placement.kind, *placement.label);
-        event.fields = {{"pos", body_.foot}, {"yaw", Decimal{yaw * 180.0 / 3.14159265358979323846, 1}}};
+        event.fields = {{"pos", body_.foot}, {"yaw", Decimal{yaw * kDegrees, 1}}};
     }
 }
 
@@ -200,8 +208,8 @@ void Simulation::report_transition(const SensedTransition& sensed, const char* c
     }
     if (t.phase == Phase::enter && shows && popups_.meet(*object.building)) {
         const scene::Building& building = campus_.description.buildings[*object.building];
-        add(EventKind::popup_open, building.id, t.at).fields = {{"title", building.title},
-                                                                {"body", popup_body(building)}};
+        add(EventKind::popup_open, building.id, t.at).fields = {{"title", Text{building.title}},
+                                                                {"body", Text{popup_body(building)}}};
     }
 }
 
@@ -242,7 +250,7 @@ void Simulation::report_step_end() {
 const FrameRecord& Simulation::finish_record() {
     hash_.add(avatar_.position);
     for (const Event& event : events_) {
-        add_to(hash_, event);
+        add_event(hash_, event);
     }
     record_.tick = tick_;
     record_.time = static_cast<double>(tick_) / walk_.sim.ticks_per_second;

@@ -47,8 +47,13 @@ struct Decimal {
     int digits = 3;
 };
 
+/// Free text, printed in quotes; a plain string is a name and prints bare.
+struct Text {
+    std::string value;
+};
+
 /// Positions print with millimetres.
-using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string>;
+using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string, Text>;
 
 /// A named detail of an event, printed `name=value` in text and as a member in JSON, in this order.
 struct Field {

@@ -137,12 +137,15 @@ ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitStep& step, const AvatarSt
                : Outcome::going;
 }
 
+/// To an angle the short way; by an angle all the way, however often around.
 void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
-    if (!progress_.goal) {
-        progress_.goal = wrapped_angle(step.absolute ? step.angle : avatar.yaw + step.angle);
-    }
-    intent.yaw = turned(avatar.yaw, *progress_.goal);
-    progress_.aligned = std::abs(wrapped_angle(intent.yaw - *progress_.goal)) <= kAligned;
+    const double rest =
+        progress_.turn_left.value_or(step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
+    const double most = walk_.avatar.turn_speed * dt_;
+    const double part = std::clamp(rest, -most, most);
+    intent.yaw = wrapped_angle(avatar.yaw + part);
+    progress_.turn_left = rest - part;
+    progress_.aligned = std::abs(rest - part) <= kAligned;
 }
 
 ScriptPlayer::Outcome ScriptPlayer::outcome(const TurnStep&, const AvatarState&) {

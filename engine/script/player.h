@@ -47,12 +47,12 @@ public:
 
 private:
     struct Progress {
-        Tick ticks = 0;              ///< spent on the current step
-        Tick since_closer = 0;       ///< ticks since the target came nearer
-        double nearest = 1e300;      ///< least distance to the target so far, metres
-        std::optional<double> goal;  ///< yaw a turn ends at, radians
-        bool aligned = false;        ///< turn and look_at: looking where asked
-        double allowed = 0.0;        ///< walk_to: seconds before it gives up
+        Tick ticks = 0;                   ///< spent on the current step
+        Tick since_closer = 0;            ///< ticks since the target came nearer
+        double nearest = 1e300;           ///< least distance to the target so far, metres
+        std::optional<double> turn_left;  ///< radians
+        bool aligned = false;             ///< turn and look_at: looking where asked
+        double allowed = 0.0;             ///< walk_to: seconds before it gives up
     };
 
     void intend(const SpawnStep& step, const AvatarState& avatar, Intent& intent);

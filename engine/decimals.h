@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+namespace campuswalk::engine {
+
+/// `value` with a fixed count of decimals, in any locale; what rounds to zero has no sign.
+std::string fixed(double value, int digits);
+/// `x,y,z` in millimetres' resolution.
+std::string fixed(const Eigen::Vector3d& value);
+
+}  // namespace campuswalk::engine

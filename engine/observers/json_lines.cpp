@@ -1,0 +1,67 @@
+#include "engine/observers/json_lines.h"
+
+#include <charconv>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/decimals.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The number that the text log shows, not the noise behind its last digit.
+double rounded(double value, int digits) {
+    const std::string text = fixed(value, digits);
+    double shown = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), shown);
+    return shown;
+}
+
+Json json_of(std::int64_t value) {
+    return value;
+}
+Json json_of(const Decimal& value) {
+    return rounded(value.value, value.digits);
+}
+Json json_of(const Eigen::Vector3d& value) {
+    return {rounded(value.x(), 3), rounded(value.y(), 3), rounded(value.z(), 3)};
+}
+Json json_of(const std::string& value) {
+    return value;
+}
+Json json_of(const Text& value) {
+    return value.value;
+}
+
+/// Bytes that are not UTF-8 can't be said in JSON: they become U+FFFD.
+std::string line_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void JsonLines::begin(const Walk& walk) {
+    sink_(line_of({{"walk_log", 1},
+                   {"walk", walk.name},
+                   {"campus", walk.campus_name},
+                   {"tps", walk.sim.ticks_per_second},
+                   {"seed", walk.sim.seed}}));
+}
+
+void JsonLines::frame(const FrameRecord& record) {
+    for (const Event& event : record.events) {
+        Json json = {{"tick", event.tick},
+                     {"time", rounded(record.time, 6)},
+                     {"event", std::string(name_of(event.kind))},
+                     {"object", event.object}};
+        for (const Field& field : event.fields) {
+            json[std::string(field.name)] = std::visit([](const auto& v) { return json_of(v); }, field.value);
+        }
+        sink_(line_of(json));
+    }
+}
+
+}  // namespace campuswalk::engine

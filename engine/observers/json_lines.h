@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "engine/observers/line_sink.h"
+#include "engine/observers/observer.h"
+
+namespace campuswalk::engine {
+
+/// The same facts as the text log for programs: a header object, then an object a line an event, with the
+/// text log's names and decimals; positions are arrays.
+class JsonLines final : public Observer {
+public:
+    explicit JsonLines(LineSink sink) : sink_(std::move(sink)) {}
+
+    void begin(const Walk& walk) override;
+    void frame(const FrameRecord& record) override;
+
+private:
+    LineSink sink_;
+};
+
+}  // namespace campuswalk::engine

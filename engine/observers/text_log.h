@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "engine/observers/line_sink.h"
+#include "engine/observers/observer.h"
+
+namespace campuswalk::engine {
+
+/// The event as one line in fixed columns: tick, seconds, kind, object, then `name=value`s.
+std::string text_line(const Event& event, double time);
+
+/// The log that people read and diff: a line an event, after a header line with what the walk ran with.
+class TextLog final : public Observer {
+public:
+    explicit TextLog(LineSink sink) : sink_(std::move(sink)) {}
+
+    void begin(const Walk& walk) override;
+    void frame(const FrameRecord& record) override;
+
+private:
+    LineSink sink_;
+};
+
+}  // namespace campuswalk::engine
