@@ -33,12 +33,12 @@ RenderTarget::RenderTarget(const GlFunctions& gl, int width, int height, int sam
     gl.GenFramebuffers(1, &framebuffer_);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     const int stored = samples > 1 ? samples : 0;
-    color_ = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, stored);
+    color_ = attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, stored);
     depth_ = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, stored);
     check_complete(gl, width, height, samples);
     gl.GenFramebuffers(1, &resolved_framebuffer_);
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
-    resolved_color_ = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, 0);
+    resolved_color_ = attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, 0);
     check_complete(gl, width, height, samples);
 }
 

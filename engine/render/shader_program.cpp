@@ -13,8 +13,10 @@ GLuint compile(const GlFunctions& gl, std::string_view name, GLenum kind,
     std::vector<const GLchar*> texts;
     std::vector<GLint> lengths;
     for (const std::string_view chunk : chunks) {
-        texts.push_back(chunk.data());
-        lengths.push_back(static_cast<GLint>(chunk.size()));
+        if (!chunk.empty()) {  // an empty one may be a null pointer, which GL refuses
+            texts.push_back(chunk.data());
+            lengths.push_back(static_cast<GLint>(chunk.size()));
+        }
     }
     const GLuint shader = gl.CreateShader(kind);
     gl.ShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());

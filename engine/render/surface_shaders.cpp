@@ -84,7 +84,41 @@ uniform sampler2D occlusion_map;
 uniform vec2 occlusion_scale;  // from pixels to the map's coordinates
 
 void main() {
-fragment = vec4(0.5);}
+    vec4 base = base_color * color * texture(base_color_map, uv);
+#if defined(CUTOUT)
+    // The edge is as sharp as the picture, not as the texture: alpha becomes the pixel's coverage.
+    base.a = clamp((base.a - alpha_cutoff) / max(fwidth(base.a), 0.0001) + 0.5, 0.0, 1.0);
+    if (base.a < 0.02) {
+        discard;
+    }
+#elif !defined(SEE_THROUGH)
+    base.a = 1.0;
+#endif
+    vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+    float facing = dot(n, to_sun);
+    float sun = max(facing, 0.0) * sunlight(position, n);
+    vec3 ambient = ambient_middle + ambient_rise * n.y + sky_light * dot(n, side_axis);
+#if !defined(SEE_THROUGH)
+    ambient *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
+#endif
+    vec3 light = ambient + sun_color * sun;
+    vec3 result = base.rgb * light + emissive;
+
+    vec3 to_eye = eye - position;
+    float distance_to_eye = length(to_eye);
+    vec3 outwards = -to_eye / max(distance_to_eye, 0.001);
+#if defined(SEE_THROUGH)
+    // Schlick's approximation for glass and water: 4 % seen straight on, everything at a grazing angle.
+    float mirror = glossy * (0.04 + 0.96 * pow(1.0 - max(dot(-outwards, n), 0.0), 5.0));
+    vec3 reflected = reflect(outwards, n);
+    result = mix(result * base.a, sky_color(vec3(reflected.x, abs(reflected.y), reflected.z)), mirror);
+    base.a = mirror + (1.0 - mirror) * base.a;
+    result /= max(base.a, 0.001);
+#endif
+    float clear = exp(-distance_to_eye * fog_density);
+    result = mix(fog_color(outwards), result, clear);
+    fragment = vec4(tone(result), base.a);
+}
 )";
 
 const std::string_view kDepthVertex = R"(
