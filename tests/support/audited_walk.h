@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "collision/mover.h"
+#include "tests/support/penetration_oracle.h"
+
+namespace campuswalk::support {
+
+/// One tick of a body: a mover to test, right or wrong.
+using MoveBody = std::function<void(collision::MoverState& state, const collision::Vec3& wish, double seconds,
+                                    collision::MoveTrace& trace)>;
+
+struct WalkSettings {
+    collision::Vec3 start = collision::Vec3::Zero();  ///< a free place
+    std::uint32_t seed = 0;
+    int ticks = 600;
+    double ticks_per_second = 60.0;
+    double fastest = 3.0;  ///< metres a second
+    double radius = 0.3;   ///< of the body that must stay out of things
+    double height = 1.8;
+};
+
+/// What the oracle saw on a walk.
+struct WalkAudit {
+    Penetration deepest{-PenetrationOracle::kClear, std::nullopt};
+    int ticks_inside = 0;       ///< deeper than kAllowed at their end
+    int crossings = 0;          ///< parts of ticks on which the axis passed through something
+    bool finite = true;         ///< every coordinate was a number
+    double distance = 0.0;      ///< metres walked and fallen
+    std::uint64_t digest = 0;   ///< of the bits of every position and speed
+    collision::MoverState end;  ///< where it ended
+
+    /// Rounding's worth, metres.
+    static constexpr double kAllowed = 1e-6;
+    bool clean() const { return ticks_inside == 0 && crossings == 0 && finite; }
+};
+
+/// A walk that keeps a random heading and speed for some time, then takes others, and bumps into whatever
+/// comes; every tick's end and every straight part of it is shown to the oracle.
+WalkAudit audit_random_walk(const PenetrationOracle& oracle, const MoveBody& move,
+                            const WalkSettings& settings);
+
+}  // namespace campuswalk::support
