@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""The layer check finds each kind of violation, says exactly where, and passes this checkout."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+HEADER = "#pragma once\n"
+
+
+def run_check(root):
+    """(exit code, lines but the last, last line)."""
+    done = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "check-layers"), "--root", root],
+                          capture_output=True, text=True, check=False)
+    assert not done.stderr, done.stderr
+    *complaints, summary = done.stdout.splitlines()
+    return done.returncode, complaints, summary
+
+
+class CheckLayers(unittest.TestCase):
+    """A small tree each."""
+
+    def complaints(self, files):
+        """What the check prints about a tree of these files; its exit code must agree."""
+        with tempfile.TemporaryDirectory() as root:
+            for name, text in files.items():
+                path = os.path.join(root, name)
+                os.makedirs(os.path.dirname(path), exist_ok=True)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+            code, complaints, _ = run_check(root)
+        self.assertEqual(code, 1 if complaints else 0)
+        return complaints
+
+    def finds(self, files, *expected):
+        """These complaints and no others."""
+        self.assertEqual(self.complaints(files), list(expected))
+
+    def test_this_checkout_is_in_order(self):
+        code, complaints, summary = run_check(ROOT)
+        self.assertEqual((code, complaints), (0, []))
+        self.assertRegex(summary, r"^layers: \d{3,} C\+\+ files, \d+ build files, all in order$")
+
+    def test_an_empty_tree_is_in_order(self):
+        self.finds({})
+
+    def test_a_lower_layer_includes_a_higher_one(self):
+        self.finds({"scene/campus.h": HEADER, "collision/world.cpp": '\n  #include "scene/campus.h"\n'},
+                   'collision/world.cpp:2:12: error layer: collision may not include "scene/campus.h"; '
+                   'it may include collision')
+
+    def test_the_core_includes_the_renderer(self):
+        [complaint] = self.complaints({"engine/render/canvas.h": HEADER,
+                                       "engine/simulation.cpp": '#include "engine/render/canvas.h"\n'})
+        self.assertTrue(complaint.startswith(
+            'engine/simulation.cpp:1:10: error layer: engine may not include "engine/render/canvas.h"; '), complaint)
+
+    def test_the_core_knows_the_observer_but_no_observers(self):
+        [complaint] = self.complaints({
+            "engine/observers/observer.h": HEADER, "engine/observers/text_log.h": HEADER,
+            "engine/run_walk.cpp": '#include "engine/observers/observer.h"\n#include "engine/observers/text_log.h"\n'})
+        self.assertTrue(complaint.startswith(
+            'engine/run_walk.cpp:2:10: error layer: engine may not include "engine/observers/text_log.h"; '), complaint)
+
+    def test_the_product_includes_tests(self):
+        self.finds({"tests/support/village.h": HEADER, "scene/import/x.cpp": '#include "tests/support/village.h"\n'},
+                   'scene/import/x.cpp:1:10: error layer: scene/import may not include "tests/support/village.h"; '
+                   'it may include scene/import, scene')
+
+    def test_the_oracle_includes_the_mover(self):
+        [complaint] = self.complaints({"collision/mover.h": HEADER,
+                                       "tests/support/penetration_oracle.cpp": '#include "collision/mover.h"\n'})
+        self.assertTrue(complaint.startswith(
+            "tests/support/penetration_oracle.cpp:1:10: error layer: tests/support/penetration_oracle.cpp "
+            'may not include "collision/mover.h"; '), complaint)
+
+    def test_the_narrow_phase_of_bullet(self):
+        narrow = "#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>\n"
+        message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests only"
+        self.finds({"collision/bullet_broad_phase.cpp": narrow, "collision/cast.cpp": narrow,
+                    "tests/benchmarks/bullet_peer.cpp": narrow},
+                   "collision/bullet_broad_phase.cpp:1:10: error third-party: " + message,
+                   "collision/cast.cpp:1:10: error third-party: " + message)
+
+    def test_the_broad_phase_of_bullet(self):
+        broad = "#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>\n"
+        self.finds({"collision/bullet_broad_phase.cpp": broad, "collision/bullet_broad_phase.h": HEADER + broad},
+                   "collision/bullet_broad_phase.h:2:10: error third-party: "
+                   "<BulletCollision/BroadphaseCollision/btDbvtBroadphase.h> may be included in "
+                   "collision/bullet_broad_phase.cpp, tests/benchmarks only")
+
+    def test_a_folder_of_the_distribution_hides_nothing(self):
+        self.finds({"engine/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},
+                   "engine/x.cpp:1:10: error third-party: <btBulletDynamicsCommon.h> may be included in tests only")
+
+    def test_third_party_headers_have_one_place(self):
+        for header, place in (("assimp/scene.h", "scene/import"), ("stb/stb_image.h", "scene/import"),
+                              ("GL/osmesa.h", "engine/render"), ("pango/pangocairo.h", "engine/render"),
+                              ("cairo.h", "engine/render"), ("yaml-cpp/yaml.h", "config/loader"),
+                              ("spdlog/spdlog.h", "tools/campuswalk"), ("CLI/CLI.hpp", "tools/campuswalk")):
+            with self.subTest(header):
+                line = "#include <%s>\n" % header
+                self.finds({"engine/senses.cpp": line, place + "/x.cpp": line},
+                           "engine/senses.cpp:1:10: error third-party: <%s> may be included in %s only"
+                           % (header, place))
+
+    def test_a_header_nobody_declared(self):
+        self.finds({"engine/x.cpp": "#include <boost/asio.hpp>\n"},
+                   "engine/x.cpp:1:10: error third-party: <boost/asio.hpp> has no place in "
+                   "tools/check_layers/table.py")
+
+    def test_includes_start_at_the_root(self):
+        self.finds({"engine/x.cpp": '#include "avatar.h"\n#include <engine/avatar.h>\n', "engine/avatar.h": HEADER},
+                   'engine/x.cpp:1:10: error include-path: "avatar.h" is no file from the repository\'s root',
+                   'engine/x.cpp:2:10: error include-path: files of the project are included as "engine/avatar.h"')
+
+    def test_files_that_include_each_other(self):
+        self.finds({"scene/a.h": HEADER + '#include "scene/b.h"\n', "scene/b.h": HEADER + '#include "scene/c.h"\n',
+                    "scene/c.h": HEADER + '#include "scene/a.h"\n'},
+                   "scene/c.h:2:10: error include-cycle: scene/a.h -> scene/b.h -> scene/c.h -> scene/a.h")
+
+    def test_a_header_without_pragma_once(self):
+        self.finds({"scene/a.h": "// #pragma once\n", "scene/b.h": "// why\n" + HEADER},
+                   "scene/a.h:1:1: error pragma-once: a header needs #pragma once")
+
+    def test_libm_in_the_core(self):
+        ends = " differs between machines; see collision/trigonometry.h for what doesn't"
+        for code, column, name in (("a = std::sin(b);", 10, "sin"), ("a = 1 + pow(b, 2);", 9, "pow"),
+                                   ("return ::atan2(y, x);", 10, "atan2"), ("a = std::fma (b, c, d);", 10, "fma"),
+                                   ("a = __builtin_cosf(b);", 5, "__builtin_cosf"), ("v = v.array().exp();", 15, "exp"),
+                                   ("v = v.array().pow(3);", 15, "pow"),
+                                   ("Eigen::AngleAxisd a(b, c);", 8, "AngleAxisd")):
+            with self.subTest(code):
+                self.finds({"engine/x.cpp": code, "engine/render/x.cpp": code, "tests/x.cpp": code},
+                           "engine/x.cpp:1:%d: error same-bits: %s%s" % (column, name, ends))
+
+    def test_what_is_exact_is_allowed(self):
+        self.finds({"collision/x.cpp": "a = std::sqrt(b) + std::abs(c) + std::floor(d) + std::nextafter(e, f);\n"
+                                       "b = angle.sin + trace.log(c) + sin_cos(d).cos + text_log(e);\n"
+                                       "if (std::isfinite(a)) {}  // no std::sin(x) here\n"
+                                       'const char* s = "std::cos(x)"; /* pow(\n a, b) */ auto t = R"(exp(x))";\n'})
+
+    def test_clocks_and_chance_in_the_core(self):
+        self.finds({"engine/x.cpp": "#include <chrono>\n", "engine/render/x.cpp": "#include <chrono>\n"},
+                   "engine/x.cpp:1:10: error same-bits: <chrono> is not for engine: a walk knows no clock but its ticks")
+
+    def test_compiler_flags_that_change_results(self):
+        self.finds({"CMakeLists.txt": "# never -march=native\nadd_compile_options(-O2 -march=native)\n",
+                    "CMakePresets.json": '{"CMAKE_CXX_FLAGS": "-ffast-math"}\n',
+                    "collision/kernels/CMakeLists.txt": "target_compile_options(k PRIVATE -mavx2 -Ofast)\n",
+                    "tools/cmake/X.cmake": "add_compile_options(-ffp-contract=off)\n"},
+                   "CMakeLists.txt:2:25: error compiler-flag: -march=native changes results; it is for kernel folders",
+                   "CMakePresets.json:1:22: error compiler-flag: -ffast-math changes results",
+                   "collision/kernels/CMakeLists.txt:1:41: error compiler-flag: -Ofast changes results")
+
+    def test_comments_include_nothing(self):
+        self.finds({"collision/x.cpp": '// #include "engine/a.h"\n/*\n#include <GL/gl.h>\n*/\nint a = 1\'000;\n'})
+
+
+if __name__ == "__main__":
+    unittest.main()

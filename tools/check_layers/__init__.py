@@ -1,0 +1,1 @@
+"""The layer check: see table.py for what is allowed."""

@@ -1,0 +1,104 @@
+"""Rules about #include lines and headers."""
+
+import re
+
+from .source import Complaint, code_only, includes
+from .table import (ANYWHERE, PROJECT, REFUSED_STANDARD, SPELLED_AWAY, STRICTER, THIRD_PARTY, is_in,
+                    needs_same_bits, place_of)
+
+_PRAGMA_ONCE = re.compile(r"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
+
+
+def _spelled_plainly(target):
+    for prefix in SPELLED_AWAY:
+        if target.startswith(prefix):
+            return target[len(prefix):]
+    return target
+
+
+def _stem(file):
+    return file.rpartition(".")[0]
+
+
+def _project_fault(file, include):
+    """What is wrong with including a file of the project: (code, message) or None."""
+    if include.quote == "<":
+        return "include-path", 'files of the project are included as "%s"' % include.target
+    owner, target = place_of(file, PROJECT), place_of(include.target, PROJECT)
+    if owner is None:
+        return "layer", "%s has no place in tools/check_layers/table.py" % file
+    allowed = [owner] + PROJECT[owner]
+    names = (target, include.target)
+    if _stem(file) in STRICTER:
+        owner, allowed, names = file, STRICTER[_stem(file)], (_stem(include.target),)
+    if ANYWHERE in allowed or any(name in allowed for name in names):
+        return None
+    return "layer", '%s may not include "%s"; it may include %s' % (owner, include.target, ", ".join(allowed))
+
+
+def _third_party_fault(file, target):
+    """What is wrong with including a header of somebody else's: (code, message) or None."""
+    prefixes = [prefix for prefix in THIRD_PARTY if target.startswith(prefix)]
+    if not prefixes:
+        return "third-party", "<%s> has no place in tools/check_layers/table.py" % target
+    places = THIRD_PARTY[max(prefixes, key=len)]
+    if is_in(file, places):
+        return None
+    return "third-party", "<%s> may be included in %s only" % (target, ", ".join(places))
+
+
+def _fault(tree, file, include):
+    if include.target in tree.cpp:
+        return _project_fault(file, include)
+    target = _spelled_plainly(include.target)
+    if any(target.startswith(prefix) for prefix in THIRD_PARTY):
+        return _third_party_fault(file, target)
+    if include.quote == '"':
+        return "include-path", '"%s" is no file from the repository\'s root' % include.target
+    if "/" in target or "." in target:
+        return _third_party_fault(file, target)
+    if target in REFUSED_STANDARD and needs_same_bits(file):
+        return "same-bits", "<%s> is not for %s: %s" % (target, place_of(file, PROJECT), REFUSED_STANDARD[target])
+    return None
+
+
+def check_includes(tree):
+    """Layers, headers of others, and paths that start at the root."""
+    for file, text in tree.cpp.items():
+        for include in includes(text):
+            fault = _fault(tree, file, include)
+            if fault:
+                yield Complaint(file, include.line, include.column, *fault)
+
+
+def check_pragma_once(tree):
+    """Every header can be included twice."""
+    for file, text in tree.cpp.items():
+        if file.endswith((".h", ".hpp")) and not _PRAGMA_ONCE.search(code_only(text)):
+            yield Complaint(file, 1, 1, "pragma-once", "a header needs #pragma once")
+
+
+def check_cycles(tree):
+    """No file includes itself by way of others; each cycle is told once, from its first file."""
+    graph = {file: [i for i in includes(text) if i.target in tree.cpp] for file, text in tree.cpp.items()}
+    done = set()
+    for start in sorted(graph):
+        if start not in done:
+            yield from _cycles_from(start, graph, done)
+
+
+def _cycles_from(start, graph, done):
+    """Depth first without recursion: `path` is the way to here, a stack beside it holds what is left."""
+    path, left = [start], [list(graph[start])]
+    while path:
+        if not left[-1]:
+            done.add(path.pop())
+            left.pop()
+            continue
+        include = left[-1].pop(0)
+        if include.target in path:
+            way = path[path.index(include.target):] + [include.target]
+            yield Complaint(path[-1], include.line, include.column, "include-cycle", " -> ".join(way))
+        elif include.target not in done:
+            path.append(include.target)
+            left.append(list(graph[include.target]))

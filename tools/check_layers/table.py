@@ -1,0 +1,111 @@
+"""What is allowed where. A place is a folder or a file, from the repository's root.
+
+A folder that isn't named here belongs to the nearest one above it that is.
+"""
+
+ANYWHERE = "anywhere"
+
+# Who may include whom: place -> places of the project. Every place may include itself.
+PROJECT = {
+    "collision": [],
+    "scene": ["scene/import", "collision"],
+    "scene/import": ["scene"],
+    # The simulation core knows what an observer is and none in particular.
+    "engine": ["engine/events", "engine/expect", "engine/script", "engine/observers/observer.h", "scene",
+               "collision"],
+    "engine/events": ["engine", "scene", "collision"],
+    "engine/script": ["engine", "scene", "collision"],
+    "engine/expect": ["engine", "engine/events", "engine/script", "scene", "collision"],
+    "engine/observers": ["engine", "engine/events", "engine/expect", "engine/script", "scene", "collision"],
+    "engine/render": ["engine", "engine/events", "engine/expect", "engine/script", "engine/observers",
+                      "scene", "collision"],
+    "config/loader": ["engine", "engine/events", "engine/expect", "engine/script", "scene", "collision"],
+    "tools": [],
+    "tools/campuswalk": ["config/loader", "engine", "engine/events", "engine/expect", "engine/script",
+                         "engine/observers", "engine/render", "scene", "scene/import", "collision"],
+    "tests": [ANYWHERE],
+}
+
+# Single files (named without .h or .cpp) that may include less than their folder. The oracle must share no
+# function with what it judges: of collision/ it sees the shapes, no more.
+STRICTER = {
+    "tests/support/penetration_oracle": ["tests/support/penetration_oracle", "tests/support/plain_geometry",
+                                         "tests/support/triangle_grid", "collision/world",
+                                         "collision/mesh_collider"],
+    "tests/support/plain_geometry": ["tests/support/plain_geometry"],
+    "tests/support/triangle_grid": ["tests/support/triangle_grid", "tests/support/plain_geometry"],
+}
+
+# Where headers of others may be included; the longest prefix that matches decides. The distribution puts
+# some in a folder that can be spelled too: see SPELLED_AWAY.
+THIRD_PARTY = {
+    "Eigen/": [ANYWHERE],
+    "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
+    "LinearMath/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
+    # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
+    "BulletCollision/": ["tests"],
+    "BulletDynamics/": ["tests"],
+    "BulletSoftBody/": ["tests"],
+    "btBulletCollisionCommon.h": ["tests"],
+    "btBulletDynamicsCommon.h": ["tests"],
+    "assimp/": ["scene/import"],
+    "stb/": ["scene/import"],
+    "nlohmann/": ["engine/observers", "tools/campuswalk", "tests"],
+    "GL/": ["engine/render"],
+    "EGL/": ["engine/render"],
+    "KHR/": ["engine/render"],
+    "dlfcn.h": ["engine/render"],
+    "cairo": ["engine/render"],
+    "fontconfig/": ["engine/render"],
+    "pango/": ["engine/render"],
+    "spng.h": ["engine/render", "tests"],
+    "yaml-cpp/": ["config/loader"],
+    "CLI/": ["tools/campuswalk"],
+    "fmt/": ["tools/campuswalk"],
+    "spdlog/": ["tools/campuswalk"],
+    "unistd.h": ["scene/import", "tools/campuswalk", "tests"],
+    "fcntl.h": ["scene/import", "tools/campuswalk", "tests"],
+    "sys/": ["scene/import", "tools/campuswalk", "tests"],
+    "gtest/": ["tests"],
+    "gmock/": ["tests"],
+    "fcl/": ["tests/benchmarks"],
+}
+SPELLED_AWAY = ("bullet/", "eigen3/")
+
+# Places whose results go into a walk's hash: no libm but sqrt and what is exact, no clock, no chance.
+SAME_EVERYWHERE = ["collision", "scene", "engine", "config/loader"]
+MAY_DIFFER = ["scene/import", "engine/render"]
+REFUSED_STANDARD = {
+    "chrono": "a walk knows no clock but its ticks",
+    "ctime": "a walk knows no clock but its ticks",
+    "random": "the standard's distributions differ between libraries",
+    "complex": "it calls libm",
+    "valarray": "it calls libm",
+    "cfenv": "the rounding mode is the same everywhere",
+    "thread": "a walk is one thread",
+}
+
+# Instruction sets are chosen in kernel folders alone.
+KERNEL_FOLDERS = ["collision/kernels"]
+
+CODE_FOLDERS = ("collision", "scene", "engine", "config", "tools", "tests")
+
+
+def place_of(path, places):
+    """The longest of `places` that is `path` or a folder above it; None without one."""
+    while path:
+        if path in places:
+            return path
+        path = path.rpartition("/")[0]
+    return None
+
+
+def is_in(path, places):
+    """Whether one of `places` is `path`, lies above it, or is ANYWHERE."""
+    return ANYWHERE in places or place_of(path, places) is not None
+
+
+def needs_same_bits(path):
+    """Whether what the file computes must be the same on every machine."""
+    nearest = place_of(path, SAME_EVERYWHERE + MAY_DIFFER)
+    return nearest in SAME_EVERYWHERE
