@@ -3,7 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "tests/support/dice.h"
 
 namespace campuswalk::support {
 
@@ -12,19 +13,6 @@ namespace {
 using collision::MoverState;
 using collision::MoveTrace;
 using collision::Vec3;
-
-/// Numbers from the engine's own bits: the standard distributions differ between libraries.
-class Dice {
-public:
-    explicit Dice(std::uint32_t seed) : engine_(seed) {}
-    double between(double low, double high) {
-        const auto part = static_cast<double>(static_cast<std::uint32_t>(engine_())) / 4294967296.0;
-        return low + (high - low) * part;
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 void mix(std::uint64_t& digest, double value) {
     digest = (digest ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
