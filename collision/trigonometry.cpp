@@ -69,7 +69,8 @@ double angle_of(double y, double x) {
         const double sine = v * guess.cos - u * guess.sin;
         angle += sine + sine * sine * sine / 6.0;
     }
-    return angle;
+    // Beside the seam rounding may end on its far side.
+    return angle <= -kPi || angle > kPi ? kPi : angle;
 }
 
 double wrapped_angle(double angle) {
