@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collision/mesh_collider.h"
+#include "tests/support/plain_solids.h"
 
 namespace campuswalk::support {
 
@@ -27,27 +28,6 @@ double reach_of(const collision::Shape& shape) {
     }
     const auto& wheel = std::get<collision::Wheel>(shape);
     return std::hypot(wheel.radius, wheel.half_width);
-}
-
-/// The signed distance of the solid's surface from where it is nearest to the line; negative when it is in.
-double signed_distance(const collision::Object& object, const Line& world_line) {
-    const auto& X = object.X_world_shape;
-    const Line line{X.rotation.transpose() * (world_line.from - X.translation),
-                    X.rotation.transpose() * (world_line.to - X.translation)};
-    if (const auto* sphere = std::get_if<collision::Sphere>(&object.shape)) {
-        return distance(Point::Zero(), line) - sphere->radius;
-    }
-    if (const auto* capsule = std::get_if<collision::Capsule>(&object.shape)) {
-        const Point end(0, capsule->half_length, 0);
-        return distance(line, Line{-end, end}) - capsule->radius;
-    }
-    if (const auto* box = std::get_if<collision::Box>(&object.shape)) {
-        return least_on_unit_interval(
-            [&](double t) { return signed_distance_to_box(line.at(t), box->half_extents); });
-    }
-    const auto& wheel = std::get<collision::Wheel>(object.shape);
-    return least_on_unit_interval(
-        [&](double t) { return signed_distance_to_cylinder(line.at(t), wheel.radius, wheel.half_width); });
 }
 
 void deepen(Penetration& worst, std::size_t object, double depth) {

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+
+#include "collision/triangle_mesh.h"
+#include "collision/world.h"
+#include "tests/support/plain_geometry.h"
+
+namespace campuswalk::support {
+
+/// Of the solid's surface in its own frame, negative inside. Not for meshes.
+double signed_distance(const collision::Shape& solid, const Point& point);
+
+/// The same for the point of a line (world coordinates) where it is least, and the placed solid.
+double signed_distance(const collision::Object& solid, const Line& world_line);
+
+/// The corners of a mesh's triangle.
+Corners corners_of(const collision::Triangle& triangle);
+
+/// Where the line first meets the triangle; none for a line in the triangle's own plane.
+std::optional<double> first_meeting(const Line& line, const Corners& triangle);
+
+/// Where the line first meets the filled solid in the solid's own frame, to about 1e-12.
+std::optional<double> first_meeting(const Line& line, const collision::Shape& solid);
+
+/// The first argument in [0, 1] at which a convex function is at most 0; none if it nowhere is.
+template <typename Convex>
+std::optional<double> first_not_above_zero(const Convex& f) {
+    if (f(0.0) <= 0.0) {
+        return 0.0;
+    }
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < 200 && f(high) > 0.0; ++i) {  // look for any argument at which it isn't positive
+        const double third = (high - low) / 3.0;
+        const double left = low + third;
+        const double right = high - third;
+        if (f(left) <= 0.0) {
+            high = left;
+        } else if (f(right) <= 0.0) {
+            high = right;
+        } else {
+            (f(left) < f(right) ? high : low) = f(left) < f(right) ? right : left;
+        }
+    }
+    if (f(high) > 0.0) {
+        return std::nullopt;
+    }
+    low = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        (f(middle) <= 0.0 ? high : low) = middle;
+    }
+    return high;
+}
+
+}  // namespace campuswalk::support
