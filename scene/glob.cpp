@@ -1,7 +1,7 @@
+#include "scene/glob.h"
+
 #include <optional>
 #include <string_view>
-
-#include "scene/model.h"
 
 namespace campuswalk::scene {
 namespace {

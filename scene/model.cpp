@@ -1,5 +1,7 @@
 #include "scene/model.h"
 
+#include "scene/glob.h"
+
 namespace campuswalk::scene {
 
 std::size_t count_triangles(const Model& model) {

@@ -95,6 +95,5 @@ Bounds world_bounds(const Model& model);
 /// Indices of the nodes whose name matches the glob (`*`, `?`, `[a-z]`), each with its whole subtree,
 /// ascending and without repeats.
 std::vector<std::size_t> match_nodes(const Model& model, const std::string& glob);
-bool glob_matches(std::string_view glob, std::string_view name);
 
 }  // namespace campuswalk::scene

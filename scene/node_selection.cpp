@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "scene/glob.h"
+
 namespace campuswalk::scene {
 namespace {
 

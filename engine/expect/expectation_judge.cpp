@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/decimals.h"
-#include "scene/model.h"
+#include "scene/glob.h"
 
 namespace campuswalk::engine {
 

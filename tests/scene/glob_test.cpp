@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/model.h"
+#include "scene/glob.h"
 
 namespace campuswalk::scene {
 namespace {
