@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "engine/script/walk.h"
@@ -20,21 +19,19 @@ struct Run {
     scene::CampusDescription campus;
 };
 
-// All throw scene::InputError with every mistake of the file (and of the files it names) at once. Codes:
-//   missing-file, yaml-syntax, wrong-type, unknown-key, missing-key, duplicate-key, bad-value, unknown-name,
-//   duplicate-name, empty-file.
+// All throw scene::InputError with every mistake of the file, and of the files it names, at once. Codes:
+//   missing-file, file-name, too-large, empty-file, yaml-syntax   the file as such
+//   unknown-key, missing-key, duplicate-key                       keys
+//   wrong-type, bad-value                                         values
+//   unknown-name, duplicate-name                                  names of places, layers, avatars, events, …
 
 /// Reads `NAME.walk.yaml`, the campus it names and its avatar profile; resolves places and spawns.
-/// `warnings` collects what is odd but harmless.
-Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search,
-             std::vector<scene::Diagnostic>& warnings);
+Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search);
 
 /// Reads `NAME.campus.yaml` alone.
-scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file,
-                                                 std::vector<scene::Diagnostic>& warnings);
+scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file);
 
 /// Reads `NAME.avatar.yaml` alone.
-engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file,
-                                  std::vector<scene::Diagnostic>& warnings);
+engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
 
 }  // namespace campuswalk::config

@@ -1,0 +1,79 @@
+#include "config/loader/names.h"
+
+#include <algorithm>
+
+#include "config/loader/wording.h"
+
+namespace campuswalk::config {
+
+namespace {
+
+bool is_kebab(std::string_view word) {
+    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+    return !word.empty() && word.front() != '-' && word.back() != '-' &&
+           word.find("--") == std::string_view::npos && std::ranges::all_of(word, allowed);
+}
+
+bool is_kebab_path(std::string_view path) {
+    const std::size_t slash = path.find('/');
+    return is_kebab(path.substr(0, slash)) &&
+           (slash == std::string_view::npos || is_kebab_path(path.substr(slash + 1)));
+}
+
+constexpr std::size_t kLongestName = 200;  // bytes
+constexpr const char* kKebabForm = "small letters, digits and single hyphens, as in main-gate";
+constexpr const char* kPathForm =
+    "small letters, digits and single hyphens, with '/' between words, as in library/door";
+
+std::optional<std::string> checked(const CheckedNode& node, bool (*holds)(std::string_view),
+                                   const char* form) {
+    std::optional<std::string> name = node.line();
+    if (name && (name->size() > kLongestName || !holds(*name))) {
+        node.complain("bad-value", node.what() + " must be " + form + ", not " + in_quotes(*name));
+        return std::nullopt;
+    }
+    return name;
+}
+
+}  // namespace
+
+std::optional<std::string> kebab_name(const CheckedNode& node) {
+    return checked(node, is_kebab, kKebabForm);
+}
+
+std::optional<std::string> kebab_path(const CheckedNode& node) {
+    return checked(node, is_kebab_path, kPathForm);
+}
+
+bool check_kebab_key(const CheckedNode::Entry& entry) {
+    const bool holds = entry.key.size() <= kLongestName && is_kebab(entry.key);
+    if (!holds) {
+        entry.value.diagnostics().error(
+            entry.key_mark, "bad-value",
+            "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
+    }
+    return holds;
+}
+
+std::vector<scene::NodeGlob> node_globs(const CheckedNode& node) {
+    std::vector<scene::NodeGlob> globs;
+    for (const CheckedNode& item : node.items_or_one("a node glob")) {
+        if (std::optional<std::string> pattern = item.line()) {
+            globs.push_back({item.mark(), std::move(*pattern)});
+        }
+    }
+    return globs;
+}
+
+void UniqueNames::add(const std::string& name, const CheckedNode& at) {
+    if (name.empty()) {
+        return;
+    }
+    const auto [earlier, fresh] = lines_.emplace(name, at.mark().line);
+    if (!fresh) {
+        at.complain("duplicate-name", "the " + thing_ + " " + in_quotes(name) + " stands on line " +
+                                          std::to_string(earlier->second) + " already");
+    }
+}
+
+}  // namespace campuswalk::config

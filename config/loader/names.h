@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/loader/checked_node.h"
+#include "scene/campus_description.h"
+
+namespace campuswalk::config {
+
+// Names stand in logs, in patterns and, for snapshots, in file names: one spelling for all of them.
+
+/// A kebab-case word, as in "main-gate"; complains (bad-value) otherwise.
+std::optional<std::string> kebab_name(const CheckedNode& node);
+/// Kebab-case words joined by '/', as in "library/door".
+std::optional<std::string> kebab_path(const CheckedNode& node);
+
+/// The same word as a key of a map; false after complaining.
+bool check_kebab_key(const CheckedNode::Entry& entry);
+
+/// Globs over node names: one, or a list of them.
+std::vector<scene::NodeGlob> node_globs(const CheckedNode& node);
+
+/// Keeps names apart: complains (duplicate-name) at the second of two equal ones.
+class UniqueNames {
+public:
+    /// `thing` is what the names belong to, as in "building".
+    explicit UniqueNames(std::string thing) : thing_(std::move(thing)) {}
+    /// An empty name is one that has been complained of.
+    void add(const std::string& name, const CheckedNode& at);
+
+private:
+    std::string thing_;
+    std::map<std::string, int> lines_;
+};
+
+}  // namespace campuswalk::config

@@ -1,0 +1,50 @@
+#include "config/loader/read_walk.h"
+
+#include "config/loader/ranges.h"
+#include "config/loader/read_camera.h"
+#include "config/loader/read_expectations.h"
+#include "config/loader/read_steps.h"
+
+namespace campuswalk::config {
+
+namespace {
+
+engine::SimSettings read_sim(const CheckedNode& node) {
+    constexpr int kMostTicks = 10'000;  // a second
+    engine::SimSettings sim;
+    CheckedMap map(node, "'sim'");
+    map.whole_number("ticks_per_second", 1, kMostTicks, sim.ticks_per_second);
+    map.number("stay_every", kSeconds, sim.stay_every);
+    if (const auto seed = map.find("seed")) {
+        sim.seed = seed->seed().value_or(0);
+    }
+    map.refuse_other_keys();
+    return sim;
+}
+
+engine::CameraSettings read_camera(const CheckedNode& node) {
+    engine::CameraSettings camera;
+    CheckedMap map(node, "'camera'");
+    read_camera_fields(map, camera);
+    map.refuse_other_keys();
+    return camera;
+}
+
+}  // namespace
+
+void read_walk(CheckedMap& map, const CampusNames& names, engine::Walk& walk) {
+    if (const auto sim = map.find("sim")) {
+        walk.sim = read_sim(*sim);
+    }
+    if (const auto camera = map.find("camera")) {
+        walk.camera = read_camera(*camera);
+    }
+    if (const auto steps = map.require("steps")) {
+        walk.steps = read_steps(*steps, names, walk.camera);
+    }
+    if (const auto expect = map.find("expect")) {
+        walk.expectations = read_expectations(*expect, names);
+    }
+}
+
+}  // namespace campuswalk::config

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "config/loader/campus_names.h"
+#include "config/loader/checked_map.h"
+#include "engine/script/walk.h"
+
+namespace campuswalk::config {
+
+/// Reads what a walk file says by itself, once its campus and its avatar are known: sim, camera, steps,
+/// expect.
+void read_walk(CheckedMap& map, const CampusNames& names, engine::Walk& walk);
+
+}  // namespace campuswalk::config

@@ -1,0 +1,219 @@
+#include "config/loader/yaml_tree.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include "config/loader/text_positions.h"
+#include "config/loader/wording.h"
+
+namespace campuswalk::config {
+namespace {
+
+using scene::DiagnosticList;
+using scene::SourceMark;
+
+constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kMostNodes = 1'000'000;
+
+/// Stops the parser at something that makes the rest of the file pointless.
+struct Refusal {
+    YAML::Mark mark;
+    const char* code = "";
+    const char* message = "";
+};
+
+/// Builds the tree from the parser's events. The parser's own node class is not used: it forgets where
+/// aliases and empty values stand, keeps the last of two equal keys and ignores a second document.
+class TreeBuilder final : public YAML::EventHandler {
+public:
+    TreeBuilder(const TextPositions& positions, std::string file, DiagnosticList& diagnostics)
+        : positions_(positions), file_(std::move(file)), diagnostics_(diagnostics) {}
+
+    std::shared_ptr<const YamlNode> root;
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (documents_++ > 0) {
+            throw Refusal{mark, "yaml-syntax",
+                          "text after the end of the document: a stray bracket, less indentation than "
+                          "above, or a second '---'"};
+        }
+    }
+    void OnDocumentEnd() override {}
+
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        add(leaf(YamlNode::Kind::null, positions_.of_null(mark.pos)), anchor);
+    }
+
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
+        refuse_tag(mark, tag);
+        auto node = leaf(YamlNode::Kind::scalar, positions_.of(mark.pos));
+        node->text = value;
+        node->quoted = tag != "?";
+        add(std::move(node), anchor);
+    }
+
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        const auto found = anchors_.find(anchor);
+        if (found == anchors_.end()) {
+            throw Refusal{mark, "yaml-syntax", "an alias inside what it names; write the value out"};
+        }
+        place(found->second, positions_.of(mark.pos));
+    }
+
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value) override {
+        open(YamlNode::Kind::sequence, mark, tag, anchor);
+    }
+    void OnSequenceEnd() override { close(); }
+
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value) override {
+        open(YamlNode::Kind::map, mark, tag, anchor);
+    }
+    void OnMapEnd() override { close(); }
+
+private:
+    struct Key {
+        std::string text;
+        TextPosition at;
+        bool kept = true;
+    };
+    struct Open {
+        std::shared_ptr<YamlNode> node;
+        YAML::anchor_t anchor = 0;
+        YAML::Mark mark;
+        std::optional<Key> key;                 ///< map: the key whose value comes next
+        std::map<std::string, int> lines = {};  ///< map: of the keys so far
+    };
+
+    SourceMark mark_at(const TextPosition& at) const { return {file_, at.line, at.column}; }
+
+    static std::shared_ptr<YamlNode> leaf(YamlNode::Kind kind, const TextPosition& at) {
+        auto node = std::make_shared<YamlNode>();
+        node->kind = kind;
+        node->line = at.line;
+        node->column = at.column;
+        return node;
+    }
+
+    void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+        if (tag != "?" && tag != "!" && !tag.empty()) {
+            diagnostics_.error(mark_at(positions_.of(mark.pos)), "wrong-type",
+                               "tags are not used here; remove the word with the '!'");
+        }
+    }
+
+    void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+        if (open_.size() >= kDeepest) {
+            throw Refusal{mark, "too-large", "nested more than 64 deep"};
+        }
+        refuse_tag(mark, tag);
+        open_.push_back({leaf(kind, positions_.of(mark.pos)), anchor, mark, std::nullopt});
+    }
+
+    void close() {
+        Open done = std::move(open_.back());
+        open_.pop_back();
+        if (done.node->size > kMostNodes) {
+            throw Refusal{done.mark, "too-large", "more than a million values (aliases count in full)"};
+        }
+        add(done.node, done.anchor);
+    }
+
+    /// Puts a finished node where it belongs and lets aliases name it.
+    void add(std::shared_ptr<const YamlNode> node, YAML::anchor_t anchor) {
+        if (anchor != 0) {
+            anchors_[anchor] = node;
+        }
+        const TextPosition at{node->line, node->column};
+        place(std::move(node), at);
+    }
+
+    /// `at` is where the node, or the alias for it, stands.
+    void place(std::shared_ptr<const YamlNode> node, const TextPosition& at) {
+        if (open_.empty()) {
+            root = std::move(node);
+            return;
+        }
+        Open& parent = open_.back();
+        parent.node->size += std::min(node->size, kMostNodes);  // cannot overflow: the file is small
+        if (parent.node->kind == YamlNode::Kind::sequence) {
+            parent.node->items.push_back(std::move(node));
+        } else if (!parent.key) {
+            parent.key = as_key(parent, *node, at);
+        } else {
+            add_value(parent, std::move(node));
+        }
+    }
+
+    Key as_key(Open& map, const YamlNode& node, const TextPosition& at) {
+        if (node.kind != YamlNode::Kind::scalar) {
+            diagnostics_.error(mark_at(at), "wrong-type", "a key must be a word, as in 'title: Library'");
+            return {"", at, false};
+        }
+        const auto [earlier, fresh] = map.lines.emplace(node.text, at.line);
+        if (!fresh) {
+            diagnostics_.error(mark_at(at), "duplicate-key",
+                               "key " + in_quotes(node.text) + " was given on line " +
+                                   std::to_string(earlier->second) + " already; remove one of the two");
+        }
+        return {node.text, at, fresh};
+    }
+
+    static void add_value(Open& map, std::shared_ptr<const YamlNode> value) {
+        const Key key = *std::exchange(map.key, std::nullopt);
+        if (!key.kept) {
+            return;
+        }
+        if (value->kind == YamlNode::Kind::null && value->line != key.at.line) {
+            value = leaf(YamlNode::Kind::null, key.at);  // the parser puts it at the next key
+        }
+        map.node->entries.push_back({key.text, key.at.line, key.at.column, std::move(value)});
+    }
+
+    const TextPositions& positions_;
+    std::string file_;
+    DiagnosticList& diagnostics_;
+    int documents_ = 0;
+    std::vector<Open> open_;
+    std::map<YAML::anchor_t, std::shared_ptr<const YamlNode>> anchors_;
+};
+
+}  // namespace
+
+std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::string& file,
+                                           DiagnosticList& diagnostics) {
+    const TextPositions positions(text);
+    TreeBuilder builder(positions, file, diagnostics);
+    const auto complain = [&](const YAML::Mark& mark, const char* code, const std::string& message) {
+        const TextPosition at = mark.is_null() ? TextPosition{} : positions.of(mark.pos);
+        diagnostics.error({file, at.line, at.column}, code, message);
+        return nullptr;
+    };
+    try {
+        std::istringstream stream(text);
+        YAML::Parser parser(stream);
+        while (parser.HandleNextDocument(builder)) {
+        }
+    } catch (const Refusal& refusal) {
+        return complain(refusal.mark, refusal.code, refusal.message);
+    } catch (const YAML::Exception& error) {
+        return complain(error.mark, "yaml-syntax", error.msg);
+    }
+    if (!builder.root || builder.root->kind == YamlNode::Kind::null) {
+        diagnostics.error({file, 0, 0}, "empty-file", "there is nothing in this file but comments or spaces");
+        return nullptr;
+    }
+    return builder.root;
+}
+
+}  // namespace campuswalk::config

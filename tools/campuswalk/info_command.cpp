@@ -1,0 +1,112 @@
+#include "tools/campuswalk/info_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/decimals.h"
+#include "scene/import/import_model.h"
+#include "scene/model_report.h"
+#include "tools/campuswalk/exit_codes.h"
+
+namespace campuswalk::tools {
+
+using scene::ModelReport;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+const char* name_of(scene::AlphaMode mode) {
+    switch (mode) {
+        case scene::AlphaMode::mask:
+            return "mask";
+        case scene::AlphaMode::blend:
+            return "blend";
+        default:
+            return "opaque";
+    }
+}
+
+Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
+    Json json = {
+        {"file", report.file},           {"meshes", report.meshes},     {"placements", report.placements},
+        {"triangles", report.triangles}, {"vertices", report.vertices}, {"bounds", nullptr},
+        {"materials", Json::array()},    {"textures", Json::array()},   {"nodes", Json::array()},
+        {"warnings", Json::array()}};
+    if (report.triangles > 0) {
+        json["bounds"] = {{"min", json_of(report.bounds.min)}, {"max", json_of(report.bounds.max)}};
+    }
+    for (const scene::MaterialReport& m : report.materials) {
+        json["materials"].push_back({{"name", m.name},
+                                     {"texture", m.texture.empty() ? Json() : Json(m.texture)},
+                                     {"triangles", m.triangles},
+                                     {"alpha_mode", name_of(m.alpha_mode)},
+                                     {"double_sided", m.double_sided}});
+    }
+    for (const scene::TextureReport& t : report.textures) {
+        json["textures"].push_back({{"name", t.name}, {"width", t.width}, {"height", t.height}});
+    }
+    for (const scene::NodeReport& n : report.nodes) {
+        json["nodes"].push_back({{"name", n.name}, {"depth", n.depth}, {"triangles", n.triangles}});
+    }
+    for (const scene::Oddity& w : warnings) {
+        json["warnings"].push_back({{"code", w.code}, {"message", w.message}});
+    }
+    return json;
+}
+
+void print_text(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
+    const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
+    std::printf("%s\n", report.file.c_str());
+    std::printf("meshes     %zu, placed %zu times\n", report.meshes, report.placements);
+    std::printf("triangles  %zu\n", report.triangles);
+    if (report.triangles > 0) {
+        std::printf("bounds     %s to %s m (%s x %s x %s m)\n", engine::fixed(report.bounds.min).c_str(),
+                    engine::fixed(report.bounds.max).c_str(), engine::fixed(size.x(), 3).c_str(),
+                    engine::fixed(size.y(), 3).c_str(), engine::fixed(size.z(), 3).c_str());
+    }
+    std::printf("materials  %zu\n", report.materials.size());
+    for (const scene::MaterialReport& m : report.materials) {
+        std::printf("  %-28s %8zu triangles  %s\n", m.name.c_str(), m.triangles,
+                    m.texture.empty() ? "no texture" : m.texture.c_str());
+    }
+    std::printf("nodes      %zu\n", report.nodes.size());
+    for (const scene::NodeReport& n : report.nodes) {
+        std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
+    }
+    std::printf("warnings   %zu\n", warnings.size());
+    for (const scene::Oddity& w : warnings) {
+        std::printf("  %s: %s\n", w.code.c_str(), w.message.c_str());
+    }
+}
+
+}  // namespace
+
+int print_info(const InfoOptions& options) {
+    std::vector<scene::Diagnostic> repairs;
+    const scene::Model model = scene::import_model(options.scene, repairs, scene::EmptyModel::accept);
+    const ModelReport report = scene::report(model);
+    std::vector<scene::Oddity> warnings;
+    for (const scene::Diagnostic& repair : repairs) {
+        warnings.push_back({repair.code, repair.message});
+    }
+    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+    if (options.json) {
+        const std::string text =
+            json_of(report, warnings).dump(2, ' ', false, Json::error_handler_t::replace);
+        std::printf("%s\n", text.c_str());
+    } else {
+        print_text(report, warnings);
+    }
+    return kPass;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace spdlog {
+class logger;
+}
+
+namespace campuswalk::tools {
+
+/// Lines to the terminal, to a file, or to both, through spdlog. The program's only use of it.
+class LogOutput {
+public:
+    /// Truncates `file`. Throws std::runtime_error with the system's reason when it can't be opened.
+    LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file);
+
+    /// Throws std::runtime_error when the line can't be written.
+    void line(std::string_view text);
+    /// Everything is on disk when this returns; throws like `line`.
+    void flush();
+
+private:
+    bool to_terminal_;
+    std::shared_ptr<spdlog::logger> logger_;
+};
+
+}  // namespace campuswalk::tools

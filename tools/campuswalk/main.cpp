@@ -1,0 +1,141 @@
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/campuswalk/complaints.h"
+#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/info_command.h"
+#include "tools/campuswalk/run_command.h"
+#include "tools/campuswalk/snapshot_command.h"
+#include "tools/campuswalk/validate_command.h"
+
+using namespace campuswalk;
+using namespace campuswalk::tools;
+
+namespace {
+
+/// What the command line asks for, kept where CLI11 writes to.
+struct Arguments {
+    RunOptions run;
+    std::vector<std::filesystem::path> validate;
+    InfoOptions info;
+    SnapshotOptions snapshot;
+    std::function<int()> chosen;
+};
+
+constexpr const char* kVersion = "campuswalk " CAMPUSWALK_VERSION;
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* description) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->set_version_flag("--version", kVersion);
+    return command;
+}
+
+void add_run(CLI::App& app, Arguments& arguments) {
+    RunOptions& run = arguments.run;
+    CLI::App* command = add_command(app, "run", "Walk scripted paths and log what happens");
+    command->add_option("WALK", run.walks, "NAME.walk.yaml files")->required();
+    command->add_option("--log", run.log, "Write the event log to this file too")->type_name("FILE");
+    command->add_option("--jsonl", run.jsonl, "Write the events as JSON lines")->type_name("FILE");
+    command->add_option("--output", run.output, "Folder for pictures: DIR/WALK/SNAPSHOT.png")
+        ->type_name("DIR")
+        ->capture_default_str();
+    const std::map<std::string, Backend> backends = {
+        {"auto", Backend::automatic}, {"osmesa", Backend::osmesa}, {"none", Backend::none}};
+    command->add_option("--rendering-backend", run.backend, "Draws the pictures: auto, osmesa or none")
+        ->transform(CLI::Transformer(backends, CLI::ignore_case))
+        ->check(CLI::IsMember({Backend::automatic, Backend::osmesa, Backend::none}))
+        ->type_name("NAME");
+    command->add_flag("-q,--quiet", run.quiet, "Don't print the log");
+    command->callback([&] { arguments.chosen = [&] { return run_walks(run); }; });
+    command->footer(
+        "Exit code: 0 all passed, 1 an expectation failed, 2 bad usage or input (nothing of that walk was "
+        "run),\n"
+        "3 something failed while running, 130 interrupted.");
+}
+
+void add_validate(CLI::App& app, Arguments& arguments) {
+    CLI::App* command =
+        add_command(app, "validate", "Check walks, campuses and avatars without running anything");
+    command->add_option("FILE", arguments.validate, "*.walk.yaml, *.campus.yaml or *.avatar.yaml")
+        ->required();
+    command->callback([&] { arguments.chosen = [&] { return validate_files(arguments.validate); }; });
+}
+
+void add_info(CLI::App& app, Arguments& arguments) {
+    InfoOptions& info = arguments.info;
+    CLI::App* command = add_command(app, "info", "Tell what is in a model file and what looks odd");
+    command
+        ->add_option_function<std::string>(
+            "SCENE",
+            [&](const std::string& file) {
+                info.scene.file = file;
+                info.scene.path = file;
+                info.scene.mark.file = file;
+            },
+            "A model file: glTF, OBJ, FBX, COLLADA, ...")
+        ->required();
+    const std::map<std::string, scene::UpAxis> axes = {{"y", scene::UpAxis::y}, {"z", scene::UpAxis::z}};
+    command->add_option("--up", info.scene.up, "The file's up axis: y or z")
+        ->transform(CLI::CheckedTransformer(axes, CLI::ignore_case))
+        ->type_name("AXIS");
+    command->add_option("--scale", info.scene.scale, "Metres per unit of the file")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_flag("--json", info.json, "As JSON");
+    command->callback([&] { arguments.chosen = [&] { return print_info(info); }; });
+}
+
+void add_snapshot(CLI::App& app, Arguments& arguments) {
+    SnapshotOptions& snapshot = arguments.snapshot;
+    CLI::App* command = add_command(app, "snapshot", "Draw one picture of a campus");
+    command->add_option("CAMPUS", snapshot.campus, "NAME.campus.yaml")->required();
+    command->add_option("--camera", snapshot.camera, "top for a plan of everything, or a spawn to look from")
+        ->capture_default_str()
+        ->type_name("NAME");
+    command->add_option("-o,--output", snapshot.output, "The PNG file to write")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--width", snapshot.width, "Pixels")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    command->add_option("--height", snapshot.height, "Pixels")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    command->callback([&] { arguments.chosen = [&] { return draw_snapshot(snapshot); }; });
+}
+
+int guarded(const std::function<int()>& command) {
+    try {
+        return command();
+    } catch (const scene::InputError& error) {
+        complain(error.diagnostics());
+        return kBadInput;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return kRunFailed;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Walks scripted paths through virtual campuses without a screen.", "campuswalk");
+    app.set_version_flag("--version", kVersion);
+    app.require_subcommand(1);
+    Arguments arguments;
+    add_run(app, arguments);
+    add_validate(app, arguments);
+    add_info(app, arguments);
+    add_snapshot(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kPass : kBadInput;
+    }
+    return guarded(arguments.chosen);
+}

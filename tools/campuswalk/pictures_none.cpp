@@ -1,0 +1,25 @@
+#include <cassert>
+
+#include "tools/campuswalk/pictures.h"
+
+namespace campuswalk::tools {
+
+bool can_draw() {
+    return false;
+}
+
+std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&) {
+    assert(false);
+    return nullptr;
+}
+
+void draw_campus(const scene::Campus&, const engine::CameraSettings&, const engine::AvatarState&,
+                 const std::filesystem::path&) {
+    assert(false);
+}
+
+void draw_plan(const scene::Campus&, int, int, const std::filesystem::path&) {
+    assert(false);
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,54 @@
+#include "tools/campuswalk/walk_loader.h"
+
+#include <utility>
+
+#include "collision/bullet_broad_phase.h"
+#include "engine/run_walk.h"
+#include "tools/campuswalk/complaints.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+config::SearchPaths search_paths() {
+    std::error_code none;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+    return {{folder.parent_path().parent_path() / "config" / "avatars",
+             folder.parent_path() / "share" / "campuswalk" / "config" / "avatars"}};
+}
+
+LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
+    std::vector<scene::Diagnostic> warnings;
+    config::Run run = config::load_run(walk_file, search_paths());
+    LoadedWalk loaded;
+    loaded.campus = build(run.walk.campus, std::move(run.campus), warnings);
+    loaded.walk = std::move(run.walk);
+    complain(warnings);
+    if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(*loaded.campus, loaded.walk);
+        !mistakes.empty()) {
+        throw scene::InputError(std::move(mistakes));
+    }
+    return loaded;
+}
+
+std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {
+    std::vector<scene::Diagnostic> warnings;
+    scene::CampusDescription description = config::load_campus_description(campus_file);
+    std::shared_ptr<const scene::Campus> campus = build(campus_file, std::move(description), warnings);
+    complain(warnings);
+    return campus;
+}
+
+std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
+                                                       scene::CampusDescription description,
+                                                       std::vector<scene::Diagnostic>& warnings) {
+    std::error_code none;
+    std::shared_ptr<const scene::Campus>& campus = campuses_[fs::weakly_canonical(file, none)];
+    if (!campus) {
+        campus = std::make_shared<scene::Campus>(
+            scene::load_campus(std::move(description), collision::make_bullet_broad_phase(), warnings));
+    }
+    return campus;
+}
+
+}  // namespace campuswalk::tools

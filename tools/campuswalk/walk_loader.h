@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "config/loader/load_run.h"
+#include "engine/script/walk.h"
+#include "scene/campus.h"
+
+namespace campuswalk::tools {
+
+/// A walk that may be run: read, checked, its campus built.
+struct LoadedWalk {
+    engine::Walk walk;
+    std::shared_ptr<const scene::Campus> campus;
+};
+
+/// Reads walks; those on one campus share it. Warnings are printed as they come; mistakes are thrown as
+/// scene::InputError, all of a file together.
+class WalkLoader {
+public:
+    LoadedWalk load_walk(const std::filesystem::path& walk_file);
+    std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
+
+private:
+    std::shared_ptr<const scene::Campus> build(const std::filesystem::path& file,
+                                               scene::CampusDescription description,
+                                               std::vector<scene::Diagnostic>& warnings);
+
+    std::map<std::filesystem::path, std::shared_ptr<const scene::Campus>> campuses_;
+};
+
+/// Where the program's own files are: beside the source tree it was built in, or installed.
+config::SearchPaths search_paths();
+
+}  // namespace campuswalk::tools
