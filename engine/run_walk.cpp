@@ -4,14 +4,10 @@
 #include <charconv>
 #include <utility>
 
-#include "collision/placement.h"
-#include "engine/decimals.h"
 #include "engine/expect/expectation_judge.h"
 #include "engine/simulation.h"
 
 namespace campuswalk::engine {
-
-using Eigen::Vector3d;
 
 namespace {
 
@@ -20,24 +16,6 @@ std::string hexadecimal(std::uint64_t value) {
     const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
     const auto count = static_cast<std::size_t>(result.ptr - digits.data());
     return std::string(digits.size() - count, '0') + std::string(digits.data(), count);
-}
-
-/// The complaint about a place where the avatar can't stand, if it can't.
-std::optional<scene::Diagnostic> check_place(const scene::Campus& campus, const Walk& walk,
-                                             const SourceMark& mark, const std::string& label,
-                                             const Vector3d& foot) {
-    const AvatarProfile& a = walk.avatar;
-    const collision::QueryFilter solids{collision::Detection::solid, ignored_layers(campus, a)};
-    collision::QueryCounters counters;
-    if (collision::free_place(campus.world, solids, foot, a.radius, a.height, kPlacementSearch, counters)) {
-        return std::nullopt;
-    }
-    const auto object = collision::obstruction(campus.world, solids, foot, a.radius, a.height, counters);
-    const std::string where = object ? "inside " + campus.objects[index_of(*object)].id : "not free";
-    return scene::Diagnostic{scene::Severity::error, mark, "spawn-blocked",
-                             label + " at " + fixed(foot) + " is " + where + ": put it where a capsule of " +
-                                 fixed(a.radius, 2) + " m radius and " + fixed(a.height, 2) +
-                                 " m height fits"};
 }
 
 /// The walk's last line and, before it, what was not as expected.
@@ -60,22 +38,6 @@ void add_verdict(const Walk& walk, const WalkSummary& summary, std::vector<Event
 }
 
 }  // namespace
-
-std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk) {
-    std::vector<scene::Diagnostic> complaints;
-    for (const Step& step : walk.steps) {
-        std::optional<scene::Diagnostic> complaint;
-        if (const auto* spawn = std::get_if<SpawnStep>(&step)) {
-            complaint = check_place(campus, walk, spawn->mark, spawn->label, spawn->position);
-        } else if (const auto* teleport = std::get_if<TeleportStep>(&step)) {
-            complaint = check_place(campus, walk, teleport->mark, teleport->label, teleport->position);
-        }
-        if (complaint) {
-            complaints.push_back(std::move(*complaint));
-        }
-    }
-    return complaints;
-}
 
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
     Simulation simulation(campus, walk);

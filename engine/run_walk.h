@@ -26,10 +26,6 @@ struct WalkSummary {
     collision::QueryCounters counters;
 };
 
-/// Checks what needs the campus' geometry: every spawn and teleport must be free. Returns the complaints
-/// (code spawn-blocked, at the step's line), empty when the walk can run.
-std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk);
-
 /// Plays the walk from its first step to its last, evaluates the expectations and shows every frame to the
 /// observers, in their order. Deterministic: the same campus and walk give the same frames.
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers);

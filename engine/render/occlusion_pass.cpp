@@ -6,27 +6,38 @@
 
 namespace campuswalk::engine::render {
 
-OcclusionPass::OcclusionPass(const GlFunctions& gl, int width, int height, const ShaderProgram& opaque,
-                             const ShaderProgram& masked)
+OcclusionPass::OcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque, const ShaderProgram& masked)
     : gl_(gl),
       opaque_(opaque),
       masked_(masked),
       occlusion_(gl, "occlusion", {shaders::kVersion, shaders::kScreenVertex},
                  {shaders::kVersion, shaders::kOcclusionFragment}),
       blur_(gl, "occlusion blur", {shaders::kVersion, shaders::kScreenVertex},
-            {shaders::kVersion, shaders::kBlurFragment}),
-      picture_width_(width),
-      picture_height_(height),
-      width_((width + 1) / 2),
-      height_((height + 1) / 2),
-      depth_(make_layer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT)),
-      raw_(make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0)),
-      half_smooth_(make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0)),
-      smooth_(make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0)) {
+            {shaders::kVersion, shaders::kBlurFragment}) {
     gl.GenVertexArrays(1, &no_vertices_);
 }
 
 OcclusionPass::~OcclusionPass() {
+    free_layers();
+}
+
+void OcclusionPass::fit(int width, int height) {
+    if (width == picture_width_ && height == picture_height_) {
+        return;
+    }
+    free_layers();
+    picture_width_ = width;
+    picture_height_ = height;
+    width_ = (width + 1) / 2;
+    height_ = (height + 1) / 2;
+    depth_ = make_layer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+    raw_ = make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0);
+    half_smooth_ = make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0);
+    smooth_ = make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0);
+}
+
+// GL ignores the number 0, which is what layers have before the first fit.
+void OcclusionPass::free_layers() const {
     for (const Layer& layer : {depth_, raw_, half_smooth_, smooth_}) {
         gl_.DeleteFramebuffers(1, &layer.framebuffer);
         gl_.DeleteTextures(1, &layer.texture);

@@ -13,12 +13,14 @@ namespace campuswalk::engine::render {
 /// (1 all of it). Only for perspective cameras.
 class OcclusionPass {
 public:
-    /// For pictures of `width` x `height` pixels; arguments by reference must outlive this.
-    OcclusionPass(const GlFunctions& gl, int width, int height, const ShaderProgram& opaque,
-                  const ShaderProgram& masked);
+    /// The arguments must outlive this.
+    OcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque, const ShaderProgram& masked);
     OcclusionPass(const OcclusionPass&) = delete;
     OcclusionPass& operator=(const OcclusionPass&) = delete;
     ~OcclusionPass();
+
+    /// Makes the map fit pictures of `width` x `height` pixels; once before the first `draw`.
+    void fit(int width, int height);
 
     /// Draws the map for what `view` sees; `radius` in metres. `figure` (null for none) counts too.
     void draw(const GpuCampus& campus, const GpuMesh* figure, std::size_t figure_indices,
@@ -32,6 +34,7 @@ private:
         GLuint texture = 0;
         GLuint framebuffer = 0;
     };
+    void free_layers() const;
     Layer make_layer(GLenum format, GLenum attachment) const;
     void blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const;
     void fill(const Layer& layer) const;

@@ -1,5 +1,6 @@
 #include "engine/render/renderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -9,16 +10,22 @@
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_campus.h"
 #include "engine/render/occlusion_pass.h"
+#include "engine/render/render_error.h"
 #include "engine/render/render_target.h"
 #include "engine/render/shader_program.h"
 #include "engine/render/shaders.h"
 #include "engine/render/shadow_maps.h"
+#include "engine/render/sky_view.h"
 
 namespace campuswalk::engine::render {
 namespace {
 
 // Around the campus on a plan, linear: the grey of paper.
 const Eigen::Vector3d kPaper(0.60, 0.61, 0.59);
+
+// Shares of open sky: with less the camera is in a room, with more it is outside.
+constexpr double kInside = 0.06;
+constexpr double kOutside = 0.42;
 
 std::unique_ptr<GlContext> made_current(std::unique_ptr<GlContext> context) {
     context->make_current();
@@ -46,8 +53,20 @@ public:
           see_through_(surface_program("see-through surface", shaders::kDefineSeeThrough)),
           sky_(gl_, "sky", {shaders::kVersion, shaders::kSkyVertex},
                {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
-          shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_) {
+          shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
+          occlusion_(gl_, depth_, masked_depth_) {
         gl_.GenVertexArrays(1, &no_vertices_);
+    }
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+
+    // Members free their GL objects by number: those of this context, not of whichever is current.
+    ~Drawing() {
+        try {
+            context_->make_current();
+        } catch (const RenderError&) {
+            // The driver has lost the context, and its objects with it.
+        }
     }
 
     Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
@@ -57,6 +76,7 @@ public:
         frame.eye = view.position - geometry_.origin;
         frame.clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
         frame.perspective = view.projection == Projection::perspective;
+        frame.room_light = room_light(frame);
         frame.figure = figure ? upload(*figure) : nullptr;
         frame.near_shadows = settings_.shadows && frame.perspective;
         frame.occlusion = frame.perspective && settings_.occlusion_radius > 0.0;
@@ -64,8 +84,9 @@ public:
             shadows_.draw_near(frame.eye, -view.R_world_camera.col(2), frame.figure, figure_indices_);
         }
         if (frame.occlusion) {
-            occlusion_->draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
-                             settings_.occlusion_radius);
+            occlusion_.fit(width, height);
+            occlusion_.draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
+                            settings_.occlusion_radius);
         }
         target_->begin(kPaper);
         draw_solid(frame);
@@ -82,6 +103,7 @@ private:
     // What the passes of one picture share.
     struct Frame {
         Eigen::Vector3d eye = Eigen::Vector3d::Zero();  // campus frame
+        Eigen::Vector3d room_light = Eigen::Vector3d::Zero();
         Eigen::Matrix4d clip_campus = Eigen::Matrix4d::Identity();
         bool perspective = true;
         bool near_shadows = false;
@@ -107,13 +129,18 @@ private:
     }
 
     void fit_target(int width, int height) {
-        if (target_ && target_->width() == width && target_->height() == height) {
-            return;
+        if (!target_ || target_->width() != width || target_->height() != height) {
+            target_.reset();
+            target_ = std::make_unique<RenderTarget>(gl_, width, height, settings_.samples);
         }
-        target_.reset();
-        occlusion_.reset();
-        target_ = std::make_unique<RenderTarget>(gl_, width, height, settings_.samples);
-        occlusion_ = std::make_unique<OcclusionPass>(gl_, width, height, depth_, masked_depth_);
+    }
+
+    Eigen::Vector3d room_light(const Frame& frame) const {
+        if (!frame.perspective) {
+            return Eigen::Vector3d::Zero();
+        }
+        const double open = open_sky(geometry_, frame.eye);
+        return std::clamp((kOutside - open) / (kOutside - kInside), 0.0, 1.0) * settings_.room_light;
     }
 
     Eigen::Matrix4d clip_from_campus(const Viewpoint& view, double aspect) const {
@@ -142,7 +169,8 @@ private:
         set_air(surface);
         surface.set("clip_campus", frame.clip_campus);
         surface.set("eye", frame.eye);
-        surface.set("ambient_middle", Eigen::Vector3d(0.5 * (settings_.sky_light + settings_.ground_light)));
+        surface.set("ambient_middle",
+                    Eigen::Vector3d(0.5 * (settings_.sky_light + settings_.ground_light) + frame.room_light));
         surface.set("ambient_rise", Eigen::Vector3d(0.5 * (settings_.sky_light - settings_.ground_light)));
         const Eigen::Vector3d level = Eigen::Vector3d(settings_.to_sun.x(), 0.0, settings_.to_sun.z());
         surface.set("side_axis", Eigen::Vector3d(settings_.side_light * level.normalized()));
@@ -152,7 +180,7 @@ private:
         surface.set("base_color_map", 0);
         shadows_.bind(surface, frame.near_shadows);
         if (frame.occlusion) {
-            occlusion_->bind(surface);
+            occlusion_.bind(surface);
         } else {
             campus_.bind_white(GL_TEXTURE3);
             surface.set("occlusion_map", 3);
@@ -221,9 +249,9 @@ private:
     ShaderProgram see_through_;
     ShaderProgram sky_;
     ShadowMaps shadows_;
+    OcclusionPass occlusion_;
     GLuint no_vertices_ = 0;
     std::unique_ptr<RenderTarget> target_;
-    std::unique_ptr<OcclusionPass> occlusion_;
 };
 
 Renderer::Renderer(std::span<const scene::Model> models, const RenderSettings& settings,

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "collision/bullet_broad_phase.h"
-#include "engine/run_walk.h"
+#include "engine/check_walk.h"
 #include "tools/campuswalk/complaints.h"
 
 namespace campuswalk::tools {

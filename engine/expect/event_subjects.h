@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/events/event.h"
+#include "engine/script/walk.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine {
+
+/// Whom or what each kind of event can be about on a campus and a walk: the names in the log's object column.
+class EventSubjects {
+public:
+    EventSubjects(const scene::Campus& campus, const Walk& walk);
+
+    /// Whether some event of the pattern's kinds could be about something the pattern names.
+    bool can_happen(const EventPattern& pattern) const;
+    /// Everything that events of the pattern's kinds can be about.
+    std::vector<std::string> names(const EventPattern& pattern) const;
+
+private:
+    void add_objects(const scene::Campus& campus);
+    void add_steps(const Walk& walk);
+
+    std::map<EventKind, std::vector<std::string>> names_;
+};
+
+}  // namespace campuswalk::engine
