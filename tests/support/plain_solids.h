@@ -29,25 +29,29 @@ std::optional<double> first_not_above_zero(const Convex& f) {
     if (f(0.0) <= 0.0) {
         return 0.0;
     }
+    // By thirds towards the least value, until any argument is found where the function isn't positive.
+    std::optional<double> found;
+    if (f(1.0) <= 0.0) {
+        found = 1.0;
+    }
     double low = 0.0;
     double high = 1.0;
-    for (int i = 0; i < 200 && f(high) > 0.0; ++i) {  // look for any argument at which it isn't positive
-        const double third = (high - low) / 3.0;
-        const double left = low + third;
-        const double right = high - third;
-        if (f(left) <= 0.0) {
-            high = left;
-        } else if (f(right) <= 0.0) {
-            high = right;
-        } else {
-            (f(left) < f(right) ? high : low) = f(left) < f(right) ? right : left;
+    for (int i = 0; i < 90 && !found; ++i) {
+        const double left = low + (high - low) / 3.0;
+        const double right = high - (high - low) / 3.0;
+        const double at_left = f(left);
+        const double at_right = f(right);
+        if (at_left <= 0.0 || at_right <= 0.0) {
+            found = at_left <= 0.0 ? left : right;
         }
+        (at_left < at_right ? high : low) = at_left < at_right ? right : left;
     }
-    if (f(high) > 0.0) {
+    if (!found) {
         return std::nullopt;
     }
     low = 0.0;
-    for (int i = 0; i < 100; ++i) {
+    high = *found;
+    for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (f(middle) <= 0.0 ? high : low) = middle;
     }
