@@ -57,7 +57,7 @@ public:
             for (std::uint32_t i = 0; i < kSides; ++i) {
                 const std::uint32_t v = first + ring * (kSides + 1) + i;
                 const std::uint32_t w = v + kSides + 1;
-                mesh_.indices.insert(mesh_.indices.end(), {v, v + 1, w, v + 1, w + 1, w});
+                mesh_.indices.insert(mesh_.indices.end(), {v, w, v + 1, v + 1, w, w + 1});
             }
         }
     }
@@ -95,9 +95,9 @@ void leg(FigureBuilder& figure, double x, double swing) {
 
 void arm(FigureBuilder& figure, double x, double swing) {
     const double side = x < 0.0 ? -1.0 : 1.0;
-    const Vector3d shoulder(x, 0.795, 0);
+    const Vector3d shoulder(x, 0.788, 0);
     const double fore = swing + 0.25;
-    const Vector3d elbow = shoulder + 0.165 * Vector3d(side * 0.10, -std::cos(swing), -std::sin(swing));
+    const Vector3d elbow = shoulder + 0.165 * Vector3d(side * 0.07, -std::cos(swing), -std::sin(swing));
     const Vector3d wrist = elbow + 0.135 * Vector3d(side * 0.02, -std::cos(fore), -std::sin(fore));
     figure.limb(shoulder, elbow, 0.036, 0.029, kJacket);
     figure.limb(elbow, wrist, 0.029, 0.023, kJacket);
@@ -115,11 +115,13 @@ FigureMesh make_figure(const AvatarState& avatar, const AvatarProfile& profile, 
     leg(figure, 0.052, -swing);
     arm(figure, -0.128, -0.8 * swing);
     arm(figure, 0.128, 0.8 * swing);
-    figure.limb({0, 0.52, 0}, {0, 0.765, 0}, 0.092, 0.100, kJacket, 0.72);            // trunk
-    figure.limb({0, 0.60, 0.105}, {0, 0.745, 0.105}, 0.074, 0.066, kRucksack, 0.62);  // rucksack
-    figure.limb({0, 0.82, 0.0}, {0, 0.87, -0.006}, 0.034, 0.032, kSkin);              // neck
-    figure.limb({0, 0.905, -0.010}, {0, 0.930, -0.008}, 0.056, 0.062, kSkin);         // head
-    figure.limb({0, 0.920, 0.012}, {0, 0.936, 0.008}, 0.060, 0.064, kHair);           // hair
+    figure.limb({-0.032, 0.515, 0}, {0.032, 0.515, 0}, 0.066, 0.066, kTrousers, 0.86);  // hips
+    figure.limb({0, 0.575, 0}, {0, 0.75, 0}, 0.088, 0.100, kJacket, 0.72);              // trunk
+    figure.limb({-0.108, 0.792, 0}, {0.108, 0.792, 0}, 0.040, 0.040, kJacket, 0.95);    // shoulders
+    figure.limb({0, 0.60, 0.105}, {0, 0.745, 0.105}, 0.074, 0.066, kRucksack, 0.62);    // rucksack
+    figure.limb({0, 0.82, 0.0}, {0, 0.87, -0.006}, 0.034, 0.032, kSkin);                // neck
+    figure.limb({0, 0.905, -0.010}, {0, 0.930, -0.008}, 0.056, 0.062, kSkin);           // head
+    figure.limb({0, 0.898, 0.017}, {0, 0.936, 0.008}, 0.052, 0.064, kHair);             // hair
     return figure.take();
 }
 

@@ -15,7 +15,8 @@ public:
 
     /// Makes the context the calling thread's current one. Throws RenderError when the driver refuses.
     virtual void make_current() = 0;
-    /// The entry point of a GL function, null when the driver has none of that name.
+    /// The entry point of a GL function. Null when the driver knows no such name; some drivers give every
+    /// name that begins with "gl" an entry that does nothing.
     virtual Procedure procedure(const char* name) const = 0;
     /// For messages: "OSMesa".
     virtual std::string_view backend() const = 0;

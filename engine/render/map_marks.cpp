@@ -1,8 +1,10 @@
 #include "engine/render/map_marks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include <cairo.h>
 
@@ -29,6 +31,25 @@ void stroke_twice(const Canvas& canvas, const Ink& ink, double width, double rim
 
 bool overlap(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
     return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+}
+
+// Where a text of twice `half` can stand at `at` without covering another: on it, else a line below or above,
+// then beside. None when all that is taken or out of the picture: better no name than an unreadable one.
+std::optional<Eigen::Vector4d> free_place(const Canvas& canvas, const Eigen::Vector2d& at,
+                                          const Eigen::Vector2d& half,
+                                          std::span<const Eigen::Vector4d> taken) {
+    static constexpr std::array<std::array<double, 2>, 9> kShifts = {
+        {{0, 0}, {0, 2}, {0, -2}, {1, 0}, {-1, 0}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}}};
+    for (const auto& shift : kShifts) {
+        const Eigen::Vector2d middle = at + half.cwiseProduct(Eigen::Vector2d(shift[0], shift[1]));
+        const Eigen::Vector4d box(middle.x() - half.x(), middle.y() - half.y(), middle.x() + half.x(),
+                                  middle.y() + half.y());
+        const bool inside = box[0] > 0 && box[1] > 0 && box[2] < canvas.width() && box[3] < canvas.height();
+        if (inside && std::ranges::none_of(taken, [&](const auto& other) { return overlap(box, other); })) {
+            return box;
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -93,14 +114,10 @@ void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<cons
             continue;
         }
         const Eigen::Vector2d half = 0.5 * canvas.text_size(label.text, style) + Eigen::Vector2d(4, 2) * s;
-        const Eigen::Vector4d box(pixel->x() - half.x(), pixel->y() - half.y(), pixel->x() + half.x(),
-                                  pixel->y() + half.y());
-        const bool inside = box[0] > 0 && box[1] > 0 && box[2] < canvas.width() && box[3] < canvas.height();
-        if (!inside || std::ranges::any_of(taken, [&](const auto& other) { return overlap(box, other); })) {
-            continue;  // better none than unreadable
+        if (const auto box = free_place(canvas, *pixel, half, taken)) {
+            taken.push_back(*box);
+            canvas.label(0.5 * (box->x() + box->z()), 0.5 * (box->y() + box->w()), label.text, style);
         }
-        taken.push_back(box);
-        canvas.label(pixel->x(), pixel->y(), label.text, style);
     }
 }
 

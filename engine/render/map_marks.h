@@ -23,6 +23,7 @@ double round_length(double metres);
 /// What makes a top view a map; `view` is the orthographic view that the canvas' picture was drawn with.
 void draw_scale_bar(const Canvas& canvas, const Viewpoint& view);
 void draw_north_arrow(const Canvas& canvas);
+/// Names at their places, moved a little where they would cover each other.
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
 /// The way walked so far, world points.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);

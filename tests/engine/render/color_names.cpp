@@ -1,0 +1,72 @@
+#include "tests/engine/render/color_names.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campuswalk::engine::render::test {
+
+std::string color_name(const std::array<std::uint8_t, 3>& rgb) {
+    const auto [r, g, b] = rgb;
+    const int most = std::max({r, g, b});
+    const auto strong = [most](int channel) { return channel > 0.7 * most; };
+    const auto weak = [most](int channel) { return channel < 0.6 * most; };
+    if (strong(r) && weak(g) && weak(b)) {
+        return "red";
+    }
+    if (weak(r) && strong(g) && weak(b)) {
+        return "green";
+    }
+    if (weak(r) && weak(g) && strong(b)) {
+        return "blue";
+    }
+    if (strong(r) && strong(g) && weak(b)) {
+        return "yellow";
+    }
+    const bool even = std::min({r, g, b}) > 0.85 * most;
+    return even ? "grey" : "mixed";
+}
+
+std::string color_name(const Picture& picture, double x, double y) {
+    const auto column = static_cast<int>(std::floor(x));
+    const auto row = static_cast<int>(std::floor(y));
+    if (column < 0 || row < 0 || column >= picture.width || row >= picture.height) {
+        return "outside";
+    }
+    return color_name(picture.pixel(column, row));
+}
+
+double brightness(const Picture& picture, int x, int y) {
+    const auto [r, g, b] = picture.pixel(x, y);
+    return (r + g + b) / 3.0;
+}
+
+double mean_brightness(const Picture& picture, int left, int top, int right, int bottom) {
+    double sum = 0.0;
+    for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) {
+            sum += brightness(picture, x, y);
+        }
+    }
+    return sum / ((right - left) * (bottom - top));
+}
+
+std::size_t differing_pixels(const Picture& a, const Picture& b) {
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            count += a.pixel(x, y) != b.pixel(x, y) ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+Picture plain_picture(int width, int height, const std::array<std::uint8_t, 3>& rgb) {
+    Picture picture{width, height, {}};
+    picture.rgba.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        std::copy(rgb.begin(), rgb.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return picture;
+}
+
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,23 @@
+#include <cstdio>
+#include <exception>
+
+#include "engine/render/png.h"
+#include "engine/render/renderer.h"
+#include "tests/engine/render/small_scenes.h"
+
+// draw_one_picture FILE.png
+int main(int argc, char** argv) {
+    using namespace campuswalk::engine::render;
+    if (argc != 2) {
+        return 2;
+    }
+    try {
+        const auto model = test::tower_scene();
+        Renderer renderer(std::span(&model, 1), test::quick_settings());
+        write_png(renderer.draw(test::tower_view(), test::kWidth, test::kHeight), argv[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 3;
+    }
+    return 0;
+}

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "engine/render/camera.h"
+#include "engine/render/render_settings.h"
+#include "scene/campus.h"
+#include "scene/model.h"
+
+namespace campuswalk::engine::render::test {
+
+using Color = std::array<float, 4>;  // linear
+
+constexpr Color kRed = {0.8F, 0.02F, 0.02F, 1.0F};
+constexpr Color kGreen = {0.02F, 0.6F, 0.02F, 1.0F};
+constexpr Color kBlue = {0.02F, 0.02F, 0.8F, 1.0F};
+constexpr Color kGrey = {0.4F, 0.4F, 0.4F, 1.0F};
+
+constexpr int kWidth = 160;  // of test pictures, pixels: llvmpipe draws on the processor
+constexpr int kHeight = 90;
+constexpr double kFov = 1.0471975511965976;
+
+/// Small shadow maps, all else as users get it.
+RenderSettings quick_settings();
+
+/// A model under construction: a node and a mesh a piece.
+class SceneBuilder {
+public:
+    /// A material for the pieces that follow; `texture` is optional.
+    SceneBuilder& paint(const Color& color, const std::optional<scene::Texture>& texture = {});
+    SceneBuilder& alpha(scene::AlphaMode mode, float cutoff = 0.5F);
+    SceneBuilder& double_sided();
+    SceneBuilder& glow(const std::array<float, 3>& emissive);
+    /// The next piece's node.
+    SceneBuilder& placed(const Eigen::Matrix4d& X_world_node);
+    SceneBuilder& named(const char* name);
+
+    /// A flat rectangle of `size` that faces +Z; texture coordinates (0, 0) at its upper left corner.
+    SceneBuilder& upright(const Eigen::Vector3d& centre, double size);
+    SceneBuilder& box(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+    /// A square in the plane y = 0 about the origin.
+    SceneBuilder& ground(double size);
+
+    scene::Model model() const { return model_; }
+
+private:
+    void quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) const;
+    void add(scene::Mesh mesh);
+
+    scene::Model model_;
+    Eigen::Matrix4d next_place_ = Eigen::Matrix4d::Identity();
+    std::string next_name_ = "piece";
+};
+
+/// Four blocks of colour: red and green above, blue and yellow below.
+scene::Texture four_blocks();
+/// Opaque white on its right half, transparent on its left.
+scene::Texture half_clear();
+
+/// At the origin, looking along -Z.
+Viewpoint ahead();
+/// From `height` metres over (x, z), straight down, north up.
+Viewpoint from_above(double x, double height, double z);
+
+/// A campus to draw: nothing in it collides. `buildings` each own the nodes named like them.
+scene::Campus campus_of(scene::Model model, std::vector<scene::Building> buildings = {});
+
+/// A square with a tower on it, the fixed picture of determinism tests.
+scene::Model tower_scene();
+Viewpoint tower_view();
+
+}  // namespace campuswalk::engine::render::test

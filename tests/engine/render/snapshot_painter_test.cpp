@@ -1,0 +1,110 @@
+#include "engine/render/snapshot_painter.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/render/color_names.h"
+#include "tests/engine/render/small_scenes.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+scene::Campus tower_campus() {
+    scene::Building tower;
+    tower.id = "tower";
+    tower.title = "Tower";
+    tower.text = "Seven metres of colour.";
+    return campus_of(tower_scene(), {tower});
+}
+
+SnapshotSettings settings() {
+    SnapshotSettings settings;
+    settings.light = quick_settings();
+    settings.minimap = false;
+    return settings;
+}
+
+Shot shot(View view, int width = kWidth, int height = kHeight) {
+    Shot shot;
+    shot.camera.view = view;
+    shot.camera.width = width;
+    shot.camera.height = height;
+    shot.avatar.position = {1, 0, 2};
+    return shot;
+}
+
+TEST(SnapshotPainter, DrawsTheThreeViews) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    const Picture first = painter.draw(shot(View::first_person));
+    const Picture third = painter.draw(shot(View::third_person));
+    const Picture top = painter.draw(shot(View::top));
+    EXPECT_GT(differing_pixels(first, third), first.rgba.size() / 4 / 10);
+    EXPECT_GT(differing_pixels(first, top), first.rgba.size() / 4 / 2);
+    EXPECT_EQ(painter.draw(shot(View::first_person)).rgba, first.rgba);
+}
+
+TEST(SnapshotPainter, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter roomy(campus, settings());
+    SnapshotSettings tight = settings();
+    tight.free_distance = [](const Eigen::Vector3d&, const Eigen::Vector3d&) { return 0.0; };
+    SnapshotPainter cramped(campus, tight);
+    const auto orange = [](const Picture& picture) {  // of the walker's jacket
+        int count = 0;
+        for (int y = picture.height / 3; y < picture.height; ++y) {
+            for (int x = 70; x < 90; ++x) {
+                const auto [r, g, b] = picture.pixel(x, y);
+                count += r > 1.7 * g && r > 1.9 * b && r > 90 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    Shot away = shot(View::third_person);
+    away.avatar.yaw = 3.141592653589793;  // the tower is behind the camera
+    EXPECT_GT(orange(roomy.draw(away)), 20);
+    EXPECT_EQ(orange(cramped.draw(away)), 0);
+}
+
+TEST(SnapshotPainter, DrawsTheOpenPopupOverThePicture) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    Shot open = shot(View::first_person, 640, 360);
+    const Picture closed_picture = painter.draw(open);
+    const std::vector<std::size_t> popups = {0};
+    open.open_popups = popups;
+    const Picture open_picture = painter.draw(open);
+    EXPECT_GT(differing_pixels(closed_picture, open_picture), 5000U);
+    const auto at = [&](int x, int y) { return open_picture.pixel(x, y) == closed_picture.pixel(x, y); };
+    EXPECT_TRUE(at(10, 10));
+    EXPECT_TRUE(at(600, 340));
+}
+
+TEST(SnapshotPainter, AddsAMinimapToViewsFromTheAvatarOnly) {
+    const scene::Campus campus = tower_campus();
+    SnapshotSettings with = settings();
+    with.minimap = true;
+    SnapshotPainter painter(campus, with);
+    SnapshotPainter plain(campus, settings());
+    for (const View view : {View::first_person, View::top}) {
+        const Shot camera = shot(view, 480, 270);
+        const Picture a = painter.draw(camera);
+        const Picture b = plain.draw(camera);
+        EXPECT_EQ(differing_pixels(a, b) > 1000U, view == View::first_person);
+        EXPECT_EQ(a.pixel(400, 100), b.pixel(400, 100));
+    }
+}
+
+TEST(SnapshotPainter, PlanShowsTheWholeCampusWithNames) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    SnapshotSettings bare = settings();
+    bare.labels = false;
+    SnapshotPainter nameless(campus, bare);
+    const Picture plan = painter.draw_plan(320, 180);
+    EXPECT_EQ(plan.width, 320);
+    EXPECT_EQ(plan.height, 180);
+    EXPECT_GT(differing_pixels(plan, nameless.draw_plan(320, 180)), 50U);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test
