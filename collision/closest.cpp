@@ -144,19 +144,24 @@ Closest closest(const Segment& segment, const Triangle& t) {
     if (pierces(segment, t, crossing)) {
         return {crossing, crossing, 0.0, Feature::face};
     }
+    // Beside a wall that is parallel to the segment all distances are equal and rounding would choose: the
+    // face goes first there, because its normal can be trusted.
+    constexpr double kTie = 1e-10;  // metres
     Closest best;
     best.distance = 1e300;
+    const auto offer = [&](const Closest& c) {
+        const double ahead = best.feature == c.feature ? 0.0 : (c.feature == Feature::face ? kTie : -kTie);
+        if (c.distance < best.distance + ahead) {
+            best = c;
+        }
+    };
     for (const Vec3& end : {segment.a, segment.b}) {
         Feature feature = Feature::face;
         const Vec3 q = closest_on_triangle(t, end, feature);
-        if (const double distance = (end - q).norm(); distance < best.distance) {
-            best = {end, q, distance, feature};
-        }
+        offer({end, q, (end - q).norm(), feature});
     }
     for (const Segment& edge : {Segment{t.a, t.b}, Segment{t.b, t.c}, Segment{t.c, t.a}}) {
-        if (const Closest c = closest(segment, edge); c.distance < best.distance) {
-            best = c;
-        }
+        offer(closest(segment, edge));
     }
     return best;
 }

@@ -137,6 +137,22 @@ TEST(ClosestSegmentAndTriangle, OverAFaceTheGapIsAlongItsNormal) {
     EXPECT_GT(faces, 100);
 }
 
+/// Upright beside an upright wall every point is as near: rounding must not make an edge of it.
+TEST(ClosestSegmentAndTriangle, ParallelToAFaceTheFaceIsNamed) {
+    Dice dice(28);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 along = Vec3(dice.between(-1, 1), 0, dice.between(0.1, 1)).normalized();
+        const Vec3 out = along.cross(Vec3::UnitY());
+        const Vec3 at = dice.in_cube(50.0);
+        const Triangle t{at - 3 * along, at + 3 * along, at + 3 * along + Vec3(0, 5, 0)};
+        const double gap = dice.between(0.01, 1.0);
+        const Vec3 low = at + gap * out + dice.between(-1, 2) * along + Vec3(0, 0.3, 0);
+        const Closest c = closest(Segment{low, low + Vec3(0, 1.2, 0)}, t);
+        ASSERT_EQ(c.feature, Feature::face) << i;
+        ASSERT_NEAR(c.distance, gap, kRounding) << i;
+    }
+}
+
 class ClosestToSolid : public ::testing::TestWithParam<std::uint32_t> {};
 
 Closest closest_to(const Segment& segment, const Object& object) {
