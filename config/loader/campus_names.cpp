@@ -103,6 +103,10 @@ Standing CampusNames::standing(const CheckedNode& node) const {
         standing.label = label_of({standing.position.data(), 3});
         return standing;
     }
+    if (!node.is_scalar()) {
+        node.complain("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
+        return standing;
+    }
     standing.label = node.line().value_or("");
     if (standing.label.empty() || campus_ == nullptr) {
         return standing;

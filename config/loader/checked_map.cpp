@@ -94,17 +94,14 @@ void CheckedMap::angle(std::string_view key, const Range& degrees, double& targe
     }
 }
 
-bool CheckedMap::refuse_other_keys() const {
-    bool clean = true;
+void CheckedMap::refuse_other_keys() const {
     for (const CheckedNode::Entry& entry : entries_) {
         if (std::ranges::find(asked_, entry.key) == asked_.end()) {
             node_.diagnostics().error(entry.key_mark, "unknown-key",
                                       "unknown key " + in_quotes(entry.key) + " in " + what_ +
                                           suggestion_or_list(entry.key, asked_));
-            clean = false;
         }
     }
-    return clean;
 }
 
 }  // namespace campuswalk::config

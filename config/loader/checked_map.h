@@ -19,8 +19,6 @@ public:
     CheckedMap(const CheckedNode& node, std::string what);
 
     bool is_map() const { return is_map_; }
-    scene::SourceMark mark() const { return node_.mark(); }
-    const CheckedNode& node() const { return node_; }
 
     std::optional<CheckedNode> find(std::string_view key);
     /// As `find`; complains (missing-key) when it is absent.
@@ -46,8 +44,8 @@ public:
         }
     }
 
-    /// Complains (unknown-key) about every key that nobody asked for. True when there was none.
-    bool refuse_other_keys() const;
+    /// Complains (unknown-key) about every key that nobody asked for.
+    void refuse_other_keys() const;
 
 private:
     CheckedNode node_;

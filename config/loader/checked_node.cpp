@@ -16,8 +16,7 @@ bool is_control(char c) {
     return (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7F;
 }
 
-}  // namespace
-
+/// What a message calls the map, list or text at hand.
 std::string_view kind_name(const YamlNode& node) {
     switch (node.kind) {
         case YamlNode::Kind::null:
@@ -31,6 +30,8 @@ std::string_view kind_name(const YamlNode& node) {
     }
     return "";
 }
+
+}  // namespace
 
 void CheckedNode::complain(std::string code, std::string message) const {
     diagnostics_->error(mark(), std::move(code), std::move(message));
@@ -102,7 +103,9 @@ std::optional<std::uint64_t> CheckedNode::seed() const {
         }
     }
     if (number({0.0, 18446744073709551615.0, false, ""})) {
-        complain("bad-value", what_ + " must be a whole number written with digits only");
+        complain("bad-value", what_ +
+                                  " must be a whole number from 0 to 18446744073709551615, written with "
+                                  "digits only");
     }
     return std::nullopt;
 }

@@ -94,7 +94,4 @@ struct CheckedNode::Entry {
     CheckedNode value;
 };
 
-/// Whether the map, list or text at hand is what a message calls it.
-std::string_view kind_name(const YamlNode& node);
-
 }  // namespace campuswalk::config

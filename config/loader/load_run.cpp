@@ -31,13 +31,13 @@ SourceMark whole_file(const fs::path& file) {
     return {shown_path(file), 0, 0};
 }
 
-/// Files in the order they were read, the complaints of each from top to bottom.
-void throw_in_order(const DiagnosticList& diagnostics) {
+/// `first`, then the files it names as they were read; the complaints of each from top to bottom.
+void throw_in_order(const DiagnosticList& diagnostics, const SourceMark& first) {
     if (!diagnostics.has_errors()) {
         return;
     }
     std::vector<Diagnostic> sorted = diagnostics.all();
-    std::vector<std::string> files;
+    std::vector<std::string> files = {first.file};
     for (const Diagnostic& diagnostic : sorted) {
         if (std::ranges::find(files, diagnostic.mark.file) == files.end()) {
             files.push_back(diagnostic.mark.file);
@@ -53,21 +53,19 @@ void throw_in_order(const DiagnosticList& diagnostics) {
 /// `asked_at` is where the file is named: another file, or itself when the user named it.
 std::optional<CampusDescription> open_campus(const fs::path& path, const SourceMark& asked_at,
                                              DiagnosticList& diagnostics) {
-    const std::string name = name_from_file(path, ".campus.yaml", asked_at, diagnostics);
-    const auto file = YamlFile::open(path, asked_at, diagnostics);
+    const auto file = YamlFile::open(path, ".campus.yaml", asked_at, diagnostics);
     if (!file) {
         return std::nullopt;
     }
     CampusDescription campus = read_campus(file->root(), path.parent_path());
-    campus.name = name;
+    campus.name = file->name();
     campus.mark = file->mark();
     return campus;
 }
 
 AvatarProfile open_avatar(const fs::path& path, const SourceMark& asked_at, DiagnosticList& diagnostics) {
-    name_from_file(path, ".avatar.yaml", asked_at, diagnostics);
     AvatarProfile profile;
-    if (const auto file = YamlFile::open(path, asked_at, diagnostics)) {
+    if (const auto file = YamlFile::open(path, ".avatar.yaml", asked_at, diagnostics)) {
         CheckedMap map(file->root(), "an avatar");
         read_avatar_fields(map, profile);
         map.refuse_other_keys();
@@ -145,27 +143,28 @@ Run load_run(const fs::path& walk_file, const SearchPaths& search) {
     DiagnosticList diagnostics;
     Run run;
     const SourceMark mark = whole_file(walk_file);
-    const std::string name = name_from_file(walk_file, ".walk.yaml", mark, diagnostics);
-    if (const auto file = YamlFile::open(walk_file, mark, diagnostics)) {
+    if (const auto file = YamlFile::open(walk_file, ".walk.yaml", mark, diagnostics)) {
         run = RunReader(walk_file, search, diagnostics).read(*file);
+        run.walk.name = file->name();
     }
-    run.walk.name = name;
     run.walk.mark = mark;
-    throw_in_order(diagnostics);
+    throw_in_order(diagnostics, mark);
     return run;
 }
 
 CampusDescription load_campus_description(const fs::path& campus_file) {
     DiagnosticList diagnostics;
-    std::optional<CampusDescription> campus = open_campus(campus_file, whole_file(campus_file), diagnostics);
-    throw_in_order(diagnostics);
+    const SourceMark mark = whole_file(campus_file);
+    std::optional<CampusDescription> campus = open_campus(campus_file, mark, diagnostics);
+    throw_in_order(diagnostics, mark);
     return std::move(*campus);
 }
 
 AvatarProfile load_avatar(const fs::path& avatar_file) {
     DiagnosticList diagnostics;
-    AvatarProfile profile = open_avatar(avatar_file, whole_file(avatar_file), diagnostics);
-    throw_in_order(diagnostics);
+    const SourceMark mark = whole_file(avatar_file);
+    AvatarProfile profile = open_avatar(avatar_file, mark, diagnostics);
+    throw_in_order(diagnostics, mark);
     return profile;
 }
 

@@ -45,14 +45,12 @@ std::optional<std::string> kebab_path(const CheckedNode& node) {
     return checked(node, is_kebab_path, kPathForm);
 }
 
-bool check_kebab_key(const CheckedNode::Entry& entry) {
-    const bool holds = entry.key.size() <= kLongestName && is_kebab(entry.key);
-    if (!holds) {
+void check_kebab_key(const CheckedNode::Entry& entry) {
+    if (entry.key.size() > kLongestName || !is_kebab(entry.key)) {
         entry.value.diagnostics().error(
             entry.key_mark, "bad-value",
             "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
     }
-    return holds;
 }
 
 std::vector<scene::NodeGlob> node_globs(const CheckedNode& node) {

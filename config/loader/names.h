@@ -17,8 +17,8 @@ std::optional<std::string> kebab_name(const CheckedNode& node);
 /// Kebab-case words joined by '/', as in "library/door".
 std::optional<std::string> kebab_path(const CheckedNode& node);
 
-/// The same word as a key of a map; false after complaining.
-bool check_kebab_key(const CheckedNode::Entry& entry);
+/// The same word as a key of a map.
+void check_kebab_key(const CheckedNode::Entry& entry);
 
 /// Globs over node names: one, or a list of them.
 std::vector<scene::NodeGlob> node_globs(const CheckedNode& node);

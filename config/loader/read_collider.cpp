@@ -84,6 +84,13 @@ constexpr std::array kShapes = {Choice<ShapeReader>{"mesh", read_mesh}, Choice<S
                                 Choice<ShapeReader>{"capsule", read_capsule},
                                 Choice<ShapeReader>{"wheel", read_wheel}};
 
+/// Without knowing the shape, no shape's key can be called wrong.
+void accept_keys_of_any_shape(CheckedMap& map) {
+    for (const char* key : {"center", "base", "size", "yaw_deg", "radius", "height", "width", "axis"}) {
+        map.find(key);
+    }
+}
+
 using ModeFlag = bool DetectionModes::*;
 constexpr std::array kModes = {Choice<ModeFlag>{"solid", &DetectionModes::solid},
                                Choice<ModeFlag>{"trigger", &DetectionModes::trigger},
@@ -157,8 +164,10 @@ ColliderDescription read_collider(const CheckedNode& node, const CampusDescripti
     }
     if (read_shape) {
         collider.shape = (*read_shape)(map);
-        map.refuse_other_keys();  // which keys are right depends on the shape
+    } else {
+        accept_keys_of_any_shape(map);
     }
+    map.refuse_other_keys();
     return collider;
 }
 

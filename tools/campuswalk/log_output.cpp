@@ -1,15 +1,14 @@
 #include "tools/campuswalk/log_output.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <spdlog/logger.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
+
+#include "tools/campuswalk/standard_streams.h"
 
 namespace campuswalk::tools {
 
@@ -20,11 +19,7 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
         sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
     }
     if (file) {
-        try {
-            sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(file->string(), true));
-        } catch (const spdlog::spdlog_ex&) {
-            throw std::runtime_error(std::generic_category().message(errno));
-        }
+        sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(file->string(), true));
     }
     logger_ = std::make_shared<spdlog::logger>("walk", sinks.begin(), sinks.end());
     logger_->set_pattern("%v");
@@ -34,14 +29,13 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
 
 void LogOutput::line(std::string_view text) {
     logger_->info(text);
+    if (to_terminal_) {
+        check_standard_output();  // spdlog's terminal sink doesn't look at what its writes return
+    }
 }
 
 void LogOutput::flush() {
     logger_->flush();
-    // spdlog's terminal sink doesn't look at what the writes return.
-    if (to_terminal_ && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
-        throw std::runtime_error("the log can't be written to standard output");
-    }
 }
 
 }  // namespace campuswalk::tools

@@ -14,12 +14,12 @@ namespace campuswalk::tools {
 /// Lines to the terminal, to a file, or to both, through spdlog. The program's only use of it.
 class LogOutput {
 public:
-    /// Truncates `file`. Throws std::runtime_error with the system's reason when it can't be opened.
+    /// Truncates `file`. Throws std::runtime_error when it can't be opened.
     LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file);
 
-    /// Throws std::runtime_error when the line can't be written.
+    /// Throws std::runtime_error when the line can't be written; for a file that may show at `flush` only.
     void line(std::string_view text);
-    /// Everything is on disk when this returns; throws like `line`.
+    /// Everything is written when this returns; throws like `line`.
     void flush();
 
 private:

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,7 @@
 #include "tools/campuswalk/info_command.h"
 #include "tools/campuswalk/run_command.h"
 #include "tools/campuswalk/snapshot_command.h"
+#include "tools/campuswalk/standard_streams.h"
 #include "tools/campuswalk/validate_command.h"
 
 using namespace campuswalk;
@@ -35,10 +37,27 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description) 
     return command;
 }
 
+/// An option that takes one of a few words.
+template <typename Value>
+void add_choice(CLI::App& command, const char* name, const std::map<std::string, Value>& choices,
+                Value& target, const std::string& description) {
+    std::string words;
+    for (const auto& [word, value] : choices) {
+        words += (words.empty() ? "" : "|") + word;
+    }
+    command
+        .add_option_function<std::string>(
+            name, [choices, &target](const std::string& word) { target = choices.at(word); }, description)
+        ->check([choices, words](const std::string& word) {
+            return choices.contains(word) ? std::string() : "'" + word + "' is none of " + words;
+        })
+        ->type_name(words);
+}
+
 void add_run(CLI::App& app, Arguments& arguments) {
     RunOptions& run = arguments.run;
     CLI::App* command = add_command(app, "run", "Walk scripted paths and log what happens");
-    command->add_option("WALK", run.walks, "NAME.walk.yaml files")->required();
+    command->add_option("WALK", run.walks, "NAME.walk.yaml files")->required()->type_name("FILE");
     command->add_option("--log", run.log, "Write the event log to this file too")->type_name("FILE");
     command->add_option("--jsonl", run.jsonl, "Write the events as JSON lines")->type_name("FILE");
     command->add_option("--output", run.output, "Folder for pictures: DIR/WALK/SNAPSHOT.png")
@@ -46,10 +65,7 @@ void add_run(CLI::App& app, Arguments& arguments) {
         ->capture_default_str();
     const std::map<std::string, Backend> backends = {
         {"auto", Backend::automatic}, {"osmesa", Backend::osmesa}, {"none", Backend::none}};
-    command->add_option("--rendering-backend", run.backend, "Draws the pictures: auto, osmesa or none")
-        ->transform(CLI::Transformer(backends, CLI::ignore_case))
-        ->check(CLI::IsMember({Backend::automatic, Backend::osmesa, Backend::none}))
-        ->type_name("NAME");
+    add_choice(*command, "--rendering-backend", backends, run.backend, "What draws the pictures");
     command->add_flag("-q,--quiet", run.quiet, "Don't print the log");
     command->callback([&] { arguments.chosen = [&] { return run_walks(run); }; });
     command->footer(
@@ -62,7 +78,8 @@ void add_validate(CLI::App& app, Arguments& arguments) {
     CLI::App* command =
         add_command(app, "validate", "Check walks, campuses and avatars without running anything");
     command->add_option("FILE", arguments.validate, "*.walk.yaml, *.campus.yaml or *.avatar.yaml")
-        ->required();
+        ->required()
+        ->type_name("");
     command->callback([&] { arguments.chosen = [&] { return validate_files(arguments.validate); }; });
 }
 
@@ -78,13 +95,12 @@ void add_info(CLI::App& app, Arguments& arguments) {
                 info.scene.mark.file = file;
             },
             "A model file: glTF, OBJ, FBX, COLLADA, ...")
-        ->required();
+        ->required()
+        ->type_name("FILE");
     const std::map<std::string, scene::UpAxis> axes = {{"y", scene::UpAxis::y}, {"z", scene::UpAxis::z}};
-    command->add_option("--up", info.scene.up, "The file's up axis: y or z")
-        ->transform(CLI::CheckedTransformer(axes, CLI::ignore_case))
-        ->type_name("AXIS");
+    add_choice(*command, "--up", axes, info.scene.up, "The file's up axis");
     command->add_option("--scale", info.scene.scale, "Metres per unit of the file")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1e-9, 1e9))
         ->capture_default_str();
     command->add_flag("--json", info.json, "As JSON");
     command->callback([&] { arguments.chosen = [&] { return print_info(info); }; });
@@ -93,7 +109,7 @@ void add_info(CLI::App& app, Arguments& arguments) {
 void add_snapshot(CLI::App& app, Arguments& arguments) {
     SnapshotOptions& snapshot = arguments.snapshot;
     CLI::App* command = add_command(app, "snapshot", "Draw one picture of a campus");
-    command->add_option("CAMPUS", snapshot.campus, "NAME.campus.yaml")->required();
+    command->add_option("CAMPUS", snapshot.campus, "NAME.campus.yaml")->required()->type_name("FILE");
     command->add_option("--camera", snapshot.camera, "top for a plan of everything, or a spawn to look from")
         ->capture_default_str()
         ->type_name("NAME");
@@ -111,7 +127,9 @@ void add_snapshot(CLI::App& app, Arguments& arguments) {
 
 int guarded(const std::function<int()>& command) {
     try {
-        return command();
+        const int exit_code = command();
+        check_standard_output();
+        return exit_code;
     } catch (const scene::InputError& error) {
         complain(error.diagnostics());
         return kBadInput;
@@ -121,12 +139,40 @@ int guarded(const std::function<int()>& command) {
     }
 }
 
+/// CLI11 only says that a command is missing when it doesn't know the one that is there.
+std::string mistake_before_a_command(const CLI::App& app) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names.push_back(command->get_name());
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    const std::vector<std::string> unknown = app.remaining();
+    if (unknown.empty()) {
+        return "a command is needed: " + list;
+    }
+    const std::string& word = unknown.front();
+    return "there is no " + std::string(word.starts_with('-') ? "option" : "command") + " '" + word + "'" +
+           scene::did_you_mean(word, names);
+}
+
+std::string explanation(const CLI::App* app, const CLI::Error& error) {
+    const std::vector<CLI::App*> chosen = app->get_subcommands();
+    if (chosen.empty()) {
+        return "error: " + mistake_before_a_command(*app) + "\nsee campuswalk --help\n";
+    }
+    return "error: " + std::string(error.what()) + "\nsee campuswalk " + chosen.front()->get_name() +
+           " --help\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    guard_standard_streams();
     CLI::App app("Walks scripted paths through virtual campuses without a screen.", "campuswalk");
     app.set_version_flag("--version", kVersion);
     app.require_subcommand(1);
+    app.failure_message(explanation);
     Arguments arguments;
     add_run(app, arguments);
     add_validate(app, arguments);
@@ -135,7 +181,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kPass : kBadInput;
+        return guarded([&] { return app.exit(error) == 0 ? kPass : kBadInput; });
     }
     return guarded(arguments.chosen);
 }

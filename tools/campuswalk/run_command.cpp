@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -19,6 +18,7 @@
 #include "tools/campuswalk/log_output.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/walk_loader.h"
+#include "tools/campuswalk/writable_path.h"
 
 namespace campuswalk::tools {
 
@@ -72,22 +72,37 @@ std::vector<LoadedWalk> load_all(const std::vector<fs::path>& files, bool& all_g
     return walks;
 }
 
-LogOutput open_log(bool to_terminal, const std::optional<fs::path>& file) {
-    try {
-        return LogOutput(to_terminal, file);
-    } catch (const std::runtime_error& error) {
-        throw about_file(file.value_or("log"), "log-unwritable",
-                         std::string("can't be written: ") + error.what());
+void check_log_file(const std::optional<fs::path>& file) {
+    if (!file) {
+        return;
+    }
+    if (file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
+        throw about_file(*file, "log-unwritable", "a log would overwrite this YAML file; name another");
+    }
+    if (const std::string why = why_file_unwritable(*file); !why.empty()) {
+        throw about_file(*file, "log-unwritable", "the log can't be written here: " + why);
     }
 }
 
-/// Pictures that can't be saved are seen before the walk, not after its first minute.
-void make_picture_folders(const fs::path& output, const std::vector<LoadedWalk>& walks) {
+/// What can't be written is seen before the walk, not after its first minute, and before anything is
+/// overwritten.
+void check_outputs(const RunOptions& options, bool pictures, const std::vector<LoadedWalk>& walks) {
+    check_log_file(options.log);
+    check_log_file(options.jsonl);
+    const auto same_for_all = [](const fs::path& file) {
+        std::error_code none;
+        return fs::weakly_canonical(fs::absolute(file, none), none);
+    };
+    if (options.log && options.jsonl && same_for_all(*options.log) == same_for_all(*options.jsonl)) {
+        throw about_file(*options.jsonl, "log-unwritable", "--log and --jsonl need a file each");
+    }
     for (const LoadedWalk& loaded : walks) {
-        const fs::path folder = output / loaded.walk.name;
-        std::error_code error;
-        if (takes_pictures(loaded.walk) && !fs::create_directories(folder, error) && error) {
-            throw about_file(folder, "output-unwritable", "pictures can't be saved here: " + error.message());
+        const fs::path folder = options.output / loaded.walk.name;
+        if (!pictures || !takes_pictures(loaded.walk)) {
+            continue;
+        }
+        if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
+            throw about_file(folder, "output-unwritable", "pictures can't be saved here: " + why);
         }
     }
 }
@@ -142,12 +157,12 @@ int run_walks(const RunOptions& options) {
     if (walks.empty()) {
         return kBadInput;
     }
-    if (pictures) {
-        make_picture_folders(options.output, walks);
-    } else if (options.backend == Backend::automatic) {
+    check_outputs(options, pictures, walks);
+    const auto wants_some = [](const LoadedWalk& loaded) { return takes_pictures(loaded.walk); };
+    if (!pictures && options.backend == Backend::automatic && std::ranges::any_of(walks, wants_some)) {
         std::fprintf(stderr, "this build has no rendering: snapshots are logged but not drawn\n");
     }
-    Outputs outputs{open_log(!options.quiet, options.log), open_log(false, options.jsonl), pictures,
+    Outputs outputs{LogOutput(!options.quiet, options.log), LogOutput(false, options.jsonl), pictures,
                     options.output};
 
     std::signal(SIGINT, [](int) { interrupted = true; });

@@ -2,12 +2,15 @@
 
 #include <cstdio>
 #include <string>
+#include <system_error>
 
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/walk_loader.h"
 
 namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -22,7 +25,7 @@ std::string summary_of(const scene::Campus& campus) {
 }
 
 /// Checks one file by what its name says it is; returns what is in it.
-std::string check(WalkLoader& loader, const std::filesystem::path& file) {
+std::string check(WalkLoader& loader, const fs::path& file) {
     const std::string name = file.filename().string();
     if (name.ends_with(".campus.yaml")) {
         return summary_of(*loader.load_campus(file));
@@ -30,6 +33,13 @@ std::string check(WalkLoader& loader, const std::filesystem::path& file) {
     if (name.ends_with(".avatar.yaml")) {
         config::load_avatar(file);
         return "an avatar";
+    }
+    std::error_code none;
+    if (!name.ends_with(".walk.yaml") && fs::is_regular_file(file, none)) {
+        throw scene::InputError(
+            {file.string(), 0, 0}, "file-name",
+            "only NAME.walk.yaml, NAME.campus.yaml and NAME.avatar.yaml are checked; name "
+            "another file or rename this one");
     }
     const LoadedWalk loaded = loader.load_walk(file);
     return count(loaded.walk.steps.size(), "step") + ", " +
@@ -39,10 +49,10 @@ std::string check(WalkLoader& loader, const std::filesystem::path& file) {
 
 }  // namespace
 
-int validate_files(const std::vector<std::filesystem::path>& files) {
+int validate_files(const std::vector<fs::path>& files) {
     WalkLoader loader;
     int exit_code = kPass;
-    for (const std::filesystem::path& file : files) {
+    for (const fs::path& file : files) {
         try {
             const std::string found = check(loader, file);
             std::printf("%s: ok: %s\n", file.string().c_str(), found.c_str());

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace campuswalk::tools {
+
+// Looked at before a walk and without touching anything: a run that is refused leaves no trace.
+
+/// Why a file can't be created or replaced here, together with the folders it needs; empty when it can.
+std::string why_file_unwritable(const std::filesystem::path& file);
+
+/// The same for a folder and the files in it.
+std::string why_folder_unwritable(const std::filesystem::path& folder);
+
+}  // namespace campuswalk::tools
