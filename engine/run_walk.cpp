@@ -18,23 +18,28 @@ std::string hexadecimal(std::uint64_t value) {
     return std::string(digits.size() - count, '0') + std::string(digits.data(), count);
 }
 
-/// The walk's last line and, before it, what was not as expected.
-void add_verdict(const Walk& walk, const WalkSummary& summary, std::vector<Event>& events) {
-    const auto add = [&](EventKind kind, std::string object) -> Event& {
-        Event& event = events.emplace_back();
-        event.tick = summary.ticks;
-        event.kind = kind;
-        event.object = std::move(object);
-        return event;
-    };
+Event event_at(Tick tick, EventKind kind, std::string object) {
+    Event event;
+    event.tick = tick;
+    event.kind = kind;
+    event.object = std::move(object);
+    return event;
+}
+
+/// Puts the verdict into the walk's last event and, before it, what was not as expected.
+void add_verdict(const WalkSummary& summary, std::vector<Event>& events) {
+    Event end = std::move(events.back());
+    events.pop_back();
     for (const Failure& failure : summary.failures) {
-        add(EventKind::expect_fail, failure.code).fields = {
-            {"line", static_cast<std::int64_t>(failure.mark.line)}, {"message", Text{failure.message}}};
+        Event& event = events.emplace_back(event_at(summary.ticks, EventKind::expect_fail, failure.code));
+        event.fields = {{"line", static_cast<std::int64_t>(failure.mark.line)},
+                        {"message", Text{failure.message}}};
     }
-    add(EventKind::walk_end, walk.name).fields = {{"result", std::string(summary.passed ? "pass" : "fail")},
-                                                  {"events", summary.events},
-                                                  {"dist", Decimal{summary.distance, 3}},
-                                                  {"hash", hexadecimal(summary.hash)}};
+    end.fields = {{"result", std::string(summary.passed ? "pass" : "fail")},
+                  {"events", summary.events},
+                  {"dist", Decimal{summary.distance, 3}},
+                  {"hash", hexadecimal(summary.hash)}};
+    events.push_back(std::move(end));
 }
 
 }  // namespace
@@ -61,6 +66,11 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
     }
 
     FrameRecord last = simulation.leave_everything();
+    std::vector<Event> closing(last.events.begin(), last.events.end());
+    // walk.start is not counted, nor is walk.end, which expectations see without the verdict on them.
+    summary.events += static_cast<std::int64_t>(closing.size()) - 1;
+    closing.push_back(event_at(last.tick, EventKind::walk_end, walk.name));
+    last.events = closing;
     jury.see(last);
     if (const auto& stop = simulation.stop()) {
         summary.failures.push_back({stop->mark, stop->code, stop->message});
@@ -68,14 +78,12 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
     for (Failure& failure : jury.verdicts()) {
         summary.failures.push_back(std::move(failure));
     }
-    std::vector<Event> closing(last.events.begin(), last.events.end());
     summary.passed = summary.failures.empty();
-    // walk.start is not counted; the failures are.
-    summary.events += static_cast<std::int64_t>(closing.size() + summary.failures.size()) - 1;
+    summary.events += static_cast<std::int64_t>(summary.failures.size());
     summary.distance = simulation.distance();
     summary.hash = simulation.hash();
     summary.counters = simulation.counters();
-    add_verdict(walk, summary, closing);
+    add_verdict(summary, closing);
     last.events = closing;
     show(last);
     for (Observer* observer : observers) {
