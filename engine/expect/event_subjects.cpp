@@ -47,7 +47,9 @@ void EventSubjects::add_objects(const scene::Campus& campus) {
 void EventSubjects::add_steps(const Walk& walk) {
     for (const Step& step : walk.steps) {
         if (const auto* spawn = std::get_if<SpawnStep>(&step)) {
-            names_[EventKind::avatar_spawn].push_back(spawn->label);
+            if (&step != &walk.steps.front()) {  // the first is told by walk.start
+                names_[EventKind::avatar_spawn].push_back(spawn->label);
+            }
         } else if (const auto* teleport = std::get_if<TeleportStep>(&step)) {
             names_[EventKind::avatar_teleport].push_back(teleport->label);
         } else if (const auto* walk_to = std::get_if<WalkToStep>(&step)) {

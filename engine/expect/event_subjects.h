@@ -15,7 +15,8 @@ class EventSubjects {
 public:
     EventSubjects(const scene::Campus& campus, const Walk& walk);
 
-    /// Whether some event of the pattern's kinds could be about something the pattern names.
+    /// Whether some event of the pattern's kinds could be about something the pattern names. A bare `*` names
+    /// nothing that could be mistyped, so it always may.
     bool can_happen(const EventPattern& pattern) const;
     /// Everything that events of the pattern's kinds can be about.
     std::vector<std::string> names(const EventPattern& pattern) const;
