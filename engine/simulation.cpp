@@ -150,6 +150,12 @@ void Simulation::move(const Intent& intent) {
 }
 
 void Simulation::put(const Intent::Placement& placement, double yaw) {
+    const bool teleported = placement.kind == EventKind::avatar_teleport;
+    placed_ = teleported ? "teleport" : "spawn";
+    if (tick_ > 0) {  // what is met ends where the avatar was
+        senses_.leave_all(tick_, transitions_);
+        report_transitions(placed_);
+    }
     const AvatarProfile& a = walk_.avatar;
     // check_walk has refused places that aren't free.
     const Vector3d foot = collision::free_place(campus_.world, solids_, placement.foot, a.radius, a.height,
@@ -159,13 +165,6 @@ void Simulation::put(const Intent::Placement& placement, double yaw) {
     trace_.path.assign(1, body_.foot);
     trace_.landed = false;
     mover_.touch(body_, trace_, counters_);
-    const bool teleported = placement.kind == EventKind::avatar_teleport;
-    placed_ = teleported ? "teleport" : "spawn";
-    if (tick_ > 0) {
-        senses_.leave_all(tick_, transitions_);
-        report_transitions(placed_);
-    }
-    avatar_.position = body_.foot;
     if (tick_ > 0) {
         Event& event = add(placement.kind, *placement.label);
         event.fields = {{"pos", body_.foot}, {"yaw", Decimal{yaw * kDegrees, 1}}};

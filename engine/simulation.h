@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -81,12 +82,13 @@ private:
     collision::QueryCounters counters_;
 };
 
-/// The object's settings for the collision layer.
+/// The avatar's body as the collision layer takes it.
 collision::MoverSettings mover_settings(const AvatarProfile& avatar);
 /// Bits of the layers the avatar takes no notice of.
 std::uint32_t ignored_layers(const scene::Campus& campus, const AvatarProfile& avatar);
 
-/// How far above a written-down place the avatar looks for a free one, and below it for ground, metres.
+/// How far above a written-down place the avatar looks for a free one, metres. Ground is looked for twice as
+/// far below what it found, so at least as far below what was written.
 constexpr double kPlacementSearch = 0.5;
 
 }  // namespace campuswalk::engine
