@@ -23,6 +23,12 @@ constexpr double kTouchSlack = 1e-3;   // metres beyond the skin: bumping into s
 constexpr double kPartSlack = 5e-3;    // metres beyond the skin: and ends
 constexpr double kVolumeSlack = 1e-3;  // metres outside a trigger at which it is left
 
+void sort_for_log(std::vector<SensedTransition>& transitions) {
+    std::ranges::sort(transitions, {}, [](const SensedTransition& s) {
+        return std::tuple(s.transition.at, s.transition.phase, s.transition.object, s.strategy);
+    });
+}
+
 }  // namespace
 
 Senses::Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
@@ -43,9 +49,7 @@ void Senses::sense(Tick tick, const AvatarState& avatar, const collision::MoveTr
     collect(tick, Strategy::trigger, triggers_, out);
     see_gaze(avatar, counters);
     collect(tick, Strategy::ray, gaze_, out);
-    std::ranges::sort(out, {}, [](const SensedTransition& s) {
-        return std::tuple(s.transition.at, s.transition.phase, s.transition.object, s.strategy);
-    });
+    sort_for_log(out);
 }
 
 void Senses::leave_all(Tick tick, std::vector<SensedTransition>& out) {
@@ -60,6 +64,7 @@ void Senses::leave_all(Tick tick, std::vector<SensedTransition>& out) {
     leave(Strategy::collision, solids_);
     leave(Strategy::trigger, triggers_);
     leave(Strategy::ray, gaze_);
+    sort_for_log(out);
 }
 
 void Senses::collect(Tick tick, Strategy strategy, ContactTracker& tracker,
@@ -90,33 +95,40 @@ void Senses::see_triggers(const collision::MoveTrace& trace, collision::QueryCou
     }
     const QueryFilter filter{Detection::trigger, ignored_layers_};
     campus_.world.candidates(box.grown(avatar_.radius + kVolumeSlack), filter, candidates_);
-    const auto parts = static_cast<double>(std::max<std::size_t>(1, trace.path.size() - 1));
     for (const collision::ObjectId id : candidates_) {
-        const bool was_in = triggers_.active(id);
-        const double radius = avatar_.radius + (was_in ? kVolumeSlack : 0.0);
-        Sighting sighting{id, false, false, 1.0, 0.0};
-        for (std::size_t i = 0; i < trace.path.size(); ++i) {
-            const Vec3& foot = trace.path[i];
-            const bool last = i + 1 == trace.path.size();
-            if (last && i > 0) {
-                break;
-            }
-            const Vec3 move = last ? Vec3(Vec3::Zero()) : Vec3(trace.path[i + 1] - foot);
-            const Segment body{foot + Vec3(0, avatar_.radius, 0),
-                               foot + Vec3(0, avatar_.height - avatar_.radius, 0)};
-            const auto span = overlap_span(campus_.world, id, body, radius, move, counters);
-            sighting.present = span && span->at_end;
-            if (span) {
-                const auto part = static_cast<double>(i);
-                sighting.enter_at = sighting.met ? sighting.enter_at : (part + span->enter) / parts;
-                sighting.exit_at = (part + span->leave) / parts;
-                sighting.met = true;
-            }
-        }
-        if (was_in || sighting.met) {
+        const Sighting sighting = sight_trigger(id, trace.path, counters);
+        if (sighting.met || triggers_.active(id)) {
             seen_.push_back(sighting);
         }
     }
+}
+
+/// How the avatar meets a volume along its path, from the first contact to the last.
+Sighting Senses::sight_trigger(collision::ObjectId id, const std::vector<Vec3>& path,
+                               collision::QueryCounters& counters) const {
+    const double radius = avatar_.radius + (triggers_.active(id) ? kVolumeSlack : 0.0);
+    const auto span_from = [&](const Vec3& foot, const Vec3& move) {
+        const Segment body{foot + Vec3(0, avatar_.radius, 0),
+                           foot + Vec3(0, avatar_.height - avatar_.radius, 0)};
+        return overlap_span(campus_.world, id, body, radius, move, counters);
+    };
+    if (path.size() == 1) {  // put down here
+        const bool inside = span_from(path.front(), Vec3::Zero()).has_value();
+        return {id, inside, inside, 1.0, 1.0};
+    }
+    Sighting sighting{id, false, false, 1.0, 0.0};
+    const auto parts = static_cast<double>(path.size() - 1);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const auto span = span_from(path[i], path[i + 1] - path[i]);
+        sighting.present = span && span->at_end;
+        if (span) {
+            const auto part = static_cast<double>(i);
+            sighting.enter_at = sighting.met ? sighting.enter_at : (part + span->enter) / parts;
+            sighting.exit_at = (part + span->leave) / parts;
+            sighting.met = true;
+        }
+    }
+    return sighting;
 }
 
 void Senses::see_gaze(const AvatarState& avatar, collision::QueryCounters& counters) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "collision/counters.h"
@@ -33,12 +34,14 @@ public:
     void sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
                std::vector<SensedTransition>& out, collision::QueryCounters& counters);
 
-    /// Everything ends at once. Replaces `out`.
+    /// Everything ends at once. Replaces `out`, in the same order.
     void leave_all(Tick tick, std::vector<SensedTransition>& out);
 
 private:
     void see_solids(const collision::MoveTrace& trace);
     void see_triggers(const collision::MoveTrace& trace, collision::QueryCounters& counters);
+    Sighting sight_trigger(collision::ObjectId id, const std::vector<collision::Vec3>& path,
+                           collision::QueryCounters& counters) const;
     void see_gaze(const AvatarState& avatar, collision::QueryCounters& counters);
     void collect(Tick tick, Strategy strategy, ContactTracker& tracker, std::vector<SensedTransition>& out);
 

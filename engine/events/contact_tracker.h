@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 struct Sighting {
     collision::ObjectId object{};
     bool present = true;    ///< at the end of the tick
-    bool met = false;       ///< was met within the tick though absent at both ends (a transit)
+    bool met = false;       ///< at some moment of the tick; tells a transit from an absence
     double enter_at = 1.0;  ///< fraction of the tick; used when it was absent before
     double exit_at = 1.0;   ///< fraction of the tick; used when it is absent at the end
 };

@@ -61,10 +61,11 @@ struct Field {
     FieldValue value;
 };
 
-/// One thing that happened. Ordered within a walk by (tick, at, exits before enters, object).
+/// One thing that happened. Contacts are ordered within a tick by (at, exits before enters, object); where
+/// the avatar is put elsewhere, all exits come first.
 struct Event {
     Tick tick = 0;
-    double at = 1.0;  ///< fraction of the tick at which it happened, (0, 1]
+    double at = 1.0;  ///< fraction of the tick at which it happened, [0, 1]
     EventKind kind = EventKind::walk_start;
     std::string object;
     std::vector<Field> fields;
