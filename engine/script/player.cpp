@@ -15,7 +15,8 @@ namespace {
 
 /// Standing this far above or below a target that has a height still counts as being there, metres.
 constexpr double kLevel = 0.5;
-/// A walk_to gives up after this many seconds in which its target came no nearer by kProgress.
+/// A walk_to gives up after this many seconds in which its target came no nearer by kProgress, or by half of
+/// what a slower avatar would walk in that time.
 constexpr double kPatience = 1.5;
 constexpr double kProgress = 0.05;  // metres
 constexpr double kAligned = 1e-9;   // radians
@@ -120,7 +121,8 @@ ScriptPlayer::Outcome ScriptPlayer::outcome(const WalkToStep& step, const Avatar
     if (distance <= step.within && (!step.target.has_height || std::abs(way.y()) <= kLevel)) {
         return Outcome::arrived;
     }
-    if (distance < progress_.nearest - kProgress) {
+    const double speed = step.speed.value_or(walk_.avatar.speed);
+    if (distance < progress_.nearest - std::min(kProgress, 0.5 * speed * kPatience)) {
         progress_.nearest = distance;
         progress_.since_closer = progress_.ticks;
     }

@@ -39,7 +39,7 @@ struct Target {
     bool has_height = false;
 };
 
-/// Puts the avatar down; the first step of every walk. `spawn` must be free: it is checked before the run.
+/// Puts the avatar down; the first step of every walk. The place must be free: it is checked before the run.
 struct SpawnStep {
     SourceMark mark;
     std::string label;
