@@ -6,7 +6,7 @@
 
 namespace campuswalk::engine {
 
-/// `value` with a fixed count of decimals, in any locale; what rounds to zero has no sign.
+/// `value` with a fixed count of decimals (80 at most), in any locale; what rounds to zero has no sign.
 std::string fixed(double value, int digits);
 /// `x,y,z` in millimetres' resolution.
 std::string fixed(const Eigen::Vector3d& value);

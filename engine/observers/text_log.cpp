@@ -1,6 +1,6 @@
 #include "engine/observers/text_log.h"
 
-#include <array>
+#include <algorithm>
 #include <string_view>
 
 #include "engine/decimals.h"
@@ -54,8 +54,10 @@ std::string text_of(const Eigen::Vector3d& value) {
     return fixed(value);
 }
 std::string text_of(const std::string& value) {
-    const bool bare = !value.empty() && value.find_first_of(" \"\\=\t\n") == std::string::npos;
-    return bare ? value : in_quotes(value);
+    const auto breaks_columns = [](char c) {
+        return static_cast<unsigned char>(c) <= 0x20 || c == 0x7f || c == '"' || c == '\\' || c == '=';
+    };
+    return value.empty() || std::ranges::any_of(value, breaks_columns) ? in_quotes(value) : value;
 }
 std::string text_of(const Text& value) {
     return in_quotes(value.value);
@@ -68,9 +70,9 @@ std::string text_line(const Event& event, double time) {
                        right_aligned(fixed(time, 6), kTimeWidth, ' ') + ' ' +
                        left_aligned(name_of(event.kind), kKindWidth) + ' ';
     if (event.fields.empty()) {
-        return line + event.object;
+        return line + text_of(event.object);
     }
-    line += left_aligned(event.object, kObjectWidth);
+    line += left_aligned(text_of(event.object), kObjectWidth);
     for (const Field& field : event.fields) {
         line += ' ';
         line += field.name;
@@ -81,7 +83,7 @@ std::string text_line(const Event& event, double time) {
 }
 
 void TextLog::begin(const Walk& walk) {
-    sink_("# walk-log 1 walk=" + walk.name + " campus=" + walk.campus_name +
+    sink_("# walk-log 1 walk=" + text_of(walk.name) + " campus=" + text_of(walk.campus_name) +
           " tps=" + std::to_string(walk.sim.ticks_per_second) + " seed=" + std::to_string(walk.sim.seed));
 }
 
