@@ -1,0 +1,67 @@
+#include "collision/mesh_collider.h"
+
+#include <atomic>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/mesh_pieces.h"
+
+namespace campuswalk::collision {
+namespace {
+
+TriangleMesh box() {
+    TriangleMesh mesh;
+    support::add_box(mesh, {0, 0, 0}, {1, 1, 1});
+    return mesh;
+}
+
+TEST(MeshCollider, HoldsTheMeshAndItsTree) {
+    const MeshCollider collider(box());
+    EXPECT_EQ(collider.mesh().triangles.size(), 12U);
+    EXPECT_EQ(collider.tree().order.size(), 12U);
+    EXPECT_FALSE(collider.tree().nodes.empty());
+    EXPECT_TRUE(collider.closed_parts().contains({0.5, 0.5, 0.5}));
+    EXPECT_EQ(&collider.closed_parts(), &collider.closed_parts()) << "found once";
+}
+
+TEST(MeshCollider, RefusesAMeshWithoutTriangles) {
+    EXPECT_THROW(MeshCollider{TriangleMesh{}}, std::invalid_argument);
+    TriangleMesh points = box();
+    points.triangles.clear();
+    EXPECT_THROW(MeshCollider{points}, std::invalid_argument);
+}
+
+TEST(MeshCollider, RefusesAnIndexOutOfRange) {
+    TriangleMesh mesh = box();
+    mesh.triangles[7][1] = static_cast<std::uint32_t>(mesh.positions.size());
+    EXPECT_THROW(MeshCollider{mesh}, std::invalid_argument);
+}
+
+TEST(MeshCollider, RefusesPositionsThatAreNotFinite) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        TriangleMesh mesh = box();
+        mesh.positions[5].y() = bad;
+        EXPECT_THROW(MeshCollider{mesh}, std::invalid_argument);
+    }
+}
+
+TEST(MeshCollider, FindsClosedPartsForSeveralThreadsAtOnce) {
+    const MeshCollider collider(box());
+    std::atomic<int> inside = 0;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) {
+        threads.emplace_back([&] { inside += collider.closed_parts().contains({0.5, 0.5, 0.5}) ? 1 : 0; });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    EXPECT_EQ(inside, 4);
+}
+
+}  // namespace
+}  // namespace campuswalk::collision

@@ -1,0 +1,158 @@
+#include "collision/placement.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/collision/solid_angle.h"
+#include "tests/support/effort.h"
+#include "tests/support/mesh_pieces.h"
+#include "tests/support/penetration_oracle.h"
+#include "tests/support/plain_solids.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/village.h"
+
+namespace campuswalk::collision {
+namespace {
+
+using support::add_object;
+using support::Dice;
+using support::Line;
+
+constexpr double kRadius = 0.3;
+constexpr double kHeight = 1.8;
+
+std::optional<ObjectId> obstruction_at(const World& world, const Vec3& foot, const QueryFilter& filter = {}) {
+    QueryCounters counters;
+    return obstruction(world, filter, foot, kRadius, kHeight, counters);
+}
+
+std::optional<Vec3> free_place_at(const World& world, const Vec3& foot, double search) {
+    QueryCounters counters;
+    return free_place(world, {}, foot, kRadius, kHeight, search, counters);
+}
+
+TEST(Contains, SolidsAsTheirSignedDistanceSays) {
+    Dice dice(100);
+    int inside = 0;
+    for (int i = 0; i < 5000; ++i) {
+        Object object;
+        object.shape = support::random_solid(dice);
+        object.X_world_shape = support::random_pose(dice, 0.5);
+        const Vec3 p = dice.in_cube(1.0);
+        const double distance = support::signed_distance(object, Line{p, p});
+        if (std::abs(distance) > 1e-9) {
+            ASSERT_EQ(contains(object, p), distance < 0.0) << i;
+        }
+        inside += distance < 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(inside, 200);
+}
+
+TEST(Contains, ClosedMeshesAsTheirSolidAngleSays) {
+    Dice dice(101);
+    TriangleMesh mesh;
+    support::add_box(mesh, {-1, -1, -1}, {1, 2, 1});
+    support::add_box(mesh, {0.5, 0, -0.5}, {3, 1, 0.5});
+    Object object;
+    object.shape = std::make_shared<const MeshCollider>(mesh);
+    object.X_world_shape = support::random_pose(dice, 100.0);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 local = dice.in_cube(3.0);
+        ASSERT_EQ(contains(object, object.X_world_shape * local), winding_number(mesh, local) > 0.5);
+    }
+}
+
+TEST(Obstruction, IsWhatThePenetrationOracleSees) {
+    Dice dice(102);
+    int obstructed = 0;
+    const int worlds = support::repeats(15);
+    for (int w = 0; w < worlds; ++w) {
+        const auto world = support::make_soup(dice);
+        const support::PenetrationOracle oracle(*world);
+        for (int i = 0; i < 60; ++i) {
+            const Vec3 foot = dice.in_cube(5.0).cwiseAbs() - Vec3(2, 0.5, 2);
+            const auto seen = oracle.worst_penetration(foot, kRadius, kHeight);
+            const auto ours = obstruction_at(*world, foot);
+            if (seen.depth > 1e-8) {
+                ASSERT_TRUE(ours) << w << ' ' << i;
+            } else if (seen.depth < -1e-8) {
+                ASSERT_FALSE(ours) << w << ' ' << i;
+            }
+            obstructed += ours ? 1 : 0;
+        }
+    }
+    EXPECT_GT(obstructed, worlds * 10);
+    EXPECT_LT(obstructed, worlds * 58);
+}
+
+TEST(Obstruction, NamesTheDeepestThenTheFirst) {
+    World world(std::make_unique<LinearBroadPhase>());
+    add_object(world, Box{{1, 1, 1}}, {1.25, 1, 0});
+    const ObjectId deeper = add_object(world, Box{{1, 1, 1}}, {-1.2, 1, 0});
+    add_object(world, Box{{1, 1, 1}}, {-1.2, 1, 0});
+    EXPECT_EQ(obstruction_at(world, {0, 0, 0}), deeper);
+    EXPECT_EQ(obstruction_at(world, {0, 5, 0}), std::nullopt);
+}
+
+TEST(Obstruction, DeepInsideAClosedMeshCounts) {
+    World world(std::make_unique<LinearBroadPhase>());
+    TriangleMesh block;
+    support::add_box(block, {-5, -5, -5}, {5, 5, 5});
+    const ObjectId id = add_object(world, block);
+    EXPECT_EQ(obstruction_at(world, {0, -1, 0}), id);
+    EXPECT_EQ(obstruction_at(world, {0, 6, 0}), std::nullopt);
+    TriangleMesh room = block;
+    for (auto& t : room.triangles) {
+        std::swap(t[0], t[1]);
+    }
+    World inside(std::make_unique<LinearBroadPhase>());
+    add_object(inside, room);
+    EXPECT_EQ(obstruction_at(inside, {0, -1, 0}), std::nullopt) << "a room modelled from within is free";
+}
+
+TEST(Obstruction, HeedsTheFilter) {
+    World world(std::make_unique<LinearBroadPhase>());
+    Object trigger;
+    trigger.shape = Box{{1, 1, 1}};
+    trigger.detection = Detection::trigger;
+    trigger.layer = 4;
+    world.add(trigger);
+    EXPECT_FALSE(obstruction_at(world, {0, 0, 0}));
+    EXPECT_TRUE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 0}));
+    EXPECT_FALSE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 1U << 4U}));
+}
+
+TEST(FreePlace, IsWhereOneAskedForWhenThatIsFree) {
+    World world(std::make_unique<LinearBroadPhase>());
+    add_object(world, Box{{1, 1, 1}}, {0, -1, 0});
+    EXPECT_EQ(free_place_at(world, {0, 0.2, 0}, 0.5), Vec3(0, 0.2, 0));
+    EXPECT_EQ(free_place_at(world, {7, -3, 0}, 0.0), Vec3(7, -3, 0));
+}
+
+TEST(FreePlace, IsLiftedOutOfGroundThatIsALittleHigher) {
+    World world(std::make_unique<LinearBroadPhase>());
+    add_object(world, Box{{1, 1, 1}}, {0, -1, 0});
+    const auto place = free_place_at(world, {0, -0.32, 0}, 0.5);
+    ASSERT_TRUE(place);
+    EXPECT_GE(place->y(), -1e-9);
+    EXPECT_LT(place->y(), 0.05);
+    EXPECT_EQ(place->x(), 0.0);
+    EXPECT_FALSE(free_place_at(world, {0, -0.62, 0}, 0.5)) << "too deep";
+}
+
+TEST(FreePlace, NeverEndsInsideAnything) {
+    const auto village = support::make_village();
+    const support::PenetrationOracle oracle(*village);
+    Dice dice(103);
+    int lifted = 0;
+    for (int i = 0; i < support::repeats(300); ++i) {
+        const Vec3 foot = Vec3(dice.between(-19, 19), 0, dice.between(-19, 19));
+        if (const auto place = free_place_at(*village, foot, 1.0)) {
+            ASSERT_LE(oracle.worst_penetration(*place, kRadius, kHeight).depth, 1e-9) << foot.transpose();
+            lifted += place->y() > foot.y() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(lifted, support::repeats(50));
+}
+
+}  // namespace
+}  // namespace campuswalk::collision
