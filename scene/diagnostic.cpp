@@ -16,16 +16,23 @@ std::string joined(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
-/// Levenshtein's distance: the least number of characters to insert, delete or replace.
+/// The least number of characters to insert, delete, replace or swap with their neighbour (optimal string
+/// alignment: Levenshtein's distance and swaps, the commonest slip of all).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> two_up(b.size() + 1);
+    std::vector<std::size_t> above(b.size() + 1);
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i);
+        std::swap(two_up, above);
+        std::swap(above, row);
+        row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+            const std::size_t replaced = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], two_up[j - 2] + 1);
+            }
         }
     }
     return row[b.size()];
@@ -74,7 +81,7 @@ void DiagnosticList::throw_if_errors() const {
 
 std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
     // A third of the letters wrong is still a typing mistake; more is another word.
-    const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
+    const std::size_t allowed = word.size() < 2 ? 0 : std::max<std::size_t>(1, word.size() / 3);
     std::string_view best;
     std::size_t best_distance = allowed + 1;
     for (const std::string& candidate : candidates) {

@@ -21,7 +21,9 @@ CheckedMap::CheckedMap(const CheckedNode& node, std::string what)
 }
 
 std::optional<CheckedNode> CheckedMap::find(std::string_view key) {
-    asked_.emplace_back(key);
+    if (std::ranges::find(asked_, key) == asked_.end()) {
+        asked_.emplace_back(key);
+    }
     const auto found = std::ranges::find(entries_, key, &CheckedNode::Entry::key);
     return found == entries_.end() ? std::nullopt : std::optional(found->value);
 }

@@ -41,8 +41,9 @@ bool CheckedNode::require_scalar(std::string_view wanted) const {
     if (is_scalar()) {
         return true;
     }
-    complain("wrong-type",
-             what_ + " must be " + std::string(wanted) + ", not " + std::string(kind_name(*node_)));
+    complain("wrong-type", is_null() ? what_ + " is empty; it must be " + std::string(wanted)
+                                     : what_ + " must be " + std::string(wanted) + ", not " +
+                                           std::string(kind_name(*node_)));
     return false;
 }
 
@@ -162,7 +163,14 @@ std::vector<CheckedNode> CheckedNode::items(const std::string& what) const {
 }
 
 std::vector<CheckedNode> CheckedNode::items_or_one(const std::string& what) const {
-    return is_scalar() ? std::vector{child(*node_, what)} : items(what);
+    if (is_scalar()) {
+        return {child(*node_, what)};
+    }
+    if (is_map()) {
+        complain("wrong-type", what_ + " must be a single value or a list, not a map of keys");
+        return {};
+    }
+    return items(what);
 }
 
 std::vector<CheckedNode::Entry> CheckedNode::entries() const {

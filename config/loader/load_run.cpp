@@ -110,16 +110,18 @@ private:
 
     /// A profile's name, or a map with the profile and the fields that differ.
     AvatarProfile read_avatar_of(const CheckedNode& node, const CampusNames& names) {
-        if (!node.is_map()) {
+        if (node.is_scalar()) {
             return named_avatar(node);
+        }
+        if (!node.is_map()) {
+            node.complain("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
+            return {};
         }
         CheckedMap map(node, "'avatar'");
         const auto name = map.require("profile");
         AvatarProfile profile = name ? named_avatar(*name) : AvatarProfile{};
         for (const CheckedNode& layer : read_avatar_fields(map, profile)) {
-            if (const auto word = layer.line()) {
-                names.check_layer(layer, *word);
-            }
+            names.check_layer(layer, layer.text().value_or(""));
         }
         map.refuse_other_keys();
         return profile;

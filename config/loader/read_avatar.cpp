@@ -54,9 +54,11 @@ std::vector<CheckedNode> read_avatar_fields(CheckedMap& map, AvatarProfile& prof
     std::vector<CheckedNode> layers;
     if (const auto section = map.find("ignore_layers")) {
         profile.ignore_layers.clear();
-        layers = section->items_or_one("a layer");
-        for (const CheckedNode& node : layers) {
-            profile.ignore_layers.push_back(kebab_name(node).value_or(""));
+        for (const CheckedNode& node : section->items_or_one("a layer")) {
+            if (auto name = kebab_name(node)) {
+                profile.ignore_layers.push_back(*std::move(name));
+                layers.push_back(node);
+            }
         }
     }
     return layers;

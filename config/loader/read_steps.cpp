@@ -122,7 +122,8 @@ std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& name
                              const CameraSettings& camera) {
     std::vector<Step> steps;
     StepContext context{names, camera};
-    for (const CheckedNode& node : section.items("a step")) {
+    const std::vector<CheckedNode> nodes = section.items("a step");
+    for (const CheckedNode& node : nodes) {
         const auto step = single_key(node, "a step", kSteps);
         if (step) {
             if (context.first && step->meaning != read_spawn) {
@@ -132,7 +133,7 @@ std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& name
         }
         context.first = false;
     }
-    if (steps.empty() && (section.is_sequence() || section.is_null())) {
+    if (nodes.empty() && (section.is_sequence() || section.is_null())) {
         section.complain("bad-value", "'steps' needs at least a spawn");
     }
     return steps;

@@ -45,10 +45,13 @@ struct TextFault {
 };
 
 /// The fault of the character at `at`, empty when it may stand there.
-std::string fault_at(std::string_view text, std::size_t at, bool indenting) {
+std::string fault_at(std::string_view text, std::size_t at, bool indenting, bool line_starts) {
     const auto byte = static_cast<unsigned char>(text[at]);
     if (byte == '\t' && indenting) {
         return "a tab indents this line; indent with spaces";
+    }
+    if (byte == '%' && line_starts) {
+        return "a line can't start with '%' (the YAML parser would skip it); put the text in quotes";
     }
     if ((byte < 0x20 && byte != '\t' && byte != '\n') || byte == 0x7F) {
         return "a control character (byte " + std::to_string(byte) +
@@ -66,7 +69,7 @@ std::optional<TextFault> first_fault(std::string_view text) {
     int column = 1;
     bool indenting = true;
     for (std::size_t at = 0; at < text.size(); at += utf8_length(text, at)) {
-        if (std::string fault = fault_at(text, at, indenting); !fault.empty()) {
+        if (std::string fault = fault_at(text, at, indenting, column == 1); !fault.empty()) {
             return TextFault{line, column, std::move(fault)};
         }
         const char c = text[at];

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include <yaml-cpp/eventhandler.h>
@@ -13,6 +14,7 @@
 
 #include "config/loader/text_positions.h"
 #include "config/loader/wording.h"
+#include "config/loader/yaml_syntax.h"
 
 namespace campuswalk::config {
 namespace {
@@ -34,10 +36,16 @@ struct Refusal {
 /// aliases and empty values stand, keeps the last of two equal keys and ignores a second document.
 class TreeBuilder final : public YAML::EventHandler {
 public:
-    TreeBuilder(const TextPositions& positions, std::string file, DiagnosticList& diagnostics)
-        : positions_(positions), file_(std::move(file)), diagnostics_(diagnostics) {}
+    TreeBuilder(std::string_view text, const TextPositions& positions, std::string file,
+                DiagnosticList& diagnostics)
+        : text_(text), positions_(positions), file_(std::move(file)), diagnostics_(diagnostics) {}
 
     std::shared_ptr<const YamlNode> root;
+
+    /// Where the innermost map or list starts that is not yet complete.
+    std::optional<YAML::Mark> innermost_start() const {
+        return open_.empty() ? std::nullopt : std::optional(open_.back().mark);
+    }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (documents_++ > 0) {
@@ -57,7 +65,10 @@ public:
         refuse_tag(mark, tag);
         auto node = leaf(YamlNode::Kind::scalar, positions_.of(mark.pos));
         node->text = value;
-        node->quoted = tag != "?";
+        node->quoted = tag == "!";
+        if (node->quoted && is_quote_unclosed(text_, static_cast<std::size_t>(mark.pos))) {
+            throw Refusal{mark, "yaml-syntax", "this quote is never closed"};
+        }
         add(std::move(node), anchor);
     }
 
@@ -180,6 +191,7 @@ private:
         map.node->entries.push_back({key.text, key.at.line, key.at.column, std::move(value)});
     }
 
+    std::string_view text_;
     const TextPositions& positions_;
     std::string file_;
     DiagnosticList& diagnostics_;
@@ -193,7 +205,7 @@ private:
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::string& file,
                                            DiagnosticList& diagnostics) {
     const TextPositions positions(text);
-    TreeBuilder builder(positions, file, diagnostics);
+    TreeBuilder builder(text, positions, file, diagnostics);
     const auto complain = [&](const YAML::Mark& mark, const char* code, const std::string& message) {
         const TextPosition at = mark.is_null() ? TextPosition{} : positions.of(mark.pos);
         diagnostics.error({file, at.line, at.column}, code, message);
@@ -207,7 +219,10 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::s
     } catch (const Refusal& refusal) {
         return complain(refusal.mark, refusal.code, refusal.message);
     } catch (const YAML::Exception& error) {
-        return complain(error.mark, "yaml-syntax", error.msg);
+        const bool bracket =
+            error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW || error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW;
+        const YAML::Mark mark = bracket ? builder.innermost_start().value_or(error.mark) : error.mark;
+        return complain(mark, "yaml-syntax", explained(error.msg));
     }
     if (!builder.root || builder.root->kind == YamlNode::Kind::null) {
         diagnostics.error({file, 0, 0}, "empty-file", "there is nothing in this file but comments or spaces");

@@ -1,0 +1,61 @@
+#include "config/loader/yaml_syntax.h"
+
+#include <algorithm>
+#include <array>
+
+namespace campuswalk::config {
+
+namespace {
+
+struct Explanation {
+    std::string_view parser_message;
+    std::string_view cure;
+};
+
+constexpr std::string_view kIndentation =
+    "this line doesn't continue what is above: check its indentation, its '-' and its ':'";
+constexpr std::string_view kStrangeCharacter =
+    "no value can start with this character; put the text in quotes";
+
+constexpr std::array kExplanations = {
+    Explanation{"end of map not found", kIndentation},
+    Explanation{"end of sequence not found", kIndentation},
+    Explanation{"end of map flow not found", "this '{' has no '}', or a ',' is missing after it"},
+    Explanation{"end of sequence flow not found", "this '[' has no ']', or a ',' is missing after it"},
+    Explanation{"illegal flow end", "this bracket closes nothing"},
+    Explanation{"illegal map value", "a second ': ' on this line; put a text with a colon in quotes"},
+    Explanation{"illegal map key", kIndentation},
+    Explanation{"illegal block entry", "a '- ' can't stand here; start it on a line of its own"},
+    Explanation{"unknown token", kStrangeCharacter},
+    Explanation{"alias not found after *", "put the text in quotes: '*' starts a reference"},
+    Explanation{"anchor not found after &", "put the text in quotes: '&' starts a name for references"},
+    Explanation{"the referenced anchor is not defined",
+                "nothing has this name; put the text in quotes if no reference was meant"}};
+
+}  // namespace
+
+std::string explained(const std::string& parser_message) {
+    const auto found = std::ranges::find(kExplanations, parser_message, &Explanation::parser_message);
+    return found == kExplanations.end() ? parser_message : std::string(found->cure);
+}
+
+bool is_quote_unclosed(std::string_view text, std::size_t at) {
+    while (at < text.size() && (text[at] == '&' || text[at] == '!')) {
+        at = text.find_first_not_of(" \t\n", text.find_first_of(" \t\n", at));
+    }
+    if (at >= text.size() || (text[at] != '\'' && text[at] != '"')) {
+        return false;
+    }
+    const char quote = text[at];
+    for (++at; at < text.size(); ++at) {
+        const bool doubled = quote == '\'' && text.substr(at, 2) == "''";
+        if (doubled || (quote == '"' && text[at] == '\\')) {
+            ++at;
+        } else if (text[at] == quote) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace campuswalk::config
