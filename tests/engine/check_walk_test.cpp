@@ -1,0 +1,118 @@
+#include "engine/check_walk.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::Detection;
+
+/// A floor, a wall in a layer of its own, a table 0.4 m high and a door's trigger.
+scene::Campus furnished_campus() {
+    scene::Campus campus = level_campus();
+    add_building(campus, "library");
+    add_box(campus, "library/walls", {4, 0, -2}, {6, 3, 2}, {Detection::solid, "library", true, "buildings"});
+    add_box(campus, "table", {-6, 0, -2}, {-4, 0.4, 2});
+    add_box(campus, "library/door", {2, 0, -1}, {3.5, 2, 1}, {Detection::trigger, "library", true, ""});
+    return campus;
+}
+
+std::vector<std::string> complaints(const Walk& walk) {
+    std::vector<std::string> told;
+    for (const scene::Diagnostic& diagnostic : check_walk(furnished_campus(), walk)) {
+        told.push_back(scene::to_string(diagnostic));
+    }
+    return told;
+}
+
+template <typename Marked>
+Marked marked(Marked item, int line) {
+    item.mark = {"a.walk.yaml", line, 5};
+    return item;
+}
+
+using Complaints = std::vector<std::string>;
+
+TEST(CheckWalk, AcceptsFreePlaces) {
+    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), teleport_to({0, 20, 0}), teleport_to({2.5, 0, 0})})),
+              Complaints())
+        << "on the ground, in the air, in a trigger";
+}
+
+TEST(CheckWalk, LooksHalfAMetreUpForAFreePlace) {
+    // The table's top is 0.4 m up; the capsule's lowest point stands free from there on.
+    EXPECT_EQ(complaints(walk_of({spawn_at({-5, 0, 0})})), Complaints());
+    EXPECT_EQ(complaints(walk_of({spawn_at({-5, -0.05, 0})})), Complaints());
+    EXPECT_EQ(complaints(walk_of({spawn_at({-5, -0.15, 0})})).size(), 1U);
+}
+
+TEST(CheckWalk, RefusesASpawnInAWall) {
+    EXPECT_EQ(complaints(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
+              Complaints({"a.walk.yaml:12:5: error spawn-blocked: main-gate at 5.000,0.250,0.500 is inside "
+                          "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
+}
+
+TEST(CheckWalk, RefusesATeleportTooNearToAWall) {
+    const auto nearness = [](double gap) {
+        return complaints(walk_of({spawn_at({0, 0, 0}), marked(teleport_to({4.0 - 0.3 - gap, 0, 0}), 14)}));
+    };
+    EXPECT_EQ(nearness(0.001), Complaints());
+    EXPECT_EQ(nearness(-0.001),
+              Complaints({"a.walk.yaml:14:5: error spawn-blocked: elsewhere at 3.701,0.000,0.000 is inside "
+                          "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
+}
+
+TEST(CheckWalk, MeasuresTheWalksOwnAvatar) {
+    Walk slim = walk_of({spawn_at({3.75, 0, 0})});
+    EXPECT_EQ(complaints(slim).size(), 1U);
+    slim.avatar.radius = 0.2;
+    EXPECT_EQ(complaints(slim), Complaints());
+}
+
+TEST(CheckWalk, LooksThroughIgnoredLayers) {
+    Walk ghost = walk_of({spawn_at({5, 0, 0})});
+    EXPECT_EQ(complaints(ghost).size(), 1U);
+    ghost.avatar.ignore_layers = {"buildings"};
+    EXPECT_EQ(complaints(ghost), Complaints());
+}
+
+TEST(CheckWalk, RefusesATypoWithASuggestion) {
+    Walk walk = walk_of({spawn_at({0, 0, 0})});
+    walk.expectations = {expect_never("trigger.enter libary/door", 21)};
+    EXPECT_EQ(complaints(walk),
+              Complaints({"a.walk.yaml:21:5: error unknown-name: 'trigger.enter libary/door' can't happen: "
+                          "nothing of that name has such events (did you mean 'library/door'?)"}));
+}
+
+TEST(CheckWalk, RefusesAnotherStrategysObject) {
+    Walk walk = walk_of({spawn_at({0, 0, 0})});
+    walk.expectations = {expect_count("ray.enter table", {}, 1, {}, 22)};
+    EXPECT_EQ(complaints(walk), Complaints({"a.walk.yaml:22:5: error unknown-name: 'ray.enter table' can't "
+                                            "happen: nothing of that name has such events"}));
+}
+
+TEST(CheckWalk, ReportsEverythingAtOnce) {
+    Walk walk = walk_of({spawn_at({5, 0, 0}), teleport_to({5, 0, 0})});
+    walk.expectations = {
+        expect_sequence({"popup.open library", "popup.open librari", "collision.enter tabel"}),
+        expect_never("popup.close l?b")};
+    const std::vector<scene::Diagnostic> found = check_walk(furnished_campus(), walk);
+    std::vector<std::string> codes;
+    for (const scene::Diagnostic& diagnostic : found) {
+        codes.push_back(diagnostic.code);
+    }
+    EXPECT_EQ(codes,
+              Complaints({"spawn-blocked", "spawn-blocked", "unknown-name", "unknown-name", "unknown-name"}));
+}
+
+TEST(CheckWalk, HasNothingAgainstReaches) {
+    Walk walk = walk_of({spawn_at({0, 0, 0})});
+    walk.expectations = {expect_reaches({"nowhere", {1e6, 0, 0}, false}, 0.1)};
+    EXPECT_EQ(complaints(walk), Complaints());
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

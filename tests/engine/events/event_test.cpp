@@ -1,0 +1,53 @@
+#include "engine/events/event.h"
+
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace campuswalk::engine {
+namespace {
+
+const std::vector<std::pair<EventKind, std::string>> kExpected = {
+    {EventKind::walk_start, "walk.start"},
+    {EventKind::walk_end, "walk.end"},
+    {EventKind::avatar_spawn, "avatar.spawn"},
+    {EventKind::avatar_teleport, "avatar.teleport"},
+    {EventKind::avatar_arrive, "avatar.arrive"},
+    {EventKind::avatar_blocked, "avatar.blocked"},
+    {EventKind::avatar_land, "avatar.land"},
+    {EventKind::avatar_fell, "avatar.fell"},
+    {EventKind::collision_enter, "collision.enter"},
+    {EventKind::collision_stay, "collision.stay"},
+    {EventKind::collision_exit, "collision.exit"},
+    {EventKind::trigger_enter, "trigger.enter"},
+    {EventKind::trigger_stay, "trigger.stay"},
+    {EventKind::trigger_exit, "trigger.exit"},
+    {EventKind::ray_enter, "ray.enter"},
+    {EventKind::ray_stay, "ray.stay"},
+    {EventKind::ray_exit, "ray.exit"},
+    {EventKind::popup_open, "popup.open"},
+    {EventKind::popup_close, "popup.close"},
+    {EventKind::snapshot_take, "snapshot.take"},
+    {EventKind::expect_fail, "expect.fail"},
+};
+
+TEST(EventKind, HasANameOfItsOwn) {
+    for (const auto& [kind, name] : kExpected) {
+        EXPECT_EQ(name_of(kind), name);
+    }
+}
+
+TEST(EventKind, NamesComeInTheOrderOfTheEnum) {
+    const std::vector<std::string> names = event_kind_names();
+    ASSERT_EQ(names.size(), static_cast<std::size_t>(EventKind::expect_fail) + 1)
+        << "is a kind without a name?";
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        EXPECT_EQ(name_of(static_cast<EventKind>(i)), names[i]);
+        EXPECT_EQ(names[i], kExpected[i].second);
+    }
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

@@ -1,0 +1,185 @@
+#include "tests/engine/short_walk.h"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/expect/expectation_judge.h"
+
+namespace campuswalk::engine {
+
+SpawnStep spawn_at(const Eigen::Vector3d& foot, double yaw, const std::string& label) {
+    return {{}, label, foot, yaw};
+}
+
+WalkToStep walk_to(double x, double z, const std::string& label) {
+    WalkToStep step;
+    step.target = {label, {x, 0.0, z}, false};
+    return step;
+}
+
+WaitStep wait_for(double seconds) {
+    WaitStep step;
+    step.seconds = seconds;
+    return step;
+}
+
+TurnStep turn_by(double degrees) {
+    TurnStep step;
+    step.angle = radians(degrees);
+    return step;
+}
+
+TurnStep turn_to(double degrees) {
+    TurnStep step = turn_by(degrees);
+    step.absolute = true;
+    return step;
+}
+
+LookAtStep look_at(const Target& target) {
+    LookAtStep step;
+    step.target = target;
+    return step;
+}
+
+TeleportStep teleport_to(const Eigen::Vector3d& foot, std::optional<double> yaw, const std::string& label) {
+    return {{}, label, foot, yaw};
+}
+
+SnapshotStep snapshot(const std::string& name) {
+    SnapshotStep step;
+    step.name = name;
+    return step;
+}
+
+Walk walk_of(std::vector<Step> steps) {
+    Walk walk;
+    walk.name = "stroll";
+    walk.campus_name = "small";
+    walk.steps = std::move(steps);
+    return walk;
+}
+
+EventPattern pattern(const std::string& words) {
+    EventPattern made;
+    const std::size_t space = words.find(' ');
+    made.kind = words.substr(0, space);
+    if (space != std::string::npos) {
+        made.object = words.substr(space + 1);
+    }
+    return made;
+}
+
+namespace {
+
+SourceMark mark_of(int line) {
+    return {"a.walk.yaml", line, 5};
+}
+
+}  // namespace
+
+ExpectNever expect_never(const std::string& words, int line) {
+    ExpectNever expected;
+    expected.event = pattern(words);
+    expected.mark = expected.event.mark = mark_of(line);
+    return expected;
+}
+
+ExpectSequence expect_sequence(const std::vector<std::string>& words, int line) {
+    ExpectSequence expected;
+    expected.mark = mark_of(line);
+    for (const std::string& event : words) {
+        expected.events.push_back(pattern(event));
+        expected.events.back().mark = mark_of(++line);
+    }
+    return expected;
+}
+
+ExpectCount expect_count(const std::string& words, std::optional<int> equals, std::optional<int> at_least,
+                         std::optional<int> at_most, int line) {
+    ExpectCount expected;
+    expected.event = pattern(words);
+    expected.mark = expected.event.mark = mark_of(line);
+    expected.equals = equals;
+    expected.at_least = at_least;
+    expected.at_most = at_most;
+    return expected;
+}
+
+ExpectReaches expect_reaches(const Target& target, double within, int line) {
+    ExpectReaches expected;
+    expected.mark = mark_of(line);
+    expected.target = target;
+    expected.within = within;
+    return expected;
+}
+
+std::string told(const Event& event) {
+    return std::string(name_of(event.kind)) + " " + event.object;
+}
+
+bool has_field(const Event& event, std::string_view name) {
+    for (const Field& f : event.fields) {
+        if (f.name == name) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void Recorder::begin(const Walk&) {
+    calls_.emplace_back("begin");
+}
+
+void Recorder::frame(const FrameRecord& record) {
+    calls_.emplace_back("frame");
+    Frame frame{record.tick, record.time, record.avatar, {}, {}};
+    frame.open_popups.assign(record.open_popups.begin(), record.open_popups.end());
+    for (const SnapshotStep* step : record.snapshots) {
+        frame.snapshots.push_back(step->name);
+    }
+    frames_.push_back(std::move(frame));
+    events_.insert(events_.end(), record.events.begin(), record.events.end());
+}
+
+void Recorder::end() {
+    calls_.emplace_back("end");
+}
+
+std::vector<Event> Recorder::of(const std::string& words) const {
+    std::vector<Event> found;
+    for (const Event& event : events_) {
+        if (matches(pattern(words), event)) {
+            found.push_back(event);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> Recorder::story() const {
+    std::vector<std::string> lines;
+    for (const Event& event : events_) {
+        if (event.kind != EventKind::walk_start && event.kind != EventKind::walk_end) {
+            lines.push_back(told(event));
+        }
+    }
+    return lines;
+}
+
+const AvatarState& Recorder::at(Tick tick) const {
+    for (const Frame& frame : frames_) {
+        if (frame.tick == tick) {
+            return frame.avatar;
+        }
+    }
+    throw std::runtime_error("the walk has no tick " + std::to_string(tick));
+}
+
+Outing run(const scene::Campus& campus, const Walk& walk) {
+    Outing outing;
+    const std::array<Observer*, 1> observers = {&outing.recorder};
+    outing.summary = run_walk(campus, walk, observers);
+    return outing;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/observers/observer.h"
+#include "engine/run_walk.h"
+#include "engine/script/walk.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine {
+
+constexpr double kPi = 3.14159265358979323846;
+
+constexpr double radians(double degrees) {
+    return degrees * kPi / 180.0;
+}
+
+// Steps as a loader would make them.
+
+SpawnStep spawn_at(const Eigen::Vector3d& foot, double yaw = 0.0, const std::string& label = "start");
+/// Without a height, as `[x, z]`.
+WalkToStep walk_to(double x, double z, const std::string& label = "goal");
+WaitStep wait_for(double seconds);
+TurnStep turn_by(double degrees);
+TurnStep turn_to(double degrees);
+LookAtStep look_at(const Target& target);
+TeleportStep teleport_to(const Eigen::Vector3d& foot, std::optional<double> yaw = std::nullopt,
+                         const std::string& label = "elsewhere");
+SnapshotStep snapshot(const std::string& name);
+
+/// A walk called "stroll" with everything else at its default.
+Walk walk_of(std::vector<Step> steps);
+
+/// "KIND OBJECT", or "KIND" for any object.
+EventPattern pattern(const std::string& words);
+
+// Expectations, each marked with a line of "a.walk.yaml", column 5.
+
+ExpectNever expect_never(const std::string& words, int line = 0);
+/// The items are marked with the lines after that of the whole.
+ExpectSequence expect_sequence(const std::vector<std::string>& words, int line = 0);
+ExpectCount expect_count(const std::string& words, std::optional<int> equals,
+                         std::optional<int> at_least = {}, std::optional<int> at_most = {}, int line = 0);
+ExpectReaches expect_reaches(const Target& target, double within, int line = 0);
+
+/// "KIND OBJECT" of an event.
+std::string told(const Event& event);
+
+/// The value of a field, which must be there and of that type.
+template <typename Value>
+const Value& field(const Event& event, std::string_view name) {
+    for (const Field& f : event.fields) {
+        if (f.name == name) {
+            return std::get<Value>(f.value);
+        }
+    }
+    throw std::runtime_error(told(event) + " has no " + std::string(name));
+}
+bool has_field(const Event& event, std::string_view name);
+
+/// Keeps all that a walk shows.
+class Recorder final : public Observer {
+public:
+    struct Frame {
+        Tick tick = 0;
+        double time = 0.0;
+        AvatarState avatar;
+        std::vector<std::size_t> open_popups;
+        std::vector<std::string> snapshots;
+    };
+
+    void begin(const Walk& walk) override;
+    void frame(const FrameRecord& record) override;
+    void end() override;
+
+    /// "begin", "frame" and "end" in the order of the calls.
+    const std::vector<std::string>& calls() const { return calls_; }
+    const std::vector<Frame>& frames() const { return frames_; }
+    const std::vector<Event>& events() const { return events_; }
+
+    /// The events whose told() matches "KIND OBJECT", or "KIND" for any object.
+    std::vector<Event> of(const std::string& words) const;
+    /// told() of each event between walk.start and walk.end.
+    std::vector<std::string> story() const;
+    /// The avatar at the end of a tick.
+    const AvatarState& at(Tick tick) const;
+
+private:
+    std::vector<std::string> calls_;
+    std::vector<Frame> frames_;
+    std::vector<Event> events_;
+};
+
+/// A walk that was run, with what it showed.
+struct Outing {
+    WalkSummary summary;
+    Recorder recorder;
+};
+Outing run(const scene::Campus& campus, const Walk& walk);
+
+}  // namespace campuswalk::engine
