@@ -1,0 +1,68 @@
+#include "tests/walks/audited_run.h"
+
+#include <utility>
+
+#include "collision/bullet_broad_phase.h"
+#include "config/loader/load_run.h"
+#include "engine/check_walk.h"
+#include "engine/decimals.h"
+#include "engine/observers/text_log.h"
+#include "engine/simulation.h"
+
+namespace campuswalk::support {
+
+namespace {
+
+/// Rounding's worth, metres.
+constexpr double kAllowed = 1e-6;
+
+}  // namespace
+
+void TickAudit::frame(const engine::FrameRecord& record) {
+    if (record.tick < ticks_) {
+        return;  // the closing events, at the last tick again
+    }
+    ticks_ = static_cast<int>(record.tick) + 1;
+    check(record.avatar.position, record.time);
+    last_ = record.avatar.position;
+}
+
+void TickAudit::check(const Point& foot, double time) {
+    const Penetration worst = oracle_.worst_penetration(foot, avatar_.radius, avatar_.height);
+    if (worst.depth > kAllowed) {
+        complaints_.push_back("at " + engine::fixed(time, 3) + " s " +
+                              engine::fixed(1000.0 * worst.depth, 3) + " mm inside object " +
+                              std::to_string(worst.object.value_or(0)));
+    }
+    if (!last_) {
+        return;
+    }
+    if (const auto object = oracle_.crossed(*last_, foot, avatar_.radius, avatar_.height)) {
+        complaints_.push_back("at " + engine::fixed(time, 3) + " s through object " +
+                              std::to_string(*object));
+    }
+}
+
+AuditedRun audited_run(const std::filesystem::path& walk_file) {
+    config::Run loaded = config::load_run(walk_file, {});
+    std::vector<scene::Diagnostic> warnings;
+    AuditedRun run{.walk = std::move(loaded.walk),
+                   .campus = scene::load_campus(std::move(loaded.campus),
+                                                collision::make_bullet_broad_phase(), warnings)};
+    if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(run.campus, run.walk);
+        !mistakes.empty()) {
+        throw scene::InputError(std::move(mistakes));
+    }
+    const PenetrationOracle oracle(
+        run.campus.world, {collision::Detection::solid, engine::ignored_layers(run.campus, run.walk.avatar)});
+    TickAudit audit(oracle, run.walk.avatar);
+    engine::TextLog log([&](std::string_view line) { run.log.emplace_back(line); });
+    std::vector<engine::Observer*> observers = {&log, &audit};
+    run.summary = engine::run_walk(run.campus, run.walk, observers);
+    run.ticks = audit.ticks();
+    run.end = audit.end();
+    run.complaints = audit.complaints();
+    return run;
+}
+
+}  // namespace campuswalk::support

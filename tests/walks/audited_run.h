@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/observers/observer.h"
+#include "engine/run_walk.h"
+#include "tests/support/penetration_oracle.h"
+
+namespace campuswalk::support {
+
+/// Shows the oracle where the avatar is at the end of every tick, and what its axis passed on the way there.
+class TickAudit final : public engine::Observer {
+public:
+    TickAudit(const PenetrationOracle& oracle, const engine::AvatarProfile& avatar)
+        : oracle_(oracle), avatar_(avatar) {}
+
+    void frame(const engine::FrameRecord& record) override;
+
+    int ticks() const { return ticks_; }
+    /// Where the walk ended.
+    Point end() const { return last_.value_or(Point::Zero()); }
+    const std::vector<std::string>& complaints() const { return complaints_; }
+
+private:
+    void check(const Point& foot, double time);
+
+    const PenetrationOracle& oracle_;
+    engine::AvatarProfile avatar_;
+    std::optional<Point> last_;
+    int ticks_ = 0;
+    std::vector<std::string> complaints_;
+};
+
+/// A walk from its file, run with its log kept and every tick audited.
+struct AuditedRun {
+    engine::Walk walk;
+    scene::Campus campus;
+    engine::WalkSummary summary = {};
+    std::vector<std::string> log = {};  ///< lines without their ends
+    int ticks = 0;
+    Point end = Point::Zero();
+    std::vector<std::string> complaints = {};  ///< of the oracle
+};
+
+/// Loads, checks and runs as `campuswalk run` does, without pictures. Throws scene::InputError.
+AuditedRun audited_run(const std::filesystem::path& walk_file);
+
+}  // namespace campuswalk::support
