@@ -60,7 +60,7 @@ AuditedRun audited_run(const std::filesystem::path& walk_file) {
     std::vector<engine::Observer*> observers = {&log, &audit};
     run.summary = engine::run_walk(run.campus, run.walk, observers);
     run.ticks = audit.ticks();
-    run.end = audit.end();
+    run.end = audit.last_foot();
     run.complaints = audit.complaints();
     return run;
 }

@@ -21,7 +21,7 @@ public:
 
     int ticks() const { return ticks_; }
     /// Where the walk ended.
-    Point end() const { return last_.value_or(Point::Zero()); }
+    Point last_foot() const { return last_.value_or(Point::Zero()); }
     const std::vector<std::string>& complaints() const { return complaints_; }
 
 private:
