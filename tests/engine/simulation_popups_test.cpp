@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::Detection;
+using Story = std::vector<std::string>;
+
+ObjectTraits trigger_of(const std::string& building, bool popup = true) {
+    return {Detection::trigger, building, popup, ""};
+}
+
+Story stroll(const scene::Campus& campus) {
+    Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)});
+    walk.sim.stay_every = 100.0;
+    return run(campus, walk).recorder.story();
+}
+
+TEST(PopupEvents, OpenAfterTheEnterAndCloseBeforeTheExit) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/door", {-1, 0, -3.5}, {1, 2, -2.5}, trigger_of("hall"));
+    EXPECT_EQ(stroll(campus), Story({"trigger.enter hall/door", "popup.open hall", "popup.close hall",
+                                     "trigger.exit hall/door", "avatar.arrive goal"}));
+}
+
+TEST(PopupEvents, HappenWithTheirContact) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/door", {-1, 0, -3.5}, {1, 2, -2.5}, trigger_of("hall"));
+    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)}));
+    const Event enter = outing.recorder.of("trigger.enter")[0];
+    const Event open = outing.recorder.of("popup.open")[0];
+    EXPECT_EQ(open.tick, enter.tick);
+    EXPECT_EQ(open.at, enter.at);
+    const Event exit = outing.recorder.of("trigger.exit")[0];
+    const Event close = outing.recorder.of("popup.close")[0];
+    EXPECT_EQ(close.tick, exit.tick);
+    EXPECT_EQ(close.at, exit.at);
+    EXPECT_TRUE(close.fields.empty());
+}
+
+TEST(PopupEvents, OpenOnceForAllOfABuildingsObjects) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/door", {-1, 0, -3.5}, {1, 2, -2.5}, trigger_of("hall"));
+    add_box(campus, "hall/room", {-1, 0, -5.5}, {1, 2, -3.0}, trigger_of("hall"));
+    EXPECT_EQ(stroll(campus), Story({"trigger.enter hall/door", "popup.open hall", "trigger.enter hall/room",
+                                     "trigger.exit hall/door", "popup.close hall", "trigger.exit hall/room",
+                                     "avatar.arrive goal"}));
+}
+
+TEST(PopupEvents, OpenAgainAfterTheyClosed) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/front", {-1, 0, -2.5}, {1, 2, -2.0}, trigger_of("hall"));
+    add_box(campus, "hall/back", {-1, 0, -5.5}, {1, 2, -5.0}, trigger_of("hall"));
+    EXPECT_EQ(stroll(campus), Story({"trigger.enter hall/front", "popup.open hall", "popup.close hall",
+                                     "trigger.exit hall/front", "trigger.enter hall/back", "popup.open hall",
+                                     "popup.close hall", "trigger.exit hall/back", "avatar.arrive goal"}));
+}
+
+TEST(PopupEvents, ComeWithAllThreeStrategies) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/sight", {-1, 0, -14}, {1, 3, -13}, {Detection::ray, "hall", true, ""});
+    add_building(campus, "shed");
+    add_box(campus, "shed/walls", {-1, 0, -9}, {1, 1, -8}, {Detection::solid, "shed", true, ""});
+    Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -12)});
+    walk.sim.stay_every = 100.0;
+    EXPECT_EQ(run(campus, walk).recorder.story(),
+              Story({"ray.enter hall/sight", "popup.open hall", "collision.enter shed/walls",
+                     "popup.open shed", "avatar.blocked goal", "popup.close hall", "ray.exit hall/sight",
+                     "popup.close shed", "collision.exit shed/walls", "expect.fail blocked"}));
+}
+
+TEST(PopupEvents, DoNotComeFromObjectsWithoutPopup) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/door", {-1, 0, -3.5}, {1, 2, -2.5}, trigger_of("hall", false));
+    add_box(campus, "bench", {-1, 0, -5.5}, {1, 2, -4.5}, trigger_of(""));
+    EXPECT_EQ(stroll(campus), Story({"trigger.enter hall/door", "trigger.exit hall/door",
+                                     "trigger.enter bench", "trigger.exit bench", "avatar.arrive goal"}));
+}
+
+TEST(PopupEvents, OpenAndCloseWithinATick) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/door", {-1, 0, -2.5}, {1, 2, -2.4}, trigger_of("hall"));
+    WalkToStep dash = walk_to(0, -20);
+    dash.speed = 60.0;
+    EXPECT_EQ(run(campus, walk_of({spawn_at({0, 0, 0}), dash})).recorder.story(),
+              Story({"trigger.enter hall/door", "popup.open hall", "popup.close hall",
+                     "trigger.exit hall/door", "avatar.arrive goal"}));
+}
+
+TEST(PopupEvents, AreListedOldestFirstInTheRecord) {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");   // 0
+    add_building(campus, "tower");  // 1
+    add_box(campus, "hall/zone", {-1, 0, -5}, {1, 2, -3}, trigger_of("hall"));
+    add_box(campus, "tower/zone", {-1, 0, -4}, {1, 2, -2}, trigger_of("tower"));
+    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)}));
+    std::vector<std::vector<std::size_t>> changes = {{}};
+    for (const Recorder::Frame& frame : outing.recorder.frames()) {
+        if (frame.open_popups != changes.back()) {
+            changes.push_back(frame.open_popups);
+        }
+    }
+    EXPECT_EQ(changes, std::vector<std::vector<std::size_t>>({{}, {1}, {1, 0}, {0}, {}}));
+}
+
+TEST(PopupEvents, ShowTheBuildingsRecord) {
+    const auto shown = [](const std::string& hours, const std::string& text) {
+        scene::Campus campus = level_campus();
+        add_building(campus, "hall", "Great Hall", hours, text);
+        add_box(campus, "hall/door", {-1, 0, -1}, {1, 2, 1}, trigger_of("hall"));
+        const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0})}));
+        const Event open = outing.recorder.of("popup.open hall").at(0);
+        EXPECT_EQ(field<Text>(open, "title").value, "Great Hall");
+        return field<Text>(open, "body").value;
+    };
+    EXPECT_EQ(shown("08-22", "Four floors."), "Open 08-22. Four floors.");
+    EXPECT_EQ(shown("08-22", ""), "Open 08-22.");
+    EXPECT_EQ(shown("", "Four floors."), "Four floors.");
+    EXPECT_EQ(shown("", ""), "");
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
