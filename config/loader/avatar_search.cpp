@@ -1,6 +1,6 @@
 #include "config/loader/avatar_search.h"
 
-#include <algorithm>
+#include <set>
 #include <system_error>
 
 #include "config/loader/wording.h"
@@ -16,21 +16,18 @@ constexpr int kMostParents = 8;
 
 /// Names of the profiles in all the folders, sorted.
 std::vector<std::string> known_avatars(const std::vector<fs::path>& folders) {
-    std::vector<std::string> names;
+    std::set<std::string> names;
     for (const fs::path& folder : folders) {
         std::error_code none;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
             std::string name = entry.path().filename().string();
             if (name.ends_with(kSuffix)) {
                 name.resize(name.size() - std::string_view(kSuffix).size());
-                names.push_back(std::move(name));
+                names.insert(std::move(name));
             }
         }
     }
-    std::ranges::sort(names);
-    const auto repeats = std::ranges::unique(names);
-    names.erase(repeats.begin(), repeats.end());
-    return names;
+    return {names.begin(), names.end()};
 }
 
 }  // namespace

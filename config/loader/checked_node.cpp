@@ -1,6 +1,7 @@
 #include "config/loader/checked_node.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "config/loader/wording.h"
 
@@ -103,7 +104,8 @@ std::optional<std::uint64_t> CheckedNode::seed() const {
             return value;
         }
     }
-    if (number({0.0, 18446744073709551615.0, false, ""})) {
+    constexpr double kHuge = std::numeric_limits<double>::max();
+    if (number({-kHuge, kHuge, false, ""})) {
         complain("bad-value", what_ +
                                   " must be a whole number from 0 to 18446744073709551615, written with "
                                   "digits only");

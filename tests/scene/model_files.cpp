@@ -92,22 +92,6 @@ std::string node_json(const std::vector<TinyNode>& nodes, std::size_t i, int mes
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "campuswalk-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
-void TemporaryFolder::write(const std::string& name, std::string_view bytes) const {
-    const fs::path file = path_ / name;
-    fs::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
 Eigen::Matrix4d translation(double x, double y, double z) {
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
     m.topRightCorner<3, 1>() << x, y, z;

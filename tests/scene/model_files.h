@@ -11,24 +11,11 @@
 
 #include "scene/campus_description.h"
 #include "scene/model.h"
+#include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene::test {
 
-/// An empty folder that is gone after the test.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    /// Writes a file, with the folders it needs.
-    void write(const std::string& name, std::string_view bytes) const;
-
-private:
-    std::filesystem::path path_;
-};
+using support::TemporaryFolder;
 
 /// A node of a glTF file to write: a box of full edge lengths `size` about its origin, or nothing when zero.
 struct TinyNode {

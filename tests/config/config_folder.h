@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/loader/load_run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::config::test {
+
+using Lines = std::vector<std::string>;
+
+/// A folder with a small campus (a.campus.yaml), a profile (avatars/adult.avatar.yaml) and a walk
+/// (a.walk.yaml) that load without a complaint; tests replace one of the files.
+class ConfigFolder {
+public:
+    ConfigFolder();
+
+    void write(const std::string& name, std::string_view text) const { folder_.write(name, text); }
+    std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+
+    Run run() const { return load_run(path("a.walk.yaml"), {}); }
+    scene::CampusDescription campus() const { return load_campus_description(path("a.campus.yaml")); }
+
+    /// What is said about a text in the file's place, a line each, paths relative to the folder; empty when
+    /// it loads.
+    Lines about_campus(std::string_view text) const;
+    Lines about_avatar(std::string_view text) const;
+    Lines about_walk(std::string_view text) const;
+    /// What is said about the files as they are.
+    Lines about_run() const;
+
+    // The same for a part of a file whose other lines are right.
+
+    /// List entries of `steps`, from line 3 on.
+    Lines about_steps(const std::string& text) const;
+    /// List entries of `expect`, from line 4 on.
+    Lines about_expectations(const std::string& text) const;
+    /// One of `colliders`, from line 5 and column 5 on.
+    Lines about_collider(const std::string& text) const;
+
+private:
+    Lines complaints_of(const std::function<void()>& load) const;
+
+    support::TemporaryFolder folder_;
+};
+
+/// The complaints that `load` throws; none when it doesn't.
+std::vector<scene::Diagnostic> diagnostics_of(const std::function<void()>& load);
+
+}  // namespace campuswalk::config::test

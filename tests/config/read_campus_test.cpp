@@ -1,0 +1,250 @@
+#include "config/loader/read_campus.h"
+
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/config/config_folder.h"
+
+namespace campuswalk::config {
+namespace {
+
+using scene::CampusDescription;
+using scene::UpAxis;
+using test::Lines;
+using testing::ElementsAre;
+
+class ReadCampus : public testing::Test {
+protected:
+    /// A campus of these lines and what every campus needs.
+    Lines about(const std::string& text) {
+        return folder_.about_campus("scenes: [{file: a.obj}]\ncolliders: []\n" + text);
+    }
+
+    CampusDescription read(std::string_view text) {
+        folder_.write("a.campus.yaml", text);
+        return folder_.campus();
+    }
+
+    test::ConfigFolder folder_;
+};
+
+TEST_F(ReadCampus, PutsEveryKeyWhereItBelongs) {
+    const CampusDescription campus = read(R"(
+scenes:
+  - {file: models/a.obj, up: z, unit: cm, scale: 2.5, position: [1, -2, 3]}
+  - {file: b.glb}
+layers: [ground, street-furniture]
+buildings:
+  - id: main-library
+    nodes: ["library", "library_*"]
+    title: Main Library
+    kind: library
+    text: "Four floors.\nQuiet."
+    hours: "08-22"
+    floors: 4
+  - {id: hut, nodes: hut, title: Hut}
+colliders:
+  - {id: ground, nodes: terrain, shape: mesh, mode: solid}
+spawns:
+  gate: {at: [0, 1.5, 24], yaw_deg: -90}
+  square: {at: [1, 2, 3]}
+places:
+  door: [4, 5, -6]
+)");
+    EXPECT_EQ(campus.name, "a");
+    ASSERT_EQ(campus.scenes.size(), 2U);
+    EXPECT_EQ(campus.scenes[0].file, "models/a.obj");
+    EXPECT_EQ(campus.scenes[0].path, folder_.path("models/a.obj"));
+    EXPECT_EQ(campus.scenes[0].up, UpAxis::z);
+    EXPECT_EQ(campus.scenes[0].metres_per_unit, 0.01);
+    EXPECT_EQ(campus.scenes[0].scale, 2.5);
+    EXPECT_EQ(campus.scenes[0].position, Eigen::Vector3d(1, -2, 3));
+    EXPECT_EQ(campus.scenes[0].mark.line, 3);
+    EXPECT_EQ(campus.scenes[0].mark.column, 12);
+    EXPECT_EQ(campus.scenes[1].up, UpAxis::y);
+    EXPECT_EQ(campus.scenes[1].metres_per_unit, 1.0);
+    EXPECT_EQ(campus.scenes[1].scale, 1.0);
+    EXPECT_EQ(campus.scenes[1].position, Eigen::Vector3d(0, 0, 0));
+    EXPECT_THAT(campus.layers, ElementsAre("ground", "street-furniture"));
+
+    ASSERT_EQ(campus.buildings.size(), 2U);
+    const scene::Building& library = campus.buildings[0];
+    EXPECT_EQ(library.id, "main-library");
+    ASSERT_EQ(library.nodes.size(), 2U);
+    EXPECT_EQ(library.nodes[1].pattern, "library_*");
+    EXPECT_EQ(library.nodes[1].mark.line, 8);
+    EXPECT_EQ(library.nodes[1].mark.column, 24);
+    EXPECT_EQ(library.title, "Main Library");
+    EXPECT_EQ(library.kind, "library");
+    EXPECT_EQ(library.text, "Four floors.\nQuiet.");
+    EXPECT_EQ(library.hours, "08-22");
+    EXPECT_EQ(library.floors, 4);
+    ASSERT_EQ(campus.buildings[1].nodes.size(), 1U);
+    EXPECT_EQ(campus.buildings[1].nodes[0].pattern, "hut");
+
+    ASSERT_EQ(campus.spawns.size(), 2U);
+    EXPECT_EQ(campus.spawns[0].name, "gate");
+    EXPECT_EQ(campus.spawns[0].position, Eigen::Vector3d(0, 1.5, 24));
+    EXPECT_NEAR(campus.spawns[0].yaw, -std::numbers::pi / 2, 1e-15);
+    EXPECT_EQ(campus.spawns[1].yaw, 0.0);
+    ASSERT_EQ(campus.places.size(), 1U);
+    EXPECT_EQ(campus.places[0].name, "door");
+    EXPECT_EQ(campus.places[0].position, Eigen::Vector3d(4, 5, -6));
+}
+
+TEST_F(ReadCampus, KnowsTheUnits) {
+    for (const auto& [unit, metres] : std::vector<std::pair<std::string, double>>{
+             {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}) {
+        const CampusDescription campus = read("scenes: [{file: a.obj, unit: " + unit + "}]\ncolliders: []\n");
+        EXPECT_EQ(campus.scenes.at(0).metres_per_unit, metres) << unit;
+    }
+}
+
+TEST_F(ReadCampus, TakesEmptySectionsAndSharedValues) {
+    EXPECT_THAT(about("layers:\nbuildings:\nspawns:\nplaces: {}\n"), ElementsAre());
+    EXPECT_THAT(about("spawns: {a: &a {at: [0, 0, 0]}, b: *a}\n"), ElementsAre());
+    EXPECT_THAT(about("\"layers\": ['ground', \"trees\"]\n"), ElementsAre());
+}
+
+TEST_F(ReadCampus, ComplainsOfTheFileAsAWhole) {
+    EXPECT_THAT(
+        folder_.about_campus("[]\n"),
+        ElementsAre(
+            "a.campus.yaml:1:1: error wrong-type: a campus must be a map of keys, as in {key: value}"));
+    EXPECT_THAT(folder_.about_campus("{}\n"),
+                ElementsAre("a.campus.yaml:1:1: error missing-key: a campus needs the key 'scenes'",
+                            "a.campus.yaml:1:1: error missing-key: a campus needs the key 'colliders'"));
+    EXPECT_THAT(folder_.about_campus("scene: []\ncolliders: []\n"),
+                ElementsAre("a.campus.yaml:1:1: error missing-key: a campus needs the key 'scenes'",
+                            "a.campus.yaml:1:1: error unknown-key: unknown key 'scene' in a campus (did you "
+                            "mean 'scenes'?)"));
+    EXPECT_THAT(
+        about("weather: rain\n"),
+        ElementsAre("a.campus.yaml:3:1: error unknown-key: unknown key 'weather' in a campus; known here: "
+                    "scenes, layers, buildings, colliders, spawns, places"));
+}
+
+TEST_F(ReadCampus, ComplainsOfScenes) {
+    const auto about_scenes = [&](const std::string& scenes) {
+        return folder_.about_campus("colliders: []\nscenes: " + scenes + "\n");
+    };
+    EXPECT_THAT(about_scenes("[]"),
+                ElementsAre("a.campus.yaml:2:9: error bad-value: 'scenes' needs at least one model file"));
+    EXPECT_THAT(about_scenes(""),
+                ElementsAre("a.campus.yaml:2:1: error bad-value: 'scenes' needs at least one model file"));
+    EXPECT_THAT(
+        about_scenes("a.obj"),
+        ElementsAre("a.campus.yaml:2:9: error wrong-type: 'scenes' must be a list, not a single value"));
+    EXPECT_THAT(
+        about_scenes("[a.obj]"),
+        ElementsAre(
+            "a.campus.yaml:2:10: error wrong-type: a scene must be a map of keys, as in {key: value}"));
+    EXPECT_THAT(
+        about_scenes("[{fil: a.obj}]"),
+        ElementsAre(
+            "a.campus.yaml:2:10: error missing-key: a scene needs the key 'file'",
+            "a.campus.yaml:2:11: error unknown-key: unknown key 'fil' in a scene (did you mean 'file'?)"));
+    EXPECT_THAT(
+        about_scenes("[{file: }, {file: ''}, {file: [a]}]"),
+        ElementsAre("a.campus.yaml:2:17: error wrong-type: 'file' is empty; it must be a text",
+                    "a.campus.yaml:2:27: error bad-value: 'file' must be one line of text and not empty",
+                    "a.campus.yaml:2:39: error wrong-type: 'file' must be a text, not a list"));
+    EXPECT_THAT(
+        about_scenes("[{file: a, up: Z, unit: inch, scale: 0, position: [1, 2]}]"),
+        ElementsAre(
+            "a.campus.yaml:2:24: error bad-value: 'up' must be one of y, z, not 'Z'",
+            "a.campus.yaml:2:33: error bad-value: 'unit' must be one of m, cm, mm, in, ft, not 'inch'",
+            "a.campus.yaml:2:46: error bad-value: 'scale' must be more than 0 and at most 1000000, not '0'",
+            "a.campus.yaml:2:59: error wrong-type: 'position' must be three numbers, as in [0, 1.5, -2]"));
+}
+
+TEST_F(ReadCampus, ComplainsOfNumbers) {
+    EXPECT_THAT(
+        about("places: {a: [010, 0x10, 1_000], b: [.inf, -.nan, 1e999], c: ['1', 1e8, x]}\n"),
+        ElementsAre(
+            "a.campus.yaml:3:14: error bad-value: 'a' must not start with a zero (some read it as octal), as "
+            "'010'",
+            "a.campus.yaml:3:19: error wrong-type: 'a' must be a number, not '0x10'",
+            "a.campus.yaml:3:25: error wrong-type: 'a' must be a number, not '1_000'",
+            "a.campus.yaml:3:37: error bad-value: 'b' must be finite, not '.inf'",
+            "a.campus.yaml:3:43: error bad-value: 'b' must be finite, not '-.nan'",
+            "a.campus.yaml:3:50: error bad-value: 'b' must be a number that fits 64 bits, not '1e999'",
+            "a.campus.yaml:3:62: error wrong-type: 'c' must be a number; remove the quotes around '1'",
+            "a.campus.yaml:3:67: error bad-value: 'c' must be from -10000000 to 10000000 m, not '1e8'",
+            "a.campus.yaml:3:72: error wrong-type: 'c' must be a number, not 'x'"));
+}
+
+TEST_F(ReadCampus, ComplainsOfLayers) {
+    EXPECT_THAT(
+        about("layers: [Ground, a b, trees, trees, '', [x]]\n"),
+        ElementsAre("a.campus.yaml:3:10: error bad-value: a layer must be small letters, digits and single "
+                    "hyphens, as in main-gate, not 'Ground'",
+                    "a.campus.yaml:3:18: error bad-value: a layer must be small letters, digits and single "
+                    "hyphens, as in main-gate, not 'a b'",
+                    "a.campus.yaml:3:30: error duplicate-name: the layer 'trees' stands on line 3 already",
+                    "a.campus.yaml:3:37: error bad-value: a layer must be one line of text and not empty",
+                    "a.campus.yaml:3:41: error wrong-type: a layer must be a text, not a list"));
+    EXPECT_THAT(
+        about("layers: ground\n"),
+        ElementsAre("a.campus.yaml:3:9: error wrong-type: 'layers' must be a list, not a single value"));
+}
+
+TEST_F(ReadCampus, ComplainsOfBuildings) {
+    EXPECT_THAT(
+        about("buildings:\n"
+              "  - {id: hut}\n"
+              "  - {id: hut, title: a, floors: 1.5}\n"
+              "  - {title: b, floors: many}\n"
+              "  - hut\n"
+              "  -\n"
+              "  - {id: A, title: [x], floors: -1, hours: [8], text: {a: b}, kind: ~}\n"
+              "  - {id: c, title: \"two\\nlines\", text: \"a\\u0007b\", nodes: 3}\n"),
+        ElementsAre(
+            "a.campus.yaml:4:5: error missing-key: a building needs the key 'title'",
+            "a.campus.yaml:5:10: error duplicate-name: the building 'hut' stands on line 4 already",
+            "a.campus.yaml:5:33: error bad-value: 'floors' must be a whole number, not '1.5'",
+            "a.campus.yaml:6:5: error missing-key: a building needs the key 'id'",
+            "a.campus.yaml:6:24: error wrong-type: 'floors' must be a number, not 'many'",
+            "a.campus.yaml:7:5: error wrong-type: a building must be a map of keys, as in {key: value}",
+            "a.campus.yaml:8:3: error wrong-type: a building must be a map of keys, as in {key: value}",
+            "a.campus.yaml:9:10: error bad-value: 'id' must be small letters, digits and single hyphens, as "
+            "in main-gate, not 'A'",
+            "a.campus.yaml:9:20: error wrong-type: 'title' must be a text, not a list",
+            "a.campus.yaml:9:33: error bad-value: 'floors' must be from 0 to 1000, not '-1'",
+            "a.campus.yaml:9:44: error wrong-type: 'hours' must be a text, not a list",
+            "a.campus.yaml:9:55: error wrong-type: 'text' must be a text, not a map of keys",
+            "a.campus.yaml:9:69: error wrong-type: 'kind' is empty; it must be a text",
+            "a.campus.yaml:10:20: error bad-value: 'title' must be one line of text and not empty",
+            "a.campus.yaml:10:40: error bad-value: 'text' must not contain control characters"));
+}
+
+TEST_F(ReadCampus, ComplainsOfSpawnsAndPlaces) {
+    EXPECT_THAT(
+        about("spawns: [a]\nplaces: a\n"),
+        ElementsAre(
+            "a.campus.yaml:3:9: error wrong-type: 'spawns' must be a map of keys, not a list",
+            "a.campus.yaml:4:9: error wrong-type: 'places' must be a map of keys, not a single value"));
+    EXPECT_THAT(
+        about("spawns: {a: [1, 2, 3], b: {at: [1, 2], yaw: 3}, C: {yaw_deg: 99999}}\n"),
+        ElementsAre(
+            "a.campus.yaml:3:13: error wrong-type: a spawn must be a map of keys, as in {key: value}",
+            "a.campus.yaml:3:32: error wrong-type: 'at' must be three numbers, as in [0, 1.5, -2]",
+            "a.campus.yaml:3:40: error unknown-key: unknown key 'yaw' in a spawn; known here: at, yaw_deg",
+            "a.campus.yaml:3:49: error bad-value: the name must be small letters, digits and single hyphens, "
+            "as in main-gate, not 'C'",
+            "a.campus.yaml:3:52: error missing-key: a spawn needs the key 'at'",
+            "a.campus.yaml:3:62: error bad-value: 'yaw_deg' must be from -3600 to 3600 degrees, not "
+            "'99999'"));
+    EXPECT_THAT(
+        about("places:\n  a:\n  b: {}\n  c: [1, 2]\n  a: [1, 2, 3]\n"),
+        ElementsAre("a.campus.yaml:4:3: error wrong-type: 'a' must be three numbers, as in [0, 1.5, -2]",
+                    "a.campus.yaml:5:6: error wrong-type: 'b' must be three numbers, as in [0, 1.5, -2]",
+                    "a.campus.yaml:6:6: error wrong-type: 'c' must be three numbers, as in [0, 1.5, -2]",
+                    "a.campus.yaml:7:3: error duplicate-key: key 'a' was given on line 4 already; remove one "
+                    "of the two"));
+}
+
+}  // namespace
+}  // namespace campuswalk::config

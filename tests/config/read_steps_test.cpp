@@ -1,0 +1,210 @@
+#include "config/loader/read_steps.h"
+
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/config/config_folder.h"
+
+namespace campuswalk::config {
+namespace {
+
+using namespace engine;
+using Eigen::Vector3d;
+using testing::ElementsAre;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+class ReadSteps : public testing::Test {
+protected:
+    std::vector<Step> read(const std::string& text) {
+        EXPECT_THAT(folder_.about_steps(text), ElementsAre());
+        return folder_.run().walk.steps;
+    }
+
+    /// What is said about a second step.
+    test::Lines about(const std::string& step) {
+        return folder_.about_steps("  - spawn: gate\n  - " + step + "\n");
+    }
+
+    test::ConfigFolder folder_;
+};
+
+TEST_F(ReadSteps, ReadsSpawnsAndTeleports) {
+    const auto steps = read(
+        "  - spawn: gate\n  - teleport: gate\n  - teleport: {at: [1, 2, 3]}\n"
+        "  - teleport: {at: [1, 2, 3], yaw_deg: 180}\n");
+    const auto& spawn = std::get<SpawnStep>(steps.at(0));
+    EXPECT_EQ(spawn.label, "gate");
+    EXPECT_EQ(spawn.position, Vector3d(1, 0, 5));
+    EXPECT_NEAR(spawn.yaw, 90 * kDegree, 1e-15);
+    EXPECT_EQ(spawn.mark.line, 3);
+    EXPECT_EQ(spawn.mark.column, 12);
+    EXPECT_EQ(std::get<TeleportStep>(steps.at(1)).label, "gate");
+    EXPECT_NEAR(std::get<TeleportStep>(steps.at(1)).yaw.value(), 90 * kDegree, 1e-15);
+    EXPECT_EQ(std::get<TeleportStep>(steps.at(2)).label, "1,2,3");
+    EXPECT_EQ(std::get<TeleportStep>(steps.at(2)).position, Vector3d(1, 2, 3));
+    EXPECT_FALSE(std::get<TeleportStep>(steps.at(2)).yaw);
+    EXPECT_NEAR(std::get<TeleportStep>(steps.at(3)).yaw.value(), 180 * kDegree, 1e-15);
+}
+
+TEST_F(ReadSteps, SpawnsAtCoordinates) {
+    const auto steps = read("  - spawn: {at: [1.5, 0, -2], yaw_deg: -90}\n");
+    const auto& spawn = std::get<SpawnStep>(steps.at(0));
+    EXPECT_EQ(spawn.label, "1.5,0,-2");
+    EXPECT_EQ(spawn.position, Vector3d(1.5, 0, -2));
+    EXPECT_NEAR(spawn.yaw, -90 * kDegree, 1e-15);
+}
+
+TEST_F(ReadSteps, ReadsWhereToWalk) {
+    const auto steps = read(
+        "  - spawn: gate\n"
+        "  - walk_to: square\n"
+        "  - walk_to: gate\n"
+        "  - walk_to: [4, 5]\n"
+        "  - walk_to: [4, 5, 6]\n"
+        "  - walk_to: {to: square, within: 0.5, timeout: 30, speed: 2, if_blocked: continue}\n");
+    const auto& square = std::get<WalkToStep>(steps.at(1));
+    EXPECT_EQ(square.target.label, "square");
+    EXPECT_EQ(square.target.point, Vector3d(2, 0, -3));
+    EXPECT_TRUE(square.target.has_height);
+    EXPECT_EQ(square.within, 0.05);
+    EXPECT_FALSE(square.timeout);
+    EXPECT_FALSE(square.speed);
+    EXPECT_EQ(square.if_blocked, IfBlocked::fail);
+    EXPECT_EQ(std::get<WalkToStep>(steps.at(2)).target.point, Vector3d(1, 0, 5));
+    const auto& flat = std::get<WalkToStep>(steps.at(3)).target;
+    EXPECT_EQ(flat.label, "4,5");
+    EXPECT_EQ(flat.point.x(), 4.0);
+    EXPECT_EQ(flat.point.z(), 5.0);
+    EXPECT_FALSE(flat.has_height);
+    EXPECT_EQ(std::get<WalkToStep>(steps.at(4)).target.point, Vector3d(4, 5, 6));
+    EXPECT_TRUE(std::get<WalkToStep>(steps.at(4)).target.has_height);
+    const auto& full = std::get<WalkToStep>(steps.at(5));
+    EXPECT_EQ(full.target.label, "square");
+    EXPECT_EQ(full.within, 0.5);
+    EXPECT_EQ(full.timeout, 30.0);
+    EXPECT_EQ(full.speed, 2.0);
+    EXPECT_EQ(full.if_blocked, IfBlocked::proceed);
+    EXPECT_EQ(full.mark.line, 8);
+}
+
+TEST_F(ReadSteps, ReadsTheRest) {
+    const auto steps = read(
+        "  - spawn: gate\n"
+        "  - wait: 2.5\n"
+        "  - turn: -90\n"
+        "  - turn: {to_deg: 180}\n"
+        "  - look_at: square\n"
+        "  - look_at: [1, 2]\n"
+        "  - snapshot: view-1\n");
+    EXPECT_EQ(std::get<WaitStep>(steps.at(1)).seconds, 2.5);
+    EXPECT_NEAR(std::get<TurnStep>(steps.at(2)).angle, -90 * kDegree, 1e-15);
+    EXPECT_FALSE(std::get<TurnStep>(steps.at(2)).absolute);
+    EXPECT_NEAR(std::get<TurnStep>(steps.at(3)).angle, 180 * kDegree, 1e-15);
+    EXPECT_TRUE(std::get<TurnStep>(steps.at(3)).absolute);
+    EXPECT_EQ(std::get<LookAtStep>(steps.at(4)).target.point, Vector3d(2, 0, -3));
+    EXPECT_FALSE(std::get<LookAtStep>(steps.at(5)).target.has_height);
+    EXPECT_EQ(std::get<SnapshotStep>(steps.at(6)).name, "view-1");
+}
+
+TEST_F(ReadSteps, WantsASpawnFirstAndOnlyThere) {
+    EXPECT_THAT(
+        folder_.about_steps("  - wait: 1\n  - spawn: gate\n"),
+        ElementsAre(
+            "a.walk.yaml:3:5: error bad-value: the first step must be 'spawn', as in 'spawn: main-gate'",
+            "a.walk.yaml:4:12: error bad-value: 'spawn' can only be the first step; later it is 'teleport'"));
+    EXPECT_THAT(folder_.about_steps("  []\n"),
+                ElementsAre("a.walk.yaml:3:3: error bad-value: 'steps' needs at least a spawn"));
+    EXPECT_THAT(folder_.about_steps("  spawn: gate\n"),
+                ElementsAre("a.walk.yaml:3:3: error wrong-type: 'steps' must be a list, not a map of keys"));
+}
+
+TEST_F(ReadSteps, WantsOneKeyAStep) {
+    EXPECT_THAT(folder_.about_steps("  - spawn: gate\n    wait: 1\n"),
+                ElementsAre("a.walk.yaml:3:5: error bad-value: a step has one key; start 'wait' on a line of "
+                            "its own with '- '"));
+    EXPECT_THAT(
+        folder_.about_steps("  - spawn: gate\n  - {}\n  -\n  - wait\n  - wiat: 1\n  - fly: 2\n"),
+        ElementsAre(
+            "a.walk.yaml:4:5: error bad-value: a step is empty",
+            "a.walk.yaml:5:3: error wrong-type: a step must be a key with a value, as in 'spawn: …'",
+            "a.walk.yaml:6:5: error wrong-type: a step must be a key with a value, as in 'spawn: …'",
+            "a.walk.yaml:7:5: error unknown-key: unknown key 'wiat' for a step (did you mean 'wait'?)",
+            "a.walk.yaml:8:5: error unknown-key: unknown key 'fly' for a step; known here: spawn, walk_to, "
+            "wait, turn, look_at, teleport, snapshot"));
+}
+
+TEST_F(ReadSteps, ComplainsOfTargets) {
+    EXPECT_THAT(about("walk_to: sqare"), ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has "
+                                                     "no place or spawn 'sqare' (did you mean 'square'?)"));
+    EXPECT_THAT(about("look_at: hut"), ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has no "
+                                                   "place or spawn 'hut'; known here: square, gate"));
+    EXPECT_THAT(
+        about("walk_to: [1]"),
+        ElementsAre(
+            "a.walk.yaml:4:14: error wrong-type: 'walk_to' must be a place's name, [x, z] or [x, y, z]"));
+    EXPECT_THAT(
+        about("walk_to:"),
+        ElementsAre(
+            "a.walk.yaml:4:5: error wrong-type: 'walk_to' must be a place's name, [x, z] or [x, y, z]"));
+    EXPECT_THAT(
+        about("look_at: {x: 1}"),
+        ElementsAre(
+            "a.walk.yaml:4:14: error wrong-type: 'look_at' must be a place's name, [x, z] or [x, y, z]"));
+    EXPECT_THAT(about("walk_to: [1, b]"),
+                ElementsAre("a.walk.yaml:4:18: error wrong-type: a coordinate must be a number, not 'b'"));
+}
+
+TEST_F(ReadSteps, ComplainsOfWalkTo) {
+    EXPECT_THAT(about("walk_to: {}"),
+                ElementsAre("a.walk.yaml:4:14: error missing-key: 'walk_to' needs the key 'to'"));
+    EXPECT_THAT(
+        about("walk_to: {to: square, witin: 1, timeout: 0, speed: 0, if_blocked: go}"),
+        ElementsAre(
+            "a.walk.yaml:4:27: error unknown-key: unknown key 'witin' in 'walk_to' (did you mean 'within'?)",
+            "a.walk.yaml:4:46: error bad-value: 'timeout' must be more than 0 and at most 86400 s, not '0'",
+            "a.walk.yaml:4:56: error bad-value: 'speed' must be more than 0 and at most 100 m/s, not '0'",
+            "a.walk.yaml:4:71: error bad-value: 'if_blocked' must be one of fail, continue, not 'go'"));
+}
+
+TEST_F(ReadSteps, ComplainsOfStandings) {
+    EXPECT_THAT(
+        about("teleport: square"),
+        ElementsAre(
+            "a.walk.yaml:4:15: error unknown-name: the campus has no spawn 'square'; known here: gate"));
+    EXPECT_THAT(about("teleport: [1, 2, 3]"),
+                ElementsAre("a.walk.yaml:4:15: error wrong-type: 'teleport' must be a spawn's name or {at: "
+                            "[x, y, z], yaw_deg: 0}"));
+    EXPECT_THAT(about("teleport: {yaw_deg: 3}"),
+                ElementsAre("a.walk.yaml:4:15: error missing-key: 'teleport' needs the key 'at'"));
+    EXPECT_THAT(
+        folder_.about_steps("  - spawn: gaet\n"),
+        ElementsAre(
+            "a.walk.yaml:3:12: error unknown-name: the campus has no spawn 'gaet' (did you mean 'gate'?)"));
+}
+
+TEST_F(ReadSteps, ComplainsOfNumbersAndSnapshots) {
+    EXPECT_THAT(about("wait: -1"),
+                ElementsAre("a.walk.yaml:4:11: error bad-value: 'wait' must be from 0 to 86400 s, not '-1'"));
+    EXPECT_THAT(about("wait: [1]"),
+                ElementsAre("a.walk.yaml:4:11: error wrong-type: 'wait' must be a number, not a list"));
+    EXPECT_THAT(about("turn: left"),
+                ElementsAre("a.walk.yaml:4:11: error wrong-type: 'turn' must be a number, not 'left'"));
+    EXPECT_THAT(
+        about("turn: {to: 3}"),
+        ElementsAre("a.walk.yaml:4:11: error missing-key: 'turn' needs the key 'to_deg'",
+                    "a.walk.yaml:4:12: error unknown-key: unknown key 'to' in 'turn'; known here: to_deg"));
+    EXPECT_THAT(
+        about("snapshot: a\n  - snapshot: a"),
+        ElementsAre("a.walk.yaml:5:15: error duplicate-name: the snapshot 'a' stands on line 4 already"));
+    EXPECT_THAT(about("snapshot: {name: ../x}"),
+                ElementsAre("a.walk.yaml:4:22: error bad-value: 'name' must be small letters, digits and "
+                            "single hyphens, as in main-gate, not '../x'"));
+    EXPECT_THAT(about("snapshot: {view: top}"),
+                ElementsAre("a.walk.yaml:4:15: error missing-key: 'snapshot' needs the key 'name'"));
+}
+
+}  // namespace
+}  // namespace campuswalk::config
