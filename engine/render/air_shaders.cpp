@@ -54,9 +54,8 @@ uniform vec3 ray_up;      // upper edges
 out vec3 ray;
 
 void main() {
-    vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-    ray = ray_centre + corner.x * ray_right + corner.y * ray_up;
-    gl_Position = vec4(corner, 0.0, 1.0);  // the far plane of a reversed depth
+    gl_Position = screen_corner();
+    ray = ray_centre + gl_Position.x * ray_right + gl_Position.y * ray_up;
 }
 )";
 

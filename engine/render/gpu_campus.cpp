@@ -66,13 +66,9 @@ void GpuCampus::draw_depth(const ShaderProgram& opaque, const ShaderProgram& mas
     }
 }
 
-void GpuCampus::bind_white(GLenum unit) const {
-    gl_.ActiveTexture(unit);
-    gl_.BindTexture(GL_TEXTURE_2D, white_);
-}
-
 void GpuCampus::set_plain_material(const ShaderProgram& surface) const {
-    bind_white(GL_TEXTURE0);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, white_);
     surface.set("base_color", Eigen::Vector4d(1, 1, 1, 1));
     surface.set("emissive", Eigen::Vector3d(0, 0, 0));
     set_culling(gl_, false);

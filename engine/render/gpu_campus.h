@@ -29,9 +29,6 @@ public:
     /// See-through triangles, the farthest from `eye` first. `surface` must be in use.
     void draw_blend(const ShaderProgram& surface, const Frustum& frustum, const Eigen::Vector3d& eye) const;
 
-    /// Gives a texture unit that nothing else was found for one white texel.
-    void bind_white(GLenum unit) const;
-
     /// For drawing a mesh without a texture of its own.
     void set_plain_material(const ShaderProgram& surface) const;
 

@@ -41,8 +41,10 @@ GLuint upload_texture(const GlFunctions& gl, const scene::Texture& texture, bool
 
 GLuint upload_white(const GlFunctions& gl) {
     const GLuint name = make_texture(gl, true);
-    const std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-    upload_level(gl, 0, 1, 1, white.data());
+    std::array<std::uint8_t, 16> white{};
+    white.fill(255);
+    upload_level(gl, 0, 2, 2, white.data());
+    upload_level(gl, 1, 1, 1, white.data());
     return name;
 }
 

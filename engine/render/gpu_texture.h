@@ -10,7 +10,8 @@ namespace campuswalk::engine::render {
 /// would lose their leaves with distance.
 GLuint upload_texture(const GlFunctions& gl, const scene::Texture& texture, bool cutout, float alpha_cutoff);
 
-/// One white, opaque texel, for materials without a texture.
+/// All white and opaque, for materials without a texture. With a smaller copy like any other texture: for one
+/// without, the driver would compile the shaders again.
 GLuint upload_white(const GlFunctions& gl);
 
 }  // namespace campuswalk::engine::render

@@ -10,9 +10,9 @@ OcclusionPass::OcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque,
     : gl_(gl),
       opaque_(opaque),
       masked_(masked),
-      occlusion_(gl, "occlusion", {shaders::kVersion, shaders::kScreenVertex},
+      occlusion_(gl, "occlusion", {shaders::kVersion, shaders::kScreenChunk, shaders::kScreenVertex},
                  {shaders::kVersion, shaders::kOcclusionFragment}),
-      blur_(gl, "occlusion blur", {shaders::kVersion, shaders::kScreenVertex},
+      blur_(gl, "occlusion blur", {shaders::kVersion, shaders::kScreenChunk, shaders::kScreenVertex},
             {shaders::kVersion, shaders::kBlurFragment}) {
     gl.GenVertexArrays(1, &no_vertices_);
 }
@@ -108,6 +108,12 @@ void OcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, std::si
     blur(raw_, half_smooth_, Eigen::Vector2i(1, 0));
     blur(half_smooth_, smooth_, Eigen::Vector2i(0, 1));
     gl_.Enable(GL_DEPTH_TEST);
+}
+
+void OcclusionPass::leave_open() const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_.framebuffer);
+    gl_.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
 void OcclusionPass::blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const {

@@ -19,12 +19,16 @@ public:
     OcclusionPass& operator=(const OcclusionPass&) = delete;
     ~OcclusionPass();
 
-    /// Makes the map fit pictures of `width` x `height` pixels; once before the first `draw`.
+    /// Makes the map fit pictures of `width` x `height` pixels; before `draw` or `leave_open`.
     void fit(int width, int height);
 
     /// Draws the map for what `view` sees; `radius` in metres. `figure` (null for none) counts too.
     void draw(const GpuCampus& campus, const GpuMesh* figure, std::size_t figure_indices,
               const Viewpoint& view, const Eigen::Matrix4d& clip_campus, double radius) const;
+
+    /// Makes the map say that all light reaches everything. A plain white texture would do, but of another
+    /// format: the driver compiles every shader again for that, which takes longer than drawing a picture.
+    void leave_open() const;
 
     /// Sets the surface shader's uniforms; binds the map to texture unit 3.
     void bind(const ShaderProgram& surface) const;

@@ -2,10 +2,16 @@
 
 namespace campuswalk::engine::render::shaders {
 
+const std::string_view kScreenChunk = R"(
+vec4 screen_corner() {
+    // Depth 0 is the far plane of a reversed depth.
+    return vec4((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1, 0.0, 1.0);
+}
+)";
+
 const std::string_view kScreenVertex = R"(
 void main() {
-    vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-    gl_Position = vec4(corner, 0.0, 1.0);
+    gl_Position = screen_corner();
 }
 )";
 

@@ -26,6 +26,8 @@ const Eigen::Vector3d kPaper(0.60, 0.61, 0.59);
 // Shares of open sky: with less the camera is in a room, with more it is outside.
 constexpr double kInside = 0.06;
 constexpr double kOutside = 0.42;
+// What floors get more of the light in a room, and ceilings less: treads and risers must differ.
+constexpr double kLampsAbove = 0.18;
 
 std::unique_ptr<GlContext> made_current(std::unique_ptr<GlContext> context) {
     context->make_current();
@@ -51,7 +53,7 @@ public:
           opaque_(surface_program("opaque surface", "")),
           cutout_(surface_program("cut-out surface", shaders::kDefineCutout)),
           see_through_(surface_program("see-through surface", shaders::kDefineSeeThrough)),
-          sky_(gl_, "sky", {shaders::kVersion, shaders::kSkyVertex},
+          sky_(gl_, "sky", {shaders::kVersion, shaders::kScreenChunk, shaders::kSkyVertex},
                {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
           occlusion_(gl_, depth_, masked_depth_) {
@@ -72,6 +74,7 @@ public:
     Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
         context_->make_current();
         fit_target(width, height);
+        occlusion_.fit(width, height);
         Frame frame;
         frame.eye = view.position - geometry_.origin;
         frame.clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
@@ -84,9 +87,10 @@ public:
             shadows_.draw_near(frame.eye, -view.R_world_camera.col(2), frame.figure, figure_indices_);
         }
         if (frame.occlusion) {
-            occlusion_.fit(width, height);
             occlusion_.draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
                             settings_.occlusion_radius);
+        } else {
+            occlusion_.leave_open();
         }
         target_->begin(kPaper);
         draw_solid(frame);
@@ -171,7 +175,8 @@ private:
         surface.set("eye", frame.eye);
         surface.set("ambient_middle",
                     Eigen::Vector3d(0.5 * (settings_.sky_light + settings_.ground_light) + frame.room_light));
-        surface.set("ambient_rise", Eigen::Vector3d(0.5 * (settings_.sky_light - settings_.ground_light)));
+        surface.set("ambient_rise", Eigen::Vector3d(0.5 * (settings_.sky_light - settings_.ground_light) +
+                                                    kLampsAbove * frame.room_light));
         const Eigen::Vector3d level = Eigen::Vector3d(settings_.to_sun.x(), 0.0, settings_.to_sun.z());
         surface.set("side_axis", Eigen::Vector3d(settings_.side_light * level.normalized()));
         surface.set("sky_light", settings_.sky_light);
@@ -179,12 +184,7 @@ private:
         surface.set("fog_density", fog ? 1.0 / settings_.fog_distance : 0.0);
         surface.set("base_color_map", 0);
         shadows_.bind(surface, frame.near_shadows);
-        if (frame.occlusion) {
-            occlusion_.bind(surface);
-        } else {
-            campus_.bind_white(GL_TEXTURE3);
-            surface.set("occlusion_map", 3);
-        }
+        occlusion_.bind(surface);
     }
 
     void draw_solid(const Frame& frame) const {

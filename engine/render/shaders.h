@@ -17,6 +17,9 @@ extern const std::string_view kAirChunk;
 /// float sunlight(vec3 position, vec3 normal): 0 in shadow, 1 in the sun.
 extern const std::string_view kShadowChunk;
 
+/// vec4 screen_corner(): the vertices 0 to 2 make a triangle over the whole picture, at the far plane.
+extern const std::string_view kScreenChunk;
+
 extern const std::string_view kSurfaceVertex;
 /// Three programs in one text: opaque as it stands, with holes or glass after one of the next two.
 extern const std::string_view kSurfaceFragment;
@@ -29,7 +32,7 @@ extern const std::string_view kSkyFragment;
 extern const std::string_view kDepthVertex;
 extern const std::string_view kDepthFragment;        ///< opaque: nothing to compute
 extern const std::string_view kMaskedDepthFragment;  ///< leaves holes where the texture is transparent
-extern const std::string_view kScreenVertex;         ///< a triangle over the whole picture
+extern const std::string_view kScreenVertex;         ///< for passes over a whole picture
 extern const std::string_view kOcclusionFragment;
 extern const std::string_view kBlurFragment;
 

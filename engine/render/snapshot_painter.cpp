@@ -11,6 +11,8 @@ namespace {
 // Closer to the head than this the figure would fill the picture.
 constexpr double kFigureFrom = 0.9;
 
+constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
+
 }  // namespace
 
 SnapshotPainter::SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings)
@@ -124,7 +126,8 @@ const Minimap& SnapshotPainter::minimap() {
         const scene::Bounds& bounds = renderer_.bounds();
         const double across = std::max(1.0, bounds.max.x() - bounds.min.x());
         const double along = std::max(1.0, bounds.max.z() - bounds.min.z());
-        const double scale = settings_.minimap_pixels / std::max(across, along);
+        const double scale =
+            std::min(settings_.minimap_detail, kLargestMinimapPlan / std::max(across, along));
         const int width = std::max(16, static_cast<int>(across * scale));
         const int height = std::max(16, static_cast<int>(along * scale));
         const Viewpoint view = plan(bounds, static_cast<double>(width) / height);

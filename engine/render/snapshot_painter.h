@@ -27,9 +27,8 @@ struct SnapshotSettings {
     RenderSettings light;
     bool minimap = true;           ///< in views from the avatar
     double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
-    /// Longer side of the plan that it is cut from: three pixels to one of the minimap's for a campus of 250
-    /// m in a picture 720 high.
-    int minimap_pixels = 960;
+    /// Of the plan that it is cut from, pixels a metre: twice what a picture 720 high shows.
+    double minimap_detail = 2.5;
     std::size_t max_windows = 3;  ///< pop-ups shown at once; more would hide the campus
     bool labels = true;           ///< building titles on plans
     bool caption = false;         ///< walk name and time in the upper left corner

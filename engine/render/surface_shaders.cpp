@@ -96,7 +96,12 @@ void main() {
 #endif
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     float facing = dot(n, to_sun);
+#if defined(CUTOUT)
+    // Leaves and petals are thin: seen from their shady side, half of the sun shines through.
+    float sun = max(facing, -0.5 * facing) * sunlight(position, n * sign(facing));
+#else
     float sun = max(facing, 0.0) * sunlight(position, n);
+#endif
     vec3 ambient = ambient_middle + ambient_rise * n.y + sky_light * dot(n, side_axis);
 #if !defined(SEE_THROUGH)
     ambient *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
