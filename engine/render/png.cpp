@@ -68,6 +68,9 @@ std::vector<std::uint8_t> encode_png(const Picture& picture) {
 void write_png(const Picture& picture, const std::filesystem::path& file) {
     const std::vector<std::uint8_t> bytes = encode_png(picture);
     std::error_code error;
+    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+        fail(file, "it is not a regular file");  // the rename below would put one in a device's place
+    }
     if (file.has_parent_path()) {
         std::filesystem::create_directories(file.parent_path(), error);
         if (error) {

@@ -31,7 +31,8 @@ std::optional<DecodedImage> decode_image(std::span<const std::uint8_t> bytes, st
         &stbi_image_free);
     if (!pixels) {
         const char* words = stbi_failure_reason();
-        reason = words != nullptr ? words : "unknown format";
+        // It has no words for some files that end early.
+        reason = words != nullptr && *words != '\0' ? words : "damaged or of an unknown format";
         return std::nullopt;
     }
     const std::size_t size =

@@ -1,12 +1,13 @@
 #include "tools/campuswalk/snapshot_command.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <stdexcept>
 #include <vector>
 
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/walk_loader.h"
+#include "tools/campuswalk/writable_path.h"
 
 namespace campuswalk::tools {
 
@@ -29,8 +30,11 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
 
 int draw_snapshot(const SnapshotOptions& options) {
     if (!can_draw()) {
-        std::fprintf(stderr, "this build has no rendering: configure with CAMPUSWALK_RENDER=ON\n");
-        return kRunFailed;
+        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+    }
+    if (const std::string why = why_file_unwritable(options.output); !why.empty()) {
+        throw scene::InputError({options.output.string(), 0, 0}, "output-unwritable",
+                                "the picture can't be written here: " + why);
     }
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);

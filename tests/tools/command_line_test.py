@@ -1,0 +1,251 @@
+#!/usr/bin/env python3
+"""What the command line says and which exit code it ends with."""
+
+import json
+import os
+import subprocess
+
+from program import CAMPUS, ROOM, WALK, ProgramCase, main
+
+COMMANDS = ("run", "validate", "info", "snapshot")
+
+
+class Help(ProgramCase):
+    """--help and --version."""
+
+    def test_help_of_the_program_names_every_command(self):
+        for option in ("--help", "-h"):
+            outcome = self.passes(option)
+            for command in COMMANDS:
+                self.assertRegex(outcome.out, rf"(?m)^  {command} ")
+
+    def test_help_of_every_command(self):
+        for command in COMMANDS:
+            outcome = self.passes(command, "--help")
+            self.assertIn(f"Usage: campuswalk {command} ", outcome.out)
+            self.assertEqual(outcome.err, "")
+
+    def test_help_of_run_tells_the_exit_codes(self):
+        self.assertIn("Exit code: 0 all passed, 1 an expectation failed, 2 bad usage", self.passes("run", "--help").out)
+
+    def test_version_everywhere(self):
+        versions = {self.passes("--version").out}
+        versions |= {self.passes(command, "--version").out for command in COMMANDS}
+        self.assertEqual(len(versions), 1)
+        self.assertRegex(versions.pop(), r"^campuswalk \d+\.\d+\.\d+\n$")
+
+
+class Usage(ProgramCase):
+    """Bad usage ends with 2, a line that says why and one that says where to look."""
+
+    def refused(self, arguments, complaint, command=""):
+        outcome = self.run_program(*arguments)
+        self.assertEqual(outcome.complaints, ["error: " + complaint, f"see campuswalk {command}--help"])
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+
+    def test_commands(self):
+        self.refused([], "a command is needed: run, validate, info, snapshot")
+        self.refused(["rum"], "there is no command 'rum' (did you mean 'run'?)")
+        self.refused(["dance"], "there is no command 'dance'")
+        self.refused(["--verbose"], "there is no option '--verbose'")
+
+    def test_arguments(self):
+        self.refused(["run"], "WALK is required", "run ")
+        self.refused(["validate"], "FILE is required", "validate ")
+        self.refused(["info"], "SCENE is required", "info ")
+        self.refused(["snapshot", "-o", "a.png"], "CAMPUS is required", "snapshot ")
+        self.refused(["snapshot", "a.campus.yaml"], "--output is required", "snapshot ")
+        self.refused(["run", "--fast", "a"], "The following argument was not expected: --fast", "run ")
+        self.refused(["info", "a.obj", "b.obj"], "The following argument was not expected: b.obj", "info ")
+        self.refused(["run", "a", "--log"], "--log: 1 required FILE missing", "run ")
+
+    def test_values(self):
+        self.refused(["run", "a", "--rendering-backend", "gpu"],
+                     "--rendering-backend: 'gpu' is none of auto|none|osmesa", "run ")
+        self.refused(["info", "a", "--up", "x"], "--up: 'x' is none of y|z", "info ")
+        self.refused(["snapshot", "a", "-o", "b", "--width", "8193"], "--width: Value 8193 not in range 16 to 8192",
+                     "snapshot ")
+
+
+class Run(ProgramCase):
+    """Exit codes and verdicts of `run`."""
+
+    def test_pass(self):
+        outcome = self.passes("run", "short.walk.yaml")
+        self.assertEqual(outcome.lines[0], "# walk-log 1 walk=short campus=small tps=60 seed=0")
+        self.assertIn(" result=pass ", outcome.lines[-1])
+        self.assertRegex(outcome.err, r"^short: pass after \d+\.\d s and \d+\.\d m\n$")
+
+    def test_quiet(self):
+        self.assertEqual(self.passes("run", "-q", "short.walk.yaml").out, "")
+
+    def test_failed_expectations(self):
+        self.write("short.walk.yaml", WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
+                   + "  - count: {event: trigger.enter, equals: 3}\n  - reaches: {place: start, within: 0.5}\n"
+                   + "  - reaches: end\n")
+        outcome = self.run_program("run", "short.walk.yaml")
+        self.assertEqual(outcome.code, 1)
+        starts = [line.split(": ")[:2] for line in outcome.complaints]
+        self.assertEqual(starts[:2], [["short.walk.yaml:9:12", "error never"], ["short.walk.yaml:10:12", "error count"]])
+        self.assertRegex(outcome.complaints[-1], r"^short: FAIL after ")
+        self.assertEqual(len(outcome.complaints), 3)
+        self.assertIn("'trigger.enter' happened once, expected exactly 3", outcome.complaints[1])
+        failures = [line for line in outcome.lines if " expect.fail " in line]
+        self.assertEqual(len(failures), 2)
+        self.assertIn(" line=9 ", failures[0])
+        self.assertIn(" line=10 ", failures[1])
+        self.assertIn(" result=fail ", outcome.lines[-1])
+
+    def test_blocked_walk(self):
+        self.write("short.walk.yaml", WALK.replace("walk_to: end", "walk_to: [0, -9]"))
+        outcome = self.run_program("run", "-q", "short.walk.yaml")
+        self.assertEqual(outcome.code, 1)
+        self.assertEqual(outcome.complaints[0],
+                         "short.walk.yaml:5:14: error blocked: walk_to 0,-9 was not reached: blocked by hut/wall")
+
+    def test_one_bad_walk_among_several(self):
+        self.write("bad.walk.yaml", WALK.replace("walk_to: end", "walk_to: nowhere"))
+        self.write("last.walk.yaml", WALK)
+        outcome = self.run_program("run", "short.walk.yaml", "bad.walk.yaml", "last.walk.yaml")
+        self.assertEqual(outcome.code, 2)
+        self.assertEqual(outcome.complaints[0], "bad.walk.yaml:5:14: error unknown-name: the campus has no place or "
+                                                "spawn 'nowhere'; known here: end, start")
+        self.assertEqual([line.split()[3] for line in outcome.lines if line.startswith("#")],
+                         ["walk=short", "walk=last"])
+
+    def test_failed_walk_among_several(self):
+        self.write("fails.walk.yaml", WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut"))
+        outcome = self.run_program("run", "-q", "fails.walk.yaml", "short.walk.yaml")
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.complaints[-1], "^short: pass ")
+
+    def test_two_walks_of_one_name(self):
+        self.write("walks/short.walk.yaml", WALK.replace("small.campus", "../small.campus"))
+        outcome = self.run_program("run", "-q", "short.walk.yaml", "walks/short.walk.yaml")
+        self.assertEqual(outcome.code, 2)
+        self.assertEqual(outcome.complaints[0],
+                         "walks/short.walk.yaml: error duplicate-name: another walk of this run is called short too, "
+                         "and their pictures would overwrite each other: rename one")
+
+    def test_from_another_folder(self):
+        here = self.passes("run", "short.walk.yaml").out
+        self.assertEqual(self.passes("run", "../short.walk.yaml", cwd=self.path("avatars")).out, here)
+        self.assertEqual(self.passes("run", self.path("short.walk.yaml"), cwd="/").out, here)
+
+    def test_output_folders_are_made(self):
+        self.passes("run", "-q", "short.walk.yaml", "--log", "logs/new/a.log")
+        self.assertIn("walk.end", self.read("logs/new/a.log").decode())
+
+    def test_nothing_but_the_logs_is_written(self):
+        before = self.contents()
+        self.passes("run", "short.walk.yaml")
+        self.assertEqual(self.contents(), before)
+
+
+class Validate(ProgramCase):
+    """`validate`."""
+
+    def test_good_files(self):
+        outcome = self.passes("validate", "short.walk.yaml", "small.campus.yaml", "avatars/adult.avatar.yaml")
+        self.assertEqual(outcome.lines, [
+            "short.walk.yaml: ok: 3 steps, 2 expectations, on small (1 building, 3 objects, 1 spawn, 1 place)",
+            "small.campus.yaml: ok: 1 building, 3 objects, 1 spawn, 1 place",
+            "avatars/adult.avatar.yaml: ok: an avatar"])
+
+    def test_bad_files(self):
+        self.write("small.campus.yaml", CAMPUS.replace("[0, 0, 5]", "[0, 0]"))
+        self.write("avatars/adult.avatar.yaml", "heigth: 1.8\n")
+        outcome = self.run_program("validate", "avatars/adult.avatar.yaml", "small.campus.yaml", "room.obj", "none")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertEqual(outcome.complaints, [
+            "avatars/adult.avatar.yaml:1:1: error unknown-key: unknown key 'heigth' in an avatar (did you mean "
+            "'height'?)",
+            "small.campus.yaml:14:15: error wrong-type: 'at' must be three numbers, as in [0, 1.5, -2]",
+            "room.obj: error file-name: only NAME.walk.yaml, NAME.campus.yaml and NAME.avatar.yaml are checked; name "
+            "another file or rename this one",
+            "none: error missing-file: no such file; check the path"])
+
+    def test_the_others_are_still_checked(self):
+        outcome = self.run_program("validate", "none.walk.yaml", "short.walk.yaml")
+        self.assertEqual(outcome.code, 2)
+        self.assertEqual(len(outcome.lines), 1)
+
+
+class Info(ProgramCase):
+    """`info`."""
+
+    def test_json(self):
+        found = json.loads(self.passes("info", "room.obj", "--json").out)
+        for key in ("meshes", "triangles", "bounds", "materials", "warnings"):
+            self.assertIn(key, found)
+        self.assertEqual(found["meshes"], 2)
+        self.assertEqual(found["triangles"], 14)
+        self.assertEqual(found["bounds"], {"min": [-10, 0, -10], "max": [10, 3, 10]})
+        self.assertEqual([node["name"] for node in found["nodes"]], ["room.obj", "floor", "wall"])
+        self.assertEqual(sum(material["triangles"] for material in found["materials"]), 14)
+        self.assertEqual(found["warnings"], [])
+
+    def test_units_and_axes(self):
+        found = json.loads(self.passes("info", "room.obj", "--json", "--up", "z", "--scale", "0.5").out)
+        self.assertEqual(found["bounds"], {"min": [-5, -5, -1.5], "max": [5, 5, 0]})
+
+    def test_text(self):
+        outcome = self.passes("info", "room.obj")
+        self.assertIn("triangles  14", outcome.lines)
+        self.assertIn("bounds     -10.000,0.000,-10.000 to 10.000,3.000,10.000 m (20.000 x 3.000 x 20.000 m)",
+                      outcome.lines)
+        self.assertIn("warnings   0", outcome.lines)
+
+    def test_what_looks_odd(self):
+        self.write("odd.obj", "mtllib none.mtl\n" + ROOM)
+        found = json.loads(self.passes("info", "odd.obj", "--json").out)
+        self.assertEqual(found["warnings"], [{
+            "code": "missing-materials",
+            "message": "odd.obj: the material file 'none.mtl' is not there; its materials are drawn plain"}])
+
+    def test_what_is_no_model(self):
+        for name, complaint in (("none.obj", "none.obj: error missing-file: the scene 'none.obj' is not there"),
+                                ("avatars", "avatars: error missing-file: the scene 'avatars' is not there")):
+            outcome = self.run_program("info", name)
+            self.assertEqual((outcome.code, outcome.complaints, outcome.out), (2, [complaint], ""))
+        outcome = self.run_program("info", "short.walk.yaml")
+        self.assertEqual(outcome.code, 2)
+        self.assertRegex(outcome.err, "^short.walk.yaml: error bad-model: 'short.walk.yaml' is not a model that can")
+
+
+class StandardOutput(ProgramCase):
+    """A standard output that takes nothing is a failure while running."""
+
+    COMMANDS = (("run", "short.walk.yaml"), ("validate", "short.walk.yaml"), ("info", "room.obj"), ("--help",),
+                ("--version",))
+
+    def test_full_disk(self):
+        for arguments in self.COMMANDS:
+            with open("/dev/full", "wb") as full:
+                outcome = self.run_program(*arguments, stdout=full)
+            self.assertEqual((outcome.code, outcome.err), (3, "error: standard output can't be written\n"), arguments)
+
+    def test_closed(self):
+        for arguments in self.COMMANDS:
+            outcome = self.run_program(*arguments, stdout=None, preexec_fn=lambda: os.close(1))
+            self.assertEqual((outcome.code, outcome.err), (3, "error: standard output can't be written\n"), arguments)
+
+    def test_quiet_run_needs_none(self):
+        outcome = self.run_program("run", "-q", "short.walk.yaml", "--log", "a.log", stdout=None,
+                                   preexec_fn=lambda: os.close(1))
+        self.assertEqual(outcome.code, 0)
+        self.assertIn("walk.end", self.read("a.log").decode())
+
+    def test_reader_that_goes_away(self):
+        self.write("short.walk.yaml", WALK.replace("turn: 180", "wait: 86400"))  # ends early or not at all
+        done = subprocess.Popen([self.program, "run", "short.walk.yaml"], cwd=self.folder, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE)
+        self.addCleanup(done.stderr.close)
+        self.assertTrue(done.stdout.readline().startswith(b"# walk-log 1"))
+        done.stdout.close()
+        self.assertEqual(done.stderr.read(), b"error: standard output can't be written\n")
+        self.assertEqual(done.wait(timeout=60), 3)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,153 @@
+"""Runs the campuswalk program on a small campus in a temporary folder. Python's standard library alone."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOM = """\
+o floor
+v -10 0 -10
+v 10 0 -10
+v 10 0 10
+v -10 0 10
+f 1 4 3
+f 1 3 2
+o wall
+v -1 0 -4
+v 1 0 -4
+v 1 3 -4
+v -1 3 -4
+v -1 0 -5
+v 1 0 -5
+v 1 3 -5
+v -1 3 -5
+f 5 6 7
+f 5 7 8
+f 10 9 12
+f 10 12 11
+f 9 5 8
+f 9 8 12
+f 6 10 11
+f 6 11 7
+f 8 7 11
+f 8 11 12
+f 5 9 10
+f 5 10 6
+"""
+
+CAMPUS = """\
+scenes:
+  - file: room.obj
+buildings:
+  - id: hut
+    title: The Hut
+    nodes: wall
+    hours: "08-22"
+    text: A wall and nothing behind it.
+colliders:
+  - {id: ground, nodes: floor, shape: mesh, mode: solid}
+  - {id: hut/wall, building: hut, shape: mesh, mode: [solid, ray]}
+  - {id: gate, shape: box, center: [0, 1, 0], size: [2, 2, 2], mode: trigger}
+spawns:
+  start: {at: [0, 0, 5]}
+places:
+  end: [0, 0, -2]
+"""
+
+WALK = """\
+campus: small.campus.yaml
+avatar: adult
+steps:
+  - spawn: start
+  - walk_to: end
+  - turn: 180
+expect:
+  - sequence: ["ray.enter hut/wall", "popup.open hut", "trigger.enter gate", "popup.close hut"]
+  - never: "collision.enter hut/wall"
+"""
+
+FILES = {
+    "room.obj": ROOM,
+    "small.campus.yaml": CAMPUS,
+    "short.walk.yaml": WALK,
+    "avatars/adult.avatar.yaml": "height: 1.8\nradius: 0.3\n",
+}
+
+SKIPPED = 77  # ctest's SKIP_RETURN_CODE
+
+
+class Outcome:
+    """What a run of the program gave."""
+
+    def __init__(self, done):
+        self.code = done.returncode
+        self.out = done.stdout.decode("utf-8")
+        self.err = done.stderr.decode("utf-8")
+
+    @property
+    def lines(self):
+        return self.out.splitlines()
+
+    @property
+    def complaints(self):
+        return self.err.splitlines()
+
+
+class ProgramCase(unittest.TestCase):
+    """Every test starts in a fresh folder with FILES."""
+
+    maxDiff = None
+    program = ""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="campuswalk-")
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        for name, text in FILES.items():
+            self.write(name, text)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        """Text or bytes."""
+        os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
+        with open(self.path(name), "wb") as file:
+            file.write(content.encode("utf-8") if isinstance(content, str) else content)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def contents(self):
+        """Every file and folder, with the files' bytes."""
+        found = {}
+        for parent, folders, files in os.walk(self.folder):
+            for name in folders:
+                found[os.path.relpath(os.path.join(parent, name), self.folder)] = None
+            for name in files:
+                relative = os.path.relpath(os.path.join(parent, name), self.folder)
+                found[relative] = self.read(relative)
+        return found
+
+    def run_program(self, *arguments, **options):
+        options.setdefault("cwd", self.folder)
+        options.setdefault("stdout", subprocess.PIPE)
+        done = subprocess.run([self.program, *arguments], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              check=False, timeout=120, **options)
+        done.stdout = done.stdout or b""
+        return Outcome(done)
+
+    def passes(self, *arguments, **options):
+        """Runs it and expects exit code 0."""
+        outcome = self.run_program(*arguments, **options)
+        self.assertEqual((outcome.code, outcome.err if outcome.code else ""), (0, ""))
+        return outcome
+
+
+def main():
+    """`TEST.py PROGRAM [unittest's arguments]`."""
+    ProgramCase.program = os.path.abspath(sys.argv.pop(1))
+    unittest.main(verbosity=2)
