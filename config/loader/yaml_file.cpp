@@ -29,10 +29,10 @@ std::optional<std::string> name_from(const std::string& file_name, const std::st
         return std::nullopt;
     }
     std::string name = file_name.substr(0, file_name.size() - suffix.size());
-    if (!std::ranges::all_of(name, may_stand_in_name)) {
+    if (name.front() == '.' || !std::ranges::all_of(name, may_stand_in_name)) {
         diagnostics.error(asked_at, "file-name",
                           in_quotes(file_name) + ": rename the file; NAME" + suffix +
-                              " takes letters, digits, '-', '_' and '.'");
+                              " takes letters, digits, '-', '_' and, but for its start, '.'");
     }
     return name;
 }

@@ -22,6 +22,7 @@ constexpr std::array kExplanations = {
     Explanation{"end of sequence not found", kIndentation},
     Explanation{"end of map flow not found", "this '{' has no '}', or a ',' is missing after it"},
     Explanation{"end of sequence flow not found", "this '[' has no ']', or a ',' is missing after it"},
+    Explanation{"illegal EOF in scalar", "a quote above is never closed"},
     Explanation{"illegal flow end", "this bracket closes nothing"},
     Explanation{"illegal map value", "a second ': ' on this line; put a text with a colon in quotes"},
     Explanation{"illegal map key", kIndentation},

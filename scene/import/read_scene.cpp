@@ -25,11 +25,17 @@ constexpr std::array<RefusedFormat, 2> kRefused = {{
 
 void check_readable(const SceneFile& file) {
     std::error_code ignored;
+    // With its folder: a campus' scenes are looked for beside it, which its reader may not have in mind.
+    const std::string shown = "'" + file.path.lexically_normal().generic_string() + "': ";
+    const auto refuse = [&](const char* why) { throw InputError(file.mark, "missing-file", shown + why); };
+    if (!std::filesystem::exists(file.path, ignored)) {
+        refuse("no such file; check the path");
+    }
     if (!std::filesystem::is_regular_file(file.path, ignored)) {
-        throw InputError(file.mark, "missing-file", "the scene '" + file.file + "' is not there");
+        refuse("is not a file; name a model file");
     }
     if (!std::ifstream(file.path, std::ios::binary)) {
-        throw InputError(file.mark, "missing-file", "the scene '" + file.file + "' cannot be read");
+        refuse("cannot be read; check its permissions");
     }
 }
 

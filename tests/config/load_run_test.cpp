@@ -176,7 +176,12 @@ TEST_F(LoadRun, ComplainsOfTheWalkFileItself) {
     folder_.write("my tour.walk.yaml", "campus: a.campus.yaml\nsteps: [{spawn: gate}]\n");
     EXPECT_EQ(about("my tour.walk.yaml"),
               "file-name: 'my tour.walk.yaml': rename the file; NAME.walk.yaml takes letters, digits, '-', "
-              "'_' and '.'");
+              "'_' and, but for its start, '.'");
+    folder_.write("...walk.yaml", "campus: a.campus.yaml\nsteps: [{spawn: gate}]\n");
+    EXPECT_EQ(
+        about("...walk.yaml"),
+        "file-name: '...walk.yaml': rename the file; NAME.walk.yaml takes letters, digits, '-', '_' and, "
+        "but for its start, '.'");
 }
 
 TEST_F(LoadRun, ReadsWindowsFiles) {

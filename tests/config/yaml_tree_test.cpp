@@ -97,6 +97,7 @@ TEST(YamlTree, RefusesASecondDocument) {
 TEST(YamlTree, RefusesQuotesThatNothingCloses) {
     EXPECT_EQ(about("title: 'Main\nspawns: {}\n"),
               "a.yaml:1:8: error yaml-syntax: this quote is never closed\n");
+    EXPECT_EQ(about("title: \"Main"), "a.yaml:1:13: error yaml-syntax: a quote above is never closed\n");
     EXPECT_EQ(about("title: \"Main\n"), "a.yaml:1:8: error yaml-syntax: this quote is never closed\n");
 }
 

@@ -96,7 +96,13 @@ class BrokenInput(ProgramCase):
 
     def test_missing_scene(self):
         self.campus("room.obj", "models/room.obj")
-        self.refused("small.campus.yaml:2:11: error missing-file: the scene 'models/room.obj' is not there")
+        self.refused("small.campus.yaml:2:11: error missing-file: 'models/room.obj': no such file; check the path")
+
+    def test_missing_scene_of_a_campus_elsewhere(self):
+        self.write("north/small.campus.yaml", CAMPUS)
+        self.walk("small.campus.yaml", "north/small.campus.yaml")
+        self.refused("north/small.campus.yaml:2:11: error missing-file: 'north/room.obj': no such file; check the "
+                     "path")
 
     def test_other_file_for_a_walk(self):
         self.refused("small.campus.yaml: error file-name: 'small.campus.yaml' is not called NAME.walk.yaml; name "

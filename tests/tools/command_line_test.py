@@ -204,8 +204,8 @@ class Info(ProgramCase):
             "message": "odd.obj: the material file 'none.mtl' is not there; its materials are drawn plain"}])
 
     def test_what_is_no_model(self):
-        for name, complaint in (("none.obj", "none.obj: error missing-file: the scene 'none.obj' is not there"),
-                                ("avatars", "avatars: error missing-file: the scene 'avatars' is not there")):
+        for name, complaint in (("none.obj", "none.obj: error missing-file: 'none.obj': no such file; check the path"),
+                                ("avatars", "avatars: error missing-file: 'avatars': is not a file; name a model file")):
             outcome = self.run_program("info", name)
             self.assertEqual((outcome.code, outcome.complaints, outcome.out), (2, [complaint], ""))
         outcome = self.run_program("info", "short.walk.yaml")
