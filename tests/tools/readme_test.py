@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""The README's example is what it says: its files load, and the walk passes on such a school."""
+
+import os
+import re
+
+from program import ProgramCase, main
+
+README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
+
+
+def slab(name, low, high, first):
+    """A box as an OBJ object whose vertices count from `first`."""
+    corners = [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
+    faces = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
+    lines = ["o " + name] + ["v %g %g %g" % corner for corner in corners]
+    lines += ["f " + " ".join(str(first - 1 + i) for i in face) for face in faces]
+    return "\n".join(lines) + "\n"
+
+
+SCHOOL = (slab("terrain", (-20, -1, -20), (20, 0, 20), 1)
+          + slab("library_west", (-4, 0, -7.2), (2.4, 3, -6.8), 9)
+          + slab("library_east", (5.6, 0, -7.2), (12, 3, -6.8), 17))
+
+
+def files_of(text):
+    """The YAML blocks that name their file in their first line."""
+    return dict(re.findall(r"```yaml\n# (\S+)\n(.*?)```", text, re.DOTALL))
+
+
+class Readme(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        with open(README, encoding="utf-8") as file:
+            files = files_of(file.read())
+        self.assertEqual(sorted(files), ["school.campus.yaml", "visit.walk.yaml"])
+        for name, text in files.items():
+            self.write(name, text.replace("school.glb", "school.obj"))
+        self.write("school.obj", SCHOOL)
+
+    def test_the_example_validates(self):
+        self.passes("validate", "school.campus.yaml", "visit.walk.yaml")
+
+    def test_the_example_walks(self):
+        log = self.passes("run", "visit.walk.yaml", "--rendering-backend", "none").out
+        self.assertIn("trigger.enter    library/door", log)
+        self.assertIn("result=pass", log)
+
+
+if __name__ == "__main__":
+    main()
