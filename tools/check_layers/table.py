@@ -65,6 +65,7 @@ THIRD_PARTY = {
     "sys/": ["scene/import", "tools/campuswalk", "tests"],
     "gtest/": ["tests"],
     "gmock/": ["tests"],
+    "CGAL/": ["tests"],
     "fcl/": ["tests/benchmarks"],
 }
 SPELLED_AWAY = ("bullet/", "eigen3/")
