@@ -5,6 +5,7 @@
 
 #include "collision/mover.h"
 #include "tests/collision/audited_body.h"
+#include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
 /// Stories about what is underfoot and overhead.
@@ -95,6 +96,9 @@ TEST_F(MoverAndGround, StairsAreClimbedAtAnAngle) {
 TEST_F(MoverAndGround, OnlyStepsUpToTheStepHeightAreClimbed) {
     for (const bool solid : {false, true}) {
         for (const double high : {0.05, 0.17, 0.25, 0.30, 0.32, 0.35, 0.40, 0.5, 0.9}) {
+            if (support::kSanitized && solid && high != 0.30 && high != 0.5) {
+                continue;  // boxes' nearest points are searched for, which takes sanitizers long
+            }
             SCOPED_TRACE(testing::Message() << high << (solid ? " box" : " mesh"));
             World world(std::make_unique<LinearBroadPhase>());
             TriangleMesh mesh;
