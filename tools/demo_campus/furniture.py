@@ -185,7 +185,17 @@ def flower_bed(length, width, kinds, random):
                                   (x - dx, y1, z - dz)],
                       [(kind / 4, 1.0), (kind / 4 + 0.25, 1.0), (kind / 4 + 0.25, 0.0),
                        (kind / 4, 0.0)], [(0.0, 1.0, 0.0)] * 4)
+        _blossoms_from_above(mesh, (x, 0.33 + size * random.between(1.5, 1.9), z), 0.9 * size, kind)
     return mesh
+
+
+def _blossoms_from_above(mesh, centre, half, kind):
+    """A level card with the upper half of the clump's picture: upright cards vanish in a plan."""
+    x, y, z = centre
+    left, right = kind / 4, kind / 4 + 0.25
+    mesh.poly("flowers", [(x - half, y, z + half), (x + half, y, z + half), (x + half, y, z - half),
+                          (x - half, y, z - half)],
+              [(left, 0.6), (right, 0.6), (right, 0.05), (left, 0.05)], [(0.0, 1.0, 0.0)] * 4)
 
 
 PLANTER_SIZE = 2.2
