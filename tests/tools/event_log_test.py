@@ -106,7 +106,8 @@ class EventLog(ProgramCase):
     def test_interrupt_leaves_whole_logs(self):
         self.write("short.walk.yaml", WALK.replace("turn: 180", "wait: 86400"))
         running = subprocess.Popen([self.program, "run", "short.walk.yaml", "--log", "a.log", "--jsonl", "a.jsonl"],
-                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   bufsize=0)  # communicate() doesn't see what a buffer read ahead
         seen = [running.stdout.readline() for _ in range(20)]
         running.send_signal(signal.SIGINT)
         rest, err = running.communicate(timeout=60)
