@@ -129,6 +129,24 @@ TEST(RunWalk, EndsWithItsVerdict) {
     EXPECT_EQ(std::stoull(hash, nullptr, 16), outing.summary.hash);
 }
 
+TEST(RunWalk, PrintsLeadingZerosOfItsHash) {
+    // One walk in sixteen has some; the name is part of the first event.
+    const scene::Campus campus = level_campus();
+    Walk walk = walk_of({spawn_at({0, 0, 0})});
+    for (int i = 0; i < 300; ++i) {
+        walk.name = "walk-" + std::to_string(i);
+        const Outing outing = run(campus, walk);
+        if (outing.summary.hash >> 60U == 0) {
+            const std::string hash = field<std::string>(outing.recorder.events().back(), "hash");
+            EXPECT_EQ(hash.size(), 16U);
+            EXPECT_EQ(hash.front(), '0');
+            EXPECT_EQ(std::stoull(hash, nullptr, 16), outing.summary.hash);
+            return;
+        }
+    }
+    FAIL() << "a hash of 300 that never begins with a zero is none";
+}
+
 TEST(RunWalk, CountsTheEventsBetweenStartAndEnd) {
     Walk walk = walk_of({spawn_at({0, 0, -3}), wait_for(2.5)});
     walk.expectations = {expect_never("trigger.stay", 5), expect_count("popup.open", 2, {}, {}, 6)};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -63,16 +64,18 @@ TEST(Falls, OffALedgeTellTheirHeight) {
 }
 
 TEST(Falls, OfLessThanHalfAMetreAreNotWorthAnEvent) {
-    scene::Campus campus = level_campus();
-    add_box(campus, "step", {-5, 0, -1}, {5, 0.6, 5});
-    const Outing outing = run(campus, walk_of({spawn_at({0, 0.6, 0}), walk_to(0, -4)}));
-    bool fell = false;
-    for (const Recorder::Frame& frame : outing.recorder.frames()) {
-        fell = fell || !frame.avatar.grounded;
-    }
-    EXPECT_TRUE(fell) << "0.6 m is more than the 0.3 m that are stepped down, less 0.2 m that are rolled";
-    EXPECT_TRUE(outing.recorder.of("avatar.land").empty());
-    EXPECT_TRUE(outing.summary.passed);
+    // Of 0.6 m and more the foot can't step down; the first 0.2014 m it rolls, as computed above.
+    const auto lands_from = [](double ledge) {
+        scene::Campus campus = level_campus();
+        add_box(campus, "step", {-5, 0, -1}, {5, ledge, 5});
+        const Outing outing = run(campus, walk_of({spawn_at({0, ledge, 0}), walk_to(0, -4)}));
+        EXPECT_TRUE(outing.summary.passed);
+        EXPECT_TRUE(std::ranges::any_of(outing.recorder.frames(),
+                                        [](const Recorder::Frame& frame) { return !frame.avatar.grounded; }));
+        return outing.recorder.of("avatar.land").size();
+    };
+    EXPECT_EQ(lands_from(0.69), 0U);
+    EXPECT_EQ(lands_from(0.71), 1U);
 }
 
 TEST(Falls, OffTheWorldEndTheWalk) {
@@ -93,6 +96,14 @@ TEST(Falls, OffTheWorldEndTheWalk) {
     EXPECT_EQ(outing.summary.failures[0].mark.file, "fall.walk.yaml");
     EXPECT_TRUE(outing.recorder.of("snapshot.take").empty());
     EXPECT_EQ(told(outing.recorder.events().back()), "walk.end stroll");
+}
+
+TEST(Falls, OffTheWorldLeaveTheRestOfTheScriptUnplayed) {
+    // The wait is over in the tick in which the fall ends the walk: 86 ticks after the teleport's.
+    const Outing outing = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), teleport_to({20, 0, 0}),
+                                                          wait_for(86.0 / 60.0), snapshot("never")}));
+    EXPECT_EQ(outing.recorder.story(), std::vector<std::string>({"avatar.teleport elsewhere",
+                                                                 "avatar.fell stroll", "expect.fail fell"}));
 }
 
 TEST(Falls, DoNotCountTowardsATeleportsLanding) {

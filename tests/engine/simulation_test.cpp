@@ -41,7 +41,8 @@ TEST(Simulation, FindsGroundAndRoomForTheSpawn) {
     EXPECT_NEAR(foot_of(0.4), 0.4, 1e-3);
     EXPECT_NEAR(foot_of(0.0), 0.4, 1e-3) << "up onto the table";
     EXPECT_NEAR(foot_of(0.9), 0.4, 1e-3) << "down onto it";
-    EXPECT_NEAR(foot_of(9.0), 9.0, 1e-12) << "in the air";
+    EXPECT_NEAR(foot_of(1.3), 0.4, 1e-3) << "and no deeper than a metre";
+    EXPECT_NEAR(foot_of(1.5), 1.5, 1e-12) << "in the air";
 }
 
 TEST(Simulation, PlaysUntilTheScriptIsDone) {
@@ -133,6 +134,24 @@ TEST(Simulation, GoesOnWhenBlockedIfAskedTo) {
                      "collision.exit wall", "avatar.arrive home"}));
     EXPECT_TRUE(outing.summary.passed);
     EXPECT_FALSE(has_field(outing.recorder.of("collision.exit")[0], "cause"));
+}
+
+TEST(Simulation, NamesTheNearestOfSeveralThatBlock) {
+    for (const bool post_first : {true, false}) {
+        scene::Campus campus = level_campus();
+        const auto add_post = [&] { add_box(campus, "post", {0.34, 0, -4}, {1, 3, 0}); };
+        if (post_first) {
+            add_post();
+        }
+        add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3});
+        if (!post_first) {
+            add_post();
+        }
+        const Outing outing = run(campus, walk_of({spawn_at({0, 0, -1}), walk_to(0, -10)}));
+        const auto blocked = outing.recorder.of("avatar.blocked");
+        ASSERT_EQ(blocked.size(), 1U);
+        EXPECT_EQ(field<std::string>(blocked[0], "by"), "wall") << "2 cm away; the post is 4";
+    }
 }
 
 TEST(Simulation, StopsAtATimeoutWithNothingInTheWay) {
