@@ -235,9 +235,9 @@ void Simulation::report_step_end() {
             event.fields.push_back({"by", by});
         }
         if (end->fatal) {
-            end_walk(
-                *end->mark, "blocked",
-                "walk_to " + *end->label + " was not reached" + (by.empty() ? "" : ": blocked by " + by));
+            end_walk(*end->mark, "blocked",
+                     "walk_to " + *end->label + " was not reached" + end->why +
+                         (by.empty() ? "" : ": blocked by " + by));
         }
     }
     for (const SnapshotStep* snapshot : snapshots_) {

@@ -54,7 +54,7 @@ std::optional<fs::path> find_avatar(const CheckedNode& node, const std::string& 
         }
     }
     node.complain("unknown-name", "there is no " + name + kSuffix +
-                                      " in 'avatars' or 'config/avatars' beside the walk or above it" +
+                                      " in 'avatars' or 'config/avatars' beside the walk, above it or with the program" +
                                       suggestion_or_list(name, known_avatars(folders)));
     return std::nullopt;
 }

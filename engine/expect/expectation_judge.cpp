@@ -48,6 +48,12 @@ void SequenceJudge::see(const FrameRecord& record) {
         if (met_ < expected_.events.size() && matches(expected_.events[met_], event)) {
             last_event_ = told(event, record.time);
             ++met_;
+            continue;
+        }
+        for (std::size_t i = met_; i < expected_.events.size(); ++i) {
+            if (matches(expected_.events[i], event)) {
+                early_[i] = told(event, record.time);
+            }
         }
     }
 }
@@ -57,9 +63,14 @@ std::optional<Failure> SequenceJudge::verdict() const {
         return std::nullopt;
     }
     const EventPattern& missing = expected_.events[met_];
-    return Failure{missing.mark, "sequence",
-                   "'" + told(missing) + "' never came" +
-                       (last_event_.empty() ? std::string() : " after " + last_event_)};
+    std::string message = "'" + told(missing) + "' never came";
+    if (!last_event_.empty()) {
+        message += " after " + last_event_;
+    }
+    if (!early_[met_].empty()) {
+        message += ", only before: " + early_[met_];
+    }
+    return Failure{missing.mark, "sequence", std::move(message)};
 }
 
 // ---- never ----------------------------------------------------------------------------------------------

@@ -18,14 +18,16 @@ bool matches(const EventPattern& pattern, const Event& event);
 
 class SequenceJudge {
 public:
-    explicit SequenceJudge(const ExpectSequence& expected) : expected_(expected) {}
+    explicit SequenceJudge(const ExpectSequence& expected)
+        : expected_(expected), early_(expected.events.size()) {}
     void see(const FrameRecord& record);
     std::optional<Failure> verdict() const;
 
 private:
     const ExpectSequence& expected_;
-    std::size_t met_ = 0;     ///< how many of the events have come
-    std::string last_event_;  ///< of those, as it would be told
+    std::size_t met_ = 0;             ///< how many of the events have come
+    std::string last_event_;          ///< of those, as it would be told
+    std::vector<std::string> early_;  ///< for each, the last event like it that came before its turn
 };
 
 class NeverJudge {

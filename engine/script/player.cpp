@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collision/trigonometry.h"
+#include "engine/decimals.h"
 
 namespace campuswalk::engine {
 
@@ -59,7 +60,8 @@ std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar,
     if (const auto* walk_to = std::get_if<WalkToStep>(&step)) {
         const bool blocked = result == Outcome::blocked;
         end = StepEnd{blocked ? EventKind::avatar_blocked : EventKind::avatar_arrive, &walk_to->target.label,
-                      &walk_to->mark, blocked && walk_to->if_blocked == IfBlocked::fail};
+                      &walk_to->mark, blocked && walk_to->if_blocked == IfBlocked::fail,
+                      blocked ? why_not_reached(*walk_to, avatar) : ""};
     }
     progress_ = {};
     for (++current_; !finished(); ++current_) {
@@ -129,6 +131,18 @@ ScriptPlayer::Outcome ScriptPlayer::outcome(const WalkToStep& step, const Avatar
     const double idle = static_cast<double>(progress_.ticks - progress_.since_closer) * dt_;
     const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
     return late || idle >= kPatience ? Outcome::blocked : Outcome::going;
+}
+
+std::string ScriptPlayer::why_not_reached(const WalkToStep& step, const AvatarState& avatar) const {
+    const Vector3d way = step.target.point - avatar.position;
+    if (flat(way).norm() <= step.within) {
+        return ": it is " + fixed(std::abs(way.y()), 3) + " m " + (way.y() > 0.0 ? "above" : "below") +
+               " the avatar's feet";
+    }
+    const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
+    return late ? " within " + fixed(progress_.allowed, 1) + " s, still " + fixed(flat(way).norm(), 3) +
+                      " m away"
+                : "";
 }
 
 void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}

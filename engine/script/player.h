@@ -30,6 +30,7 @@ struct StepEnd {
     const std::string* label = nullptr;
     const SourceMark* mark = nullptr;
     bool fatal = false;  ///< the walk ends here
+    std::string why;     ///< blocked: what a message adds to "was not reached", if anything but an obstacle
 };
 
 /// Plays a walk's steps one after the other: `intend` before the avatar moves, `settle` after it.
@@ -64,6 +65,7 @@ private:
     void intend(const SnapshotStep& step, const AvatarState& avatar, Intent& intent);
 
     enum class Outcome { going, done, arrived, blocked };
+    std::string why_not_reached(const WalkToStep& step, const AvatarState& avatar) const;
     Outcome outcome(const SpawnStep& step, const AvatarState& avatar);
     Outcome outcome(const TeleportStep& step, const AvatarState& avatar);
     Outcome outcome(const WalkToStep& step, const AvatarState& avatar);

@@ -132,7 +132,7 @@ TEST_F(LoadRun, ComplainsOfTheAvatarItNames) {
     };
     EXPECT_THAT(about("adlut"),
                 ElementsAre("a.walk.yaml:2:9: error unknown-name: there is no adlut.avatar.yaml in 'avatars' "
-                            "or 'config/avatars' beside the walk or above it (did you mean 'adult'?)"));
+                            "or 'config/avatars' beside the walk, above it or with the program (did you mean 'adult'?)"));
     EXPECT_THAT(about("../x"),
                 ElementsAre("a.walk.yaml:2:9: error bad-value: 'avatar' must be small letters, digits and "
                             "single hyphens, as in main-gate, not '../x'"));

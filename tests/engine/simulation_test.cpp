@@ -163,7 +163,20 @@ TEST(Simulation, StopsAtATimeoutWithNothingInTheWay) {
     EXPECT_NEAR(static_cast<double>(blocked[0].tick), 120, 1);
     EXPECT_FALSE(has_field(blocked[0], "by"));
     ASSERT_EQ(outing.summary.failures.size(), 1U);
-    EXPECT_EQ(outing.summary.failures[0].message, "walk_to square was not reached");
+    // 1.4 m/s for 121 ticks, spawn's included.
+    EXPECT_TRUE(outing.summary.failures[0].message.starts_with(
+        "walk_to square was not reached within 2.0 s, still 7.2"))
+        << outing.summary.failures[0].message;
+}
+
+TEST(Simulation, SaysWhenATargetIsOnAnotherLevel) {
+    WalkToStep step = walk_to(0, -2, "roof");
+    step.target.point.y() = 0.75;
+    step.target.has_height = true;
+    const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), step}));
+    ASSERT_EQ(outing.summary.failures.size(), 1U);
+    EXPECT_EQ(outing.summary.failures[0].message,
+              "walk_to roof was not reached: it is 0.750 m above the avatar's feet");
 }
 
 TEST(Simulation, TellsOfPicturesAndHandsThemToObservers) {

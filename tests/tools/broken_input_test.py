@@ -92,7 +92,7 @@ class BrokenInput(ProgramCase):
     def test_missing_avatar(self):
         self.walk("avatar: adult", "avatar: adlt")
         self.refused("short.walk.yaml:2:9: error unknown-name: there is no adlt.avatar.yaml in 'avatars' or "
-                     "'config/avatars' beside the walk or above it (did you mean 'adult'?)")
+                     "'config/avatars' beside the walk, above it or with the program (did you mean 'adult'?)")
 
     def test_missing_scene(self):
         self.campus("room.obj", "models/room.obj")

@@ -85,7 +85,16 @@ TEST(SequenceJudge, FailsAtTheFirstThatNeverCame) {
     SequenceJudge judge(expected);
     Frames(judge).tick({}).tick({"popup.open x", "trigger.enter a"}).tick({"trigger.exit a"});
     expect_failure(judge.verdict(), 5, "sequence",
-                   "'popup.open x' never came after trigger.enter a at 0.100 s");
+                   "'popup.open x' never came after trigger.enter a at 0.100 s, only before: popup.open x at "
+                   "0.100 s");
+}
+
+TEST(SequenceJudge, SaysNothingOfEarlierOnesWhenThereWereNone) {
+    const ExpectSequence expected = expect_sequence({"trigger.enter a", "popup.open x"}, 3);
+    SequenceJudge judge(expected);
+    Frames(judge).tick({"trigger.enter a", "popup.open y"});
+    expect_failure(judge.verdict(), 5, "sequence",
+                   "'popup.open x' never came after trigger.enter a at 0.000 s");
 }
 
 TEST(SequenceJudge, SaysWhenEvenTheFirstNeverCame) {
