@@ -53,9 +53,10 @@ std::optional<fs::path> find_avatar(const CheckedNode& node, const std::string& 
             return file;
         }
     }
-    node.complain("unknown-name", "there is no " + name + kSuffix +
-                                      " in 'avatars' or 'config/avatars' beside the walk, above it or with the program" +
-                                      suggestion_or_list(name, known_avatars(folders)));
+    node.complain("unknown-name",
+                  "there is no " + name + kSuffix +
+                      " in 'avatars' or 'config/avatars' beside the walk, above it or with the program" +
+                      suggestion_or_list(name, known_avatars(folders)));
     return std::nullopt;
 }
 

@@ -130,9 +130,11 @@ TEST_F(LoadRun, ComplainsOfTheAvatarItNames) {
     const auto about = [&](const std::string& avatar) {
         return folder_.about_walk("campus: a.campus.yaml\navatar: " + avatar + "\nsteps: [{spawn: gate}]\n");
     };
-    EXPECT_THAT(about("adlut"),
-                ElementsAre("a.walk.yaml:2:9: error unknown-name: there is no adlut.avatar.yaml in 'avatars' "
-                            "or 'config/avatars' beside the walk, above it or with the program (did you mean 'adult'?)"));
+    EXPECT_THAT(
+        about("adlut"),
+        ElementsAre(
+            "a.walk.yaml:2:9: error unknown-name: there is no adlut.avatar.yaml in 'avatars' "
+            "or 'config/avatars' beside the walk, above it or with the program (did you mean 'adult'?)"));
     EXPECT_THAT(about("../x"),
                 ElementsAre("a.walk.yaml:2:9: error bad-value: 'avatar' must be small letters, digits and "
                             "single hyphens, as in main-gate, not '../x'"));
