@@ -50,9 +50,9 @@ int put_lone_corner_first(Corners& s, const Sides& sides) {
 }
 
 /// Each triangle cuts the line that the planes share in an interval, between the edges at its lone corner.
-/// With the lone corners where orientation() is 1, call s' ends i (first edge) and j, and t's k and l: then j
-/// <= i and k <= l in one direction along the line. They meet if k <= i and j <= l, and which of two edges'
-/// crossings comes first is an orientation of their four corners.
+/// Once both lone corners are where orientation() is 1, s' first edge cuts the line behind its last, t's
+/// before its last, in one and the same direction. They meet unless s' first cut is before t's first, or s'
+/// last behind t's last; which of two cuts comes first is the orientation of the two edges' corners.
 bool intervals_meet(Corners s, Corners t, const Sides& sides_s, const Sides& sides_t) {
     const int side_s = put_lone_corner_first(s, sides_s);
     const int side_t = put_lone_corner_first(t, sides_t);
@@ -166,7 +166,7 @@ bool overlap(const Triangle& first, const Triangle& second) {
     if (all_on_one_side(sides_t)) {
         return false;
     }
-    // With area and not in the other's plane, a triangle puts corners of the other off its own.
+    // sides_s is all 0 if t has no area, or if s lies in its plane: then sides_t is all 0 too.
     if (all_on_plane(sides_s)) {
         return all_on_plane(sides_t) ? meet_flat(s, t) : line_meets(segment_of(t), s);
     }
