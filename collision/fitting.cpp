@@ -9,10 +9,6 @@ namespace campuswalk::collision {
 
 namespace {
 
-// Bounds are grown by this fraction of the coordinates' size, far above the rounding of the sums that made
-// them and far below anything that shows: a bound may be too large, never too small.
-constexpr double kOutward = 1e-12;
-
 template <typename Visit>
 void for_each_corner(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, Visit visit) {
     for (const std::uint32_t t : triangles) {

@@ -8,6 +8,11 @@
 
 namespace campuswalk::collision {
 
+/// Every bound is grown by this fraction of the coordinates' size, 9,000 units in the last place: far above
+/// the rounding of the sums that made it and of the tests that use it, far below anything that shows. A bound
+/// may be too large, never too small.
+inline constexpr double kOutward = 1e-12;
+
 /// A node's outer layer.
 struct BoundingSphere {
     Vec3 center = Vec3::Zero();

@@ -1,5 +1,6 @@
 #include "collision/fitting.h"
 
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -86,6 +87,21 @@ TEST(Fitting, ABeamFarAwayKeepsItsOwnAxis) {
     int longest = 0;
     EXPECT_NEAR(box.half_extents.maxCoeff(&longest), 5.0, 5e-3);
     EXPECT_GT(std::abs(box.axes.col(longest).dot(along)), 0.99);
+}
+
+TEST(Fitting, AxesAreOrthonormalToATenthOfWhatBoundsAreGrownBy) {
+    support::Dice dice(17);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 at = dice.chance(0.3) ? Vec3(450000, 60, -448000) : Vec3(0, 0, 0);
+        const Vec3 along = std::pow(10.0, dice.between(-6.0, 6.0)) * dice.in_cube(1.0);
+        const double width = std::pow(10.0, dice.between(-9.0, 3.0));
+        TriangleMesh mesh;
+        for (int k = 0; k < 1 + dice.below(4); ++k) {
+            support::add_triangle(mesh, at + dice.in_cube(width), at + along, at + dice.in_cube(width));
+        }
+        const Mat3 axes = fit_inner_box(mesh, all_of(mesh)).axes;
+        EXPECT_LT((axes.transpose() * axes - Mat3::Identity()).norm(), 0.1 * kOutward) << i;
+    }
 }
 
 TEST(Fitting, ASinglePointHasVolumesOfNoSize) {
