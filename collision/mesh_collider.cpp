@@ -23,6 +23,10 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
                      [](const auto& p) { return p.allFinite(); })) {
         throw std::invalid_argument("a vertex is not finite");
     }
+    if (std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                    [](const auto& p) { return p.cwiseAbs().maxCoeff() > kMaxCoordinate; })) {
+        throw std::invalid_argument("a vertex is out of range");
+    }
     return mesh;
 }
 
@@ -30,6 +34,11 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 
 MeshCollider::MeshCollider(TriangleMesh mesh)
     : mesh_(std::move(mesh)), tree_(build_hybrid_tree(checked(mesh_))) {}
+
+const WideTree& MeshCollider::wide_tree() const {
+    std::call_once(wide_once_, [this] { wide_.emplace(build_wide_tree(mesh_)); });
+    return *wide_;
+}
 
 const ClosedParts& MeshCollider::closed_parts() const {
     std::call_once(closed_once_, [this] { closed_.emplace(mesh_); });

@@ -3,7 +3,7 @@
 import re
 
 from .source import Complaint, code_only, includes
-from .table import (ANYWHERE, PROJECT, REFUSED_STANDARD, SPELLED_AWAY, STRICTER, THIRD_PARTY, is_in,
+from .table import (ANYWHERE, KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, SPELLED_AWAY, STRICTER, THIRD_PARTY, is_in,
                     needs_same_bits, place_of)
 
 _PRAGMA_ONCE = re.compile(r"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
@@ -72,9 +72,14 @@ def check_includes(tree):
 
 
 def check_pragma_once(tree):
-    """Every header can be included twice."""
+    """Every header can be included twice; a kernel's once for each instruction set."""
     for file, text in tree.cpp.items():
-        if file.endswith((".h", ".hpp")) and not _PRAGMA_ONCE.search(code_only(text)):
+        if not file.endswith((".h", ".hpp")):
+            continue
+        if file.endswith("_inl.h") and is_in(file, KERNEL_FOLDERS):
+            if "defined(HWY_TARGET_TOGGLE)" not in text:
+                yield Complaint(file, 1, 1, "target-toggle", "a kernel's header needs HWY_TARGET_TOGGLE's guard")
+        elif not _PRAGMA_ONCE.search(code_only(text)):
             yield Complaint(file, 1, 1, "pragma-once", "a header needs #pragma once")
 
 

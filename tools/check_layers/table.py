@@ -37,6 +37,7 @@ STRICTER = {file: _ORACLE + ["collision/mesh_collider", "collision/shapes", "col
 # some in a folder that can be spelled too: see SPELLED_AWAY.
 THIRD_PARTY = {
     "Eigen/": [ANYWHERE],
+    "hwy/": ["collision/kernels"],
     "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
     "LinearMath/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.

@@ -1,0 +1,100 @@
+// Compiled once for each instruction set, by the file that includes it: Highway's pattern for such headers.
+#if defined(CAMPUSWALK_COLLISION_KERNELS_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAMPUSWALK_COLLISION_KERNELS_LANES_INL_H
+#undef CAMPUSWALK_COLLISION_KERNELS_LANES_INL_H
+#else
+#define CAMPUSWALK_COLLISION_KERNELS_LANES_INL_H
+#endif
+
+#include <cstdint>
+#include <type_traits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace campuswalk::collision {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Sixteen float32, as many at a time as the instruction set takes.
+using Floats = hn::CappedTag<float, 16>;
+using Ints = hn::RebindToSigned<Floats>;
+using Real = hn::Vec<Floats>;
+using Index = hn::Vec<Ints>;
+inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
+
+/// Sixteen bytes.
+using ByteTag = hn::FixedTag<std::uint8_t, 16>;
+using Bytes = hn::Vec<ByteTag>;
+
+/// Bit i: lane i of the mask. Up to sixteen lanes.
+template <class D, class Mask>
+HWY_INLINE std::uint32_t bits_of(D d, Mask mask) {
+    static_assert(hn::MaxLanes(d) <= 16);
+    std::uint8_t bytes[2] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// Bit i: the sign of lane i.
+template <class D, class V>
+HWY_INLINE std::uint32_t sign_bits(D d, V v) {
+    // A mask is its lanes' sign bits on x86, up to AVX2 and, as this converts it, beyond.
+    return bits_of(d, hn::MaskFromVec(v));
+}
+
+/// Of sixteen numbers, those at `index`.
+HWY_INLINE Real pick(const float* table, Index index) {
+    const Floats d;
+    if constexpr (kLanes == 16) {
+        return hn::TableLookupLanes(hn::Load(d, table), hn::IndicesFromVec(d, index));
+    } else if constexpr (kLanes == 8) {
+        const Ints di;
+        const auto at = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, 7)));
+        const auto upper = hn::RebindMask(d, hn::Gt(index, hn::Set(di, 7)));
+        return hn::IfThenElse(upper, hn::TableLookupLanes(hn::Load(d, table + 8), at),
+                              hn::TableLookupLanes(hn::Load(d, table), at));
+    } else {
+        HWY_ALIGN std::int32_t at[kLanes];
+        HWY_ALIGN float picked[kLanes];
+        hn::Store(index, Ints(), at);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            picked[lane] = table[at[lane]];
+        }
+        return hn::Load(d, picked);
+    }
+}
+
+/// Bytes that are indices, as many as there are lanes.
+HWY_INLINE Index indices(const std::uint8_t* bytes) {
+    const hn::Rebind<std::uint8_t, Ints> few;
+    return hn::PromoteTo(Ints(), hn::LoadU(few, bytes));
+}
+
+struct Real3 {
+    Real x, y, z;
+};
+
+HWY_INLINE Real3 subtract(const Real3& a, const Real3& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+HWY_INLINE Real3 cross(const Real3& a, const Real3& b) {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+HWY_INLINE Real dot(const Real3& a, const Real3& b) {
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+HWY_INLINE Real largest(const Real3& a) {
+    return hn::Max(hn::Abs(a.x), hn::Max(hn::Abs(a.y), hn::Abs(a.z)));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace campuswalk::collision
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,170 @@
+#if defined(CAMPUSWALK_COLLISION_KERNELS_NODE_PAIR_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAMPUSWALK_COLLISION_KERNELS_NODE_PAIR_INL_H
+#undef CAMPUSWALK_COLLISION_KERNELS_NODE_PAIR_INL_H
+#else
+#define CAMPUSWALK_COLLISION_KERNELS_NODE_PAIR_INL_H
+#endif
+
+#include <bit>
+
+#include "collision/kernels/lanes_inl.h"
+#include "collision/kernels/relative_pose_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace campuswalk::collision {
+namespace HWY_NAMESPACE {
+
+using BoxTag = hn::CappedTag<float, 8>;
+using BoxReal = hn::Vec<BoxTag>;
+inline constexpr std::size_t kBoxLanes = hn::MaxLanes(BoxTag());
+
+struct BoxReal3 {
+    BoxReal x, y, z;
+};
+
+struct BoxSlabs {
+    BoxReal3 low, high;
+};
+
+/// The ends of eight boxes along three axes.
+struct SlabTable {
+    HWY_ALIGN float low[3][8];
+    HWY_ALIGN float high[3][8];
+
+    HWY_INLINE void set(const BoxSlabs& s, std::size_t c) {
+        const BoxTag d;
+        hn::Store(s.low.x, d, low[0] + c);
+        hn::Store(s.low.y, d, low[1] + c);
+        hn::Store(s.low.z, d, low[2] + c);
+        hn::Store(s.high.x, d, high[0] + c);
+        hn::Store(s.high.y, d, high[1] + c);
+        hn::Store(s.high.z, d, high[2] + c);
+    }
+};
+
+HWY_INLINE BoxReal3 load_boxes(const std::array<std::array<float, kWideChildren>, 3>& from, std::size_t c) {
+    const BoxTag d;
+    return {hn::Load(d, from[0].data() + c), hn::Load(d, from[1].data() + c),
+            hn::Load(d, from[2].data() + c)};
+}
+
+HWY_INLINE BoxSlabs slabs(const BoxReal3& center, const BoxReal3& half) {
+    return {{hn::Sub(center.x, half.x), hn::Sub(center.y, half.y), hn::Sub(center.z, half.z)},
+            {hn::Add(center.x, half.x), hn::Add(center.y, half.y), hn::Add(center.z, half.z)}};
+}
+
+/// Boxes along one axis m of another frame: adds m . center to `middle` and |m| . half to `reach`.
+HWY_INLINE void project(const float m[3], const BoxReal3& center, const BoxReal3& half, BoxReal& middle,
+                        BoxReal& reach) {
+    const BoxTag d;
+    const BoxReal x = hn::Set(d, m[0]);
+    const BoxReal y = hn::Set(d, m[1]);
+    const BoxReal z = hn::Set(d, m[2]);
+    middle = hn::MulAdd(x, center.x, hn::MulAdd(y, center.y, hn::MulAdd(z, center.z, middle)));
+    reach =
+        hn::MulAdd(hn::Abs(x), half.x, hn::MulAdd(hn::Abs(y), half.y, hn::MulAdd(hn::Abs(z), half.z, reach)));
+}
+
+/// From b's frame to a's: y_a = M y_b + s.
+struct FrameChange {
+    float row[3][3];     ///< M
+    float column[3][3];  ///< its transpose
+    float s[3];
+
+    FrameChange(const RelativePose& pose, const WideNode& a, const WideNode& b) {
+        const hn::FixedTag<float, 4> d;
+        const auto r0 = hn::Load(d, pose.column[0]);
+        const auto r1 = hn::Load(d, pose.column[1]);
+        const auto r2 = hn::Load(d, pose.column[2]);
+        const auto a0 = hn::LoadU(d, a.axes[0].data());
+        const auto a1 = hn::LoadU(d, a.axes[1].data());
+        const auto a2 = hn::LoadU(d, a.axes[2].data());
+        HWY_ALIGN float turned[4];
+        for (std::size_t k = 0; k < 3; ++k) {
+            auto g = hn::Mul(r0, hn::Set(d, b.axes[0][k]));
+            g = hn::MulAdd(r1, hn::Set(d, b.axes[1][k]), g);
+            g = hn::MulAdd(r2, hn::Set(d, b.axes[2][k]), g);
+            auto m = hn::Mul(a0, hn::Broadcast<0>(g));
+            m = hn::MulAdd(a1, hn::Broadcast<1>(g), m);
+            m = hn::MulAdd(a2, hn::Broadcast<2>(g), m);
+            hn::Store(m, d, turned);
+            for (std::size_t i = 0; i < 3; ++i) {
+                row[i][k] = turned[i];
+                column[k][i] = turned[i];
+            }
+        }
+        float t[4];
+        pose.offset(a.origin, b.origin, t);
+        auto v = hn::Mul(a0, hn::Set(d, t[0]));
+        v = hn::MulAdd(a1, hn::Set(d, t[1]), v);
+        v = hn::MulAdd(a2, hn::Set(d, t[2]), v);
+        hn::Store(v, d, turned);
+        for (std::size_t i = 0; i < 3; ++i) {
+            s[i] = turned[i];
+        }
+    }
+};
+
+/// Bit 8 i + j: child i of a and child j of b may meet; of those in `rows` and `columns`. Six axes, three of
+/// each frame: the nine edge axes part too few to pay.
+///
+/// Rounding: an entry of M is off by 10 u (two products of three, of rows no longer than 1), which moves a
+/// box by 18 u r, since its coordinates add up to at most sqrt(3) r; evaluating three products and a sum adds
+/// 7 u, the frames' own distance from rotations 7 u, the offset's rounding 11 u, the last additions 2 u:
+/// below 48 u L, of which 64 are added to each box.
+HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& a, const WideNode& b,
+                                      std::uint32_t rows, std::uint32_t columns) {
+    const BoxTag d;
+    const FrameChange change(pose, a, b);
+    const BoxReal slack = hn::Set(d, pose.bound(64.0F, a.radius + b.radius + length_of(change.s)));
+
+    SlabTable a_own;
+    SlabTable a_in_b;
+    for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
+        BoxReal3 center = load_boxes(a.center, c);
+        const BoxReal3 half = load_boxes(a.half, c);
+        a_own.set(slabs(center, half), c);
+        center = {hn::Sub(center.x, hn::Set(d, change.s[0])), hn::Sub(center.y, hn::Set(d, change.s[1])),
+                  hn::Sub(center.z, hn::Set(d, change.s[2]))};
+        BoxReal3 middle = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        BoxReal3 reach = {slack, slack, slack};
+        project(change.column[0], center, half, middle.x, reach.x);
+        project(change.column[1], center, half, middle.y, reach.y);
+        project(change.column[2], center, half, middle.z, reach.z);
+        a_in_b.set(slabs(middle, reach), c);
+    }
+    std::uint64_t met = 0;
+    for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
+        const BoxReal3 center = load_boxes(b.center, c);
+        const BoxReal3 half = load_boxes(b.half, c);
+        BoxReal3 middle = {hn::Set(d, change.s[0]), hn::Set(d, change.s[1]), hn::Set(d, change.s[2])};
+        BoxReal3 reach = {slack, slack, slack};
+        project(change.row[0], center, half, middle.x, reach.x);
+        project(change.row[1], center, half, middle.y, reach.y);
+        project(change.row[2], center, half, middle.z, reach.z);
+        const BoxSlabs b_own = slabs(center, half);
+        const BoxSlabs b_in_a = slabs(middle, reach);
+        for (std::uint32_t m = rows; m != 0; m &= m - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(m));
+            // negative where the boxes are apart along one of three axes
+            const auto gap = [&](const SlabTable& s, const BoxSlabs& o) {
+                return hn::Or(hn::Or(hn::Or(hn::Sub(hn::Set(d, s.high[0][i]), o.low.x),
+                                            hn::Sub(o.high.x, hn::Set(d, s.low[0][i]))),
+                                     hn::Or(hn::Sub(hn::Set(d, s.high[1][i]), o.low.y),
+                                            hn::Sub(o.high.y, hn::Set(d, s.low[1][i])))),
+                              hn::Or(hn::Sub(hn::Set(d, s.high[2][i]), o.low.z),
+                                     hn::Sub(o.high.z, hn::Set(d, s.low[2][i]))));
+            };
+            const BoxReal apart = hn::Or(gap(a_own, b_in_a), gap(a_in_b, b_own));
+            const std::uint64_t together = ~sign_bits(d, apart) & ((1U << kBoxLanes) - 1U);
+            met |= together << (8 * i + c);
+        }
+    }
+    return met & (0x0101010101010101ULL * columns);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace campuswalk::collision
+HWY_AFTER_NAMESPACE();
+
+#endif

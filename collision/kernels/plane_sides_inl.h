@@ -1,0 +1,239 @@
+#if defined(CAMPUSWALK_COLLISION_KERNELS_PLANE_SIDES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAMPUSWALK_COLLISION_KERNELS_PLANE_SIDES_INL_H
+#undef CAMPUSWALK_COLLISION_KERNELS_PLANE_SIDES_INL_H
+#else
+#define CAMPUSWALK_COLLISION_KERNELS_PLANE_SIDES_INL_H
+#endif
+
+#include <bit>
+
+#include "collision/kernels/lanes_inl.h"
+#include "collision/wide_tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace campuswalk::collision {
+namespace HWY_NAMESPACE {
+
+/// What is kept of a corner's distance from a plane.
+enum class Sides {
+    signs,    ///< above or below; good if no distance is near zero
+    certain,  ///< above, below, or too near to say
+};
+
+/// By triangle of one leaf, bits of triangles of the other: 0 to 7 and 8 to 15.
+struct ByteRows {
+    Bytes low;
+    Bytes high;
+};
+
+/// The corners of sixteen triangles, the one alone on its side of a plane first, in cyclic order.
+struct ArrangedCorners {
+    Bytes p, q, r;
+    Bytes lone_below;  ///< all bits where the lone corner is below the plane
+    Bytes sure;        ///< all bits where no side is in doubt
+
+    HWY_INLINE void turn_over(Bytes where) {
+        const auto m = hn::MaskFromVec(where);
+        const Bytes old_q = q;
+        q = hn::IfThenElse(m, r, q);
+        r = hn::IfThenElse(m, old_q, r);
+    }
+    HWY_INLINE void store(std::uint8_t order[3][16]) const {
+        const ByteTag d;
+        hn::Store(p, d, order[0]);
+        hn::Store(q, d, order[1]);
+        hn::Store(r, d, order[2]);
+    }
+};
+
+/// The sides of one leaf's corners as seen from the planes of another, bits 0 to 7 and 8 to 15.
+template <Sides kSides>
+class SideTable {
+public:
+    /// `corners` are in the frame of `planes`. Distances up to `error` are near zero. Whether the table is
+    /// good.
+    HWY_INLINE bool fill(const WideLeaf& planes, const float corners[3][16], std::size_t count, float error) {
+        const Floats d;
+        const ByteTag d8;
+        for (std::size_t half = 0; half < 2; ++half) {
+            hn::Store(hn::Zero(d8), d8, below_[half]);
+            hn::Store(hn::Zero(d8), d8, above_[half]);
+        }
+        Real nearest = hn::Set(d, 1e30F);
+        for (std::size_t c = 0; c < planes.triangles; c += 2 * kLanes) {
+            // Two vectors at a time, so that a corner is fetched once for both.
+            if (kLanes == 4 || planes.triangles > c + kLanes) {
+                nearest = fill_planes<(kLanes < 16)>(planes, corners, count, error, c, nearest);
+            } else {
+                nearest = fill_planes<false>(planes, corners, count, error, c, nearest);
+            }
+        }
+        return kSides == Sides::certain || bits_of(d, hn::Le(nearest, hn::Set(d, error))) == 0;
+    }
+
+    /// For each triangle of the corners' leaf, which of the first `planes` it isn't clear of.
+    HWY_INLINE ByteRows not_clear(const WideLeaf& leaf, std::size_t planes) const {
+        return {not_clear(leaf, planes, 0), not_clear(leaf, planes, 1)};
+    }
+
+    /// By lane, the corners of a triangle as seen from a plane.
+    HWY_INLINE ArrangedCorners arrange(const WideLeaf& leaf, Bytes triangle, Bytes plane) const {
+        const ByteTag d;
+        const Bytes p = lookup(leaf.corner_of[0].data(), triangle);
+        const Bytes q = lookup(leaf.corner_of[1].data(), triangle);
+        const Bytes r = lookup(leaf.corner_of[2].data(), triangle);
+        const Bytes sp = side(below_, p, plane);
+        const Bytes sq = side(below_, q, plane);
+        const Bytes sr = side(below_, r, plane);
+        const Bytes pq = hn::Xor(sp, sq);
+        const Bytes pr = hn::Xor(sp, sr);
+        const auto q_alone = hn::MaskFromVec(hn::AndNot(pr, pq));
+        const auto r_alone = hn::MaskFromVec(hn::AndNot(pq, pr));
+        const auto choose = [&](Bytes if_p, Bytes if_q, Bytes if_r) {
+            return hn::IfThenElse(q_alone, if_q, hn::IfThenElse(r_alone, if_r, if_p));
+        };
+        ArrangedCorners c;
+        c.p = choose(p, q, r);
+        c.q = choose(q, r, p);
+        c.r = choose(r, p, q);
+        c.lone_below = choose(sp, sq, sr);
+        if constexpr (kSides == Sides::certain) {
+            c.sure = hn::And(hn::Or(sp, side(above_, p, plane)),
+                             hn::And(hn::Or(sq, side(above_, q, plane)), hn::Or(sr, side(above_, r, plane))));
+        } else {
+            c.sure = hn::Set(d, 0xFF);
+        }
+        return c;
+    }
+
+private:
+    using Table = std::uint8_t[2][kLeafCorners];
+
+    static HWY_INLINE Bytes lookup(const std::uint8_t* table, Bytes at) {
+        return hn::TableLookupBytes(hn::Load(ByteTag(), table), at);
+    }
+
+    static HWY_INLINE void record(Table& table, std::size_t corner, std::uint32_t bits, std::size_t c) {
+        table[c / 8][corner] = static_cast<std::uint8_t>(bits);
+        if constexpr (kLanes == 16) {
+            table[1][corner] = static_cast<std::uint8_t>(bits >> 8);
+        }
+    }
+
+    /// The planes from c on, one or two vectors of them. Returns `nearest` or what is nearer.
+    template <bool kTwo>
+    HWY_INLINE Real fill_planes(const WideLeaf& planes, const float corners[3][16], std::size_t count,
+                                float error, std::size_t c, Real nearest) {
+        const Floats d;
+        const std::size_t c2 = kTwo ? c + kLanes : c;
+        const auto part = [&](std::size_t k, std::size_t at) {
+            return hn::Load(d, planes.plane[k].data() + at);
+        };
+        const Real3 n1{part(0, c), part(1, c), part(2, c)};
+        const Real3 n2{part(0, c2), part(1, c2), part(2, c2)};
+        const Real d1 = part(3, c);
+        const Real d2 = part(3, c2);
+        const Real far = hn::Set(d, error);
+        const auto distance = [](const Real3& n, const Real3& x, Real offset) {
+            return hn::MulAdd(n.x, x.x, hn::MulAdd(n.y, x.y, hn::MulSub(n.z, x.z, offset)));
+        };
+        const auto is_below = [&](Real f) {
+            return kSides == Sides::certain ? bits_of(d, hn::Lt(f, hn::Neg(far))) : sign_bits(d, f);
+        };
+        const auto is_above = [&](Real f) {
+            return kSides == Sides::certain ? bits_of(d, hn::Gt(f, far)) : 0U;
+        };
+        for (std::size_t v = 0; v < count; ++v) {
+            const Real3 x{hn::Set(d, corners[0][v]), hn::Set(d, corners[1][v]), hn::Set(d, corners[2][v])};
+            const Real f1 = distance(n1, x, d1);
+            nearest = hn::Min(nearest, hn::Abs(f1));
+            std::uint32_t below = is_below(f1);
+            std::uint32_t above = is_above(f1);
+            if constexpr (kTwo) {
+                const Real f2 = distance(n2, x, d2);
+                nearest = hn::Min(nearest, hn::Abs(f2));
+                if constexpr (kLanes == 4) {
+                    below |= is_below(f2) << 4;
+                    above |= is_above(f2) << 4;
+                } else {
+                    record(below_, v, is_below(f2), c2);
+                    record_above(v, is_above(f2), c2);
+                }
+            }
+            record(below_, v, below, c);
+            record_above(v, above, c);
+        }
+        return nearest;
+    }
+
+    HWY_INLINE void record_above(std::size_t corner, std::uint32_t bits, std::size_t c) {
+        if constexpr (kSides == Sides::certain) {
+            record(above_, corner, bits, c);
+        }
+    }
+
+    HWY_INLINE Bytes not_clear(const WideLeaf& leaf, std::size_t planes, std::size_t half) const {
+        const ByteTag d;
+        const Bytes p = hn::Load(d, leaf.corner_of[0].data());
+        const Bytes q = hn::Load(d, leaf.corner_of[1].data());
+        const Bytes r = hn::Load(d, leaf.corner_of[2].data());
+        const auto all = [&](const std::uint8_t* table) {
+            return hn::And(lookup(table, p), hn::And(lookup(table, q), lookup(table, r)));
+        };
+        Bytes clear = all(below_[half]);
+        if constexpr (kSides == Sides::certain) {
+            clear = hn::Or(clear, all(above_[half]));
+        } else {
+            const std::uint8_t* table = below_[half];
+            clear =
+                hn::Or(clear, hn::Not(hn::Or(lookup(table, p), hn::Or(lookup(table, q), lookup(table, r)))));
+        }
+        const auto there = hn::Lt(hn::Iota(d, 0), hn::Set(d, leaf.triangles));
+        const auto mask = static_cast<std::uint8_t>(((1U << planes) - 1U) >> (8 * half));
+        return hn::IfThenElseZero(there, hn::AndNot(clear, hn::Set(d, mask)));
+    }
+
+    /// By lane, all bits if the corner is on that side of the plane.
+    static HWY_INLINE Bytes side(const Table& table, Bytes corner, Bytes plane) {
+        const ByteTag d;
+        alignas(16) static constexpr std::uint8_t kBits[16] = {1, 2, 4, 8, 16, 32, 64, 128,
+                                                               1, 2, 4, 8, 16, 32, 64, 128};
+        const Bytes bit = lookup(kBits, plane);
+        const auto upper = hn::Gt(plane, hn::Set(d, 7));
+        const Bytes planes = hn::IfThenElse(upper, lookup(table[1], corner), lookup(table[0], corner));
+        return hn::VecFromMask(d, hn::Eq(hn::And(planes, bit), bit));
+    }
+
+    HWY_ALIGN Table below_;
+    HWY_ALIGN Table above_;
+};
+
+/// Sixteen bits a row: those of a triangle's row.
+HWY_INLINE void store_rows(const ByteRows& rows, std::uint64_t words[4]) {
+    const ByteTag d;
+    auto* bytes = reinterpret_cast<std::uint8_t*>(words);
+    hn::Store(hn::InterleaveLower(d, rows.low, rows.high), d, bytes);
+    hn::Store(hn::InterleaveUpper(d, rows.low, rows.high), d, bytes + 16);
+}
+
+/// Likewise with rows and columns exchanged.
+HWY_INLINE void transpose(const ByteRows& columns, std::uint64_t words[4]) {
+    const ByteTag d;
+    for (std::size_t half = 0; half < 2; ++half) {
+        Bytes bytes = half == 0 ? columns.low : columns.high;
+        for (std::size_t w = 2; w-- > 0;) {
+            std::uint64_t word = 0;
+            for (std::size_t row = 0; row < 4; ++row) {
+                word = word << 16 | sign_bits(d, bytes);
+                bytes = hn::Add(bytes, bytes);  // the next bit becomes the sign
+            }
+            words[2 * half + w] = word;
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace campuswalk::collision
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "collision/fitting.h"
+#include "collision/triangle_mesh.h"
+
+namespace campuswalk::collision {
+
+/// The production layout: up to eight children a node and up to sixteen triangles a leaf, side by side so
+/// that one vector instruction meets them all. Frames and boxes are float32 about float32 origins; queries
+/// cover with slack what that rounding can do.
+
+inline constexpr std::size_t kWideChildren = 8;
+inline constexpr std::size_t kLeafTriangles = 16;
+inline constexpr std::size_t kLeafCorners = 16;
+
+/// Half a unit in the last place of 1 in float32: what one operation rounds by, relative to its result.
+inline constexpr float kFloatUnit = 0x1p-24F;
+
+/// No vertex may be farther from the mesh's origin along an axis, metres: products of three such lengths are
+/// still far from overflow.
+inline constexpr float kMaxCoordinate = 1e11F;
+
+/// Eight boxes in one frame: y = axes (x - origin), where x is in the mesh's frame. `axes` is a rotation to
+/// float32's precision. Children that aren't there have zeros.
+struct alignas(32) WideNode {
+    std::array<std::array<float, kWideChildren>, 3> center{};  ///< of each child's box, by axis
+    std::array<std::array<float, kWideChildren>, 3> half{};    ///< its half extents, rounded outward
+    std::array<std::array<float, 4>, 3> axes{};                ///< by column; the fourth entry is 0
+    std::array<float, 3> origin{};
+    float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
+    std::array<std::uint32_t, kWideChildren> child{};  ///< an index of nodes or of leaves
+    std::uint8_t count = 0;                            ///< children there are
+    std::uint8_t leaves = 0;                           ///< bit i: child i is a leaf
+};
+
+/// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
+struct alignas(64) WideLeaf {
+    std::array<std::array<float, kLeafCorners>, 3> corner{};  ///< by axis, less the origin
+    /// By component: unit normal n and offset d of n . x = d. Zero for a triangle whose normal isn't certain
+    /// to float32's precision; nothing is ever clear of that. Slots without a triangle have a plane that
+    /// everything is above.
+    std::array<std::array<float, kLeafTriangles>, 4> plane{};
+    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> corner_of{};  ///< by corner, then triangle
+    std::array<std::uint32_t, kLeafTriangles> triangle{};                 ///< of the mesh, ascending
+    std::array<float, 3> facing{};                                        ///< unit mean normal, or zero
+    float low = 0.0F;                                                     ///< least facing . corner
+    float high = 0.0F;                                                    ///< greatest
+    std::array<float, 3> origin{};
+    float radius = 0.0F;  ///< all corners lie this close to the origin
+    std::uint8_t corners = 0;
+    std::uint8_t triangles = 0;
+};
+
+/// nodes[0] is the root. Plain data; build_wide_tree makes it.
+struct WideTree {
+    BoundingSphere outer;  ///< of the whole mesh (paper III.A.1), tested before anything else
+    float reach = 0.0F;    ///< greatest coordinate of any vertex
+    std::vector<WideNode> nodes;
+    std::vector<WideLeaf> leaves;
+};
+
+/// Top-down and static, by the surface-area heuristic. The mesh has triangles, and vertices within
+/// kMaxCoordinate.
+WideTree build_wide_tree(const TriangleMesh& mesh);
+
+}  // namespace campuswalk::collision
