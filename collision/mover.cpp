@@ -148,7 +148,7 @@ Vec3 CapsuleMover::slide(const Vec3& foot, const Vec3& wish) {
     }
     const Segment at = body(foot);
     while (true) {
-        const Vec3 move = solve(wish, planes_);
+        Vec3 move = solve(wish, planes_);
         bool free = true;
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             if (!in_solve_[i] && sweep(at, settings_.radius + kRest, move, *contacts_[i].obstacle)) {
