@@ -31,8 +31,8 @@ btVector3 upper(const Vec3& p) {
 
 /// The id travels through Bullet as the proxy's client pointer; one is added because null means "no client".
 void* client_of(ObjectId id) {
-    return reinterpret_cast<void*>(static_cast<std::uintptr_t>(index_of(id)) +
-                                   1);  // NOLINT: Bullet's interface
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): Bullet's interface
+    return reinterpret_cast<void*>(static_cast<std::uintptr_t>(index_of(id)) + 1);
 }
 
 ObjectId id_of(const btBroadphaseProxy* proxy) {
