@@ -28,8 +28,8 @@ struct HybridTree {
 };
 
 struct HybridTreeSettings {
-    /// Small leaves keep triangle tests few and make the tree large: of teapot and cylinder, leaves of one
-    /// take 1.2 times as long as leaves of two, and leaves of four 1.1 times.
+    /// Small leaves keep triangle tests few, large ones node tests: mesh against mesh (teapot, cylinder)
+    /// leaves of one and leaves of four both take 1.2 times as long as leaves of two.
     std::uint32_t leaf_triangles = 2;
 };
 

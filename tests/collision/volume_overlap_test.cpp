@@ -86,8 +86,8 @@ TEST(VolumeOverlap, PartsNothingThatSharesAPoint) {
 
 /// A direction that is normal to a face of a box, or to an edge of each.
 Vec3 separating_axis(Dice& dice, const OrientedBox& a, const OrientedBox& b) {
-    const Vec3 of_a = a.axes.col(dice.below(3));
-    const Vec3 of_b = b.axes.col(dice.below(3));
+    Vec3 of_a = a.axes.col(dice.below(3));
+    Vec3 of_b = b.axes.col(dice.below(3));
     switch (dice.below(3)) {
         case 0:
             return of_a;
