@@ -208,6 +208,53 @@ TEST(MeshContacts, OfPointsOnPointsAreSeen) {
     }
 }
 
+TEST(MeshContacts, OfPointsThatRoundingBringsTogetherAreSeen) {
+    // Nothing has a size here, only the coordinates do; and the way that boxes are brought together rounds
+    // otherwise than the corners' own.
+    Dice dice(423);
+    std::size_t found = 0;
+    for (int i = 0; i < repeats(400); ++i) {
+        SCOPED_TRACE(i);
+        Pose X{support::random_pose(dice, 0.0).rotation, Vec3::Zero()};
+        const Eigen::Vector3f from = dice.in_cube(1000.0).cast<float>();
+        const Eigen::Vector3f to = (kFar + dice.in_cube(100.0)).cast<float>();
+        X.translation = to.cast<double>() - b_corner_in_a(X, from);
+        TriangleMesh point;
+        point.positions.assign(3, from);
+        point.triangles = {{0, 1, 2}};
+        TriangleMesh image = point;
+        image.positions.assign(3, to);
+        found += expect_exact(MeshCollider(image), MeshCollider(point), X);
+    }
+    EXPECT_GT(found, at_least(100));
+}
+
+TEST(MeshContacts, OfEdgesThatJustPassEachOtherAreThoseOfTheLoop) {
+    Dice dice(424);
+    std::size_t found = 0;
+    std::size_t apart = 0;
+    for (int i = 0; i < repeats(3000); ++i) {
+        SCOPED_TRACE(i);
+        // Two edges through points that lie a few units of float32 apart, each triangle on its own side.
+        const Pose X = support::random_pose(dice, 1.0);
+        const Vec3 at = dice.in_cube(1.0);
+        const Vec3 e = dice.in_cube(1.0);
+        const Vec3 f = dice.in_cube(1.0);
+        const Vec3 away = e.cross(f).normalized();
+        const Vec3 nearly = at + dice.between(-2e-7, 2e-7) * away;
+        TriangleMesh one;
+        support::add_triangle(one, at - e, at + dice.between(0.2, 1.0) * e, at + away + dice.in_cube(0.5));
+        TriangleMesh other;
+        support::add_triangle(other, X.inverse_apply(nearly - f), X.inverse_apply(nearly + f),
+                              X.inverse_apply(nearly - away + dice.in_cube(0.5)));
+        const std::size_t pairs = expect_exact(MeshCollider(one), MeshCollider(other), X);
+        found += pairs;
+        apart += 1 - pairs;
+    }
+    EXPECT_GT(found, at_least(500));
+    EXPECT_GT(apart, at_least(500));
+}
+
 TEST(MeshContacts, OfAnyScaleAreThoseOfTheLoop) {
     Dice dice(419);
     for (const double scale : {1e-38, 1e-30, 1e-12, 1e-6, 1e6, 1e10}) {
