@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "collision/hybrid_tree_query.h"
+#include "collision/mesh_query.h"
 
 namespace campuswalk::collision {
 

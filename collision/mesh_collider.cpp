@@ -30,15 +30,17 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
     return mesh;
 }
 
+std::variant<WideTree, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
+    if (layout == Layout::paper) {
+        return build_hybrid_tree(mesh);
+    }
+    return build_wide_tree(mesh);
+}
+
 }  // namespace
 
-MeshCollider::MeshCollider(TriangleMesh mesh)
-    : mesh_(std::move(mesh)), tree_(build_hybrid_tree(checked(mesh_))) {}
-
-const WideTree& MeshCollider::wide_tree() const {
-    std::call_once(wide_once_, [this] { wide_.emplace(build_wide_tree(mesh_)); });
-    return *wide_;
-}
+MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout)
+    : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {}
 
 const ClosedParts& MeshCollider::closed_parts() const {
     std::call_once(closed_once_, [this] { closed_.emplace(mesh_); });

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 #include <optional>
+#include <variant>
 
 #include "collision/closed_parts.h"
 #include "collision/hybrid_tree.h"
@@ -10,25 +12,31 @@
 
 namespace campuswalk::collision {
 
+/// How a mesh's tree is laid out. Queries of one mesh give the same answers on both.
+enum class Layout : std::uint8_t {
+    wide,   ///< eight children a node, sixteen triangles a leaf (wide_tree.h): the fast one
+    paper,  ///< the paper's binary tree (hybrid_tree.h): the readable reference
+};
+
 /// A mesh with its tree, built once and never changed.
 class MeshCollider {
 public:
     /// Throws std::invalid_argument for a mesh without triangles, an index out of range, or a position that
     /// is not finite or beyond kMaxCoordinate: callers check user input first.
-    explicit MeshCollider(TriangleMesh mesh);
+    explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide);
 
     const TriangleMesh& mesh() const { return mesh_; }
-    const HybridTree& tree() const { return tree_; }
-    /// For mesh against mesh. Built when first asked for: most meshes never meet another.
-    const WideTree& wide_tree() const;
+    Layout layout() const { return tree_.index() == 0 ? Layout::wide : Layout::paper; }
+    const std::variant<WideTree, HybridTree>& tree() const { return tree_; }
+    /// Throw std::bad_variant_access for a collider of the other layout.
+    const WideTree& wide_tree() const { return std::get<WideTree>(tree_); }
+    const HybridTree& paper_tree() const { return std::get<HybridTree>(tree_); }
     /// Found when first asked for: few meshes ever are.
     const ClosedParts& closed_parts() const;
 
 private:
     TriangleMesh mesh_;
-    HybridTree tree_;
-    mutable std::once_flag wide_once_;
-    mutable std::optional<WideTree> wide_;
+    std::variant<WideTree, HybridTree> tree_;
     mutable std::once_flag closed_once_;
     mutable std::optional<ClosedParts> closed_;
 };

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/hybrid_tree_contacts.h"
 #include "collision/kernels/wide_contacts.h"
 
 namespace campuswalk::collision {
@@ -33,10 +34,29 @@ bool spheres_meet(const BoundingSphere& a, const BoundingSphere& b, const Pose& 
     return (center - a.center).stableNorm() <= reach;
 }
 
+void find_paper_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Wanted wanted,
+                         std::vector<TrianglePair>& out, QueryCounters& counters) {
+    HybridContactCounters work;
+    if (wanted == Wanted::all) {
+        all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
+    } else if (const auto pair = first_contact(a, b, X_a_b, NodeTest::hybrid, work)) {
+        out.push_back(*pair);
+    }
+    counters += work;
+}
+
 void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, Wanted wanted,
                    Instructions instructions, std::vector<TrianglePair>& out, QueryCounters& counters) {
     out.clear();
+    if (a.layout() != b.layout()) {
+        throw std::invalid_argument("two meshes aren't of one layout");
+    }
     const double tilt = checked_tilt(X_a_b);
+    if (a.layout() == Layout::paper) {
+        find_paper_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
+                            counters);
+        return;
+    }
     ++counters.nv;
     ++counters.nu;
     if (spheres_meet(a.wide_tree().outer, b.wide_tree().outer, X_a_b, tilt)) {

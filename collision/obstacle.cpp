@@ -5,7 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/hybrid_tree_query.h"
+#include "collision/mesh_query.h"
+#include "collision/sweep.h"
 
 namespace campuswalk::collision {
 
@@ -138,32 +139,7 @@ bool walkable_at(const Obstacle& obstacle, const Vec3& point, double min_up) {
 
 std::optional<double> sweep(const Segment& segment, double radius, const Vec3& move,
                             const Obstacle& obstacle) {
-    // The distance between convex bodies is a convex function of the fraction of a straight move, so Newton's
-    // method from the left climbs to the first contact and never passes it; once the distance stops falling
-    // there is none.
-    constexpr double kTouching = 1e-10;  // metres
-    constexpr int kMostSteps = 64;       // grazing contacts converge slowly; stopping early is safe
-    double fraction = 0.0;
-    for (int i = 0; i < kMostSteps; ++i) {
-        const Segment moved{segment.a + fraction * move, segment.b + fraction * move};
-        const Closest c = closest(moved, obstacle);
-        const double gap = c.distance - radius;
-        if (c.distance <= 0.0) {
-            return fraction;
-        }
-        const double approach = -(c.on_segment - c.on_shape).dot(move) / c.distance;
-        if (approach <= 0.0) {
-            return std::nullopt;
-        }
-        if (gap <= kTouching) {
-            return fraction;
-        }
-        fraction += gap / approach;
-        if (fraction >= 1.0) {
-            return std::nullopt;
-        }
-    }
-    return fraction;
+    return first_touch(segment, radius, move, [&](const Segment& moved) { return closest(moved, obstacle); });
 }
 
 }  // namespace campuswalk::collision

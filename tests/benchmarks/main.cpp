@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <vector>
 
-#include "collision/hybrid_tree_query.h"
+#include "collision/mesh_query.h"
 #include "tests/benchmarks/agreement.h"
 #include "tests/benchmarks/bullet_rays.h"
 #include "tests/benchmarks/demo_mesh.h"
 #include "tests/benchmarks/fcl_capsules.h"
 #include "tests/benchmarks/interleaved.h"
+#include "tests/benchmarks/layouts.h"
 #include "tests/benchmarks/questions.h"
 
 using namespace campuswalk;
@@ -92,6 +93,6 @@ int main() {
                 campus.mesh().triangles.size(), kRounds);
     print_heading();
     const bool right[] = {compare_rays(campus, bullet, 5.0, 5000), compare_rays(campus, bullet, 200.0, 2000),
-                          compare_avatars(campus, fcl, 2000)};
-    return right[0] && right[1] && right[2] ? 0 : 1;
+                          compare_avatars(campus, fcl, 2000), compare_layouts(campus, kRounds)};
+    return right[0] && right[1] && right[2] && right[3] ? 0 : 1;
 }

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/closest.h"
-#include "collision/hybrid_tree_query.h"
+#include "collision/mesh_query.h"
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/random_scene.h"
 
@@ -53,11 +53,11 @@ private:
     }
 
     bool count_needed(std::uint32_t index) {
-        const HybridNode& node = mesh_.tree().nodes[index];
+        const HybridNode& node = mesh_.paper_tree().nodes[index];
         bool reached = false;
         if (node.is_leaf()) {
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                reached = in_reach(mesh_.tree().order[i]) || reached;
+                reached = in_reach(mesh_.paper_tree().order[i]) || reached;
             }
             counts_.triangles_needed += reached ? node.count : 0;
             return reached;
@@ -69,7 +69,7 @@ private:
     }
 
     void count_by_spheres(std::uint32_t index) {
-        const HybridNode& node = mesh_.tree().nodes[index];
+        const HybridNode& node = mesh_.paper_tree().nodes[index];
         ++counts_.by_spheres_alone;
         const Vec3 middle = 0.5 * (segment_.a + segment_.b);
         const double reach = 0.5 * (segment_.b - segment_.a).norm() + radius_ + node.outer.radius;
@@ -94,19 +94,31 @@ TEST(QueryCounters, AddUp) {
 }
 
 TEST(QueryCounters, FarAwayOnlyTheRootIsTested) {
-    const MeshCollider mesh(tiled_floor());
-    const QueryCounters counters = count_near(mesh, {{900, 0, 0}, {900, 2, 0}}, 0.3);
-    EXPECT_EQ(counters.nv, 1U);
-    EXPECT_EQ(counters.np, 0U);
-    EXPECT_EQ(counters.nu, 1U);
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        const MeshCollider mesh(tiled_floor(), layout);
+        const QueryCounters counters = count_near(mesh, {{900, 0, 0}, {900, 2, 0}}, 0.3);
+        EXPECT_EQ(counters.nv, 1U);
+        EXPECT_EQ(counters.np, 0U);
+        EXPECT_EQ(counters.nu, 1U);
+    }
 }
 
 TEST(QueryCounters, WithinReachOfAllEveryNodeAndTriangleIsTested) {
-    const MeshCollider mesh(tiled_floor());
-    const QueryCounters counters = count_near(mesh, {{0, 0, 0}, {0, 2, 0}}, 500.0);
-    EXPECT_EQ(counters.nv, mesh.tree().nodes.size());
-    EXPECT_EQ(counters.np, mesh.mesh().triangles.size());
-    EXPECT_EQ(counters.nu, 1U);
+    const MeshCollider paper(tiled_floor(), Layout::paper);
+    const QueryCounters on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(on_paper.nv, paper.paper_tree().nodes.size());
+    EXPECT_EQ(on_paper.np, paper.mesh().triangles.size());
+    EXPECT_EQ(on_paper.nu, 1U);
+
+    const MeshCollider wide(tiled_floor());
+    std::size_t boxes = 1;  // and the sphere of all
+    for (const WideNode& node : wide.wide_tree().nodes) {
+        boxes += node.count;
+    }
+    const QueryCounters on_wide = count_near(wide, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(on_wide.nv, boxes);
+    EXPECT_EQ(on_wide.np, wide.mesh().triangles.size());
+    EXPECT_EQ(on_wide.nu, 1U);
 }
 
 TEST(QueryCounters, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
@@ -114,7 +126,8 @@ TEST(QueryCounters, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
     std::uint64_t tested = 0;
     std::uint64_t by_spheres = 0;
     for (int m = 0; m < 10; ++m) {
-        const MeshCollider mesh(m % 2 == 0 ? support::random_mesh(dice, 400, 6.0) : tiled_floor());
+        const MeshCollider mesh(m % 2 == 0 ? support::random_mesh(dice, 400, 6.0) : tiled_floor(),
+                                Layout::paper);
         for (int i = 0; i < 20; ++i) {
             const Vec3 a = dice.in_cube(6.0);
             const Segment segment{a, a + Vec3(0, 1.2, 0)};
@@ -132,19 +145,23 @@ TEST(QueryCounters, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
 }
 
 TEST(QueryCounters, ASmallQueryInALargeMeshTestsLittleOfIt) {
-    const MeshCollider mesh(tiled_floor());  // 8192 triangles
-    const QueryCounters counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);
-    EXPECT_LT(counters.nv, 200U);
-    EXPECT_LT(counters.np, 100U);
-    EXPECT_GT(counters.np, 0U);
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        const MeshCollider mesh(tiled_floor(), layout);  // 8192 triangles
+        const QueryCounters counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);
+        EXPECT_LT(counters.nv, 200U);
+        EXPECT_LT(counters.np, 100U);
+        EXPECT_GT(counters.np, 0U);
+    }
 }
 
 TEST(QueryCounters, OfARayThatMissesStaySmall) {
-    const MeshCollider mesh(tiled_floor());
-    QueryCounters counters;
-    EXPECT_FALSE(first_on_ray(mesh, {{3, 0.01, 3}, {4, 5.0, 3}}, counters));
-    EXPECT_LT(counters.nv, 200U);
-    EXPECT_EQ(counters.nu, 1U);
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        const MeshCollider mesh(tiled_floor(), layout);
+        QueryCounters counters;
+        EXPECT_FALSE(first_on_ray(mesh, {{3, 0.01, 3}, {4, 5.0, 3}}, counters));
+        EXPECT_LT(counters.nv, 200U);
+        EXPECT_EQ(counters.nu, 1U);
+    }
 }
 
 }  // namespace

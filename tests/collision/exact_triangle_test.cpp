@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/closest.h"
-#include "collision/hybrid_tree_query.h"
+#include "collision/mesh_query.h"
 #include "collision/ray.h"
 #include "tests/support/dice.h"
 #include "tests/support/effort.h"
@@ -110,7 +110,7 @@ TEST(ExactTriangle, TheTreeFindsExactlyWhatMeets) {
             triangles.push_back(Pair(dice).triangle);
             support::add_triangle(mesh, triangles.back().a, triangles.back().b, triangles.back().c);
         }
-        const MeshCollider collider(mesh);
+        const MeshCollider collider(mesh, m % 2 == 0 ? Layout::wide : Layout::paper);
         for (int i = 0; i < 20; ++i) {
             const Segment segment = Pair(dice).segment;
             std::vector<std::uint32_t> expected;

@@ -190,7 +190,7 @@ TEST(WalkableAt, SolidsWhereTheirSurfaceFacesUp) {
     EXPECT_FALSE(walkable(Wheel{0.5, 0.2}, {0.5, 0.1, 0}));
 }
 
-/// Against a solid; triangles are in hybrid_tree_query_test.cpp.
+/// Against a solid; triangles are in placed_mesh_test.cpp.
 TEST(Sweep, StopsAtTheFirstContactOfTheLoop) {
     Dice dice(61);
     int contacts = 0;

@@ -1,0 +1,120 @@
+#include "collision/mesh_query.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "collision/closest.h"
+#include "collision/query_volumes.h"
+#include "collision/sweep.h"
+#include "collision/tree_descent.h"
+#include "collision/triangle_box_overlap.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+bool before(const MeshHit& a, const MeshHit& b) {
+    return a.fraction != b.fraction ? a.fraction < b.fraction : a.triangle < b.triangle;
+}
+
+/// Keeps the earlier hit and answers how far the query still has to look.
+double offer(std::optional<MeshHit>& best, const MeshHit& found) {
+    if (!best || before(found, *best)) {
+        best = found;
+    }
+    return best->fraction;
+}
+
+}  // namespace
+
+void triangles_near(const MeshCollider& mesh, const Segment& segment, double radius,
+                    std::vector<std::uint32_t>& out, QueryCounters& counters) {
+    out.clear();
+    const auto meet = [&](std::uint32_t t, double limit) {
+        if (closest(segment, corners(mesh.mesh(), t)).distance <= radius) {
+            out.push_back(t);
+        }
+        return limit;
+    };
+    descend(mesh, ThickSegment(segment, radius), radius * radius, meet, counters);
+    std::sort(out.begin(), out.end());
+}
+
+void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
+                      std::vector<std::uint32_t>& out, QueryCounters& counters) {
+    out.clear();
+    const auto meet = [&](std::uint32_t t, double limit) {
+        const Triangle c = corners(mesh.mesh(), t);
+        const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
+                             X_mesh_box.inverse_apply(c.c)};
+        if (overlap(local, box)) {
+            out.push_back(t);
+        }
+        return limit;
+    };
+    descend(mesh, BoxVolume(box, X_mesh_box), 0.0, meet, counters);
+    std::sort(out.begin(), out.end());
+}
+
+std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters) {
+    std::optional<MeshHit> best;
+    const auto meet = [&](std::uint32_t t, double limit) {
+        const auto f = hit(ray, corners(mesh.mesh(), t));
+        return f ? offer(best, {*f, t}) : limit;
+    };
+    descend(mesh, PathVolume(ray), 1.0, meet, counters);
+    return best;
+}
+
+bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters) {
+    constexpr double kNoMore = -1.0;  // below every fraction
+    bool found = false;
+    const auto meet = [&](std::uint32_t t, double limit) {
+        found = found || hit(ray, corners(mesh.mesh(), t)).has_value();
+        return found ? kNoMore : limit;
+    };
+    descend(mesh, PathVolume(ray), 1.0, meet, counters);
+    return found;
+}
+
+void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out,
+                QueryCounters& counters) {
+    out.clear();
+    const auto meet = [&](std::uint32_t t, double limit) {
+        if (const auto f = hit(ray, corners(mesh.mesh(), t))) {
+            out.push_back({*f, t});
+        }
+        return limit;
+    };
+    descend(mesh, PathVolume(ray), 1.0, meet, counters);
+    std::sort(out.begin(), out.end(), before);
+}
+
+MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters) {
+    MeshPoint best;
+    best.distance = std::numeric_limits<double>::infinity();
+    const auto meet = [&](std::uint32_t t, double) {
+        const Closest c = closest(Segment{point, point}, corners(mesh.mesh(), t));
+        if (c.distance < best.distance || (c.distance == best.distance && t < best.triangle)) {
+            best = {c.on_shape, c.distance, t};
+        }
+        return best.distance * best.distance;
+    };
+    descend(mesh, PointVolume(point), kApart<double>, meet, counters);
+    return best;
+}
+
+std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, double radius,
+                             const Vec3& move, QueryCounters& counters) {
+    std::optional<MeshHit> best;
+    const auto meet = [&](std::uint32_t t, double limit) {
+        const Triangle triangle = corners(mesh.mesh(), t);
+        const auto f = first_touch(segment, radius, move,
+                                   [&](const Segment& moved) { return closest(moved, triangle); });
+        return f ? offer(best, {*f, t}) : limit;
+    };
+    descend(mesh, PathVolume(segment, radius + kTouching, move), 1.0, meet, counters);
+    return best;
+}
+
+}  // namespace campuswalk::collision
