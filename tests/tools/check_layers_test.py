@@ -79,7 +79,8 @@ class CheckLayers(unittest.TestCase):
 
     def test_the_narrow_phase_of_bullet(self):
         narrow = "#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>\n"
-        message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests only"
+        message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests, " \
+                  "tools/campuswalk/bench/peers only"
         self.finds({"collision/bullet_broad_phase.cpp": narrow, "collision/cast.cpp": narrow,
                     "tests/benchmarks/bullet_peer.cpp": narrow},
                    "collision/bullet_broad_phase.cpp:1:10: error third-party: " + message,
@@ -107,12 +108,28 @@ class CheckLayers(unittest.TestCase):
                            % (header, place))
 
     def test_drawing_has_one_place(self):
-        for header in ("GL/osmesa.h", "pango/pangocairo.h", "cairo.h", "spng.h", "fontconfig/fontconfig.h"):
+        for header in ("GL/osmesa.h", "pango/pangocairo.h", "spng.h", "fontconfig/fontconfig.h"):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
                 self.finds({"scene/model.cpp": line, "engine/render/x.cpp": line},
                            "scene/model.cpp:1:10: error third-party: <%s> may be included in engine/render, "
                            "tests/engine/render only" % header)
+
+    def test_peers_stay_out_of_the_program(self):
+        for header in ("fcl/fcl.h", "ode/ode.h", "embree3/rtcore.h", "tbb/global_control.h"):
+            with self.subTest(header):
+                line = "#include <%s>\n" % header
+                [complaint] = self.complaints({"tools/campuswalk/bench/table1_command.cpp": line,
+                                               "tools/campuswalk/bench/peers/x.cpp": line})
+                self.assertTrue(complaint.startswith("tools/campuswalk/bench/table1_command.cpp:1:10: error "
+                                                     "third-party: "), complaint)
+
+    def test_peers_see_one_header_of_the_benchmark(self):
+        [complaint] = self.complaints({
+            "tools/campuswalk/bench/engine.h": HEADER, "tools/campuswalk/bench/measurement.h": HEADER,
+            "tools/campuswalk/bench/peers/x.cpp":
+                '#include "tools/campuswalk/bench/engine.h"\n#include "tools/campuswalk/bench/measurement.h"\n'})
+        self.assertTrue(complaint.startswith("tools/campuswalk/bench/peers/x.cpp:2:10: error layer: "), complaint)
 
     def test_a_header_nobody_declared(self):
         self.finds({"engine/x.cpp": "#include <boost/asio.hpp>\n"},

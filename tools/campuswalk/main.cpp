@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/campuswalk/bench/table1_command.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/info_command.h"
@@ -26,6 +27,7 @@ struct Arguments {
     std::vector<std::filesystem::path> validate;
     InfoOptions info;
     SnapshotOptions snapshot;
+    Table1Options table1;
     std::function<int()> chosen;
 };
 
@@ -125,6 +127,30 @@ void add_snapshot(CLI::App& app, Arguments& arguments) {
     command->callback([&] { arguments.chosen = [&] { return draw_snapshot(snapshot); }; });
 }
 
+void add_bench(CLI::App& app, Arguments& arguments) {
+    CLI::App* bench = add_command(app, "bench", "Measure the hybrid trees on this machine");
+    bench->require_subcommand(1);
+    Table1Options& options = arguments.table1;
+    CLI::App* command = add_command(*bench, "table1",
+                                    "The paper's Table I anew: a teapot goes through a cylinder, every "
+                                    "variant of the tree and every other engine that is built");
+    command->add_option("--csv", options.csv, "Write every measurement to this file")->type_name("FILE");
+    command->add_option("--plot", options.plot, "Draw time over pairs: a .svg or .png file")
+        ->check([](const std::string& file) {
+            const std::string extension = std::filesystem::path(file).extension().string();
+            return extension == ".svg" || extension == ".png" ? std::string()
+                                                              : "'" + file + "' is neither .svg nor .png";
+        })
+        ->type_name("FILE");
+    command->add_option("--rounds", options.rounds, "How often each query is timed")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->callback([&] { arguments.chosen = [&] { return bench_table1(options); }; });
+    command->footer(
+        "Exit code: 0 all variants agree on the pairs, 1 they don't, 2 bad usage, 3 something failed while "
+        "running.\nOther engines are built by tools/bench table1; where they differ it is shown.");
+}
+
 int guarded(const std::function<int()>& command) {
     try {
         const int exit_code = command();
@@ -157,11 +183,13 @@ std::string mistake_before_a_command(const CLI::App& app) {
 }
 
 std::string explanation(const CLI::App* app, const CLI::Error& error) {
-    const std::vector<CLI::App*> chosen = app->get_subcommands();
-    if (chosen.empty()) {
-        return "error: " + mistake_before_a_command(*app) + "\nsee campuswalk --help\n";
+    std::string path = app->get_name();
+    while (!app->get_subcommands().empty()) {
+        app = app->get_subcommands().front();
+        path += " " + app->get_name();
     }
-    return "error: " + std::string(error.what()) + "\nsee campuswalk " + chosen.front()->get_name() +
+    const bool has_commands = !app->get_subcommands({}).empty();
+    return "error: " + (has_commands ? mistake_before_a_command(*app) : error.what()) + "\nsee " + path +
            " --help\n";
 }
 
@@ -178,6 +206,7 @@ int main(int argc, char** argv) {
     add_validate(app, arguments);
     add_info(app, arguments);
     add_snapshot(app, arguments);
+    add_bench(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -10,6 +10,7 @@ PROJECT = {
     "collision": [],
     "scene": ["scene/import", "collision"],
     "scene/import": ["scene"],
+    "scene/procedural": ["scene", "collision"],
     # The simulation core knows what an observer is and none in particular.
     "engine": ["engine/events", "engine/expect", "engine/script", "engine/observers/observer.h", "scene",
                "collision"],
@@ -22,7 +23,11 @@ PROJECT = {
     "config/loader": ["engine", "engine/events", "engine/expect", "engine/script", "scene", "collision"],
     "tools": [],
     "tools/campuswalk": ["config/loader", "engine", "engine/events", "engine/expect", "engine/script",
-                         "engine/observers", "engine/render", "scene", "scene/import", "collision"],
+                         "engine/observers", "engine/render", "scene", "scene/import", "collision",
+                         "tools/campuswalk/bench"],
+    "tools/campuswalk/bench": ["tools/campuswalk", "engine", "scene", "scene/procedural", "collision"],
+    # Other people's engines: of ours they see what they are given and what they are asked.
+    "tools/campuswalk/bench/peers": ["tools/campuswalk/bench/engine.h", "collision"],
     "tests": [ANYWHERE],
 }
 
@@ -41,7 +46,7 @@ THIRD_PARTY = {
     "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
     "LinearMath/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
-    "BulletCollision/": ["tests"],
+    "BulletCollision/": ["tests", "tools/campuswalk/bench/peers"],
     "BulletDynamics/": ["tests"],
     "BulletSoftBody/": ["tests"],
     "btBulletCollisionCommon.h": ["tests"],
@@ -52,8 +57,8 @@ THIRD_PARTY = {
     "GL/": ["engine/render", "tests/engine/render"],
     "EGL/": ["engine/render"],
     "KHR/": ["engine/render"],
-    "dlfcn.h": ["engine/render"],
-    "cairo": ["engine/render", "tests/engine/render"],
+    "dlfcn.h": ["engine/render", "tools/campuswalk/bench"],
+    "cairo": ["engine/render", "tests/engine/render", "tools/campuswalk/bench"],
     "fontconfig/": ["engine/render", "tests/engine/render"],
     "pango/": ["engine/render", "tests/engine/render"],
     "spng.h": ["engine/render", "tests/engine/render"],
@@ -66,8 +71,11 @@ THIRD_PARTY = {
     "sys/": ["scene/import", "tools/campuswalk", "tests"],
     "gtest/": ["tests"],
     "gmock/": ["tests"],
-    "CGAL/": ["tests"],
-    "fcl/": ["tests/benchmarks"],
+    "CGAL/": ["tests", "tools/campuswalk/bench/peers"],
+    "fcl/": ["tests/benchmarks", "tools/campuswalk/bench/peers"],
+    "embree3/": ["tools/campuswalk/bench/peers"],
+    "tbb/": ["tools/campuswalk/bench/peers"],
+    "ode/": ["tools/campuswalk/bench/peers"],
 }
 SPELLED_AWAY = ("bullet/", "eigen3/")
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace campuswalk::scene {
+
+/// Martin Newell's teapot (University of Utah, 1975): 32 bicubic Bezier patches, z up. A patch names its 16
+/// control points row by row.
+inline constexpr std::size_t kTeapotPoints = 290;
+inline constexpr std::size_t kTeapotPatches = 32;
+
+extern const std::array<std::array<double, 3>, kTeapotPoints> kTeapotControlPoints;
+extern const std::array<std::array<std::uint16_t, 16>, kTeapotPatches> kTeapotPatchPoints;
+
+}  // namespace campuswalk::scene

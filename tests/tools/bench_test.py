@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""What `campuswalk bench table1` prints and writes, with as few rounds as can be."""
+
+import csv
+import io
+import os
+import shutil
+import subprocess
+
+from program import ProgramCase, main
+
+PAIRS = [31, 142, 238, 347, 429, 666, 815, 961, 1081, 1295]
+COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
+OF_THE_PAPER = ["paper", "obb", "sphere", "mixed"]
+HAS_NO_RENDERING = "this build has no rendering"
+
+
+class Bench(ProgramCase):
+    """Exit codes, the tables, the CSV and the plot."""
+
+    def refused(self, complaint, *arguments, where="bench"):
+        outcome = self.run_program("bench", *arguments)
+        self.assertEqual(outcome.complaints, ["error: " + complaint, f"see campuswalk {where} --help"])
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+
+    def test_bad_usage(self):
+        self.refused("a command is needed: table1")
+        self.refused("there is no command 'table2' (did you mean 'table1'?)", "table2")
+        for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
+                                          ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
+                                          ("--csv: 1 required FILE missing", "--csv")):
+            self.refused(complaint, "table1", option, *value, where="bench table1")
+
+    def test_output_that_cannot_be_written_is_seen_before_the_run(self):
+        self.write("file", "")
+        outcome = self.run_program("bench", "table1", "--csv", "file/a.csv")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: the results can't be written here: ")
+
+    def test_tables_and_csv(self):
+        out = self.passes("bench", "table1", "--rounds", "1", "--csv", "new/t.csv").out
+        for heading in ("All pairs", "First pair", "paper: Cv = ", "obb: Cv = ", "sphere: Cv = ", "mixed: Cv = ",
+                        "What the sphere test does (paper)"):
+            self.assertRegex(out, "(?m)^" + heading.replace("(", r"\(").replace(")", r"\)"))
+        for pairs in PAIRS:
+            self.assertEqual(len([line for line in out.splitlines() if line.split()[:1] == [str(pairs)]]), 7)
+
+        rows = list(csv.DictReader(io.StringIO(self.read("new/t.csv").decode())))
+        self.assertEqual(list(rows[0]), COLUMNS)
+        ours = [row for row in rows if row["engine"] in OF_THE_PAPER or row["engine"].startswith("wide_")]
+        engines = list(dict.fromkeys(row["engine"] for row in ours))
+        self.assertEqual(engines[:5], OF_THE_PAPER + ["wide_sse42"])
+        self.assertEqual([(int(row["pairs"]), row["engine"], row["query"]) for row in ours],
+                         [(pairs, engine, query) for pairs in PAIRS for engine in engines for query in ("all", "first")])
+        for row in rows:
+            self.assertEqual(row["case"], "table1")
+            self.assertLessEqual(0.0, float(row["us_min"]))
+            self.assertLessEqual(float(row["us_min"]), float(row["us_median"]))
+        for row in ours:
+            self.assertEqual(row["set_equal"], "yes")
+            self.assertGreater(int(row["nv"]), 0)
+            self.assertGreaterEqual(int(row["np"]), int(row["pairs"]) if row["query"] == "all" else 1)
+
+    def test_plots(self):
+        for name, start in (("fig4.svg", b"<?xml"), ("new/fig4.png", b"\x89PNG\r\n\x1a\n")):
+            outcome = self.run_program("bench", "table1", "--rounds", "1", "--plot", name)
+            if HAS_NO_RENDERING in outcome.err:
+                self.assertEqual((outcome.code, outcome.out), (3, ""))
+                continue
+            self.assertEqual((outcome.code, outcome.err), (0, ""))
+            self.assertTrue(self.read(name).startswith(start))
+            self.assertGreater(len(self.read(name)), 5000)
+
+    def test_a_peer_that_cannot_be_opened_is_named(self):
+        copy = self.path("campuswalk")
+        shutil.copy(self.program, copy)
+        self.write("peers/ode.so", "no library")
+        done = subprocess.run([copy, "bench", "table1", "--rounds", "1"], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, check=False, timeout=120, env=dict(os.environ, LC_ALL="C"))
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertRegex(done.stdout.decode(), r"(?m)^  absent: ode: .*peers/ode\.so: .+\n  absent: embree: not built$")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include "tools/campuswalk/bench/cost_model.h"
+#include "tools/campuswalk/bench/shuffled_runs.h"
+
+namespace campuswalk::tools::bench {
+namespace {
+
+using collision::HybridContactCounters;
+using collision::Pose;
+using collision::QueryCounters;
+using collision::TrianglePair;
+using Pairs = std::vector<TrianglePair>;
+
+/// Answers by rote: `pairs` in the placement that is set, whichever it is.
+class Parrot final : public Engine {
+public:
+    Parrot(Pairs pairs, bool stops) : pairs_(std::move(pairs)), stops_(stops) {}
+
+    void set_pose(const Pose& /*X_a_b*/) override { ++moves; }
+    void all_pairs(Pairs& out) override {
+        ++alls;
+        out = pairs_;
+    }
+    bool stops_at_first() const override { return stops_; }
+    std::optional<TrianglePair> first_pair() override {
+        ++firsts;
+        return pairs_.empty() ? std::nullopt : std::optional(pairs_.front());
+    }
+    std::optional<HybridContactCounters> work() const override { return std::nullopt; }
+
+    int moves = 0;
+    int alls = 0;
+    int firsts = 0;
+
+private:
+    Pairs pairs_;
+    bool stops_ = true;
+};
+
+scene::Table1Scene two_placements() {
+    scene::Table1Scene scene;
+    scene.placements = {{{}, 3}, {{}, 5}};
+    return scene;
+}
+
+Parrot& add(std::vector<NamedEngine>& engines, const char* name, Pairs pairs, bool stops = true) {
+    auto parrot = std::make_unique<Parrot>(std::move(pairs), stops);
+    Parrot& kept = *parrot;
+    engines.push_back({name, false, std::move(parrot)});
+    return kept;
+}
+
+TEST(ShuffledRuns, CompareSetsWhateverTheirOrderAndRepeats) {
+    std::vector<NamedEngine> engines;
+    add(engines, "right", {{1, 1}, {2, 2}, {3, 3}});
+    add(engines, "repeats", {{3, 3}, {1, 1}, {3, 3}, {2, 2}, {1, 1}});
+    add(engines, "lacks two, invents one", {{4, 4}, {2, 2}});
+    add(engines, "finds nothing", {});
+    const Results results = measure(two_placements(), engines, 2);
+    EXPECT_EQ(results.found, (std::vector<std::size_t>{3, 3}));
+    EXPECT_EQ(results.pairs, (std::vector<std::uint32_t>{3, 5}));
+    const auto all = [&](const char* name) { return results.find(1, name, Query::all)->difference; };
+    const auto first = [&](const char* name) { return results.find(1, name, Query::first)->difference; };
+    EXPECT_TRUE(all("right").none());
+    EXPECT_TRUE(all("repeats").none());
+    EXPECT_EQ(to_string(all("lacks two, invents one")), "+1/-2");
+    EXPECT_EQ(to_string(all("finds nothing")), "+0/-3");
+    EXPECT_TRUE(first("right").none());
+    EXPECT_TRUE(first("repeats").none());
+    EXPECT_EQ(to_string(first("lacks two, invents one")), "+1/-0");
+    EXPECT_EQ(to_string(first("finds nothing")), "+0/-1");
+}
+
+TEST(ShuffledRuns, EveryTimedRunFollowsOneThatIsNot) {
+    std::vector<NamedEngine> engines;
+    const Parrot& stops = add(engines, "stops", {{1, 1}});
+    const Parrot& goes_on = add(engines, "goes on", {{1, 1}}, false);
+    const Results results = measure(two_placements(), engines, 7);
+    EXPECT_EQ(stops.alls, 2 * 2 * 7);
+    EXPECT_EQ(stops.firsts, 2 * 2 * 7);
+    EXPECT_EQ(stops.moves, stops.alls + stops.firsts) << "each query pays for its move";
+    EXPECT_EQ(goes_on.alls, 2 * 2 * 7);
+    EXPECT_EQ(goes_on.firsts, 0);
+    EXPECT_EQ(results.measurements.size(), 2U * 3U);
+    EXPECT_EQ(results.find(0, "goes on", Query::first), nullptr);
+    EXPECT_TRUE(results.least_times("goes on", Query::first).empty());
+    for (const Measurement& m : results.measurements) {
+        EXPECT_GE(m.us_median, m.us_min);
+        EXPECT_GE(m.us_min, 0.0);
+    }
+}
+
+TEST(CostModel, FindsTheCostsThatMadeTheTimes) {
+    const std::vector<QueryCounters> work = {{100, 7, 50}, {900, 120, 300}, {5000, 400, 2600}, {7000, 2, 10}};
+    const CostModel made{0.02, 0.3, 0.005};
+    std::vector<double> times;
+    for (const QueryCounters& w : work) {
+        times.push_back(made.predict(w));
+    }
+    EXPECT_DOUBLE_EQ(times[0], 2.0 + 2.1 + 0.25);
+    const CostModel found = fit_costs(work, times);
+    EXPECT_NEAR(found.cv, made.cv, 1e-12);
+    EXPECT_NEAR(found.cp, made.cp, 1e-12);
+    EXPECT_NEAR(found.cu, made.cu, 1e-12);
+}
+
+TEST(CostModel, HasNoNegativeCosts) {
+    // Only a negative Cp would explain these times exactly.
+    const std::vector<QueryCounters> work = {{100, 0, 10}, {100, 50, 10}, {200, 10, 90}};
+    const std::vector<double> times = {10.0, 5.0, 21.0};
+    const CostModel found = fit_costs(work, times);
+    EXPECT_EQ(found.cp, 0.0);
+    EXPECT_GT(found.cv, 0.0);
+    EXPECT_GE(found.cu, 0.0);
+}
+
+TEST(CostModel, WeighsErrorsByTheTimes) {
+    // One cost for two times that it can't both explain: in relative terms they pull alike.
+    const std::vector<QueryCounters> work = {{100, 0, 0}, {100000, 0, 0}};
+    const std::vector<double> times = {2.0, 1000.0};
+    const double cv = fit_costs(work, times).cv;
+    EXPECT_NEAR(cv, (50.0 + 100.0) / (2500.0 + 10000.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace campuswalk::tools::bench

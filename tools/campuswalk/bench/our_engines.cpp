@@ -1,0 +1,101 @@
+#include "tools/campuswalk/bench/our_engines.h"
+
+#include "collision/hybrid_tree.h"
+#include "collision/mesh_collider.h"
+#include "collision/mesh_contacts.h"
+
+namespace campuswalk::tools::bench {
+
+using collision::HybridContactCounters;
+using collision::Instructions;
+using collision::MeshCollider;
+using collision::NodeTest;
+using collision::Pose;
+using collision::TriangleMesh;
+using collision::TrianglePair;
+
+namespace {
+
+class PaperEngine final : public Engine {
+public:
+    PaperEngine(const TriangleMesh& a, const TriangleMesh& b, NodeTest test)
+        : tree_a_(build_hybrid_tree(a)),
+          tree_b_(build_hybrid_tree(b)),
+          a_{a, tree_a_},
+          b_{b, tree_b_},
+          test_(test) {}
+
+    void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
+
+    void all_pairs(std::vector<TrianglePair>& out) override {
+        work_ = {};
+        all_contacts(a_, b_, X_a_b_, test_, out, work_);
+    }
+
+    std::optional<TrianglePair> first_pair() override {
+        work_ = {};
+        return first_contact(a_, b_, X_a_b_, test_, work_);
+    }
+
+    std::optional<HybridContactCounters> work() const override { return work_; }
+
+private:
+    collision::HybridTree tree_a_;
+    collision::HybridTree tree_b_;
+    collision::HybridMesh a_;
+    collision::HybridMesh b_;
+    NodeTest test_;
+    Pose X_a_b_;
+    HybridContactCounters work_;
+};
+
+class WideEngine final : public Engine {
+public:
+    WideEngine(const TriangleMesh& a, const TriangleMesh& b, Instructions instructions)
+        : a_(a), b_(b), instructions_(instructions) {}
+
+    void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
+
+    void all_pairs(std::vector<TrianglePair>& out) override {
+        work_ = {};
+        all_contacts(a_, b_, X_a_b_, out, work_, instructions_);
+    }
+
+    std::optional<TrianglePair> first_pair() override {
+        work_ = {};
+        return first_contact(a_, b_, X_a_b_, work_, instructions_);
+    }
+
+    std::optional<HybridContactCounters> work() const override { return work_; }
+
+private:
+    MeshCollider a_;
+    MeshCollider b_;
+    Instructions instructions_;
+    Pose X_a_b_;
+    HybridContactCounters work_;
+};
+
+}  // namespace
+
+std::vector<NamedEngine> our_engines(const TriangleMesh& a, const TriangleMesh& b) {
+    const std::pair<const char*, NodeTest> tests[] = {{"paper", NodeTest::hybrid},
+                                                      {"obb", NodeTest::box},
+                                                      {"sphere", NodeTest::sphere},
+                                                      {"mixed", NodeTest::mixed}};
+    const std::pair<const char*, Instructions> kernels[] = {{"wide_sse42", Instructions::sse42},
+                                                            {"wide_avx2", Instructions::avx2},
+                                                            {"wide_avx512", Instructions::avx512}};
+    std::vector<NamedEngine> engines;
+    for (const auto& [name, test] : tests) {
+        engines.push_back({name, true, std::make_unique<PaperEngine>(a, b, test)});
+    }
+    for (const auto& [name, instructions] : kernels) {
+        if (can_run(instructions)) {
+            engines.push_back({name, true, std::make_unique<WideEngine>(a, b, instructions)});
+        }
+    }
+    return engines;
+}
+
+}  // namespace campuswalk::tools::bench
