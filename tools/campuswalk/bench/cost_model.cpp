@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace campuswalk::tools::bench {
 
@@ -10,15 +10,16 @@ using collision::QueryCounters;
 
 namespace {
 
-/// Least squares with the costs in `which` (a bit each) free and the others 0.
-Eigen::Vector3d solve(const Eigen::MatrixX3d& rows, const Eigen::VectorXd& right, unsigned which) {
-    Eigen::MatrixX3d free = rows;
+/// The costs in `which` (a bit each) that solve the normal equations, the others 0.
+Eigen::Vector3d solve(Eigen::Matrix3d normal, Eigen::Vector3d right, unsigned which) {
     for (int i = 0; i < 3; ++i) {
         if ((which >> static_cast<unsigned>(i) & 1U) == 0) {
-            free.col(i).setZero();
+            normal.col(i).setZero();
+            normal.row(i) = Eigen::RowVector3d::Unit(i);
+            right[i] = 0.0;
         }
     }
-    return free.completeOrthogonalDecomposition().solve(right);
+    return normal.fullPivLu().solve(right);
 }
 
 }  // namespace
@@ -29,21 +30,23 @@ double CostModel::predict(const QueryCounters& work) const {
 }
 
 CostModel fit_costs(std::span<const QueryCounters> work, std::span<const double> microseconds) {
-    const auto count = static_cast<Eigen::Index>(work.size());
-    Eigen::MatrixX3d rows(count, 3);
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < work.size(); ++i) {
-        rows.row(static_cast<Eigen::Index>(i)) =
-            Eigen::RowVector3d(static_cast<double>(work[i].nv), static_cast<double>(work[i].np),
-                               static_cast<double>(work[i].nu)) /
+        const Eigen::Vector3d row =
+            Eigen::Vector3d(static_cast<double>(work[i].nv), static_cast<double>(work[i].np),
+                            static_cast<double>(work[i].nu)) /
             microseconds[i];
+        normal += row * row.transpose();
+        right += row;
     }
-    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
     // Of three unknowns all seven ways to leave some out can be tried: the best that is nowhere negative.
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
     double least = std::numeric_limits<double>::infinity();
     for (unsigned which = 1; which < 8; ++which) {
-        const Eigen::Vector3d costs = solve(rows, ones, which);
-        const double error = (rows * costs - ones).squaredNorm();
+        const Eigen::Vector3d costs = solve(normal, right, which);
+        // The sum of squares but for what all share.
+        const double error = costs.dot(normal * costs) - 2.0 * costs.dot(right);
         if (costs.minCoeff() >= 0.0 && error < least) {
             best = costs;
             least = error;
