@@ -27,21 +27,26 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c) {
     return longest > 0.0 ? ab.cross(ac).norm() / longest : 0.0;
 }
 
-}  // namespace
-
-BakedMesh bake_mesh(const WorldGeometry& geometry) {
-    BakedMesh baked;
+/// Of the corners of all triangles.
+collision::Aabb bounds_of(const WorldGeometry& geometry) {
     collision::Aabb bounds;
     for (const auto& triangle : geometry.triangles) {
         for (const std::uint32_t vertex : triangle) {
             bounds.extend(geometry.positions[vertex]);
         }
     }
-    if (bounds.empty()) {
-        return baked;
-    }
-    baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+    return bounds;
+}
 
+bool float_holds(const WorldGeometry& geometry) {
+    return std::ranges::all_of(geometry.positions, [](const Vec3& position) {
+        return position.cast<float>().cast<double>() == position;
+    });
+}
+
+/// Adds the triangles that `keeps(corners)`, about the mesh's origin.
+template <typename Keeps>
+void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const Keeps& keeps) {
     WeldTable<3> welded(geometry.positions.size());
     auto& positions = baked.mesh.positions;
     for (const auto& triangle : geometry.triangles) {
@@ -49,9 +54,7 @@ BakedMesh bake_mesh(const WorldGeometry& geometry) {
         for (std::size_t k = 0; k < 3; ++k) {
             corners[k] = (geometry.positions[triangle[k]] - baked.p_world_origin).cast<float>();
         }
-        if (thickness(corners[0].cast<double>(), corners[1].cast<double>(), corners[2].cast<double>()) <
-            kThinnest) {
-            ++baked.zero_area;
+        if (!keeps(corners)) {
             continue;
         }
         std::array<std::uint32_t, 3> numbers{};
@@ -63,6 +66,33 @@ BakedMesh bake_mesh(const WorldGeometry& geometry) {
         }
         baked.mesh.triangles.push_back(numbers);
     }
+}
+
+}  // namespace
+
+BakedMesh bake_mesh(const WorldGeometry& geometry) {
+    BakedMesh baked;
+    const collision::Aabb bounds = bounds_of(geometry);
+    if (bounds.empty()) {
+        return baked;
+    }
+    baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+    add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& corners) {
+        const bool thick = thickness(corners[0].cast<double>(), corners[1].cast<double>(),
+                                     corners[2].cast<double>()) >= kThinnest;
+        baked.zero_area += thick ? 0U : 1U;
+        return thick;
+    });
+    return baked;
+}
+
+BakedMesh bake_every_triangle(const WorldGeometry& geometry) {
+    BakedMesh baked;
+    const collision::Aabb bounds = bounds_of(geometry);
+    if (!bounds.empty() && !float_holds(geometry)) {
+        baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+    }
+    add_triangles(geometry, baked, [](const std::array<Eigen::Vector3f, 3>&) { return true; });
     return baked;
 }
 

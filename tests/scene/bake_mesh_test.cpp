@@ -43,6 +43,32 @@ TEST(BakeMesh, LeavesZeroAreaTrianglesOut) {
 
 TEST(BakeMesh, OfNothingIsNothing) {
     EXPECT_TRUE(bake_mesh(WorldGeometry{}).mesh.triangles.empty());
+    EXPECT_TRUE(bake_every_triangle(WorldGeometry{}).mesh.triangles.empty());
+}
+
+TEST(BakeEveryTriangle, KeepsThinOnesAndTheirNumbers) {
+    WorldGeometry geometry;
+    geometry.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
+    geometry.triangles = {{0, 0, 1}, {0, 1, 2}, {0, 1, 3}};
+    const BakedMesh baked = bake_every_triangle(geometry);
+    EXPECT_EQ(baked.mesh.triangles.size(), 3U);
+    EXPECT_EQ(baked.mesh.triangles[1], (std::array<std::uint32_t, 3>{0, 1, 2}));
+    EXPECT_EQ(baked.zero_area, 0U);
+}
+
+TEST(BakeEveryTriangle, KeepsWhatFloatHoldsToTheBit) {
+    WorldGeometry geometry;
+    geometry.positions = {{0.1F, 0, 1000.3F}, {0.7F, 0, 0}, {0, 1e-20F, 0}};
+    geometry.triangles = {{0, 1, 2}};
+    const BakedMesh exact = bake_every_triangle(geometry);
+    EXPECT_EQ(exact.p_world_origin, Vec3(0, 0, 0));
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(exact.mesh.positions[k].cast<double>(), geometry.positions[k]);
+    }
+    geometry.positions[0].x() = 84616.0004;
+    const BakedMesh rounded = bake_every_triangle(geometry);
+    EXPECT_EQ(rounded.p_world_origin, Vec3(42308, 0, 500.15));
+    EXPECT_EQ(rounded.mesh.positions[0].x(), static_cast<float>(geometry.positions[0].x() - 42308.0));
 }
 
 }  // namespace
