@@ -32,7 +32,8 @@ class Readme(ProgramCase):
     def setUp(self):
         super().setUp()
         with open(README, encoding="utf-8") as file:
-            files = files_of(file.read())
+            self.readme = file.read()
+        files = files_of(self.readme)
         self.assertEqual(sorted(files), ["school.campus.yaml", "visit.walk.yaml"])
         for name, text in files.items():
             self.write(name, text.replace("school.glb", "school.obj"))
@@ -45,6 +46,12 @@ class Readme(ProgramCase):
         log = self.passes("run", "visit.walk.yaml", "--rendering-backend", "none").out
         self.assertIn("trigger.enter    library/door", log)
         self.assertIn("result=pass", log)
+
+    def test_what_collide_prints(self):
+        arguments, printed = re.search(r"```\n\$ campuswalk (collide .*)\n((?:.*\n)*?)```", self.readme).groups()
+        outcome = self.run_program(*arguments.replace("school.glb", "school.obj").split())
+        self.assertEqual((outcome.code, outcome.err), (1, ""))
+        self.assertEqual(outcome.out, printed.replace("school.glb", "school.obj"))
 
 
 if __name__ == "__main__":

@@ -4,8 +4,9 @@ namespace campuswalk::tools {
 
 constexpr int kPass = 0;
 constexpr int kExpectationFailed = 1;
-constexpr int kBadInput = 2;   ///< usage or input, seen before anything ran
-constexpr int kRunFailed = 3;  ///< something went wrong while running: disk full, no GL
+constexpr int kOverlapping = 1;  ///< of a command that compares; 0 is apart
+constexpr int kBadInput = 2;     ///< usage or input, seen before anything ran
+constexpr int kRunFailed = 3;    ///< something went wrong while running: disk full, no GL
 constexpr int kInterrupted = 130;
 
 }  // namespace campuswalk::tools

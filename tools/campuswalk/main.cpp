@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/campuswalk/bench/table1_command.h"
+#include "tools/campuswalk/collide/collide_command.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/info_command.h"
@@ -26,6 +27,7 @@ struct Arguments {
     RunOptions run;
     std::vector<std::filesystem::path> validate;
     InfoOptions info;
+    CollideOptions collide;
     SnapshotOptions snapshot;
     Table1Options table1;
     std::function<int()> chosen;
@@ -54,6 +56,15 @@ void add_choice(CLI::App& command, const char* name, const std::map<std::string,
             return choices.contains(word) ? std::string() : "'" + word + "' is none of " + words;
         })
         ->type_name(words);
+}
+
+/// How model files are to be read that nothing else describes.
+void add_file_frame(CLI::App& command, scene::SceneFile& file, const std::string& whose) {
+    const std::map<std::string, scene::UpAxis> axes = {{"y", scene::UpAxis::y}, {"z", scene::UpAxis::z}};
+    add_choice(command, "--up", axes, file.up, "Up axis of " + whose);
+    command.add_option("--scale", file.scale, "Metres per unit of " + whose)
+        ->check(CLI::Range(1e-9, 1e9))
+        ->capture_default_str();
 }
 
 void add_run(CLI::App& app, Arguments& arguments) {
@@ -99,13 +110,38 @@ void add_info(CLI::App& app, Arguments& arguments) {
             "A model file: glTF, OBJ, FBX, COLLADA, ...")
         ->required()
         ->type_name("FILE");
-    const std::map<std::string, scene::UpAxis> axes = {{"y", scene::UpAxis::y}, {"z", scene::UpAxis::z}};
-    add_choice(*command, "--up", axes, info.scene.up, "The file's up axis");
-    command->add_option("--scale", info.scene.scale, "Metres per unit of the file")
-        ->check(CLI::Range(1e-9, 1e9))
-        ->capture_default_str();
+    add_file_frame(*command, info.scene, "the file");
     command->add_flag("--json", info.json, "As JSON");
     command->callback([&] { arguments.chosen = [&] { return print_info(info); }; });
+}
+
+void add_collide(CLI::App& app, Arguments& arguments) {
+    CollideOptions& options = arguments.collide;
+    CLI::App* command = add_command(app, "collide", "Tell where two models or shapes overlap");
+    command->add_option("A", options.a, "A model file, or a shape: see below")->required()->type_name("");
+    command->add_option("B", options.b, "Likewise")->required()->type_name("");
+    CLI::Option* pose =
+        command->add_option("--pose", options.pose, "Where B is: rolled, pitched, yawed, moved")
+            ->type_name("X,Y,Z[,YAW[,PITCH[,ROLL]]]");
+    command->add_option("--pose-matrix", options.pose_matrix, "The same as the rows of a 3 x 4 matrix")
+        ->type_name("12 NUMBERS")
+        ->excludes(pose);
+    add_file_frame(*command, options.frame, "the files");
+    CLI::Option* first = command->add_flag_callback(
+        "--first", [&] { options.told = collide::Told::one; }, "One pair alone, as soon as it is found");
+    command
+        ->add_flag_callback(
+            "--count", [&] { options.told = collide::Told::count; }, "How many there are and no more")
+        ->excludes(first);
+    command->add_flag("--json", options.json, "As JSON");
+    command->callback([&] { arguments.chosen = [&] { return collide_bodies(options); }; });
+    command->footer(
+        "Shapes, about the origin: box:WIDTH,HEIGHT,DEPTH, sphere:RADIUS, capsule:RADIUS,HEIGHT (upright,\n"
+        "caps included), wheel:RADIUS,WIDTH (its axle along X). Metres and degrees, +Y up; roll is about Z,\n"
+        "pitch about X, yaw about Y, each right-handed. A shape is filled; a model is its triangles, "
+        "counted\n"
+        "from 0 in the order of its nodes, and not what they enclose. Touching is overlapping.\n"
+        "Exit code: 0 apart, 1 overlapping, 2 bad usage or input.");
 }
 
 void add_snapshot(CLI::App& app, Arguments& arguments) {
@@ -205,6 +241,7 @@ int main(int argc, char** argv) {
     add_run(app, arguments);
     add_validate(app, arguments);
     add_info(app, arguments);
+    add_collide(app, arguments);
     add_snapshot(app, arguments);
     add_bench(app, arguments);
     try {

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""`cmake --install` gives find_package(campuswalk) all it needs: the example beside this is built against it.
+
+`package_test.py BUILD WORK CMAKE GENERATOR COMPILER CONFIGURATION`: the build to install from, and a folder to work in.
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+OUTPUT = ["ground 0 meets sail 0", "ground 1 meets sail 0", "a ray down meets ground 1 after 0.8 of its way"]
+
+
+class Package(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.installed = os.path.join(cls.work, "installed")
+        cls.built = os.path.join(cls.work, "built")
+        shutil.rmtree(cls.work, ignore_errors=True)
+        install = [cls.cmake, "--install", cls.build, "--prefix", cls.installed, "--component", "collision"]
+        if cls.configuration:
+            install += ["--config", cls.configuration]
+        cls.run_command(*install)
+
+    @classmethod
+    def run_command(cls, *command):
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, timeout=300)
+        text = done.stdout.decode("utf-8", "replace")
+        if done.returncode != 0:
+            raise AssertionError("%s\nended with %d:\n%s" % (" ".join(command), done.returncode, text))
+        return text
+
+    def installed_files(self):
+        for parent, _, files in os.walk(self.installed):
+            for name in files:
+                yield os.path.relpath(os.path.join(parent, name), self.installed)
+
+    def text_of(self, *names):
+        with open(os.path.join(self.installed, *names), encoding="utf-8") as file:
+            return file.read()
+
+    def test_the_example_builds_and_runs(self):
+        self.run_command(self.cmake, "-S", HERE, "-B", self.built, "-G", self.generator,
+                         "-DCMAKE_CXX_COMPILER=" + self.compiler, "-DCMAKE_BUILD_TYPE=" + self.configuration,
+                         "-DCMAKE_PREFIX_PATH=" + self.installed, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+        self.run_command(self.cmake, "--build", self.built)
+        self.assertEqual(self.run_command(os.path.join(self.built, "two_meshes")).splitlines(), OUTPUT)
+
+        with open(os.path.join(self.built, "compile_commands.json"), encoding="utf-8") as file:
+            command = json.load(file)[0]["command"]
+        self.assertIn(os.path.join(self.installed, "include"), command)
+        self.assertNotIn("-Werror", command)
+        self.assertNotIn("-Wconversion", command)
+        self.assertNotIn("-ffp-contract", command)
+
+    def test_headers_include_each_other_eigen_and_the_standard_library_alone(self):
+        include = os.path.join("include", "campuswalk")
+        headers = {os.path.relpath(name, include) for name in self.installed_files() if name.endswith(".h")}
+        self.assertIn("collision/mesh_contacts.h", headers)
+        for header in headers:
+            text = self.text_of(include, header)
+            self.assertLessEqual(set(re.findall(r'#include "([^"]+)"', text)), headers, header)
+            for other in re.findall(r"#include <([^>]+)>", text):
+                self.assertRegex(other, r"^(Eigen/\w+|[a-z_]+)$", header)
+
+    def test_what_is_installed(self):
+        files = list(self.installed_files())
+        self.assertLessEqual({os.path.splitext(name)[1] for name in files}, {".h", ".cmake", ".a", ".so"})
+        self.assertEqual([name for name in files if "kernels" in name or "bullet" in name], [])
+        for name in files:
+            if name.endswith(".cmake"):
+                text = self.text_of(name)
+                self.assertNotIn(os.path.dirname(os.path.dirname(HERE)), text, name)
+                self.assertNotIn("campuswalk_flags", text, name)
+
+
+if __name__ == "__main__":
+    Package.build, Package.work, Package.cmake, Package.generator, Package.compiler = sys.argv[1:6]
+    Package.configuration = sys.argv[6] if len(sys.argv) > 6 else ""
+    unittest.main(argv=sys.argv[:1], verbosity=2)

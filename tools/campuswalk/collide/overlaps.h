@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "collision/triangle_pair.h"
+#include "tools/campuswalk/collide/body.h"
+
+namespace campuswalk::tools::collide {
+
+/// Where two bodies overlap. Meshes are surfaces, solids are filled; touching is overlapping.
+struct Overlaps {
+    bool any = false;
+    std::vector<collision::TrianglePair> pairs;  ///< of two meshes, ascending
+    std::vector<std::uint32_t> triangles;        ///< of the one mesh that a solid overlaps, ascending
+    std::optional<double> distance;              ///< of two solids, metres
+
+    /// Pairs or triangles; of two solids themselves.
+    std::size_t count() const;
+};
+
+/// All of them, or one alone: of two meshes the pair that is found first, else the lowest triangle.
+enum class Wanted : std::uint8_t { all, one };
+
+Overlaps find_overlaps(const Body& a, const Body& b, const collision::Pose& X_a_b, Wanted wanted);
+
+}  // namespace campuswalk::tools::collide

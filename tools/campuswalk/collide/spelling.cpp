@@ -1,0 +1,205 @@
+#include "tools/campuswalk/collide/spelling.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "collision/trigonometry.h"
+#include "config/loader/number.h"
+#include "config/loader/wording.h"
+#include "scene/diagnostic.h"
+
+namespace campuswalk::tools::collide {
+
+using collision::Mat3;
+using collision::Pose;
+using collision::Shape;
+using collision::Vec3;
+using config::Range;
+
+namespace {
+
+constexpr Range kSize{0.0, 1e6, true, "m"};
+constexpr Range kMove{-1e9, 1e9, false, "m"};
+constexpr Range kTurn{-36000.0, 36000.0, false, "degrees"};
+constexpr Range kEntry{-1e9, 1e9, false, ""};
+
+std::vector<std::string_view> split_at_commas(std::string_view list) {
+    std::vector<std::string_view> parts;
+    for (std::size_t comma = list.find(','); comma != std::string_view::npos; comma = list.find(',')) {
+        parts.push_back(list.substr(0, comma));
+        list.remove_prefix(comma + 1);
+    }
+    parts.push_back(list);
+    return parts;
+}
+
+/// What stands at a place of a list of numbers.
+struct Place {
+    std::string_view name;
+    Range range;
+};
+
+/// A word that is being read, and what to say when it is none.
+struct Word {
+    std::string whole;
+    std::string code;
+    std::string expected;  ///< ends every complaint
+
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw scene::InputError({whole, 0, 0}, code, why + "; " + expected);
+    }
+
+    /// At least `least` of the places, the first ones; those left out are 0.
+    std::vector<double> numbers(std::string_view list, std::span<const Place> places,
+                                std::size_t least) const {
+        const std::vector<std::string_view> parts = split_at_commas(list);
+        const std::size_t count = list.empty() ? 0 : parts.size();
+        if (count < least || count > places.size()) {
+            std::string wanted = std::to_string(least);
+            if (least < places.size()) {
+                wanted += " to " + std::to_string(places.size());
+            }
+            wanted += places.size() == 1 ? " number is" : " numbers are";
+            refuse(wanted + " needed, not " + std::to_string(count));
+        }
+        std::vector<double> values(places.size(), 0.0);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const config::ParsedNumber number = config::parse_number(parts[i], places[i].range);
+            if (!number.code.empty()) {
+                refuse("the " + std::string(places[i].name) + " " + number.message);
+            }
+            values[i] = number.value;
+        }
+        return values;
+    }
+};
+
+struct Kind {
+    std::string_view name;
+    std::string_view expected;
+    std::vector<Place> places;
+};
+
+const std::array<Kind, 4>& kinds() {
+    static const std::array<Kind, 4> all = {{
+        {"box",
+         "write box:WIDTH,HEIGHT,DEPTH in metres, as in box:1,1,1",
+         {{"width", kSize}, {"height", kSize}, {"depth", kSize}}},
+        {"sphere", "write sphere:RADIUS in metres, as in sphere:0.5", {{"radius", kSize}}},
+        {"capsule",
+         "write capsule:RADIUS,HEIGHT in metres, caps included, as in capsule:0.3,1.8",
+         {{"radius", kSize}, {"height", kSize}}},
+        {"wheel",
+         "write wheel:RADIUS,WIDTH in metres, as in wheel:0.3,0.2",
+         {{"radius", kSize}, {"width", kSize}}},
+    }};
+    return all;
+}
+
+/// Only a shape has letters and then a colon; but a file may.
+void refuse_unknown_kind(const std::string& word, std::string_view name) {
+    const bool like_a_shape = name.size() > 1 && name.size() < word.size() &&
+                              std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (!like_a_shape || std::filesystem::exists(word)) {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const Kind& kind : kinds()) {
+        names.emplace_back(kind.name);
+    }
+    throw scene::InputError({word, 0, 0}, "unknown-shape",
+                            "no shape is called " + config::in_quotes(name) +
+                                config::suggestion_or_list(name, names) +
+                                "; write box:1,1,1 or a model file");
+}
+
+/// About the X, Y or Z axis.
+Mat3 turn(double degrees, int axis) {
+    constexpr double kRadians = 3.14159265358979323846 / 180.0;
+    const auto [sin, cos] = collision::sin_cos(degrees * kRadians);
+    // Quarters leave axes on axes, so that what touches before a turn touches after it.
+    const bool quarter = std::fmod(degrees, 90.0) == 0.0;
+    const double s = quarter ? std::round(sin) : sin;
+    const double c = quarter ? std::round(cos) : cos;
+    const int i = (axis + 1) % 3;
+    const int j = (axis + 2) % 3;
+    Mat3 R = Mat3::Identity();
+    R(i, i) = c;
+    R(i, j) = -s;
+    R(j, i) = s;
+    R(j, j) = c;
+    return R;
+}
+
+}  // namespace
+
+std::optional<Shape> parse_shape(const std::string& word) {
+    const std::size_t colon = word.find(':');
+    const std::string_view name = std::string_view(word).substr(0, colon);
+    const auto kind = std::ranges::find(kinds(), name, &Kind::name);
+    if (kind == kinds().end()) {
+        refuse_unknown_kind(word, name);
+        return std::nullopt;
+    }
+    const std::string_view list =
+        colon == std::string::npos ? std::string_view() : std::string_view(word).substr(colon + 1);
+    const Word read{word, "bad-shape", std::string(kind->expected)};
+    const std::vector<double> n = read.numbers(list, kind->places, kind->places.size());
+    if (name == "box") {
+        return collision::Box{0.5 * Vec3(n[0], n[1], n[2])};
+    }
+    if (name == "sphere") {
+        return collision::Sphere{n[0]};
+    }
+    if (name == "wheel") {
+        return collision::Wheel{n[0], 0.5 * n[1]};
+    }
+    if (n[1] < 2.0 * n[0]) {
+        read.refuse("the height must be twice the radius or more");
+    }
+    return collision::Capsule{n[0], 0.5 * n[1] - n[0]};
+}
+
+Pose parse_pose(const std::string& word) {
+    static constexpr std::array<Place, 6> kPlaces = {
+        {{"x", kMove}, {"y", kMove}, {"z", kMove}, {"yaw", kTurn}, {"pitch", kTurn}, {"roll", kTurn}}};
+    const Word read{"--pose " + word, "bad-pose",
+                    "write x,y,z in metres, then yaw, pitch and roll in degrees where they aren't 0, "
+                    "as in 0,1.5,-2,90"};
+    const std::vector<double> n = read.numbers(word, kPlaces, 3);
+    Pose pose;
+    pose.translation = Vec3(n[0], n[1], n[2]);
+    pose.rotation = turn(n[3], 1) * turn(n[4], 0) * turn(n[5], 2);
+    return pose;
+}
+
+Pose parse_pose_matrix(const std::string& word) {
+    static constexpr Place kPlace{"matrix entry", kEntry};
+    static const std::vector<Place> places(12, kPlace);
+    const Word read{"--pose-matrix " + word, "bad-pose",
+                    "write the rows of a rotation, each followed by the move along its axis in metres, "
+                    "as in 1,0,0,0.5,0,1,0,0,0,0,1,-2"};
+    const std::vector<double> n = read.numbers(word, places, places.size());
+    Pose pose;
+    for (int row = 0; row < 3; ++row) {
+        const auto at = static_cast<std::size_t>(4 * row);
+        pose.rotation.row(row) << n[at], n[at + 1], n[at + 2];
+        pose.translation[row] = n[at + 3];
+    }
+    const Mat3& R = pose.rotation;
+    const bool turns = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= 1e-3;
+    if (!turns || R.determinant() < 0.0) {
+        read.refuse(turns ? "the matrix is a mirror" : "the matrix is no rotation");
+    }
+    return pose;
+}
+
+}  // namespace campuswalk::tools::collide
