@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `campuswalk bench table1` prints and writes, with as few rounds as can be."""
+"""What `campuswalk bench` prints and writes, with as few rounds as can be."""
 
 import csv
 import io
@@ -11,8 +11,14 @@ from program import ProgramCase, main
 
 PAIRS = [31, 142, 238, 347, 429, 666, 815, 961, 1081, 1295]
 COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
-OF_THE_PAPER = ["paper", "obb", "sphere", "mixed"]
+OF_THE_PAPER = ["paper", "obb", "sphere"]
+CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points"]
 HAS_NO_RENDERING = "this build has no rendering"
+
+
+def is_ours(row):
+    """Whether the engine is one of the project's."""
+    return row["engine"] in OF_THE_PAPER + ["mixed"] or row["engine"].startswith("wide")
 
 
 class Bench(ProgramCase):
@@ -24,7 +30,7 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_bad_usage(self):
-        self.refused("a command is needed: table1")
+        self.refused("a command is needed: table1, million, nested, trees, campus, all")
         self.refused("there is no command 'table2' (did you mean 'table1'?)", "table2")
         for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
                                           ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
@@ -37,29 +43,72 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
         self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: the results can't be written here: ")
 
-    def test_tables_and_csv(self):
-        out = self.passes("bench", "table1", "--rounds", "1", "--csv", "new/t.csv").out
-        for heading in ("All pairs", "First pair", "paper: Cv = ", "obb: Cv = ", "sphere: Cv = ", "mixed: Cv = ",
-                        "What the sphere test does (paper)"):
-            self.assertRegex(out, "(?m)^" + heading.replace("(", r"\(").replace(")", r"\)"))
-        for pairs in PAIRS:
-            self.assertEqual(len([line for line in out.splitlines() if line.split()[:1] == [str(pairs)]]), 7)
-
-        rows = list(csv.DictReader(io.StringIO(self.read("new/t.csv").decode())))
+    def rows(self, name):
+        rows = list(csv.DictReader(io.StringIO(self.read(name).decode())))
         self.assertEqual(list(rows[0]), COLUMNS)
-        ours = [row for row in rows if row["engine"] in OF_THE_PAPER or row["engine"].startswith("wide_")]
-        engines = list(dict.fromkeys(row["engine"] for row in ours))
-        self.assertEqual(engines[:5], OF_THE_PAPER + ["wide_sse42"])
-        self.assertEqual([(int(row["pairs"]), row["engine"], row["query"]) for row in ours],
-                         [(pairs, engine, query) for pairs in PAIRS for engine in engines for query in ("all", "first")])
         for row in rows:
-            self.assertEqual(row["case"], "table1")
             self.assertLessEqual(0.0, float(row["us_min"]))
             self.assertLessEqual(float(row["us_min"]), float(row["us_median"]))
+        return rows
+
+    def test_table1(self):
+        out = self.passes("bench", "table1", "--rounds", "1", "--csv", "new/t.csv").out
+        for heading in ("All pairs", "First pair", "paper: Cv = ", "obb: Cv = ", "sphere: Cv = ",
+                        "What the sphere test does (paper)"):
+            self.assertRegex(out, "(?m)^" + heading.replace("(", r"\(").replace(")", r"\)"))
+        self.assertNotIn("mixed", out)
+        for pairs in PAIRS:
+            self.assertEqual(len([line for line in out.splitlines() if line.split()[:1] == [str(pairs)]]), 6)
+
+        rows = self.rows("new/t.csv")
+        ours = [row for row in rows if is_ours(row)]
+        engines = list(dict.fromkeys(row["engine"] for row in ours))
+        self.assertEqual(engines[:4], OF_THE_PAPER + ["wide_sse42"])
+        self.assertEqual([(int(row["pairs"]), row["engine"], row["query"]) for row in ours],
+                         [(pairs, engine, query) for pairs in PAIRS for engine in engines for query in ("all", "first")])
+        self.assertEqual({row["case"] for row in rows}, {"table1"})
         for row in ours:
             self.assertEqual(row["set_equal"], "yes")
             self.assertGreater(int(row["nv"]), 0)
             self.assertGreaterEqual(int(row["np"]), int(row["pairs"]) if row["query"] == "all" else 1)
+
+    def test_the_mixed_reading(self):
+        out = self.passes("bench", "table1", "--mixed", "--rounds", "1", "--csv", "t.csv").out
+        self.assertRegex(out, "(?m)^mixed: Cv = ")
+        engines = list(dict.fromkeys(row["engine"] for row in self.rows("t.csv")))
+        self.assertEqual(engines[:5], OF_THE_PAPER + ["mixed", "wide_sse42"])
+
+    def test_everything_in_small(self):
+        out = self.passes("bench", "all", "--quick", "--csv", "all.csv").out
+        rows = self.rows("all.csv")
+        self.assertEqual(list(dict.fromkeys(row["case"] for row in rows)), CASES)
+        for row in rows:
+            if is_ours(row) and row["case"] not in ("build", "memory"):
+                self.assertEqual(row["set_equal"], "yes", row)
+        found = {case: {row["pairs"] for row in rows if row["case"] == case} for case in CASES}
+        self.assertEqual(found["nested"], {"0"})
+        [pairs] = found["million"]
+        self.assertGreater(int(pairs), 666)
+        for case in CASES[3:]:
+            self.assertEqual(found[case], {""})
+        self.check_memory([row for row in rows if row["case"] == "memory"])
+        summary = out[out.index("Against what is to be reached"):].splitlines()[1:]
+        self.assertEqual(len(summary), 14)
+        for line in summary:
+            self.assertRegex(line, r"^  \S.* (not measured|\d+\.\d\dx?  +\(must [0-9.]+(, aim [0-9.]+)?\)  "
+                                   r"(MISSED|reached|aim reached))$")
+
+    def check_memory(self, rows):
+        sizes = {(row["engine"], row["query"]): float(row["us_min"]) for row in rows}
+        for engine in ("wide", "paper"):
+            self.assertGreater(sizes[engine, "tree_bytes"], 16.0)
+            # Half a corner of 12 bytes and three indices of 4.
+            self.assertAlmostEqual(sizes[engine, "data_bytes"] - sizes[engine, "tree_bytes"], 18.0, delta=0.2)
+
+    def test_a_single_case(self):
+        out = self.passes("bench", "nested", "--rounds", "1", "--csv", "n.csv").out
+        self.assertEqual({row["case"] for row in self.rows("n.csv")}, {"nested"})
+        self.assertEqual(len(out[out.index("Against what is to be reached"):].splitlines()), 2)
 
     def test_plots(self):
         for name, start in (("fig4.svg", b"<?xml"), ("new/fig4.png", b"\x89PNG\r\n\x1a\n")):

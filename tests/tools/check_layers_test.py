@@ -82,7 +82,7 @@ class CheckLayers(unittest.TestCase):
         message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests, " \
                   "tools/campuswalk/bench/peers only"
         self.finds({"collision/bullet_broad_phase.cpp": narrow, "collision/cast.cpp": narrow,
-                    "tests/benchmarks/bullet_peer.cpp": narrow},
+                    "tests/collision/bullet_peer.cpp": narrow},
                    "collision/bullet_broad_phase.cpp:1:10: error third-party: " + message,
                    "collision/cast.cpp:1:10: error third-party: " + message)
 
@@ -91,7 +91,7 @@ class CheckLayers(unittest.TestCase):
         self.finds({"collision/bullet_broad_phase.cpp": broad, "collision/bullet_broad_phase.h": HEADER + broad},
                    "collision/bullet_broad_phase.h:2:10: error third-party: "
                    "<BulletCollision/BroadphaseCollision/btDbvtBroadphase.h> may be included in "
-                   "collision/bullet_broad_phase.cpp, tests/benchmarks only")
+                   "collision/bullet_broad_phase.cpp only")
 
     def test_a_folder_of_the_distribution_hides_nothing(self):
         self.finds({"engine/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},
@@ -119,9 +119,9 @@ class CheckLayers(unittest.TestCase):
         for header in ("fcl/fcl.h", "ode/ode.h", "embree3/rtcore.h", "tbb/global_control.h"):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
-                [complaint] = self.complaints({"tools/campuswalk/bench/table1_command.cpp": line,
+                [complaint] = self.complaints({"tools/campuswalk/bench/bench_command.cpp": line,
                                                "tools/campuswalk/bench/peers/x.cpp": line})
-                self.assertTrue(complaint.startswith("tools/campuswalk/bench/table1_command.cpp:1:10: error "
+                self.assertTrue(complaint.startswith("tools/campuswalk/bench/bench_command.cpp:1:10: error "
                                                      "third-party: "), complaint)
 
     def test_peers_see_one_header_of_the_benchmark(self):

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tools/campuswalk/bench/cost_model.h"
-#include "tools/campuswalk/bench/shuffled_runs.h"
+#include "tools/campuswalk/bench/pair_runs.h"
 
 namespace campuswalk::tools::bench {
 namespace {
@@ -38,20 +38,22 @@ private:
     bool stops_ = true;
 };
 
-scene::Table1Scene two_placements() {
-    scene::Table1Scene scene;
-    scene.placements = {{{}, 3}, {{}, 5}};
+PairScene two_placements() {
+    PairScene scene;
+    scene.name = "parrots";
+    scene.placements = {{{}, 3}, {{}, std::nullopt}};
     return scene;
 }
 
-Parrot& add(std::vector<NamedEngine>& engines, const char* name, Pairs pairs, bool stops = true) {
+Parrot& add(std::vector<NamedEngine>& engines, const char* name, Pairs pairs, bool stops = true,
+            bool is_ours = false) {
     auto parrot = std::make_unique<Parrot>(std::move(pairs), stops);
     Parrot& kept = *parrot;
-    engines.push_back({name, false, std::move(parrot)});
+    engines.push_back({name, is_ours, std::move(parrot)});
     return kept;
 }
 
-TEST(ShuffledRuns, CompareSetsWhateverTheirOrderAndRepeats) {
+TEST(PairRuns, CompareSetsWhateverTheirOrderAndRepeats) {
     std::vector<NamedEngine> engines;
     add(engines, "right", {{1, 1}, {2, 2}, {3, 3}});
     add(engines, "repeats", {{3, 3}, {1, 1}, {3, 3}, {2, 2}, {1, 1}});
@@ -59,7 +61,7 @@ TEST(ShuffledRuns, CompareSetsWhateverTheirOrderAndRepeats) {
     add(engines, "finds nothing", {});
     const Results results = measure(two_placements(), engines, 2);
     EXPECT_EQ(results.found, (std::vector<std::size_t>{3, 3}));
-    EXPECT_EQ(results.pairs, (std::vector<std::uint32_t>{3, 5}));
+    EXPECT_EQ(results.pairs, (std::vector<std::size_t>{3, 3})) << "where nothing is known, what was found";
     const auto all = [&](const char* name) { return results.find(1, name, Query::all)->difference; };
     const auto first = [&](const char* name) { return results.find(1, name, Query::first)->difference; };
     EXPECT_TRUE(all("right").none());
@@ -72,7 +74,7 @@ TEST(ShuffledRuns, CompareSetsWhateverTheirOrderAndRepeats) {
     EXPECT_EQ(to_string(first("finds nothing")), "+0/-1");
 }
 
-TEST(ShuffledRuns, EveryTimedRunFollowsOneThatIsNot) {
+TEST(PairRuns, EveryTimedRunFollowsOneThatIsNot) {
     std::vector<NamedEngine> engines;
     const Parrot& stops = add(engines, "stops", {{1, 1}});
     const Parrot& goes_on = add(engines, "goes on", {{1, 1}}, false);
@@ -89,6 +91,53 @@ TEST(ShuffledRuns, EveryTimedRunFollowsOneThatIsNot) {
         EXPECT_GE(m.us_median, m.us_min);
         EXPECT_GE(m.us_min, 0.0);
     }
+}
+
+TEST(PairRuns, MakeARowOfEachMeasurement) {
+    std::vector<NamedEngine> engines;
+    add(engines, "right", {{1, 1}, {2, 2}, {3, 3}});
+    add(engines, "wrong", {{1, 1}}, false);
+    const std::vector<Row> rows = rows_of(measure(two_placements(), engines, 1));
+    ASSERT_EQ(rows.size(), 2U * 3U);
+    EXPECT_EQ(rows[1].case_name, "parrots");
+    EXPECT_EQ(rows[1].engine, "right");
+    EXPECT_EQ(rows[1].query, "first");
+    EXPECT_EQ(rows[2].engine, "wrong");
+    EXPECT_EQ(rows[2].query, "all");
+    EXPECT_EQ(rows[2].pairs, 3U);
+    EXPECT_EQ(rows[2].difference, (Difference{0, 2}));
+    EXPECT_FALSE(rows[2].work.has_value());
+}
+
+/// What is said of engines in a scene, and whether it is a complaint.
+std::string complaints(const std::vector<NamedEngine>& engines, bool& any) {
+    const PairScene scene = two_placements();
+    const Results results = measure(scene, engines, 1);
+    testing::internal::CaptureStderr();
+    any = complain_about_ours(scene, results);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(PairRuns, ComplainAboutOursAlone) {
+    bool any = true;
+    std::vector<NamedEngine> engines;
+    add(engines, "ours", {{1, 1}, {2, 2}, {3, 3}}, true, true);
+    add(engines, "a peer", {{1, 1}});
+    EXPECT_EQ(complaints(engines, any), "");
+    EXPECT_FALSE(any);
+    add(engines, "ours too", {{1, 1}}, false, true);
+    EXPECT_EQ(complaints(engines, any),
+              "error: parrots: at 3 pairs ours too differs from ours by +0/-2\n"
+              "error: parrots: at 3 pairs ours too differs from ours by +0/-2\n");
+    EXPECT_TRUE(any);
+}
+
+TEST(PairRuns, ComplainWhereTheSceneKnowsBetter) {
+    bool any = false;
+    std::vector<NamedEngine> engines;
+    add(engines, "ours", {{1, 1}}, true, true);
+    EXPECT_EQ(complaints(engines, any), "error: parrots: ours finds 1 pairs where there are 3\n");
+    EXPECT_TRUE(any);
 }
 
 TEST(CostModel, FindsTheCostsThatMadeTheTimes) {

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/campuswalk/bench/table1_command.h"
+#include "tools/campuswalk/bench/bench_command.h"
 #include "tools/campuswalk/collide/collide_command.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
@@ -29,7 +29,7 @@ struct Arguments {
     InfoOptions info;
     CollideOptions collide;
     SnapshotOptions snapshot;
-    Table1Options table1;
+    BenchOptions bench;
     std::function<int()> chosen;
 };
 
@@ -163,28 +163,48 @@ void add_snapshot(CLI::App& app, Arguments& arguments) {
     command->callback([&] { arguments.chosen = [&] { return draw_snapshot(snapshot); }; });
 }
 
-void add_bench(CLI::App& app, Arguments& arguments) {
-    CLI::App* bench = add_command(app, "bench", "Measure the hybrid trees on this machine");
-    bench->require_subcommand(1);
-    Table1Options& options = arguments.table1;
-    CLI::App* command = add_command(*bench, "table1",
-                                    "The paper's Table I anew: a teapot goes through a cylinder, every "
-                                    "variant of the tree and every other engine that is built");
-    command->add_option("--csv", options.csv, "Write every measurement to this file")->type_name("FILE");
-    command->add_option("--plot", options.plot, "Draw time over pairs: a .svg or .png file")
+/// `table1` has options that the others don't.
+void add_table1_options(CLI::App& command, BenchOptions& options) {
+    command.add_option("--plot", options.plot, "Draw time over pairs: a .svg or .png file")
         ->check([](const std::string& file) {
             const std::string extension = std::filesystem::path(file).extension().string();
             return extension == ".svg" || extension == ".png" ? std::string()
                                                               : "'" + file + "' is neither .svg nor .png";
         })
         ->type_name("FILE");
+    command.add_flag("--mixed", options.mixed,
+                     "With the paper's mixed reading too: one body's boxes against the other's spheres");
+}
+
+CLI::App* add_bench_command(CLI::App& bench, const char* name, const char* description,
+                            Arguments& arguments) {
+    BenchOptions& options = arguments.bench;
+    CLI::App* command = add_command(bench, name, description);
+    command->add_option("--csv", options.csv, "Write every measurement to this file")->type_name("FILE");
     command->add_option("--rounds", options.rounds, "How often each query is timed")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    command->callback([&] { arguments.chosen = [&] { return bench_table1(options); }; });
+        ->check(CLI::Range(1, 100000));
+    command->add_flag("--quick", options.quick, "Small scenes, one round: whether it works, not how fast");
+    command->callback([&arguments, &options, name] {
+        options.which = name;
+        arguments.chosen = [&options] { return run_bench(options); };
+    });
     command->footer(
-        "Exit code: 0 all variants agree on the pairs, 1 they don't, 2 bad usage, 3 something failed while "
-        "running.\nOther engines are built by tools/bench table1; where they differ it is shown.");
+        "Exit code: 0 our own engines agree with each other and are right, 1 they don't or aren't, 2 bad "
+        "usage,\n3 something failed while running. Other engines are built by tools/bench; where they differ "
+        "it is shown.");
+    return command;
+}
+
+void add_bench(CLI::App& app, Arguments& arguments) {
+    CLI::App* bench = add_command(app, "bench", "Measure the hybrid trees on this machine");
+    bench->require_subcommand(1);
+    for (const BenchCommand& it : bench_commands()) {
+        CLI::App* command = add_bench_command(*bench, it.name, it.description, arguments);
+        if (it.name == std::string("table1")) {
+            add_table1_options(*command, arguments.bench);
+        }
+    }
+    add_bench_command(*bench, kBenchAll, "All of these, into one CSV", arguments);
 }
 
 int guarded(const std::function<int()>& command) {

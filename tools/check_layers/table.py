@@ -43,8 +43,8 @@ STRICTER = {file: _ORACLE + ["collision/mesh_collider", "collision/shapes", "col
 THIRD_PARTY = {
     "Eigen/": [ANYWHERE],
     "hwy/": ["collision/kernels"],
-    "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
-    "LinearMath/": ["collision/bullet_broad_phase.cpp", "tests/benchmarks"],
+    "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp"],
+    "LinearMath/": ["collision/bullet_broad_phase.cpp"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
     "BulletCollision/": ["tests", "tools/campuswalk/bench/peers"],
     "BulletDynamics/": ["tests"],
@@ -57,6 +57,7 @@ THIRD_PARTY = {
     "GL/": ["engine/render", "tests/engine/render"],
     "EGL/": ["engine/render"],
     "KHR/": ["engine/render"],
+    "malloc.h": ["tools/campuswalk/bench"],
     "dlfcn.h": ["engine/render", "tools/campuswalk/bench"],
     "cairo": ["engine/render", "tests/engine/render", "tools/campuswalk/bench"],
     "fontconfig/": ["engine/render", "tests/engine/render"],
@@ -72,7 +73,7 @@ THIRD_PARTY = {
     "gtest/": ["tests"],
     "gmock/": ["tests"],
     "CGAL/": ["tests", "tools/campuswalk/bench/peers"],
-    "fcl/": ["tests/benchmarks", "tools/campuswalk/bench/peers"],
+    "fcl/": ["tools/campuswalk/bench/peers"],
     "embree3/": ["tools/campuswalk/bench/peers"],
     "tbb/": ["tools/campuswalk/bench/peers"],
     "ode/": ["tools/campuswalk/bench/peers"],

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "collision/hybrid_tree_contacts.h"
+#include "collision/ray.h"
 #include "collision/triangle_mesh.h"
 #include "collision/triangle_pair.h"
 
 namespace campuswalk::tools::bench {
+
+// What engines are asked. All that a peer, a library of other people's, sees of the benchmark: it has one or
+// more of the functions below under their names. Meshes outlive what is made of them, which the caller
+// deletes; whatever is wrong is thrown.
 
 /// One way to find which triangles of two meshes overlap, with both meshes in it. What happens once for a
 /// pair of meshes (trees) is done by the constructor; the rest is what is timed.
@@ -29,9 +35,45 @@ public:
     virtual std::optional<collision::HybridContactCounters> work() const { return std::nullopt; }
 };
 
-/// What a peer's library has, under kMakePeer as its name. Both meshes outlive the engine, which the caller
-/// deletes; whatever is wrong is thrown.
-using MakePeer = Engine*(const collision::TriangleMesh& a, const collision::TriangleMesh& b);
-inline constexpr const char* kMakePeer = "campuswalk_make_peer";
+using MakeEngine = Engine*(const collision::TriangleMesh& a, const collision::TriangleMesh& b);
+inline constexpr const char* kMakeEngine = "campuswalk_make_engine";
+
+/// One way to find what a ray meets first.
+class RayEngine {
+public:
+    virtual ~RayEngine() = default;
+
+    /// The fraction of the ray at which it is.
+    virtual std::optional<double> first_on_ray(const collision::Ray& ray) = 0;
+};
+
+using MakeRayEngine = RayEngine*(const collision::TriangleMesh& mesh);
+inline constexpr const char* kMakeRayEngine = "campuswalk_make_ray_engine";
+
+/// One way to find what an avatar touches.
+class TouchEngine {
+public:
+    virtual ~TouchEngine() = default;
+
+    /// Replaces `out` by the triangles no farther than `radius` from a segment along y, ascending.
+    virtual void triangles_near(const collision::Segment& upright, double radius,
+                                std::vector<std::uint32_t>& out) = 0;
+};
+
+using MakeTouchEngine = TouchEngine*(const collision::TriangleMesh& mesh);
+inline constexpr const char* kMakeTouchEngine = "campuswalk_make_touch_engine";
+
+/// A mesh with its tree, made as often as asked from a mesh that is in the engine's own format already.
+class TreeBuilder {
+public:
+    virtual ~TreeBuilder() = default;
+
+    /// Keeps what it makes, mesh included, until `discard`, which comes before another build.
+    virtual void build() = 0;
+    virtual void discard() = 0;
+};
+
+using MakeTreeBuilder = TreeBuilder*(const collision::TriangleMesh& mesh);
+inline constexpr const char* kMakeTreeBuilder = "campuswalk_make_tree_builder";
 
 }  // namespace campuswalk::tools::bench

@@ -45,8 +45,8 @@ struct Line {
 /// Pairs go right on a plain scale, time goes up on a logarithmic one: the engines are apart by factors.
 class Scales {
 public:
-    Scales(const std::vector<std::uint32_t>& pairs, const std::vector<Line>& lines) {
-        most_pairs_ = std::ceil(pairs.back() / 200.0) * 200.0;
+    Scales(const std::vector<std::size_t>& pairs, const std::vector<Line>& lines) {
+        most_pairs_ = std::ceil(static_cast<double>(pairs.back()) / 200.0) * 200.0;
         double least = lines.front().microseconds.front();
         double most = least;
         for (const Line& line : lines) {
@@ -126,18 +126,19 @@ void draw_axes(cairo_t* cr, const Scales& scales) {
           17.0, Anchor::left);
 }
 
-void draw_line(cairo_t* cr, const Scales& scales, const std::vector<std::uint32_t>& pairs, const Line& line) {
+void draw_line(cairo_t* cr, const Scales& scales, const std::vector<std::size_t>& pairs, const Line& line) {
     set_colour(cr, line.colour);
     cairo_set_line_width(cr, 2.0);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        cairo_line_to(cr, scales.x(pairs[i]), scales.y(line.microseconds[i]));
+        cairo_line_to(cr, scales.x(static_cast<double>(pairs[i])), scales.y(line.microseconds[i]));
     }
     cairo_stroke(cr);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        cairo_arc(cr, scales.x(pairs[i]), scales.y(line.microseconds[i]), 3.2, 0.0, 6.283185307179586);
+        cairo_arc(cr, scales.x(static_cast<double>(pairs[i])), scales.y(line.microseconds[i]), 3.2, 0.0,
+                  6.283185307179586);
         cairo_fill(cr);
     }
-    const double end = scales.x(pairs.back());
+    const double end = scales.x(static_cast<double>(pairs.back()));
     cairo_set_line_width(cr, 0.8);
     stroke_line(cr, end + 5.0, scales.y(line.microseconds.back()), kRight + 6.0, line.name_y);
     write(cr, line.name, kRight + 10.0, line.name_y + 5.0, 15.0, Anchor::left);

@@ -4,10 +4,6 @@
 
 namespace campuswalk::tools::bench {
 
-std::string to_string(const Difference& difference) {
-    return "+" + std::to_string(difference.extra) + "/-" + std::to_string(difference.missing);
-}
-
 const Measurement* Results::find(std::size_t placement, const std::string& engine, Query query) const {
     for (const Measurement& m : measurements) {
         if (m.placement == placement && m.query == query && engines[m.engine].name == engine) {
@@ -25,6 +21,23 @@ std::vector<double> Results::least_times(const std::string& engine, Query query)
         }
     }
     return times;
+}
+
+std::vector<Row> rows_of(const Results& results) {
+    std::vector<Row> rows;
+    for (const Measurement& m : results.measurements) {
+        Row row;
+        row.case_name = results.case_name;
+        row.pairs = results.pairs[m.placement];
+        row.engine = results.engines[m.engine].name;
+        row.query = m.query == Query::all ? "all" : "first";
+        row.least = m.us_min;
+        row.median = m.us_median;
+        row.work = m.work;
+        row.difference = m.difference;
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 double geometric_mean(const std::vector<double>& values) {

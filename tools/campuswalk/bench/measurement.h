@@ -6,21 +6,11 @@
 #include <vector>
 
 #include "collision/hybrid_tree_contacts.h"
+#include "tools/campuswalk/bench/row.h"
 
 namespace campuswalk::tools::bench {
 
 enum class Query : std::uint8_t { all, first };
-
-/// How a set of pairs differs from the right one.
-struct Difference {
-    std::size_t extra = 0;    ///< pairs that are reported and don't overlap
-    std::size_t missing = 0;  ///< pairs that overlap and aren't reported
-
-    bool none() const { return extra == 0 && missing == 0; }
-};
-
-/// `+EXTRA/-MISSING`
-std::string to_string(const Difference& difference);
 
 /// One engine's answer to one query in one placement, and what it took.
 struct Measurement {
@@ -38,9 +28,11 @@ struct EngineName {
     bool is_ours = false;
 };
 
+/// Two meshes, held against each other by every engine.
 struct Results {
-    std::vector<std::uint32_t> pairs;  ///< a placement each: Table I's
-    std::vector<std::size_t> found;    ///< a placement each: those of the first engine, taken for right
+    std::string case_name;
+    std::vector<std::size_t> pairs;  ///< a placement each: what the scene says, else `found`
+    std::vector<std::size_t> found;  ///< a placement each: those of the first engine, taken for right
     std::vector<EngineName> engines;
     std::vector<Measurement> measurements;  ///< by placement, engine and query; no `first` of who has none
     int rounds = 0;
@@ -51,6 +43,9 @@ struct Results {
     /// Of all placements; empty like the above.
     std::vector<double> least_times(const std::string& engine, Query query) const;
 };
+
+/// A row a measurement, queries `all` and `first`.
+std::vector<Row> rows_of(const Results& results);
 
 /// exp of the mean of the logarithms.
 double geometric_mean(const std::vector<double>& values);

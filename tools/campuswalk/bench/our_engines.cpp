@@ -1,5 +1,8 @@
 #include "tools/campuswalk/bench/our_engines.h"
 
+#include <map>
+#include <stdexcept>
+
 #include "collision/hybrid_tree.h"
 #include "collision/mesh_collider.h"
 #include "collision/mesh_contacts.h"
@@ -76,26 +79,30 @@ private:
     HybridContactCounters work_;
 };
 
-}  // namespace
-
-std::vector<NamedEngine> our_engines(const TriangleMesh& a, const TriangleMesh& b) {
-    const std::pair<const char*, NodeTest> tests[] = {{"paper", NodeTest::hybrid},
-                                                      {"obb", NodeTest::box},
-                                                      {"sphere", NodeTest::sphere},
-                                                      {"mixed", NodeTest::mixed}};
-    const std::pair<const char*, Instructions> kernels[] = {{"wide_sse42", Instructions::sse42},
+const std::map<std::string, NodeTest> kOnThePapersTree = {{"paper", NodeTest::hybrid},
+                                                          {"obb", NodeTest::box},
+                                                          {"sphere", NodeTest::sphere},
+                                                          {"mixed", NodeTest::mixed}};
+const std::map<std::string, Instructions> kOnTheWideTree = {{"wide_sse42", Instructions::sse42},
                                                             {"wide_avx2", Instructions::avx2},
                                                             {"wide_avx512", Instructions::avx512}};
-    std::vector<NamedEngine> engines;
-    for (const auto& [name, test] : tests) {
-        engines.push_back({name, true, std::make_unique<PaperEngine>(a, b, test)});
+
+}  // namespace
+
+bool is_our_engine(const std::string& name) {
+    return kOnThePapersTree.contains(name) || kOnTheWideTree.contains(name);
+}
+
+std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleMesh& a,
+                                        const TriangleMesh& b) {
+    if (const auto test = kOnThePapersTree.find(name); test != kOnThePapersTree.end()) {
+        return std::make_unique<PaperEngine>(a, b, test->second);
     }
-    for (const auto& [name, instructions] : kernels) {
-        if (can_run(instructions)) {
-            engines.push_back({name, true, std::make_unique<WideEngine>(a, b, instructions)});
-        }
+    const Instructions instructions = kOnTheWideTree.at(name);
+    if (!can_run(instructions)) {
+        throw std::runtime_error("this machine hasn't got the instructions");
     }
-    return engines;
+    return std::make_unique<WideEngine>(a, b, instructions);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -2,21 +2,19 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "collision/triangle_mesh.h"
 #include "tools/campuswalk/bench/engine.h"
 
 namespace campuswalk::tools::bench {
 
-struct NamedEngine {
-    std::string name;
-    bool is_ours = false;
-    std::unique_ptr<Engine> engine;
-};
+/// The paper's tree with each node test: paper, obb, sphere, mixed; the wide tree with each instruction set:
+/// wide_sse42, wide_avx2, wide_avx512.
+bool is_our_engine(const std::string& name);
 
-/// The paper's tree with each node test (paper, obb, sphere, mixed), then the wide tree with each instruction
-/// set that this machine has. Both meshes must outlive them.
-std::vector<NamedEngine> our_engines(const collision::TriangleMesh& a, const collision::TriangleMesh& b);
+/// One of them. Both meshes must outlive it. Throws std::runtime_error if this machine hasn't got its
+/// instructions.
+std::unique_ptr<Engine> make_our_engine(const std::string& name, const collision::TriangleMesh& a,
+                                        const collision::TriangleMesh& b);
 
 }  // namespace campuswalk::tools::bench

@@ -1,19 +1,23 @@
 #pragma once
 
+#include <memory>
 #include <string>
-#include <vector>
+#include <type_traits>
 
-#include "tools/campuswalk/bench/our_engines.h"
+#include "tools/campuswalk/bench/engine.h"
 
 namespace campuswalk::tools::bench {
 
-struct Peers {
-    std::vector<NamedEngine> engines;
-    std::vector<std::string> absent;  ///< a line each: which, and why
-};
+/// A function of a peer's library, which lies in the folder `peers` beside this program; the program links
+/// none of them. Throws std::runtime_error, which says why there is none.
+void* find_in_peer(const std::string& peer, const char* function);
 
-/// Other people's engines: those whose libraries lie in the folder `peers` beside this program. The program
-/// links none of them. Both meshes must outlive them.
-Peers load_peers(const collision::TriangleMesh& a, const collision::TriangleMesh& b);
+/// make_peer<MakeEngine>("ode", kMakeEngine, a, b), and so on for the other kinds of engine.h. Throws like
+/// the above and whatever the peer does.
+template <typename Make, typename... Meshes>
+auto make_peer(const std::string& peer, const char* function, const Meshes&... meshes) {
+    auto* make = reinterpret_cast<Make*>(find_in_peer(peer, function));
+    return std::unique_ptr<std::remove_pointer_t<decltype(make(meshes...))>>(make(meshes...));
+}
 
 }  // namespace campuswalk::tools::bench

@@ -1,18 +1,29 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
+#include <functional>
 #include <vector>
-
-#include "scene/procedural/table1_scene.h"
-#include "tools/campuswalk/bench/measurement.h"
-#include "tools/campuswalk/bench/our_engines.h"
 
 namespace campuswalk::tools::bench {
 
-/// Times every query of every engine in every placement, `rounds` times, in one thread. Each round has an
-/// order of its own (from a fixed seed), so that a machine that slows down slows all. A run is timed right
-/// after one that isn't, with what it needs in the caches; its time includes the move.
-///
-/// The right pairs are those of the first engine.
-Results measure(const scene::Table1Scene& scene, const std::vector<NamedEngine>& engines, int rounds);
+/// Microseconds.
+struct Spread {
+    double least = 0.0;
+    double median = 0.0;
+};
+
+/// Times `count` things `rounds` times each, in one thread. Each round has an order of its own (from a fixed
+/// seed), so that a machine that slows down slows all. A run is timed right after one that isn't, with what
+/// it needs in the caches. `run(i)` does the i-th thing and says how long it took, microseconds.
+std::vector<Spread> shuffled_runs(std::size_t count, int rounds,
+                                  const std::function<double(std::size_t)>& run);
+
+template <typename Work>
+double microseconds_of(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace campuswalk::tools::bench

@@ -7,22 +7,33 @@
 
 namespace campuswalk::tools::bench {
 
-void write_csv(const Results& results, const std::filesystem::path& file) {
+namespace {
+
+std::string line(const Row& row) {
+    std::string text = row.case_name + ',' + (row.pairs ? std::to_string(*row.pairs) : "") + ',' +
+                       row.engine + ',' + row.query + ',' + engine::fixed(row.least, 3) + ',' +
+                       engine::fixed(row.median, 3) + ',';
+    if (row.work) {
+        text += std::to_string(row.work->nv) + ',' + std::to_string(row.work->np) + ',';
+    } else {
+        text += ",,";
+    }
+    if (row.difference) {
+        text += row.difference->none() ? "yes" : to_string(*row.difference);
+    }
+    return text + '\n';
+}
+
+}  // namespace
+
+void write_csv(const std::vector<Row>& rows, const std::filesystem::path& file) {
     if (file.has_parent_path()) {
         std::filesystem::create_directories(file.parent_path());
     }
     std::ofstream out(file, std::ios::binary);
     out << "case,pairs,engine,query,us_min,us_median,nv,np,set_equal\n";
-    for (const Measurement& m : results.measurements) {
-        out << "table1," << std::to_string(results.pairs[m.placement]) << ','
-            << results.engines[m.engine].name << ',' << (m.query == Query::all ? "all" : "first") << ','
-            << engine::fixed(m.us_min, 3) << ',' << engine::fixed(m.us_median, 3) << ',';
-        if (m.work) {
-            out << std::to_string(m.work->nv) << ',' << std::to_string(m.work->np) << ',';
-        } else {
-            out << ",,";
-        }
-        out << (m.difference.none() ? "yes" : to_string(m.difference)) << '\n';
+    for (const Row& row : rows) {
+        out << line(row);
     }
     out.close();
     if (!out) {

@@ -12,24 +12,13 @@
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include "tools/campuswalk/bench/engine.h"
+#include "tools/campuswalk/bench/peers/bullet_mesh.h"
 
 namespace campuswalk::tools::bench {
 
 namespace {
 
 using collision::TrianglePair;
-
-btIndexedMesh indexed(const collision::TriangleMesh& mesh) {
-    btIndexedMesh part;
-    part.m_numTriangles = static_cast<int>(mesh.triangles.size());
-    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(mesh.triangles.data());
-    part.m_triangleIndexStride = sizeof(mesh.triangles[0]);
-    part.m_numVertices = static_cast<int>(mesh.positions.size());
-    part.m_vertexBase = reinterpret_cast<const unsigned char*>(mesh.positions.data());
-    part.m_vertexStride = sizeof(mesh.positions[0]);
-    part.m_vertexType = PHY_FLOAT;
-    return part;
-}
 
 /// A mesh without the margin that shapes have by default.
 struct Body {
@@ -109,7 +98,8 @@ private:
 
 }  // namespace
 
-extern "C" Engine* campuswalk_make_peer(const collision::TriangleMesh& a, const collision::TriangleMesh& b) {
+extern "C" Engine* campuswalk_make_engine(const collision::TriangleMesh& a,
+                                          const collision::TriangleMesh& b) {
     return new BulletGimpact(a, b);
 }
 

@@ -79,7 +79,7 @@ private:
 
 }  // namespace
 
-extern "C" Engine* campuswalk_make_peer(const TriangleMesh& a, const TriangleMesh& b) {
+extern "C" Engine* campuswalk_make_engine(const TriangleMesh& a, const TriangleMesh& b) {
     return new Cgal(a, b);
 }
 

@@ -9,10 +9,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "collision/triangle_overlap.h"
 #include "tools/campuswalk/bench/engine.h"
+#include "tools/campuswalk/bench/peers/embree_device.h"
 
 namespace campuswalk::tools::bench {
 
@@ -93,20 +93,6 @@ private:
     RTCGeometry geometry_ = nullptr;
 };
 
-/// With everything that belongs to the library closed in the right order.
-struct Device {
-    Device() : device(rtcNewDevice("threads=1,set_affinity=0")) {
-        if (device == nullptr) {
-            throw std::runtime_error("no Embree device: error " + std::to_string(rtcGetDeviceError(nullptr)));
-        }
-    }
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
-    ~Device() { rtcReleaseDevice(device); }
-
-    RTCDevice device = nullptr;
-};
-
 class Embree final : public Engine {
 public:
     Embree(const TriangleMesh& a, const TriangleMesh& b) : a_(device_.device, a), b_(device_.device, b) {}
@@ -134,7 +120,7 @@ private:
     }
 
     tbb::global_control one_thread_{tbb::global_control::max_allowed_parallelism, 1};
-    Device device_;
+    EmbreeDevice device_;
     Body a_;
     Body b_;
     std::vector<TrianglePair>* out_ = nullptr;
@@ -142,7 +128,7 @@ private:
 
 }  // namespace
 
-extern "C" Engine* campuswalk_make_peer(const TriangleMesh& a, const TriangleMesh& b) {
+extern "C" Engine* campuswalk_make_engine(const TriangleMesh& a, const TriangleMesh& b) {
     return new Embree(a, b);
 }
 

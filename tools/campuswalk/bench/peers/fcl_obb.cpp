@@ -1,10 +1,13 @@
 // FCL's tree of oriented boxes, in double, as Debian builds it: no -march here, since the alignment of
 // Eigen's types is part of its interface.
 
+#include <memory>
+
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
 #include "tools/campuswalk/bench/engine.h"
+#include "tools/campuswalk/bench/peers/fcl_mesh.h"
 
 namespace campuswalk::tools::bench {
 
@@ -14,25 +17,11 @@ using collision::TrianglePair;
 
 using Model = fcl::BVHModel<fcl::OBBd>;
 
-void fill(Model& model, const collision::TriangleMesh& mesh) {
-    std::vector<fcl::Vector3d> positions;
-    for (const Eigen::Vector3f& position : mesh.positions) {
-        positions.emplace_back(position.cast<double>());
-    }
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& t : mesh.triangles) {
-        triangles.emplace_back(t[0], t[1], t[2]);
-    }
-    model.beginModel(static_cast<int>(triangles.size()), static_cast<int>(positions.size()));
-    model.addSubModel(positions, triangles);
-    model.endModel();
-}
-
 class FclObb final : public Engine {
 public:
     FclObb(const collision::TriangleMesh& a, const collision::TriangleMesh& b) {
-        fill(a_, a);
-        fill(b_, b);
+        FclMesh(a).build(a_);
+        FclMesh(b).build(b_);
     }
 
     void set_pose(const collision::Pose& X_a_b) override {
@@ -72,10 +61,30 @@ private:
     fcl::CollisionResultd result_;
 };
 
+class FclBuilder final : public TreeBuilder {
+public:
+    explicit FclBuilder(const collision::TriangleMesh& mesh) : mesh_(mesh) {}
+
+    void build() override {
+        model_ = std::make_unique<Model>();
+        mesh_.build(*model_);
+    }
+    void discard() override { model_.reset(); }
+
+private:
+    FclMesh mesh_;
+    std::unique_ptr<Model> model_;
+};
+
 }  // namespace
 
-extern "C" Engine* campuswalk_make_peer(const collision::TriangleMesh& a, const collision::TriangleMesh& b) {
+extern "C" Engine* campuswalk_make_engine(const collision::TriangleMesh& a,
+                                          const collision::TriangleMesh& b) {
     return new FclObb(a, b);
+}
+
+extern "C" TreeBuilder* campuswalk_make_tree_builder(const collision::TriangleMesh& mesh) {
+    return new FclBuilder(mesh);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -96,7 +96,8 @@ private:
 
 }  // namespace
 
-extern "C" Engine* campuswalk_make_peer(const collision::TriangleMesh& a, const collision::TriangleMesh& b) {
+extern "C" Engine* campuswalk_make_engine(const collision::TriangleMesh& a,
+                                          const collision::TriangleMesh& b) {
     return new Ode(a, b);
 }
 

@@ -1,0 +1,232 @@
+#include "scene/procedural/generated_campus.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/trigonometry.h"
+#include "scene/procedural/chance.h"
+#include "scene/procedural/mesh_parts.h"
+
+namespace campuswalk::scene {
+
+using collision::Pose;
+using collision::Vec3;
+
+namespace {
+
+constexpr double kLot = 60.0;     ///< metres
+constexpr int kCellsALot = 24;    ///< of the terrain, along a side
+constexpr double kStorey = 3.5;   ///< metres
+constexpr double kWindow = 3.0;   ///< metres of wall a window
+constexpr double kFooting = 2.0;  ///< metres that a house goes into the ground, which isn't level
+constexpr int kTrees = 14;        ///< a lot
+constexpr int kBenches = 8;       ///< a lot
+constexpr int kLamps = 6;         ///< a lot
+constexpr int kLeaves = 85;       ///< a tree
+
+double ground(double x, double z) {
+    return 3.0 * collision::sin_cos(x / 40.0).sin * collision::sin_cos(z / 55.0).cos +
+           1.2 * collision::sin_cos(x / 17.0 + z / 23.0).sin;
+}
+
+Pose turned(const Vec3& at, double yaw) {
+    const auto [sin, cos] = collision::sin_cos(yaw);
+    Pose X;
+    X.rotation << cos, 0.0, sin, 0.0, 1.0, 0.0, -sin, 0.0, cos;
+    X.translation = at;
+    return X;
+}
+
+struct House {
+    Pose X_campus_house;  ///< the middle of its floor at ground level
+    double half_length = 0.0;
+    double half_width = 0.0;
+    int storeys = 0;
+
+    bool is_within(double distance, double x, double z) const {
+        const Vec3 local = X_campus_house.inverse_apply({x, 0.0, z});
+        return std::abs(local.x()) < half_length + distance && std::abs(local.z()) < half_width + distance;
+    }
+};
+
+void add_terrain(MeshParts& parts, int lots) {
+    const int cells = lots * kCellsALot;
+    const double step = kLot / kCellsALot;
+    const double low = -0.5 * lots * kLot;
+    const auto corner = [&](int row, int column) {
+        const double x = low + step * column;
+        const double z = low + step * row;
+        return parts.add_point({x, ground(x, z), z});
+    };
+    std::vector<std::uint32_t> corners;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            corners.push_back(corner(row, column));
+        }
+    }
+    const auto at = [&](int row, int column) {
+        return corners[static_cast<std::size_t>(row * (cells + 1) + column)];
+    };
+    for (int row = 0; row < cells; ++row) {
+        for (int column = 0; column < cells; ++column) {
+            parts.add_quad(at(row, column), at(row + 1, column), at(row + 1, column + 1),
+                           at(row, column + 1));
+        }
+    }
+}
+
+/// A wall seen from its outside: X_campus_wall's z points there, its x to the right; from x = -half to half,
+/// y = -kFooting to the top.
+void add_wall(MeshParts& parts, const Pose& X_campus_wall, double half, int storeys) {
+    constexpr double kFrame = 0.6;
+    constexpr double kRecess = 0.25;
+    const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+        parts.add_quad(X_campus_wall * a, X_campus_wall * b, X_campus_wall * c, X_campus_wall * d);
+    };
+    quad({-half, -kFooting, 0}, {half, -kFooting, 0}, {half, 0, 0}, {-half, 0, 0});
+    const int bays = std::max(1, static_cast<int>(2.0 * half / kWindow));
+    const double wide = 2.0 * half / bays;
+    for (int storey = 0; storey < storeys; ++storey) {
+        for (int bay = 0; bay < bays; ++bay) {
+            const double x = -half + wide * bay;
+            const double y = kStorey * storey;
+            const Vec3 outer[4] = {
+                {x, y, 0}, {x + wide, y, 0}, {x + wide, y + kStorey, 0}, {x, y + kStorey, 0}};
+            const Vec3 inner[4] = {{x + kFrame, y + kFrame, 0},
+                                   {x + wide - kFrame, y + kFrame, 0},
+                                   {x + wide - kFrame, y + kStorey - kFrame, 0},
+                                   {x + kFrame, y + kStorey - kFrame, 0}};
+            const Vec3 back(0.0, 0.0, -kRecess);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const std::size_t next = (i + 1) % 4;
+                quad(outer[i], outer[next], inner[next], inner[i]);
+                quad(inner[i], inner[next], inner[next] + back, inner[i] + back);
+            }
+            quad(inner[0] + back, inner[1] + back, inner[2] + back, inner[3] + back);
+        }
+    }
+}
+
+void add_house(MeshParts& parts, const House& house) {
+    constexpr double kQuarterTurn = 1.5707963267948966;
+    const auto wall = [&](int quarter, double half, double away) {
+        const Pose X_house_wall = turned(Vec3::Zero(), kQuarterTurn * quarter);
+        const Pose& X = house.X_campus_house;
+        const Pose X_campus_wall{X.rotation * X_house_wall.rotation, X * X_house_wall.rotate({0, 0, away})};
+        add_wall(parts, X_campus_wall, half, house.storeys);
+    };
+    wall(0, house.half_length, house.half_width);
+    wall(1, house.half_width, house.half_length);
+    wall(2, house.half_length, house.half_width);
+    wall(3, house.half_width, house.half_length);
+    const double top = kStorey * house.storeys;
+    const Vec3 eaves(house.half_length + 0.5, 0.2, house.half_width + 0.5);
+    parts.add_box(house.X_campus_house, {0.0, top + eaves.y(), 0.0}, eaves);
+}
+
+/// A trunk, a bumpy crown, and leaves that stick out of it.
+void add_tree(MeshParts& parts, const Vec3& foot, Chance& chance) {
+    const double height = chance.between(4.0, 9.0);
+    const double radius = chance.between(1.2, 2.5);
+    const Pose X = turned(foot, chance.between(0.0, 6.0));
+    parts.add_prism(X, {0.0, -0.5, 0.0}, 0.22, height, 6);
+    const Vec3 middle = foot + Vec3(0.0, height, 0.0);
+    parts.add_ball(middle, {radius, 1.2 * radius, radius}, 10, 7, [&] { return chance.between(0.8, 1.1); });
+    for (int i = 0; i < kLeaves; ++i) {
+        const Vec3 out = chance.direction();
+        const Vec3 stem = middle + radius * chance.between(0.7, 1.2) * out;
+        const Vec3 along = 0.3 * chance.direction();
+        const Vec3 across = 0.15 * chance.direction();
+        parts.add_quad(stem, stem + along + across, stem + 2.0 * along, stem + along - across);
+    }
+}
+
+void add_bench(MeshParts& parts, const Pose& X) {
+    parts.add_box(X, {0.0, 0.42, 0.0}, {0.9, 0.04, 0.25});
+    parts.add_box(X, {0.0, 0.75, -0.22}, {0.9, 0.2, 0.03});
+    parts.add_box(X, {0.0, 0.1, 0.0}, {0.7, 0.3, 0.15});
+}
+
+void add_lamp(MeshParts& parts, const Pose& X) {
+    parts.add_prism(X, {0.0, -0.2, 0.0}, 0.07, 4.2, 6);
+    parts.add_box(X, {0.0, 4.1, 0.35}, {0.12, 0.06, 0.45});
+}
+
+/// What is on one lot, whose middle is at x, z.
+class Lot {
+public:
+    Lot(double x, double z, Chance& chance) : x_(x), z_(z), chance_(chance) {
+        const double at_x = x + chance.between(-6.0, 6.0);
+        const double at_z = z + chance.between(-6.0, 6.0);
+        house_.X_campus_house = turned({at_x, ground(at_x, at_z), at_z}, chance.between(-0.3, 0.3));
+        house_.half_length = chance.between(10.0, 14.0);
+        house_.half_width = chance.between(6.0, 9.0);
+        house_.storeys = 3 + static_cast<int>(chance.between(0.0, 4.0));
+    }
+
+    void furnish(MeshParts& parts) {
+        add_house(parts, house_);
+        for (int i = 0; i < kTrees; ++i) {
+            add_tree(parts, outdoors(3.0), chance_);
+        }
+        for (int i = 0; i < kBenches; ++i) {
+            add_bench(parts, somewhere());
+        }
+        for (int i = 0; i < kLamps; ++i) {
+            add_lamp(parts, somewhere());
+        }
+    }
+
+    /// The terrain's corners off the house.
+    void add_feet(std::vector<Vec3>& feet) const {
+        for (int row = 0; row < kCellsALot; ++row) {
+            for (int column = 0; column < kCellsALot; ++column) {
+                const double x = x_ - 0.5 * kLot + kLot / kCellsALot * column;
+                const double z = z_ - 0.5 * kLot + kLot / kCellsALot * row;
+                if (!house_.is_within(1.0, x, z)) {
+                    feet.emplace_back(x, ground(x, z), z);
+                }
+            }
+        }
+    }
+
+private:
+    Vec3 outdoors(double from_house) {
+        while (true) {
+            const double x = x_ + chance_.between(-0.5 * kLot, 0.5 * kLot);
+            const double z = z_ + chance_.between(-0.5 * kLot, 0.5 * kLot);
+            if (!house_.is_within(from_house, x, z)) {
+                return {x, ground(x, z), z};
+            }
+        }
+    }
+
+    Pose somewhere() {
+        const double yaw = chance_.between(0.0, 6.0);
+        return turned(outdoors(1.0), yaw);
+    }
+
+    double x_;
+    double z_;
+    Chance& chance_;
+    House house_;
+};
+
+}  // namespace
+
+GeneratedCampus generated_campus(int lots) {
+    GeneratedCampus campus;
+    MeshParts parts(campus.mesh);
+    add_terrain(parts, lots);
+    Chance chance(1);
+    for (int row = 0; row < lots; ++row) {
+        for (int column = 0; column < lots; ++column) {
+            Lot lot(kLot * (column - 0.5 * (lots - 1)), kLot * (row - 0.5 * (lots - 1)), chance);
+            lot.furnish(parts);
+            lot.add_feet(campus.feet);
+        }
+    }
+    return campus;
+}
+
+}  // namespace campuswalk::scene

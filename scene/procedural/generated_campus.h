@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "collision/shapes.h"
+#include "collision/triangle_mesh.h"
+
+namespace campuswalk::scene {
+
+struct GeneratedCampus {
+    collision::TriangleMesh mesh;       ///< about the middle of the campus, +Y up
+    std::vector<collision::Vec3> feet;  ///< places on the ground and outdoors where a visitor can stand
+};
+
+/// `lots` x `lots` plots of 60 m on gentle hills. On each stands a house whose walls are window by window,
+/// among trees with single leaves, benches and lamps: large triangles beside small ones, many of them seen
+/// edge-on, as in models of real campuses. 8 lots make half a million triangles. The same everywhere.
+GeneratedCampus generated_campus(int lots);
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,73 @@
+#include "scene/procedural/generated_campus.h"
+
+#include <gtest/gtest.h>
+
+#include "collision/mesh_query.h"
+#include "scene/procedural/chance.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using collision::Vec3;
+
+TEST(GeneratedCampus, EightLotsAreHalfAMillionTriangles) {
+    const GeneratedCampus campus = generated_campus(8);
+    EXPECT_NEAR(static_cast<double>(campus.mesh.triangles.size()), 500e3, 10e3);
+    for (const auto& p : campus.mesh.positions) {
+        ASSERT_LT(std::abs(p.x()), 260.0F);
+        ASSERT_LT(std::abs(p.y()), 40.0F);
+        ASSERT_LT(std::abs(p.z()), 260.0F);
+    }
+}
+
+TEST(GeneratedCampus, VisitorsStandOnTheGroundOutdoors) {
+    const GeneratedCampus campus = generated_campus(2);
+    const collision::MeshCollider mesh(campus.mesh);
+    collision::QueryCounters counters;
+    std::size_t under_trees = 0;
+    EXPECT_GT(campus.feet.size(), 1000U);
+    for (const Vec3& foot : campus.feet) {
+        ASSERT_LT(closest_point(mesh, foot, counters).distance, 1e-5);
+        under_trees +=
+            any_on_ray(mesh, {foot + Vec3(0, 0.01, 0), foot + Vec3(0, 100, 0)}, counters) ? 1U : 0U;
+    }
+    EXPECT_LT(under_trees, campus.feet.size() / 4) << "the others are under the sky";
+    EXPECT_GT(under_trees, 0U);
+}
+
+TEST(GeneratedCampus, IsInSight) {
+    const GeneratedCampus campus = generated_campus(2);
+    const collision::MeshCollider mesh(campus.mesh);
+    collision::QueryCounters counters;
+    Chance chance(7);
+    int far = 0;
+    int near = 0;
+    constexpr int kRays = 1000;
+    for (int i = 0; i < kRays; ++i) {
+        const auto foot =
+            static_cast<std::size_t>(chance.between(0.0, static_cast<double>(campus.feet.size())));
+        const Vec3 eye = campus.feet[foot] + Vec3(0, 1.6, 0);
+        const auto hit = first_on_ray(mesh, {eye, eye + 200.0 * chance.direction()}, counters);
+        near += hit && hit->fraction <= 0.05 ? 1 : 0;
+        far += hit && hit->fraction > 0.05 ? 1 : 0;
+    }
+    EXPECT_GT(near, kRays / 4) << "the ground, at least";
+    EXPECT_GT(far, kRays / 10) << "houses and trees";
+    EXPECT_LT(near + far, kRays * 9 / 10) << "and the sky";
+}
+
+TEST(Chance, IsSplitMix) {
+    // The first number of the published generator with seed 0 is 0xE220A8397B1DCDAF.
+    Chance chance(0);
+    EXPECT_EQ(chance.between(0.0, 1.0), 0x1p-53 * static_cast<double>(0xE220A8397B1DCDAFU >> 11U));
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 d = chance.direction();
+        ASSERT_NEAR(d.norm(), 1.0, 1e-12);
+        sum += d;
+    }
+    EXPECT_LT(sum.norm() / 1000.0, 0.1);
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

@@ -1,0 +1,238 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "collision/mesh_contacts.h"
+#include "collision/mesh_query.h"
+#include "scene/procedural/table1_scene.h"
+#include "tools/campuswalk/bench/differ.h"
+#include "tools/campuswalk/bench/heap.h"
+#include "tools/campuswalk/bench/judge.h"
+#include "tools/campuswalk/bench/our_builders.h"
+#include "tools/campuswalk/bench/pair_scenes.h"
+#include "tools/campuswalk/bench/survey.h"
+#include "tools/campuswalk/bench/targets.h"
+
+namespace campuswalk::tools::bench {
+namespace {
+
+using collision::MeshCollider;
+using collision::QueryCounters;
+using collision::Ray;
+using collision::TriangleMesh;
+using collision::Vec3;
+
+TEST(ShuffledRuns, TimeTheSecondOfTwoRuns) {
+    std::vector<int> calls(3, 0);
+    // The first of two takes 1000, the second 5, 4, 3, 2, 1 in turn.
+    const auto spreads = shuffled_runs(3, 5, [&](std::size_t i) {
+        const int call = calls[i]++;
+        return call % 2 == 0 ? 1000.0 : 5.0 - call / 2;
+    });
+    EXPECT_EQ(calls, (std::vector<int>{10, 10, 10}));
+    for (const Spread& spread : spreads) {
+        EXPECT_EQ(spread.least, 1.0);
+        EXPECT_EQ(spread.median, 3.0);
+    }
+}
+
+TEST(Survey, AsksEverybodyEverything) {
+    std::vector<Respondent<int, double>> respondents;
+    respondents.push_back({"doubles", true, [](int question, double& answer, QueryCounters& counters) {
+                               answer = 2.0 * question;
+                               counters.nv += 1;
+                           }});
+    respondents.push_back(
+        {"halves", false, [](int question, double& answer, QueryCounters&) { answer = 0.5 * question; }});
+    const auto replies = survey<int, double>({1, 2, 5}, respondents, 4);
+    EXPECT_EQ(replies[0].answers, (std::vector<double>{2.0, 4.0, 10.0}));
+    EXPECT_EQ(replies[1].answers, (std::vector<double>{0.5, 1.0, 2.5}));
+    EXPECT_EQ(replies[0].work.nv, 3U) << "of one run";
+}
+
+TEST(PairScenes, NestedCylindersAreApartByTheGap) {
+    const PairScene scene = nested_scene();
+    const MeshCollider outer(scene.a);
+    const MeshCollider inner(scene.b);
+    const collision::Pose& X = scene.placements.at(0).X_a_b;
+    QueryCounters counters;
+    EXPECT_FALSE(first_contact(outer, inner, X, counters).has_value());
+    double least = 1.0;
+    for (const Eigen::Vector3f& corner : scene.b.positions) {
+        least = std::min(least, closest_point(outer, X * corner.cast<double>(), counters).distance);
+    }
+    EXPECT_NEAR(least, kNestedGap, 1e-4);
+    EXPECT_GE(least, kNestedGap - 1e-6);
+    EXPECT_LT(closest_point(outer, Vec3::Zero(), counters).distance, 1.4) << "the outer one is around it";
+}
+
+TEST(PairScenes, FinerOnesAreTable1s) {
+    const PairScene table = table1_scene();
+    const PairScene finer = finer_scene(2);
+    EXPECT_EQ(finer.a.triangles.size(), 2U * 128U * 124U + 2U * 128U);
+    EXPECT_GT(finer.b.triangles.size(), 3.9 * 8680.0);
+    ASSERT_EQ(finer.placements.size(), 1U);
+    EXPECT_EQ(finer.placements[0].X_a_b.translation, table.placements.at(5).X_a_b.translation);
+    EXPECT_EQ(table.placements.at(5).pairs, 666U);
+    EXPECT_FALSE(finer.placements[0].pairs.has_value());
+}
+
+Row row(const char* case_name, const char* engine, const char* query, double least) {
+    Row made;
+    made.case_name = case_name;
+    made.engine = engine;
+    made.query = query;
+    made.least = least;
+    return made;
+}
+
+const std::vector<Row> kRows = {
+    row("table1", "ours", "all", 2.0),  row("table1", "peer", "all", 10.0),
+    row("table1", "ours", "all", 1.0),  row("table1", "peer", "all", 20.0),
+    row("table1", "peer", "first", 90), row("nested", "peer", "all", 70.0),
+    row("memory", "ours", "bytes", 50), row("table1", "half", "all", 1.0),
+};
+
+TEST(Targets, AreRatiosOfWholeCases) {
+    Target target{"", "table1", "all", "ours", "peer", Measure::mean_ratio, 10.0, 0.0};
+    EXPECT_DOUBLE_EQ(measured(target, kRows).value(), 10.0) << "of 5 and 20";
+    EXPECT_TRUE(reaches(target, 10.0, 10.0));
+    EXPECT_FALSE(reaches(target, 9.9, 10.0));
+    target.measure = Measure::worst_ratio;
+    EXPECT_DOUBLE_EQ(measured(target, kRows).value(), 5.0);
+    target.peer = "half";
+    EXPECT_FALSE(measured(target, kRows).has_value()) << "a placement is missing";
+    target.peer = "nobody";
+    EXPECT_FALSE(measured(target, kRows).has_value());
+    target.ours = "nobody";
+    target.peer = "peer";
+    EXPECT_FALSE(measured(target, kRows).has_value());
+}
+
+TEST(Targets, CanBeLimits) {
+    const Target target{"", "memory", "bytes", "ours", "", Measure::figure, 96.0, 48.0};
+    const double figure = measured(target, kRows).value();
+    EXPECT_EQ(figure, 50.0);
+    EXPECT_TRUE(reaches(target, figure, target.must));
+    EXPECT_FALSE(reaches(target, figure, target.aim));
+}
+
+TEST(Targets, AimHigherThanTheyMust) {
+    for (const Target& target : targets()) {
+        EXPECT_GT(target.must, 0.0) << target.what;
+        EXPECT_TRUE(target.aim == 0.0 || reaches(target, target.aim, target.must)) << target.what;
+    }
+}
+
+TEST(Differ, CountsWhatIsMoreAndWhatIsLess) {
+    using Fraction = std::optional<double>;
+    EXPECT_TRUE(differ(Fraction(0.5), Fraction(0.5)).none());
+    EXPECT_EQ(differ(Fraction(0.5), Fraction(0.4)), (Difference{1, 1}));
+    EXPECT_EQ(differ(Fraction(0.5), std::nullopt), (Difference{1, 0}));
+    EXPECT_EQ(differ(std::nullopt, Fraction(0.5)), (Difference{0, 1}));
+    EXPECT_EQ(differ('\1', '\0'), (Difference{1, 0}));
+    EXPECT_EQ(differ(0.1, 0.2), (Difference{1, 1}));
+    EXPECT_TRUE(differ(0.1, 0.1).none());
+    EXPECT_EQ(differ(std::vector<std::uint32_t>{1, 4, 5}, {4, 7}), (Difference{2, 1}));
+}
+
+/// 2 m wide, at y = 0.
+TriangleMesh square() {
+    TriangleMesh mesh;
+    mesh.positions = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
+TEST(Judge, KnowsTheFirstHit) {
+    TriangleMesh mesh = square();
+    const Ray down{{0.3, 6.0, 0.2}, {0.3, -4.0, 0.2}};
+    EXPECT_TRUE(is_first_hit(mesh, down, 0.6));
+    EXPECT_TRUE(is_first_hit(mesh, down, 0.60005)) << "half a millimetre";
+    EXPECT_FALSE(is_first_hit(mesh, down, 0.6005));
+    EXPECT_FALSE(is_first_hit(mesh, down, 0.5995));
+    EXPECT_FALSE(is_first_hit(mesh, down, std::nullopt));
+    for (const Eigen::Vector3f& corner : square().positions) {
+        mesh.positions.push_back(corner + Eigen::Vector3f(0.0F, 1.0F, 0.0F));
+    }
+    mesh.triangles.push_back({4, 5, 6});
+    mesh.triangles.push_back({4, 6, 7});
+    EXPECT_FALSE(is_first_hit(mesh, down, 0.6)) << "another is before it";
+    EXPECT_TRUE(is_first_hit(mesh, down, 0.5));
+}
+
+TEST(Judge, LetsARayPassAnEdgeOnEitherSide) {
+    for (const double beside : {-5e-5, 5e-5}) {
+        const Ray at_edge{{1.0 + beside, 6.0, 0.2}, {1.0 + beside, -4.0, 0.2}};
+        EXPECT_TRUE(is_first_hit(square(), at_edge, 0.6));
+        EXPECT_TRUE(is_first_hit(square(), at_edge, std::nullopt));
+    }
+    const Ray off{{1.01, 6.0, 0.2}, {1.01, -4.0, 0.2}};
+    EXPECT_FALSE(is_first_hit(square(), off, 0.6));
+    EXPECT_TRUE(is_first_hit(square(), off, std::nullopt));
+}
+
+TEST(Judge, AllowsForTheSlant) {
+    // It drops 1 mm in 1 m: a tenth of a millimetre sideways is 10 cm along it.
+    const Ray grazing{{-2.0, 0.002, 0.0}, {2.0, -0.002, 0.0}};
+    EXPECT_TRUE(is_first_hit(square(), grazing, 0.51));
+    EXPECT_FALSE(is_first_hit(square(), grazing, 0.6));
+}
+
+TEST(Judge, TakesAHitAtTheEndForNone) {
+    const Ray ends{{0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}};
+    EXPECT_TRUE(same_hit(ends, 1.0, std::nullopt));
+    EXPECT_TRUE(same_hit(ends, 0.5, 0.5009));
+    EXPECT_FALSE(same_hit(ends, 0.5, 0.502));
+    EXPECT_FALSE(same_hit(ends, 0.5, std::nullopt));
+    EXPECT_TRUE(is_first_hit(square(), ends, std::nullopt));
+}
+
+TEST(Judge, KnowsWhatIsTouched) {
+    const TriangleMesh mesh = square();
+    const auto upright = [](double height) {
+        return collision::Segment{{0.5, height, -0.5}, {0.5, height + 1.0, -0.5}};
+    };
+    // The first triangle's nearest edge is the diagonal, sqrt(0.5) away.
+    EXPECT_TRUE(is_touching_set(mesh, upright(0.3), 0.4, {1}));
+    EXPECT_FALSE(is_touching_set(mesh, upright(0.3), 0.4, {}));
+    EXPECT_FALSE(is_touching_set(mesh, upright(0.3), 0.4, {0, 1}));
+    EXPECT_TRUE(is_touching_set(mesh, upright(0.4), 0.4, {1})) << "just so";
+    EXPECT_TRUE(is_touching_set(mesh, upright(0.4), 0.4, {}));
+}
+
+template <typename Element>
+std::size_t room_to_spare(const std::vector<Element>& elements) {
+    return (elements.capacity() - elements.size()) * sizeof(Element);
+}
+
+std::size_t room_to_spare(const collision::WideTree& tree) {
+    return room_to_spare(tree.nodes) + room_to_spare(tree.leaves);
+}
+
+std::size_t room_to_spare(const collision::HybridTree& tree) {
+    return room_to_spare(tree.nodes) + room_to_spare(tree.order);
+}
+
+TEST(OurBuilders, TheDataAndItsRoomAreWhatTheHeapHolds) {
+    if (heap_in_use() == 0) {
+        GTEST_SKIP() << "a sanitizer's allocator counts nothing";
+    }
+    const TriangleMesh mesh = table1_scene().a;
+    for (const auto layout : {collision::Layout::wide, collision::Layout::paper}) {
+        const auto builder = make_our_builder(mesh, layout);
+        const std::size_t before = heap_in_use();
+        builder->build();
+        const auto held = static_cast<double>(heap_in_use() - before);
+        builder->discard();
+        EXPECT_NEAR(static_cast<double>(heap_in_use()), static_cast<double>(before), 0.01 * held);
+        const MeshCollider collider(mesh, layout);
+        const std::size_t room =
+            std::visit([](const auto& tree) { return room_to_spare(tree); }, collider.tree());
+        const auto data = static_cast<double>(bytes_of_mesh(mesh) + bytes_of_tree(collider) + room);
+        EXPECT_NEAR(held, data, 0.02 * data) << "an array of the tree isn't counted";
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::tools::bench

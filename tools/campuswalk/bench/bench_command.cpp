@@ -1,0 +1,107 @@
+#include "tools/campuswalk/bench/bench_command.h"
+
+#include <cstdio>
+#include <iterator>
+#include <stdexcept>
+
+#include "scene/diagnostic.h"
+#include "tools/campuswalk/bench/campus_cases.h"
+#include "tools/campuswalk/bench/figure4.h"
+#include "tools/campuswalk/bench/pair_case.h"
+#include "tools/campuswalk/bench/summary.h"
+#include "tools/campuswalk/bench/table1_case.h"
+#include "tools/campuswalk/bench/tree_cases.h"
+#include "tools/campuswalk/bench/write_csv.h"
+#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/writable_path.h"
+
+namespace campuswalk::tools {
+
+using namespace bench;
+
+namespace {
+
+constexpr int kMillionFineness = 11;
+
+int rounds_of(const BenchOptions& options, int as_it_is_worth) {
+    if (options.rounds > 0) {
+        return options.rounds;
+    }
+    return options.quick ? 1 : as_it_is_worth;
+}
+
+CaseResult table1(const BenchOptions& options) {
+    return run_table1(rounds_of(options, 25), options.mixed, options.plot);
+}
+
+CaseResult million(const BenchOptions& options) {
+    return run_pair_case(finer_scene(options.quick ? 2 : kMillionFineness), rounds_of(options, 7));
+}
+
+CaseResult nested(const BenchOptions& options) {
+    return run_pair_case(nested_scene(), rounds_of(options, 25));
+}
+
+CaseResult trees(const BenchOptions& options) {
+    return run_tree_cases(rounds_of(options, 9));
+}
+
+CaseResult campus(const BenchOptions& options) {
+    return run_campus_cases(options.quick ? CampusSize{1, 100, 100, 50} : CampusSize{},
+                            rounds_of(options, 11));
+}
+
+constexpr BenchCommand kCommands[] = {
+    {"table1",
+     "The paper's Table I anew: a teapot goes through a cylinder, every variant of the tree and every other "
+     "engine that is built"},
+    {"million", "The same teapot and cylinder of a million triangles each, in one placement"},
+    {"nested", "A cylinder within a cylinder, 2 cm apart all around"},
+    {"trees", "Time and memory that the trees themselves take"},
+    {"campus", "Rays, avatars and closest points on a campus of half a million triangles"},
+};
+constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus};
+static_assert(std::size(kCommands) == std::size(kCases));
+
+void check_output(const std::filesystem::path& file) {
+    if (const std::string why = file.empty() ? "" : why_file_unwritable(file); !why.empty()) {
+        throw scene::InputError({file.string(), 0, 0}, "output-unwritable",
+                                "the results can't be written here: " + why);
+    }
+}
+
+}  // namespace
+
+std::span<const BenchCommand> bench_commands() {
+    return kCommands;
+}
+
+int run_bench(const BenchOptions& options) {
+    if (!options.plot.empty() && !can_plot()) {
+        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+    }
+    check_output(options.csv);
+    check_output(options.plot);
+    if (options.quick) {
+        std::printf("Small scenes and few rounds: this shows that it works, not how fast.\n");
+    }
+    CaseResult all;
+    for (std::size_t i = 0; i < std::size(kCases); ++i) {
+        if (options.which == kBenchAll) {
+            std::printf("\n== %s\n", kCommands[i].name);
+        } else if (options.which != kCommands[i].name) {
+            continue;
+        }
+        const CaseResult one = kCases[i](options);
+        std::fflush(stdout);
+        all.rows.insert(all.rows.end(), one.rows.begin(), one.rows.end());
+        all.ours_right = all.ours_right && one.ours_right;
+    }
+    print_summary(all.rows);
+    if (!options.csv.empty()) {
+        write_csv(all.rows, options.csv);
+    }
+    return all.ours_right ? kPass : kExpectationFailed;
+}
+
+}  // namespace campuswalk::tools

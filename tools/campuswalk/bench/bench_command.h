@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace campuswalk::tools {
+
+struct BenchOptions {
+    std::string which;           ///< one of bench_commands(), or kBenchAll
+    std::filesystem::path csv;   ///< empty: none
+    std::filesystem::path plot;  ///< of table1: *.svg or *.png; empty: none
+    int rounds = 0;              ///< how often each query is timed; 0: as often as the case is worth
+    bool mixed = false;          ///< of table1: with the paper's mixed reading
+    bool quick = false;          ///< small scenes, one round: to see that it works
+};
+
+struct BenchCommand {
+    const char* name = "";
+    const char* description = "";
+};
+
+inline constexpr const char* kBenchAll = "all";
+
+/// Whatever can be measured by itself.
+std::span<const BenchCommand> bench_commands();
+
+/// Measures, prints, writes the CSV. Returns the exit code: kExpectationFailed when one of our own engines
+/// gave a wrong answer.
+int run_bench(const BenchOptions& options);
+
+}  // namespace campuswalk::tools

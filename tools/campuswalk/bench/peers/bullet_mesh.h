@@ -1,0 +1,22 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
+
+#include "collision/triangle_mesh.h"
+
+namespace campuswalk::tools::bench {
+
+/// A mesh as Bullet reads it, in place.
+inline btIndexedMesh indexed(const collision::TriangleMesh& mesh) {
+    btIndexedMesh part;
+    part.m_numTriangles = static_cast<int>(mesh.triangles.size());
+    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(mesh.triangles.data());
+    part.m_triangleIndexStride = sizeof(mesh.triangles[0]);
+    part.m_numVertices = static_cast<int>(mesh.positions.size());
+    part.m_vertexBase = reinterpret_cast<const unsigned char*>(mesh.positions.data());
+    part.m_vertexStride = sizeof(mesh.positions[0]);
+    part.m_vertexType = PHY_FLOAT;
+    return part;
+}
+
+}  // namespace campuswalk::tools::bench

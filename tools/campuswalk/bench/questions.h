@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/ray.h"
+#include "collision/shapes.h"
+#include "collision/triangle_mesh.h"
+
+namespace campuswalk::tools::bench {
+
+// What visitors of a campus ask; the same on every machine for a seed.
+
+inline constexpr double kEyeHeight = 1.6;     ///< metres
+inline constexpr double kAvatarRadius = 0.3;  ///< metres
+inline constexpr double kAvatarHeight = 1.8;  ///< metres
+
+/// From eye height above some of `feet`, in all directions alike, `length` metres long.
+std::vector<collision::Ray> eye_rays(std::span<const collision::Vec3> feet, double length, std::size_t count,
+                                     std::uint32_t seed);
+
+/// The segments of upright avatars (radius kAvatarRadius, kAvatarHeight tall), most of them in touch with
+/// something.
+std::vector<collision::Segment> avatars(const collision::TriangleMesh& mesh, std::size_t count,
+                                        std::uint32_t seed);
+
+}  // namespace campuswalk::tools::bench
