@@ -30,7 +30,7 @@ struct alignas(32) WideNode {
     std::array<std::array<float, kWideChildren>, 3> center{};  ///< of each child's box, by axis
     std::array<std::array<float, kWideChildren>, 3> half{};    ///< its half extents, rounded outward
     std::array<std::array<float, 4>, 3> axes{};                ///< by column; the fourth entry is 0
-    std::array<float, 3> origin{};
+    std::array<float, 4> origin{};                             ///< the fourth entry is 0
     float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
     std::array<std::uint32_t, kWideChildren> child{};  ///< an index of nodes or of leaves
     std::uint8_t count = 0;                            ///< children there are
@@ -39,7 +39,8 @@ struct alignas(32) WideNode {
 
 /// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
 struct alignas(64) WideLeaf {
-    std::array<std::array<float, kLeafCorners>, 3> corner{};  ///< by axis, less the origin
+    /// By axis, less the origin. Slots without a corner hold the last one again.
+    std::array<std::array<float, kLeafCorners>, 3> corner{};
     /// By component: unit normal n and offset d of n . x = d. Zero for a triangle whose normal isn't certain
     /// to float32's precision; nothing is ever clear of that. Slots without a triangle have a plane that
     /// everything is above.
@@ -49,7 +50,7 @@ struct alignas(64) WideLeaf {
     std::array<float, 3> facing{};                                        ///< unit mean normal, or zero
     float low = 0.0F;                                                     ///< least facing . corner
     float high = 0.0F;                                                    ///< greatest
-    std::array<float, 3> origin{};
+    std::array<float, 4> origin{};                                        ///< the fourth entry is 0
     float radius = 0.0F;  ///< all corners lie this close to the origin
     std::uint8_t corners = 0;
     std::uint8_t triangles = 0;

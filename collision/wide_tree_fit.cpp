@@ -62,27 +62,44 @@ Eigen::Matrix3f principal_axes(const TriangleMesh& mesh, Children children, cons
     return eigen.eigenvectors().transpose().cast<float>();
 }
 
-/// The boxes of the children in a frame about `origin`, and what all of them hold.
+/// The boxes of a node's children, and what all of them hold.
 struct Boxes {
     std::array<LaneBounds, kWideChildren> of;
     LaneBounds all;
     float area = 0.0F;
 
-    Boxes(const TriangleMesh& mesh, Children children, const Eigen::Vector3f& origin,
-          const Eigen::Matrix3f& axes) {
-        const Lanes x = lanes(axes.col(0));
-        const Lanes y = lanes(axes.col(1));
-        const Lanes z = lanes(axes.col(2));
-        for (std::size_t c = 0; c < children.size(); ++c) {
-            for_each_corner(mesh, children[c], [&](const Eigen::Vector3f& p) {
-                const Eigen::Vector3f d = p - origin;
-                of[c].extend(Lanes(x * d.x() + (y * d.y() + z * d.z())));
-            });
-            all.extend(of[c]);
-            area += of[c].half_area();
-        }
+    void set(std::size_t child, const LaneBounds& box) {
+        of[child] = box;
+        all.extend(box);
+        area += box.half_area();
     }
 };
+
+/// Along the mesh's axes, about `origin`: what holds the triangles' bounds holds their corners.
+Boxes straight_boxes(std::span<const LaneBounds> bounds, const Lanes& origin) {
+    Boxes boxes;
+    for (std::size_t c = 0; c < bounds.size(); ++c) {
+        boxes.set(c, {bounds[c].min - origin, bounds[c].max - origin});
+    }
+    return boxes;
+}
+
+Boxes turned_boxes(const TriangleMesh& mesh, Children children, const Lanes& origin,
+                   const Eigen::Matrix3f& axes) {
+    const Lanes x = lanes(axes.col(0));
+    const Lanes y = lanes(axes.col(1));
+    const Lanes z = lanes(axes.col(2));
+    Boxes boxes;
+    for (std::size_t c = 0; c < children.size(); ++c) {
+        LaneBounds box;
+        for_each_corner(mesh, children[c], [&](const Eigen::Vector3f& p) {
+            const Lanes d = lanes(p) - origin;
+            box.extend(Lanes(x * d[0] + (y * d[1] + z * d[2])));
+        });
+        boxes.set(c, box);
+    }
+    return boxes;
+}
 
 /// A corner's place in the frame is a sum of three products of rounded differences: it is off by at most
 /// 5 kFloatUnit times its distance from the origin, which is itself known to within 10 of them. Halving and
@@ -166,19 +183,22 @@ private:
 }  // namespace
 
 void fit_node(WideNode& node, const TriangleMesh& mesh, Children children) {
+    std::array<LaneBounds, kWideChildren> bounds;
     LaneBounds all;
-    for (const std::span<const SplitItem> items : children) {
-        for (const SplitItem& item : items) {
-            all.extend(item.bounds);
+    for (std::size_t c = 0; c < children.size(); ++c) {
+        for (const SplitItem& item : children[c]) {
+            bounds[c].extend(item.bounds);
         }
+        all.extend(bounds[c]);
     }
-    const Eigen::Vector3f origin = middle(all).head<3>();
+    const Lanes origin = middle(all);
     // A turned frame must pay for the work of turning rays and capsules into it.
     constexpr float kWorthTurning = 0.9F;
     Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
-    Boxes boxes(mesh, children, origin, axes);
-    const Eigen::Matrix3f turned = principal_axes(mesh, children, middle(all));
-    if (const Boxes other(mesh, children, origin, turned); other.area < kWorthTurning * boxes.area) {
+    Boxes boxes = straight_boxes({bounds.data(), children.size()}, origin);
+    const Eigen::Matrix3f turned = principal_axes(mesh, children, origin);
+    if (const Boxes other = turned_boxes(mesh, children, origin, turned);
+        other.area < kWorthTurning * boxes.area) {
         axes = turned;
         boxes = other;
     }
@@ -214,7 +234,7 @@ WideLeaf make_leaf(const TriangleMesh& mesh, std::span<const SplitItem> items) {
     }
     std::sort(leaf.triangle.begin(), leaf.triangle.begin() + leaf.triangles);
     const Eigen::Vector3f origin = middle(bounds).head<3>();
-    leaf.origin = {origin.x(), origin.y(), origin.z()};
+    leaf.origin = {origin.x(), origin.y(), origin.z(), 0.0F};
     leaf.plane[3].fill(-1e30F);
 
     CornerList list;
@@ -237,6 +257,9 @@ WideLeaf make_leaf(const TriangleMesh& mesh, std::span<const SplitItem> items) {
         sum_of_normals += normal;
     }
     leaf.corners = static_cast<std::uint8_t>(list.size());
+    for (auto& along : leaf.corner) {
+        std::fill(along.begin() + leaf.corners, along.end(), along[leaf.corners - 1U]);
+    }
     set_facing(leaf, sum_of_normals);
     return leaf;
 }

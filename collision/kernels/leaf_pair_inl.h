@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
+#include "collision/kernels/bit_places.h"
 #include "collision/kernels/lanes_inl.h"
 #include "collision/kernels/plane_sides_inl.h"
 #include "collision/kernels/relative_pose_inl.h"
@@ -53,17 +55,64 @@ public:
     }
 
 private:
+    /// Four lanes fetch a corner's coordinates at once and exchange rows and columns; more pick them from
+    /// tables, an axis at a time.
+    static constexpr bool kByPoint = kLanes == 4;
+    using PointTable = float[kByPoint ? kLeafCorners : 1][4];
+
+    template <class Table>
+    static HWY_INLINE Real3 load(const Table& corners, std::size_t c) {
+        const Floats d;
+        return {hn::Load(d, &corners[0][c]), hn::Load(d, &corners[1][c]), hn::Load(d, &corners[2][c])};
+    }
+
+    static HWY_INLINE void store_points(const Real3& p, PointTable& points, std::size_t c) {
+        const Floats d;
+        hn::StoreInterleaved4(p.x, p.y, p.z, p.z, d, points[c]);
+    }
+
+    /// The corners at `index`, a lane each.
+    template <class Table>
+    static HWY_INLINE Real3 fetch(const Table& corners, const PointTable& points, const std::uint8_t* index) {
+        const Floats d;
+        if constexpr (kByPoint) {
+            const hn::RepartitionToWide<Floats> d2;
+            const Real p0 = hn::Load(d, points[index[0]]);
+            const Real p1 = hn::Load(d, points[index[1]]);
+            const Real p2 = hn::Load(d, points[index[2]]);
+            const Real p3 = hn::Load(d, points[index[3]]);
+            const auto xy01 = hn::BitCast(d2, hn::InterleaveLower(d, p0, p1));
+            const auto xy23 = hn::BitCast(d2, hn::InterleaveLower(d, p2, p3));
+            const auto z01 = hn::BitCast(d2, hn::InterleaveUpper(d, p0, p1));
+            const auto z23 = hn::BitCast(d2, hn::InterleaveUpper(d, p2, p3));
+            return {hn::BitCast(d, hn::ConcatLowerLower(d2, xy23, xy01)),
+                    hn::BitCast(d, hn::ConcatUpperUpper(d2, xy23, xy01)),
+                    hn::BitCast(d, hn::ConcatLowerLower(d2, z23, z01))};
+        } else {
+            const Index at = indices(index);
+            return {pick(&corners[0][0], at), pick(&corners[1][0], at), pick(&corners[2][0], at)};
+        }
+    }
+
     /// Two leaves, each in its own frame and in the other's.
     struct Sight {
         const WideLeaf& a;
         const WideLeaf& b;
         float error;
+        /// What rounding can have added to the volume of any three edges between the two (see `doubt`).
+        float doubt;
         HWY_ALIGN CornerTable b_in_a;
         HWY_ALIGN CornerTable a_in_b;
+        /// Corner by corner, where that is how they are fetched.
+        HWY_ALIGN PointTable a_points;
+        HWY_ALIGN PointTable b_points;
 
         HWY_INLINE Sight(const RelativePose& pose, const WideLeaf& leaf_a, const WideLeaf& leaf_b,
                          const float t[4], float bound)
-            : a(leaf_a), b(leaf_b), error(bound) {
+            : a(leaf_a),
+              b(leaf_b),
+              error(bound),
+              doubt(greatest_doubt(leaf_a.radius, leaf_b.radius, length_of(t), bound)) {
             const Floats d;
             for (std::size_t c = 0; c < b.corners; c += kLanes) {
                 const Real3 p = load(b.corner, c);
@@ -72,6 +121,9 @@ private:
                     v = hn::MulAdd(hn::Set(d, pose.column[1][k]), p.y, v);
                     v = hn::MulAdd(hn::Set(d, pose.column[2][k]), p.z, v);
                     hn::Store(v, d, b_in_a[k] + c);
+                }
+                if constexpr (kByPoint) {
+                    store_points(load(b_in_a, c), b_points, c);
                 }
             }
             for (std::size_t c = 0; c < a.corners; c += kLanes) {
@@ -83,33 +135,52 @@ private:
                     v = hn::MulAdd(hn::Set(d, pose.column[k][2]), p.z, v);
                     hn::Store(v, d, a_in_b[k] + c);
                 }
+                if constexpr (kByPoint) {
+                    store_points(load(a.corner, c), a_points, c);
+                }
             }
         }
     };
 
-    /// Open pairs: bit j of row i, sixteen bits a row, is triangle i of a and j of b.
+    /// Open pairs: bit j of row i is triangle i of a and j of b.
     struct OpenPairs {
-        HWY_ALIGN std::uint64_t rows[4];
+        HWY_ALIGN std::uint16_t rows[16];
+
+        /// Those that both say are open: `columns` by b's triangle, `of_a` by a's.
+        HWY_INLINE OpenPairs(const ByteRows& columns, const ByteRows& of_a) {
+            const ByteTag d;
+            Bytes low;
+            Bytes high;
+            transpose(columns, low, high);
+            low = hn::And(low, hn::InterleaveLower(d, of_a.low, of_a.high));
+            high = hn::And(high, hn::InterleaveUpper(d, of_a.low, of_a.high));
+            hn::Store(low, d, bytes());
+            hn::Store(high, d, bytes() + 16);
+        }
+
+        std::uint8_t* bytes() { return reinterpret_cast<std::uint8_t*>(rows); }
+        const std::uint8_t* bytes() const { return reinterpret_cast<const std::uint8_t*>(rows); }
 
         HWY_INLINE std::size_t count() const {
             std::size_t sum = 0;
-            for (const std::uint64_t word : rows) {
+            for (std::size_t at = 0; at < 32; at += 8) {
+                std::uint64_t word = 0;
+                std::memcpy(&word, bytes() + at, sizeof word);
                 sum += static_cast<std::size_t>(std::popcount(word));
             }
             return sum;
         }
-        HWY_INLINE std::uint64_t row(std::size_t i) const { return rows[i / 4] >> (16 * (i % 4)) & 0xFFFFU; }
-        HWY_INLINE void keep(std::size_t i, std::uint64_t which) {
-            const std::size_t place = 16 * (i % 4);
-            rows[i / 4] &= which << place | ~(0xFFFFULL << place);
+
+        /// Bit i: row i has open pairs.
+        HWY_INLINE std::uint32_t live_rows() const {
+            const hn::CappedTag<std::uint16_t, 16> d;
+            std::uint32_t live = 0;
+            for (std::size_t c = 0; c < 16; c += hn::MaxLanes(d)) {
+                live |= bits_of(d, hn::Ne(hn::Load(d, rows + c), hn::Zero(d))) << c;
+            }
+            return live;
         }
     };
-
-    template <class Table>
-    static HWY_INLINE Real3 load(const Table& corners, std::size_t c) {
-        const Floats d;
-        return {hn::Load(d, &corners[0][c]), hn::Load(d, &corners[1][c]), hn::Load(d, &corners[2][c])};
-    }
 
     static HWY_INLINE Real along(const float direction[3], const Real3& p) {
         const Floats d;
@@ -126,19 +197,17 @@ private:
             above |= bits_of(d, hn::Gt(f, hn::Set(d, high))) << c;
             below |= bits_of(d, hn::Lt(f, hn::Set(d, low))) << c;
         }
+        // No jump: see slabs_meet.
         const std::uint32_t all = (1U << leaf.corners) - 1U;
-        return (~above & all) != 0 && (~below & all) != 0;
+        return (static_cast<int>((~above & all) != 0) & static_cast<int>((~below & all) != 0)) != 0;
     }
 
     /// Each leaf between two planes at right angles to its mean normal.
     HWY_INLINE bool slabs_meet(const WideLeaf& a, const WideLeaf& b, const float t[4], float error) const {
-        float a_facing_in_b[3];
-        float b_facing_in_a[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& c = pose_.column;
-            a_facing_in_b[k] = c[k][0] * a.facing[0] + c[k][1] * a.facing[1] + c[k][2] * a.facing[2];
-            b_facing_in_a[k] = c[0][k] * b.facing[0] + c[1][k] * b.facing[1] + c[2][k] * b.facing[2];
-        }
+        HWY_ALIGN float a_facing_in_b[4];
+        HWY_ALIGN float b_facing_in_a[4];
+        turn(pose_.row, a.facing.data(), a_facing_in_b);
+        turn(pose_.column, b.facing.data(), b_facing_in_a);
         const float shift_a = a.facing[0] * t[0] + a.facing[1] * t[1] + a.facing[2] * t[2];
         const float shift_b = b_facing_in_a[0] * t[0] + b_facing_in_a[1] * t[1] + b_facing_in_a[2] * t[2];
         const bool b_reaches_a = reaches(a_facing_in_b, a.low - shift_a - error, a.high - shift_a + error, b);
@@ -157,13 +226,7 @@ private:
         if (!sure_a || !sure_b) {
             return false;
         }
-        OpenPairs open;
-        transpose(of_b.not_clear(s.b, s.a.triangles), open.rows);
-        HWY_ALIGN std::uint64_t other[4];
-        store_rows(of_a.not_clear(s.a, s.b.triangles), other);
-        for (std::size_t w = 0; w < 4; ++w) {
-            open.rows[w] &= other[w];
-        }
+        OpenPairs open(of_b.not_clear(s.b, s.a.triangles), of_a.not_clear(s.a, s.b.triangles));
         std::size_t count = open.count();
         // Fewer are settled as quickly as they are parted.
         constexpr std::size_t kFew = 8;
@@ -195,20 +258,13 @@ private:
     /// first open pair's planes parts most.
     HWY_INLINE void part_along_line(const Sight& s, OpenPairs& open) const {
         const Floats d;
-        const hn::CappedTag<std::uint16_t, 16> d16;
-        std::uint32_t live = 0;
-        for (std::size_t c = 0; c < 16; c += hn::MaxLanes(d16)) {
-            const auto rows = hn::Load(d16, reinterpret_cast<const std::uint16_t*>(open.rows) + c);
-            live |= bits_of(d16, hn::Ne(rows, hn::Zero(d16))) << c;
-        }
+        std::uint32_t live = open.live_rows();
         const auto i = static_cast<std::size_t>(std::countr_zero(live));
-        const auto j = static_cast<std::size_t>(std::countr_zero(open.row(i)));
+        const auto j = static_cast<std::size_t>(std::countr_zero(open.rows[i]));
         const float m[3] = {s.a.plane[0][i], s.a.plane[1][i], s.a.plane[2][i]};
-        float n[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            n[k] = pose_.column[0][k] * s.b.plane[0][j] + pose_.column[1][k] * s.b.plane[1][j] +
-                   pose_.column[2][k] * s.b.plane[2][j];
-        }
+        const float m_b[3] = {s.b.plane[0][j], s.b.plane[1][j], s.b.plane[2][j]};
+        HWY_ALIGN float n[4];
+        turn(pose_.column, m_b, n);
         const float line[3] = {m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
                                m[0] * n[1] - m[1] * n[0]};
         HWY_ALIGN float corners_a[16];
@@ -229,54 +285,110 @@ private:
             const auto at = static_cast<std::size_t>(std::countr_zero(live));
             const Real low = hn::Set(d, low_a[at]);
             const Real high = hn::Set(d, high_a[at]);
-            std::uint64_t near = 0;
+            std::uint32_t near = 0;
             for (std::size_t c = 0; c < s.b.triangles; c += kLanes) {
-                near |= static_cast<std::uint64_t>(bits_of(d, hn::And(hn::Le(low, hn::Load(d, high_b + c)),
-                                                                      hn::Ge(high, hn::Load(d, low_b + c)))))
+                near |= bits_of(d, hn::And(hn::Le(low, hn::Load(d, high_b + c)),
+                                           hn::Ge(high, hn::Load(d, low_b + c))))
                         << c;
             }
-            open.keep(at, near);
+            open.rows[at] = static_cast<std::uint16_t>(open.rows[at] & near);
         }
     }
 
-    /// Six times the volume of three edges, and the most that rounding can have added to it. The edges'
-    /// coordinates are off by `error` at most, and by u of themselves: six products of three move by no more
+    /// The most that rounding can have added to m . (u x v) of three edges whose coordinates are at most M, A
+    /// and B. They are off by `error` at most, and by u of themselves: six products of three move by no more
     /// than 6 error (AB + MA + MB), lengths taken with the error on them, and round by 54 u MAB.
-    struct Volume {
-        Real value;
-        Real doubt;
+    static HWY_INLINE Real doubt(Real M, Real A, Real B, Real error) {
+        const Floats d;
+        M = hn::Add(M, error);
+        A = hn::Add(A, error);
+        B = hn::Add(B, error);
+        const Real AB = hn::Mul(A, B);
+        return hn::MulAdd(hn::Mul(hn::Set(d, 64.0F * kFloatUnit), M), AB,
+                          hn::MulAdd(hn::Mul(hn::Set(d, 8.0F), error), hn::MulAdd(M, hn::Add(A, B), AB),
+                                     hn::Set(d, 0x1p-120F)));
+    }
 
-        HWY_INLINE Volume(const Real3& m, const Real3& u, const Real3& v, Real error) {
-            const Floats d;
-            value = dot(m, cross(u, v));
-            const Real M = hn::Add(largest(m), error);
-            const Real A = hn::Add(largest(u), error);
-            const Real B = hn::Add(largest(v), error);
-            const Real AB = hn::Mul(A, B);
-            doubt = hn::MulAdd(hn::Mul(hn::Set(d, 64.0F * kFloatUnit), M), AB,
-                               hn::MulAdd(hn::Mul(hn::Set(d, 8.0F), error), hn::MulAdd(M, hn::Add(A, B), AB),
-                                          hn::Set(d, 0x1p-120F)));
+    /// Of any edges within two leaves and between them.
+    static HWY_INLINE float greatest_doubt(float radius_a, float radius_b, float apart, float error) {
+        const Floats d;
+        return hn::GetLane(doubt(hn::Set(d, radius_a + radius_b + apart), hn::Set(d, 2.0F * radius_a),
+                                 hn::Set(d, 2.0F * radius_b), hn::Set(d, error)));
+    }
+
+    /// Three edges from one corner, sixteen times or less.
+    struct Edges {
+        Real3 m, u, v;
+
+        /// Six times their volume.
+        HWY_INLINE Real volume() const { return dot(m, cross(u, v)); }
+        HWY_INLINE Real doubt(Real error) const {
+            return LeafPairs::doubt(largest(m), largest(u), largest(v), error);
         }
+    };
+
+    /// What two volumes say of the triangles, a bit each; neither where one of them is in doubt.
+    struct Verdict {
+        std::uint32_t apart;
+        std::uint32_t meet;
+
+        HWY_INLINE Verdict(Real first, Real doubt_of_first, Real second, Real doubt_of_second) {
+            const Floats d;
+            apart = bits_of(
+                d, hn::Or(hn::Lt(first, hn::Neg(doubt_of_first)), hn::Lt(second, hn::Neg(doubt_of_second))));
+            meet = bits_of(d, hn::And(hn::Gt(first, doubt_of_first), hn::Gt(second, doubt_of_second)));
+        }
+    };
+
+    /// Pairs of triangles, a byte each: a's above b's.
+    class PairList {
+    public:
+        std::size_t size() const { return count_; }
+        const std::uint8_t* operator+(std::size_t first) const { return ij_ + first; }
+
+        HWY_INLINE void add_all(const OpenPairs& open) {
+            std::uint64_t base = 0;
+            for (std::size_t k = 0; k < 32; ++k) {
+                const std::uint64_t bits = open.bytes()[k];
+                add(kBitPlaces[bits] + base, bits);
+                base += 0x0808080808080808ULL;
+            }
+            const ByteTag d;
+            hn::StoreU(hn::Zero(d), d, ij_ + count_);
+        }
+
+        /// Of eight pairs those that have a bit.
+        HWY_INLINE void add_some(const std::uint8_t* eight, std::uint64_t bits) {
+            const hn::FixedTag<std::uint8_t, 8> d;
+            const auto places = hn::BitCast(d, hn::Set(hn::FixedTag<std::uint64_t, 1>(), kBitPlaces[bits]));
+            const auto chosen = hn::TableLookupBytes(hn::LoadU(d, eight), places);
+            hn::StoreU(chosen, d, ij_ + count_);
+            count_ += static_cast<std::size_t>(std::popcount(bits));
+        }
+
+    private:
+        HWY_INLINE void add(std::uint64_t eight, std::uint64_t bits) {
+            std::memcpy(ij_ + count_, &eight, sizeof eight);
+            count_ += static_cast<std::size_t>(std::popcount(bits));
+        }
+
+        HWY_ALIGN std::uint8_t ij_[16 * 16 + 16];  // room for what is written beyond the last
+        std::size_t count_ = 0;
     };
 
     /// Settles the open pairs, sixteen at a time, and adds those that overlap to the result.
     template <Sides kSides>
     HWY_INLINE void settle(const Sight& s, const SideTable<kSides>& of_a, const SideTable<kSides>& of_b,
                            const OpenPairs& open) {
-        HWY_ALIGN std::uint8_t ij[16 * 16 + 16];
-        std::size_t count = 0;
-        for (std::size_t w = 0; w < 4; ++w) {
-            for (std::uint64_t m = open.rows[w]; m != 0; m &= m - 1) {
-                ij[count++] =
-                    static_cast<std::uint8_t>(64 * w + static_cast<std::size_t>(std::countr_zero(m)));
-            }
-        }
+        PairList pairs;
+        pairs.add_all(open);
+        const std::size_t count = pairs.size();
         counters_.np += count;
+        PairList found;
         const ByteTag d8;
         const hn::FixedTag<std::uint16_t, 8> d16;
-        hn::StoreU(hn::Zero(d8), d8, ij + count);
         for (std::size_t first = 0; first < count; first += 16) {
-            const Bytes at = hn::LoadU(d8, ij + first);
+            const Bytes at = hn::LoadU(d8, pairs + first);
             const Bytes low_bits = hn::Set(d8, 15);
             const Bytes i = hn::And(hn::BitCast(d8, hn::ShiftRight<4>(hn::BitCast(d16, at))), low_bits);
             const Bytes j = hn::And(at, low_bits);
@@ -291,43 +403,55 @@ private:
             b.store(order + 3);
             const std::size_t here = std::min<std::size_t>(16, count - first);
             for (std::size_t c = 0; c < here; c += kLanes) {
-                settle_lanes(s, order, c, sure >> c, ij + first + c, std::min(kLanes, here - c));
+                const std::uint8_t* ij = pairs + first + c;
+                const std::uint32_t meet =
+                    settle_lanes(s, order, c, sure >> c, ij, std::min(kLanes, here - c));
+                found.add_some(ij, meet & 0xFF);
+                if constexpr (kLanes == 16) {
+                    found.add_some(ij + 8, meet >> 8);
+                }
             }
+        }
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            out_.push_back(pair_of(s, (found + k)[0]));
         }
     }
 
+    static HWY_INLINE TrianglePair pair_of(const Sight& s, std::uint8_t ij) {
+        return {s.a.triangle[ij >> 4], s.b.triangle[ij & 15]};
+    }
+
+    /// Which pairs overlap, a bit each.
+    ///
     /// With p the lone corners and q, r turned alike, the edges pq and pr of one triangle pass those of the
     /// other on the right sides if and only if their intervals on the common line overlap.
-    HWY_INLINE void settle_lanes(const Sight& s, const std::uint8_t order[6][16], std::size_t c,
-                                 std::uint32_t sure, const std::uint8_t* ij, std::size_t lanes) {
+    HWY_INLINE std::uint32_t settle_lanes(const Sight& s, const std::uint8_t order[6][16], std::size_t c,
+                                          std::uint32_t sure, const std::uint8_t* ij, std::size_t lanes) {
         const Floats d;
-        const auto of_a = [&](std::size_t k) {
-            const Index at = indices(order[k] + c);
-            return Real3{pick(s.a.corner[0].data(), at), pick(s.a.corner[1].data(), at),
-                         pick(s.a.corner[2].data(), at)};
-        };
-        const auto of_b = [&](std::size_t k) {
-            const Index at = indices(order[3 + k] + c);
-            return Real3{pick(s.b_in_a[0], at), pick(s.b_in_a[1], at), pick(s.b_in_a[2], at)};
-        };
-        const Real error = hn::Set(d, s.error);
+        const auto of_a = [&](std::size_t k) { return fetch(s.a.corner, s.a_points, order[k] + c); };
+        const auto of_b = [&](std::size_t k) { return fetch(s.b_in_a, s.b_points, order[3 + k] + c); };
         const Real3 p = of_a(0);
         const Real3 m = subtract(of_b(0), p);
-        const Volume first(m, subtract(of_a(1), p), subtract(of_b(1), p), error);
-        const Volume second(m, subtract(of_b(2), p), subtract(of_a(2), p), error);
-        const std::uint32_t apart = bits_of(d, hn::Or(hn::Lt(first.value, hn::Neg(first.doubt)),
-                                                      hn::Lt(second.value, hn::Neg(second.doubt))));
-        const std::uint32_t meet =
-            bits_of(d, hn::And(hn::Gt(first.value, first.doubt), hn::Gt(second.value, second.doubt)));
+        const Edges first{m, subtract(of_a(1), p), subtract(of_b(1), p)};
+        const Edges second{m, subtract(of_b(2), p), subtract(of_a(2), p)};
+        const Real first_volume = first.volume();
+        const Real second_volume = second.volume();
+        const Real doubt_of_all = hn::Set(d, s.doubt);
         const std::uint32_t there = (1U << lanes) - 1U;
-        const std::uint32_t open = there & (~sure | ~(apart | meet));
-        for (std::uint32_t bits = open | (there & sure & meet); bits != 0; bits &= bits - 1) {
+        Verdict verdict(first_volume, doubt_of_all, second_volume, doubt_of_all);
+        if (HWY_UNLIKELY((there & sure & ~(verdict.apart | verdict.meet)) != 0)) {
+            const Real error = hn::Set(d, s.error);
+            verdict = Verdict(first_volume, first.doubt(error), second_volume, second.doubt(error));
+        }
+        std::uint32_t meet = there & sure & verdict.meet;
+        const std::uint32_t open = there & (~sure | ~(verdict.apart | verdict.meet));
+        for (std::uint32_t bits = open; HWY_UNLIKELY(bits != 0); bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-            const TrianglePair pair{s.a.triangle[ij[lane] >> 4], s.b.triangle[ij[lane] & 15]};
-            if ((open >> lane & 1U) == 0 || exactly_overlap(pair)) {
-                out_.push_back(pair);
+            if (exactly_overlap(pair_of(s, ij[lane]))) {
+                meet |= 1U << lane;
             }
         }
+        return meet;
     }
 
     HWY_NOINLINE bool exactly_overlap(const TrianglePair& pair) const {

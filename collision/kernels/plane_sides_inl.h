@@ -143,7 +143,7 @@ private:
         const auto is_above = [&](Real f) {
             return kSides == Sides::certain ? bits_of(d, hn::Gt(f, far)) : 0U;
         };
-        for (std::size_t v = 0; v < count; ++v) {
+        const auto see = [&](std::size_t v) {
             const Real3 x{hn::Set(d, corners[0][v]), hn::Set(d, corners[1][v]), hn::Set(d, corners[2][v])};
             const Real f1 = distance(n1, x, d1);
             nearest = hn::Min(nearest, hn::Abs(f1));
@@ -162,6 +162,14 @@ private:
             }
             record(below_, v, below, c);
             record_above(v, above, c);
+        };
+        // By fours: leaves differ in how many corners they have, and a jump that can't be foreseen costs more
+        // than to see a corner again (see WideLeaf).
+        for (std::size_t v = 0; v < count; v += 4) {
+            see(v);
+            see(v + 1);
+            see(v + 2);
+            see(v + 3);
         }
         return nearest;
     }
@@ -208,27 +216,21 @@ private:
     HWY_ALIGN Table above_;
 };
 
-/// Sixteen bits a row: those of a triangle's row.
-HWY_INLINE void store_rows(const ByteRows& rows, std::uint64_t words[4]) {
+/// Bit j of row i, sixteen bits a row, rows 0 to 7 and 8 to 15: bit i of `columns`' row j.
+HWY_INLINE void transpose(const ByteRows& columns, Bytes& low, Bytes& high) {
     const ByteTag d;
-    auto* bytes = reinterpret_cast<std::uint8_t*>(words);
-    hn::Store(hn::InterleaveLower(d, rows.low, rows.high), d, bytes);
-    hn::Store(hn::InterleaveUpper(d, rows.low, rows.high), d, bytes + 16);
-}
-
-/// Likewise with rows and columns exchanged.
-HWY_INLINE void transpose(const ByteRows& columns, std::uint64_t words[4]) {
-    const ByteTag d;
-    for (std::size_t half = 0; half < 2; ++half) {
-        Bytes bytes = half == 0 ? columns.low : columns.high;
+    const hn::FixedTag<std::uint64_t, 1> word;
+    for (Bytes* to : {&low, &high}) {
+        Bytes bytes = to == &low ? columns.low : columns.high;
+        std::uint64_t words[2] = {};
         for (std::size_t w = 2; w-- > 0;) {
-            std::uint64_t word = 0;
             for (std::size_t row = 0; row < 4; ++row) {
-                word = word << 16 | sign_bits(d, bytes);
+                words[w] = words[w] << 16 | sign_bits(d, bytes);
                 bytes = hn::Add(bytes, bytes);  // the next bit becomes the sign
             }
-            words[2 * half + w] = word;
         }
+        *to = hn::BitCast(d, hn::Combine(hn::FixedTag<std::uint64_t, 2>(), hn::Set(word, words[1]),
+                                         hn::Set(word, words[0])));
     }
 }
 

@@ -27,32 +27,36 @@ namespace HWY_NAMESPACE {
 ///   distance from a rotation times 3 L.
 class RelativePose {
 public:
-    explicit RelativePose(const WidePair& pair)
-        : rotation_(pair.X_a_b.rotation), translation_(pair.X_a_b.translation) {
+    explicit RelativePose(const WidePair& pair) {
         for (std::size_t j = 0; j < 3; ++j) {
             for (std::size_t i = 0; i < 3; ++i) {
-                column[j][i] =
-                    static_cast<float>(rotation_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                turn_[j][i] = pair.X_a_b.rotation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                column[j][i] = static_cast<float>(turn_[j][i]);
+                row[i][j] = column[j][i];
             }
+            shift_[j] = pair.X_a_b.translation[static_cast<Eigen::Index>(j)];
         }
         const double sum = static_cast<double>(pair.a.reach) + 3.0 * static_cast<double>(pair.b.reach) +
-                           translation_.cwiseAbs().maxCoeff();
+                           pair.X_a_b.translation.cwiseAbs().maxCoeff();
         coordinates_ = static_cast<float>(sum * 0x1p-48);
         tilt_ = static_cast<float>(4.0 * pair.tilt);
     }
 
     /// R o_b + t - o_a; the fourth entry is 0.
-    HWY_INLINE void offset(const std::array<float, 3>& o_a, const std::array<float, 3>& o_b,
+    HWY_INLINE void offset(const std::array<float, 4>& o_a, const std::array<float, 4>& o_b,
                            float out[4]) const {
-        const double x = o_b[0];
-        const double y = o_b[1];
-        const double z = o_b[2];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto i = static_cast<Eigen::Index>(k);
-            out[k] = static_cast<float>(rotation_(i, 0) * x + rotation_(i, 1) * y + rotation_(i, 2) * z +
-                                        (translation_[i] - static_cast<double>(o_a[k])));
+        const hn::CappedTag<double, 4> d;
+        const hn::Rebind<float, decltype(d)> narrow;
+        const auto x = hn::Set(d, static_cast<double>(o_b[0]));
+        const auto y = hn::Set(d, static_cast<double>(o_b[1]));
+        const auto z = hn::Set(d, static_cast<double>(o_b[2]));
+        for (std::size_t k = 0; k < 4; k += hn::MaxLanes(d)) {
+            auto v = hn::Sub(hn::Load(d, shift_ + k), hn::PromoteTo(d, hn::LoadU(narrow, o_a.data() + k)));
+            v = hn::MulAdd(hn::Load(d, turn_[2] + k), z, v);
+            v = hn::MulAdd(hn::Load(d, turn_[1] + k), y, v);
+            v = hn::MulAdd(hn::Load(d, turn_[0] + k), x, v);
+            hn::StoreU(hn::DemoteTo(narrow, v), narrow, out + k);
         }
-        out[3] = 0.0F;
     }
 
     /// `units` u L, and what comes on top. The smallest float32 is for products that underflow.
@@ -62,13 +66,24 @@ public:
 
     /// The rotation in float32, by column; the fourth entries are 0.
     HWY_ALIGN float column[3][4] = {};
+    /// And by row.
+    HWY_ALIGN float row[3][4] = {};
 
 private:
-    Mat3 rotation_;
-    Vec3 translation_;
+    HWY_ALIGN double turn_[3][4] = {};  ///< by column
+    HWY_ALIGN double shift_[4] = {};
     float coordinates_ = 0.0F;
     float tilt_ = 0.0F;
 };
+
+/// Adds up the rows of m, v of each; the fourth entry is 0.
+HWY_INLINE void turn(const float m[3][4], const float v[3], float out[4]) {
+    const hn::FixedTag<float, 4> d;
+    auto sum = hn::Mul(hn::Load(d, m[0]), hn::Set(d, v[0]));
+    sum = hn::MulAdd(hn::Load(d, m[1]), hn::Set(d, v[1]), sum);
+    sum = hn::MulAdd(hn::Load(d, m[2]), hn::Set(d, v[2]), sum);
+    hn::Store(sum, d, out);
+}
 
 /// |v|, or a little more.
 HWY_INLINE float length_of(const float v[3]) {

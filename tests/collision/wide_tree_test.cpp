@@ -14,7 +14,8 @@ namespace {
 
 using support::Dice;
 
-Vec3 origin_of(const std::array<float, 3>& o) {
+template <std::size_t N>
+Vec3 point(const std::array<float, N>& o) {
     return {o[0], o[1], o[2]};
 }
 
@@ -54,7 +55,7 @@ private:
         for (const std::uint32_t t : triangles) {
             const Triangle corners = collision::corners(mesh_, t);
             for (const Vec3& p : {corners.a, corners.b, corners.c}) {
-                const Vec3 d = p - origin_of(node.origin);
+                const Vec3 d = p - point(node.origin);
                 EXPECT_LE(d.norm(), node.radius);
                 for (std::size_t k = 0; k < 3; ++k) {
                     const Vec3 axis(node.axes[0][k], node.axes[1][k], node.axes[2][k]);
@@ -89,13 +90,13 @@ private:
         const std::size_t at = leaf.corner_of[c][slot];
         ASSERT_LT(at, leaf.corners);
         const Vec3 stored(leaf.corner[0][at], leaf.corner[1][at], leaf.corner[2][at]);
-        const Vec3 local = position - origin_of(leaf.origin);
+        const Vec3 local = position - point(leaf.origin);
         const double unit = kFloatUnit * static_cast<double>(leaf.radius);
         EXPECT_LE((stored - local).cwiseAbs().maxCoeff(), unit);
         EXPECT_LE(local.norm(), leaf.radius);
         const Vec3 normal(leaf.plane[0][slot], leaf.plane[1][slot], leaf.plane[2][slot]);
         EXPECT_LE(std::abs(normal.dot(local) - static_cast<double>(leaf.plane[3][slot])), 4.0 * unit);
-        const double along = origin_of(leaf.facing).dot(stored);
+        const double along = point(leaf.facing).dot(stored);
         EXPECT_LE(along, static_cast<double>(leaf.high) + 4.0 * unit);
         EXPECT_GE(along, static_cast<double>(leaf.low) - 4.0 * unit);
     }
