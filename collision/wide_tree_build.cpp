@@ -30,6 +30,8 @@ public:
         tree_.nodes.reserve(items_.size() / 32 + 1);
         tree_.leaves.reserve(items_.size() / 8 + 1);
         build_node({items_, false});
+        tree_.nodes.shrink_to_fit();
+        tree_.leaves.shrink_to_fit();
     }
 
 private:

@@ -1,6 +1,8 @@
 // ODE's dCollide of two triangle meshes (OPCODE inside). Its contacts name the triangles; it merges or drops
 // contacts of its own accord, and pairs with them.
 
+#include <cstdarg>
+
 #include <ode/ode.h>
 
 #include "tools/campuswalk/bench/engine.h"
@@ -38,6 +40,8 @@ private:
 struct Library {
     Library() {
         dInitODE2(0);
+        // It says on standard error, some thousand times a query, that its table of contacts is full.
+        dSetMessageHandler([](int, const char*, va_list) {});
         dAllocateODEDataForThread(dAllocateMaskAll);
     }
     Library(const Library&) = delete;
