@@ -21,7 +21,8 @@ ConvexSolid convex_solid(const Wheel& wheel, const Pose& X_world_shape);
 
 // How far two convex bodies are apart, metres; 0 where they share a point, touching included. Exact but for
 // the rounding of double, which is in proportion to the bodies' sizes and their distance, not to where they
-// are in the world. A gap of less than 1e-8 of their sizes beside a wheel's rim may count as none.
+// are in the world. Beside a wheel's rim of radius r, a gap g may be found longer by 1e-14 r / g, and one of
+// less than 1e-8 of the bodies' sizes may count as none.
 
 double distance_between(const ConvexSolid& a, const ConvexSolid& b);
 double distance_between(const ConvexSolid& solid, const Triangle& triangle);

@@ -8,6 +8,7 @@
 
 #include "tests/collision/solid_angle.h"
 #include "tests/support/dice.h"
+#include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::collision {
@@ -60,13 +61,13 @@ void expect_the_solid_angles_verdict(const TriangleMesh& mesh, double reach, std
     const ClosedParts parts(mesh);
     support::Dice dice(seed);
     int inside = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < support::repeats(3000); ++i) {
         const Vec3 p = dice.in_cube(reach);
         const double winding = winding_number(mesh, p);
         ASSERT_EQ(parts.contains(p), winding > 0.5) << p.transpose() << " winding " << winding;
         inside += winding > 0.5 ? 1 : 0;
     }
-    EXPECT_GT(inside, 50);
+    EXPECT_GT(inside, support::repeats(3000) / 60);
 }
 
 TEST(ClosedParts, OfABoxContainItsInside) {

@@ -12,6 +12,8 @@ endif()
 add_library(campuswalk_flags INTERFACE)
 # Same bits from every compiler and level: no fused multiply-add behind our back.
 target_compile_options(campuswalk_flags INTERFACE -ffp-contract=off)
+# Some of the libraries ask for it; headers precompiled without it are no use to whoever links them.
+target_compile_options(campuswalk_flags INTERFACE -pthread)
 target_compile_options(
     campuswalk_flags
     INTERFACE -Wall
@@ -37,8 +39,8 @@ if(CAMPUSWALK_SANITIZE)
     target_link_options(campuswalk_flags INTERFACE -Wl,-Bsymbolic-functions)
 endif()
 
-# Parsed once a target: half the time to compile a file goes into reading Eigen. The tidy preset does without,
-# so that every file goes on to include what it uses.
+# Half the time to compile a file goes into reading Eigen. The tidy preset does without, so that every file goes
+# on to include what it uses.
 set(campuswalk_often_included
     <Eigen/Geometry>
     <algorithm>
@@ -50,6 +52,25 @@ set(campuswalk_often_included
     <string>
     <vector>)
 
+# campuswalk_precompile(TARGET KIND headers… [FROM targets…])
+# Parses the headers once for all targets of a kind, which are compiled with the same flags; FROM are the
+# targets that bring the headers.
+find_package(Eigen3 REQUIRED NO_MODULE)
+function(campuswalk_precompile target kind)
+    cmake_parse_arguments(arg "" "" "FROM" ${ARGN})
+    set(precompiled campuswalk_precompiled_${kind})
+    if(NOT TARGET ${precompiled})
+        add_library(${precompiled} OBJECT ${PROJECT_SOURCE_DIR}/tools/cmake/nothing.cpp)
+        target_link_libraries(${precompiled} PRIVATE campuswalk_flags Eigen3::Eigen ${arg_FROM})
+        target_precompile_headers(${precompiled} PRIVATE ${arg_UNPARSED_ARGUMENTS})
+        get_target_property(type ${target} TYPE)
+        if(type STREQUAL "SHARED_LIBRARY")
+            set_target_properties(${precompiled} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        endif()
+    endif()
+    target_precompile_headers(${target} REUSE_FROM ${precompiled})
+endfunction()
+
 # campuswalk_layer(NAME SOURCES… [PUBLIC targets…] [PRIVATE targets…])
 # One library a layer, known to others as campuswalk::NAME.
 function(campuswalk_layer name)
@@ -59,5 +80,5 @@ function(campuswalk_layer name)
     # Whoever uses an installed layer chooses flags of their own.
     target_link_libraries(campuswalk_${name} PUBLIC $<BUILD_INTERFACE:campuswalk_flags> ${arg_PUBLIC}
                           PRIVATE ${arg_PRIVATE})
-    target_precompile_headers(campuswalk_${name} PRIVATE ${campuswalk_often_included})
+    campuswalk_precompile(campuswalk_${name} layer ${campuswalk_often_included})
 endfunction()
