@@ -24,12 +24,15 @@ using collision::TriangleMesh;
 using collision::TrianglePair;
 using collision::Vec3;
 
+/// In float32 no more than the value, and no less; at once, as a refit asks six times a triangle.
 float rounded_down(double value) {
-    return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
+    const auto near = static_cast<float>(value);
+    return near - std::abs(near) * 0x1p-23F - std::numeric_limits<float>::min();
 }
 
 float rounded_up(double value) {
-    return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+    const auto near = static_cast<float>(value);
+    return near + std::abs(near) * 0x1p-23F + std::numeric_limits<float>::min();
 }
 
 /// A mesh's triangles as a scene of one user geometry.
@@ -43,6 +46,8 @@ public:
         rtcSetGeometryUserData(geometry_, this);
         rtcSetGeometryBoundsFunction(geometry_, bounds, nullptr);
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
+        // Scenes of any better quality are built anew whenever they are committed.
+        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
         rtcCommitGeometry(geometry_);
         rtcAttachGeometry(scene_, geometry_);
