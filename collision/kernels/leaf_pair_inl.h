@@ -30,8 +30,8 @@ using CornerTable = float[3][kLeafCorners];
 /// exact predicate.
 ///
 /// Rounding: a corner's difference from its origin is off by u r, its place beside the other leaf by 6 u L;
-/// a plane's normal by 2 u and its offset by 4 u r. A corner's distance from a plane is thus off by at most
-/// 25 u L: sides are certain beyond 32 u L, and two corners' distances along any direction of that length are
+/// a plane's normal by 2 u and its offset by 5 u r. A corner's distance from a plane is thus off by at most
+/// 26 u L: sides are certain beyond 32 u L, and two corners' distances along any direction of that length are
 /// in order beyond as much.
 class LeafPairs {
 public:
@@ -190,16 +190,17 @@ private:
     /// Whether corners lie neither all beyond `high` nor all before `low` along a direction.
     static HWY_INLINE bool reaches(const float direction[3], float low, float high, const WideLeaf& leaf) {
         const Floats d;
-        std::uint32_t above = 0;
-        std::uint32_t below = 0;
-        for (std::size_t c = 0; c < leaf.corners; c += kLanes) {
+        Real least = along(direction, load(leaf.corner, 0));
+        Real most = least;
+        for (std::size_t c = kLanes; c < kLeafCorners; c += kLanes) {
             const Real f = along(direction, load(leaf.corner, c));
-            above |= bits_of(d, hn::Gt(f, hn::Set(d, high))) << c;
-            below |= bits_of(d, hn::Lt(f, hn::Set(d, low))) << c;
+            least = hn::Min(least, f);
+            most = hn::Max(most, f);
         }
+        const std::uint32_t some_below = bits_of(d, hn::Le(least, hn::Set(d, high)));
+        const std::uint32_t some_above = bits_of(d, hn::Ge(most, hn::Set(d, low)));
         // No jump: see slabs_meet.
-        const std::uint32_t all = (1U << leaf.corners) - 1U;
-        return (static_cast<int>((~above & all) != 0) & static_cast<int>((~below & all) != 0)) != 0;
+        return (static_cast<int>(some_below != 0) & static_cast<int>(some_above != 0)) != 0;
     }
 
     /// Each leaf between two planes at right angles to its mean normal.
@@ -228,9 +229,9 @@ private:
         }
         OpenPairs open(of_b.not_clear(s.b, s.a.triangles), of_a.not_clear(s.a, s.b.triangles));
         std::size_t count = open.count();
-        // Fewer are settled as quickly as they are parted.
-        constexpr std::size_t kFew = 8;
-        if (count > kFew) {
+        // As many are settled at once, as quickly as they would be parted.
+        constexpr std::size_t kAtOnce = 16;
+        if (count > kAtOnce) {
             part_along_line(s, open);
             count = open.count();
         }
@@ -347,14 +348,19 @@ private:
         const std::uint8_t* operator+(std::size_t first) const { return ij_ + first; }
 
         HWY_INLINE void add_all(const OpenPairs& open) {
+            // A member would be written and read again at each step: bytes may be anything's.
+            std::size_t count = 0;
             std::uint64_t base = 0;
             for (std::size_t k = 0; k < 32; ++k) {
                 const std::uint64_t bits = open.bytes()[k];
-                add(kBitPlaces[bits] + base, bits);
+                const std::uint64_t eight = kBitPlaces[bits] + base;
+                std::memcpy(ij_ + count, &eight, sizeof eight);
+                count += static_cast<std::size_t>(std::popcount(bits));
                 base += 0x0808080808080808ULL;
             }
             const ByteTag d;
-            hn::StoreU(hn::Zero(d), d, ij_ + count_);
+            hn::StoreU(hn::Zero(d), d, ij_ + count);
+            count_ = count;
         }
 
         /// Of eight pairs those that have a bit.
@@ -367,11 +373,6 @@ private:
         }
 
     private:
-        HWY_INLINE void add(std::uint64_t eight, std::uint64_t bits) {
-            std::memcpy(ij_ + count_, &eight, sizeof eight);
-            count_ += static_cast<std::size_t>(std::popcount(bits));
-        }
-
         HWY_ALIGN std::uint8_t ij_[16 * 16 + 16];  // room for what is written beyond the last
         std::size_t count_ = 0;
     };

@@ -5,6 +5,7 @@
 #define CAMPUSWALK_COLLISION_KERNELS_PLANE_SIDES_INL_H
 #endif
 
+#include <algorithm>
 #include <bit>
 
 #include "collision/kernels/lanes_inl.h"
@@ -59,16 +60,13 @@ public:
             hn::Store(hn::Zero(d8), d8, below_[half]);
             hn::Store(hn::Zero(d8), d8, above_[half]);
         }
-        Real nearest = hn::Set(d, 1e30F);
-        for (std::size_t c = 0; c < planes.triangles; c += 2 * kLanes) {
-            // Two vectors at a time, so that a corner is fetched once for both.
-            if (kLanes == 4 || planes.triangles > c + kLanes) {
-                nearest = fill_planes<(kLanes < 16)>(planes, corners, count, error, c, nearest);
-            } else {
-                nearest = fill_planes<false>(planes, corners, count, error, c, nearest);
-            }
+        Bits nearest = hn::Set(Unsigned(), 0xFFFFFFFFU);
+        for (std::size_t c = 0; c < planes.triangles; c += kPlanesAtOnce) {
+            nearest = fill_planes(planes, corners, count, error, c, nearest);
         }
-        return kSides == Sides::certain || bits_of(d, hn::Le(nearest, hn::Set(d, error))) == 0;
+        const Bits doubtful = hn::BitCast(Unsigned(), hn::Set(d, 2.0F * error));
+        const auto in_doubt = hn::Eq(hn::Min(nearest, doubtful), nearest);
+        return kSides == Sides::certain || bits_of(Unsigned(), in_doubt) == 0;
     }
 
     /// For each triangle of the corners' leaf, which of the first `planes` it isn't clear of.
@@ -107,7 +105,12 @@ public:
     }
 
 private:
+    /// Two vectors at a time, so that a corner is fetched once for both.
+    static constexpr std::size_t kPlanesAtOnce = std::min<std::size_t>(2 * kLanes, kLeafTriangles);
+
     using Table = std::uint8_t[2][kLeafCorners];
+    using Unsigned = hn::RebindToUnsigned<Floats>;
+    using Bits = hn::Vec<Unsigned>;
 
     static HWY_INLINE Bytes lookup(const std::uint8_t* table, Bytes at) {
         return hn::TableLookupBytes(hn::Load(ByteTag(), table), at);
@@ -120,43 +123,43 @@ private:
         }
     }
 
-    /// The planes from c on, one or two vectors of them. Returns `nearest` or what is nearer.
-    template <bool kTwo>
-    HWY_INLINE Real fill_planes(const WideLeaf& planes, const float corners[3][16], std::size_t count,
-                                float error, std::size_t c, Real nearest) {
+    /// The planes from c on. Returns `nearest` or what is nearer.
+    ///
+    /// Planes are moved up by `error`, so that a negative distance is below for certain, and one up to twice
+    /// that is in doubt. As unsigned numbers, negative distances are the greatest: the least of all tells
+    /// whether any is in doubt.
+    HWY_INLINE Bits fill_planes(const WideLeaf& planes, const float corners[3][16], std::size_t count,
+                                float error, std::size_t c, Bits nearest) {
         const Floats d;
-        const std::size_t c2 = kTwo ? c + kLanes : c;
+        const std::size_t c2 = c + kPlanesAtOnce - kLanes;
         const auto part = [&](std::size_t k, std::size_t at) {
             return hn::Load(d, planes.plane[k].data() + at);
         };
         const Real3 n1{part(0, c), part(1, c), part(2, c)};
         const Real3 n2{part(0, c2), part(1, c2), part(2, c2)};
-        const Real d1 = part(3, c);
-        const Real d2 = part(3, c2);
-        const Real far = hn::Set(d, error);
+        const Real d1 = hn::Sub(part(3, c), hn::Set(d, error));
+        const Real d2 = hn::Sub(part(3, c2), hn::Set(d, error));
         const auto distance = [](const Real3& n, const Real3& x, Real offset) {
             return hn::MulAdd(n.x, x.x, hn::MulAdd(n.y, x.y, hn::MulSub(n.z, x.z, offset)));
         };
-        const auto is_below = [&](Real f) {
-            return kSides == Sides::certain ? bits_of(d, hn::Lt(f, hn::Neg(far))) : sign_bits(d, f);
-        };
+        const Real far = hn::Set(d, 2.0F * error);
         const auto is_above = [&](Real f) {
             return kSides == Sides::certain ? bits_of(d, hn::Gt(f, far)) : 0U;
         };
         const auto see = [&](std::size_t v) {
             const Real3 x{hn::Set(d, corners[0][v]), hn::Set(d, corners[1][v]), hn::Set(d, corners[2][v])};
             const Real f1 = distance(n1, x, d1);
-            nearest = hn::Min(nearest, hn::Abs(f1));
-            std::uint32_t below = is_below(f1);
+            nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f1));
+            std::uint32_t below = sign_bits(d, f1);
             std::uint32_t above = is_above(f1);
-            if constexpr (kTwo) {
+            if constexpr (kPlanesAtOnce > kLanes) {
                 const Real f2 = distance(n2, x, d2);
-                nearest = hn::Min(nearest, hn::Abs(f2));
+                nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f2));
                 if constexpr (kLanes == 4) {
-                    below |= is_below(f2) << 4;
+                    below |= sign_bits(d, f2) << 4;
                     above |= is_above(f2) << 4;
                 } else {
-                    record(below_, v, is_below(f2), c2);
+                    record(below_, v, sign_bits(d, f2), c2);
                     record_above(v, is_above(f2), c2);
                 }
             }
