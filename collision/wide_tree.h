@@ -31,6 +31,8 @@ struct alignas(32) WideNode {
     std::array<std::array<float, kWideChildren>, 3> half{};    ///< its half extents, rounded outward
     std::array<std::array<float, 4>, 3> axes{};                ///< by column; the fourth entry is 0
     std::array<float, 4> origin{};                             ///< the fourth entry is 0
+    std::array<float, 3> low{};                                ///< of all the boxes
+    std::array<float, 3> high{};
     float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
     std::array<std::uint32_t, kWideChildren> child{};  ///< an index of nodes or of leaves
     std::uint8_t count = 0;                            ///< children there are

@@ -117,6 +117,14 @@ void set_boxes(WideNode& node, const Boxes& boxes, std::size_t count) {
             node.half[k][c] = (high[axis] - low[axis]) + outward;
         }
     }
+    for (std::size_t k = 0; k < 3; ++k) {
+        node.low[k] = std::numeric_limits<float>::max();
+        node.high[k] = std::numeric_limits<float>::lowest();
+        for (std::size_t c = 0; c < count; ++c) {
+            node.low[k] = std::min(node.low[k], node.center[k][c] - node.half[k][c]);
+            node.high[k] = std::max(node.high[k], node.center[k][c] + node.half[k][c]);
+        }
+    }
     node.radius = length + 4.0F * outward;
 }
 

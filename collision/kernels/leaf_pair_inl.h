@@ -350,13 +350,15 @@ private:
         HWY_INLINE void add_all(const OpenPairs& open) {
             // A member would be written and read again at each step: bytes may be anything's.
             std::size_t count = 0;
-            std::uint64_t base = 0;
-            for (std::size_t k = 0; k < 32; ++k) {
-                const std::uint64_t bits = open.bytes()[k];
-                const std::uint64_t eight = kBitPlaces[bits] + base;
-                std::memcpy(ij_ + count, &eight, sizeof eight);
-                count += static_cast<std::size_t>(std::popcount(bits));
-                base += 0x0808080808080808ULL;
+            for (std::uint32_t live = open.live_rows(); live != 0; live &= live - 1) {
+                const auto row = static_cast<std::size_t>(std::countr_zero(live));
+                for (std::size_t half = 0; half < 2; ++half) {
+                    const std::uint64_t bits = open.bytes()[2 * row + half];
+                    const std::uint64_t first = 16 * row + 8 * half;
+                    const std::uint64_t eight = kBitPlaces[bits] + first * 0x0101010101010101ULL;
+                    std::memcpy(ij_ + count, &eight, sizeof eight);
+                    count += static_cast<std::size_t>(std::popcount(bits));
+                }
             }
             const ByteTag d;
             hn::StoreU(hn::Zero(d), d, ij_ + count);

@@ -26,6 +26,18 @@ struct BoxSlabs {
     BoxReal3 low, high;
 };
 
+inline constexpr std::uint32_t kAllBoxes = (1U << kBoxLanes) - 1U;
+
+/// Negative where one box is apart from others along one of three axes.
+HWY_INLINE BoxReal gap(const float low[3], const float high[3], const BoxSlabs& others) {
+    const BoxTag d;
+    return hn::Or(
+        hn::Or(
+            hn::Or(hn::Sub(hn::Set(d, high[0]), others.low.x), hn::Sub(others.high.x, hn::Set(d, low[0]))),
+            hn::Or(hn::Sub(hn::Set(d, high[1]), others.low.y), hn::Sub(others.high.y, hn::Set(d, low[1])))),
+        hn::Or(hn::Sub(hn::Set(d, high[2]), others.low.z), hn::Sub(others.high.z, hn::Set(d, low[2]))));
+}
+
 /// The ends of eight boxes along three axes.
 struct SlabTable {
     HWY_ALIGN float low[3][8];
@@ -39,6 +51,13 @@ struct SlabTable {
         hn::Store(s.high.x, d, high[0] + c);
         hn::Store(s.high.y, d, high[1] + c);
         hn::Store(s.high.z, d, high[2] + c);
+    }
+
+    /// Of box i and others.
+    HWY_INLINE BoxReal gap(std::size_t i, const BoxSlabs& others) const {
+        const float i_low[3] = {low[0][i], low[1][i], low[2][i]};
+        const float i_high[3] = {high[0][i], high[1][i], high[2][i]};
+        return HWY_NAMESPACE::gap(i_low, i_high, others);
     }
 };
 
@@ -118,6 +137,8 @@ HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& 
     const FrameChange change(pose, a, b);
     const BoxReal slack = hn::Set(d, pose.bound(64.0F, a.radius + b.radius + length_of(change.s)));
 
+    // Boxes of a that miss all of b's at once are most; what is left of `rows` is held against each.
+    std::uint32_t near = 0;
     SlabTable a_own;
     SlabTable a_in_b;
     for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
@@ -131,7 +152,13 @@ HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& 
         project(change.column[0], center, half, middle.x, reach.x);
         project(change.column[1], center, half, middle.y, reach.y);
         project(change.column[2], center, half, middle.z, reach.z);
-        a_in_b.set(slabs(middle, reach), c);
+        const BoxSlabs in_b = slabs(middle, reach);
+        a_in_b.set(in_b, c);
+        near |= (~sign_bits(d, gap(b.low.data(), b.high.data(), in_b)) & kAllBoxes) << c;
+    }
+    rows &= near;
+    if (rows == 0) {
+        return 0;
     }
     std::uint64_t met = 0;
     for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
@@ -146,17 +173,8 @@ HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& 
         const BoxSlabs b_in_a = slabs(middle, reach);
         for (std::uint32_t m = rows; m != 0; m &= m - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(m));
-            // negative where the boxes are apart along one of three axes
-            const auto gap = [&](const SlabTable& s, const BoxSlabs& o) {
-                return hn::Or(hn::Or(hn::Or(hn::Sub(hn::Set(d, s.high[0][i]), o.low.x),
-                                            hn::Sub(o.high.x, hn::Set(d, s.low[0][i]))),
-                                     hn::Or(hn::Sub(hn::Set(d, s.high[1][i]), o.low.y),
-                                            hn::Sub(o.high.y, hn::Set(d, s.low[1][i])))),
-                              hn::Or(hn::Sub(hn::Set(d, s.high[2][i]), o.low.z),
-                                     hn::Sub(o.high.z, hn::Set(d, s.low[2][i]))));
-            };
-            const BoxReal apart = hn::Or(gap(a_own, b_in_a), gap(a_in_b, b_own));
-            const std::uint64_t together = ~sign_bits(d, apart) & ((1U << kBoxLanes) - 1U);
+            const BoxReal apart = hn::Or(a_own.gap(i, b_in_a), a_in_b.gap(i, b_own));
+            const std::uint64_t together = ~sign_bits(d, apart) & kAllBoxes;
             met |= together << (8 * i + c);
         }
     }
