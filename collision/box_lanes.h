@@ -42,7 +42,7 @@ struct BoxFrame {
     bool turned = true;   ///< false: `axes` is the identity
 
     explicit BoxFrame(const WideNode& node)
-        : origin(node.origin[0], node.origin[1], node.origin[2]), radius(node.radius) {
+        : origin(node.origin[0], node.origin[1], node.origin[2]), radius(node.radius), turned(node.turned) {
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t j = 0; j < 3; ++j) {
                 axes(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = node.axes[k][j];

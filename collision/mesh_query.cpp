@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "collision/closest.h"
+#include "collision/kernels/wide_rays.h"
 #include "collision/query_volumes.h"
 #include "collision/sweep.h"
 #include "collision/tree_descent.h"
@@ -23,6 +24,25 @@ double offer(std::optional<MeshHit>& best, const MeshHit& found) {
         best = found;
     }
     return best->fraction;
+}
+
+/// Hands `meet` the triangles that may be on the ray up to the limit, near ones first.
+template <typename Meet>
+void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryCounters& counters,
+            Instructions instructions) {
+    const PathVolume path(ray);
+    if (mesh.layout() == Layout::paper || !fits_wide_rays(ray)) {
+        const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
+            return meet(t, corners(mesh.mesh(), t), limit);
+        };
+        descend(mesh, path, 1.0, meet_of_mesh, counters);
+        return;
+    }
+    ++counters.nu;
+    ++counters.nv;
+    if (path.bound(mesh.wide_tree().outer) <= 1.0) {
+        follow_wide_ray(mesh.mesh(), mesh.wide_tree(), ray, instructions, RayMeeting(meet), counters);
+    }
 }
 
 }  // namespace
@@ -56,37 +76,39 @@ void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_me
     std::sort(out.begin(), out.end());
 }
 
-std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters) {
+std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+                                    Instructions instructions) {
     std::optional<MeshHit> best;
-    const auto meet = [&](std::uint32_t t, double limit) {
-        const auto f = hit(ray, corners(mesh.mesh(), t));
+    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+        const auto f = hit(ray, triangle);
         return f ? offer(best, {*f, t}) : limit;
     };
-    descend(mesh, PathVolume(ray), 1.0, meet, counters);
+    follow(mesh, ray, meet, counters, instructions);
     return best;
 }
 
-bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters) {
+bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+                Instructions instructions) {
     constexpr double kNoMore = -1.0;  // below every fraction
     bool found = false;
-    const auto meet = [&](std::uint32_t t, double limit) {
-        found = found || hit(ray, corners(mesh.mesh(), t)).has_value();
+    const auto meet = [&](std::uint32_t, const Triangle& triangle, double limit) {
+        found = found || hit(ray, triangle).has_value();
         return found ? kNoMore : limit;
     };
-    descend(mesh, PathVolume(ray), 1.0, meet, counters);
+    follow(mesh, ray, meet, counters, instructions);
     return found;
 }
 
-void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out,
-                QueryCounters& counters) {
+void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
+                Instructions instructions) {
     out.clear();
-    const auto meet = [&](std::uint32_t t, double limit) {
-        if (const auto f = hit(ray, corners(mesh.mesh(), t))) {
+    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+        if (const auto f = hit(ray, triangle)) {
             out.push_back({*f, t});
         }
         return limit;
     };
-    descend(mesh, PathVolume(ray), 1.0, meet, counters);
+    follow(mesh, ray, meet, counters, instructions);
     std::sort(out.begin(), out.end(), before);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collision/counters.h"
+#include "collision/instructions.h"
 #include "collision/mesh_collider.h"
 #include "collision/ray.h"
 #include "collision/shapes.h"
@@ -18,9 +19,12 @@ namespace campuswalk::collision {
 /// Where rounding leaves open whether a ray passes a triangle, edge-on or of hardly any area, `hit` may see
 /// it where it is not, and such a hit counts only if the tree's boxes are met as well.
 ///
+/// Instructions matter to rays on the wide layout alone: to how fast they are, not to answers nor counters.
+///
 /// Counters. nv: bounding volumes tested, on the paper's layout a node each, on the wide layout the mesh's
 /// sphere and each child's box of the nodes that were opened. np: triangles tested, on the wide layout those
-/// that their own boxes left open. nu: 1, the query body that is moved into the mesh's frame.
+/// that their own boxes left open, or for a ray their edges in float32. nu: 1, the query body that is moved
+/// into the mesh's frame.
 
 /// Replaces `out` by the triangles no farther than `radius` from the segment, ascending.
 void triangles_near(const MeshCollider& mesh, const Segment& segment, double radius,
@@ -35,13 +39,16 @@ struct MeshHit {
 };
 
 /// The first triangle on the ray; of several at one fraction, the lowest index.
-std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters);
+std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+                                    Instructions instructions = fastest_instructions());
 
 /// Whether there is a triangle on the ray.
-bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters);
+bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+                Instructions instructions = fastest_instructions());
 
 /// Replaces `out` by all triangles on the ray, ascending by fraction, then by index.
-void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters);
+void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
+                Instructions instructions = fastest_instructions());
 
 /// Replaces `out` by the triangles that have a point in the filled box (see triangle_box_overlap.h),
 /// ascending. X_mesh_box is a rotation and a shift.

@@ -169,6 +169,17 @@ void set_facing(WideLeaf& leaf, const Vec3& sum_of_normals) {
     }
 }
 
+/// Whether p is a + b to the last bit, the sign of zero among them.
+bool is_sum(const Eigen::Vector3f& p, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const double sum = static_cast<double>(a[k]) + static_cast<double>(b[k]);
+        if (sum != static_cast<double>(p[k]) || std::signbit(sum) != std::signbit(p[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// The corners of a leaf, each once.
 class CornerList {
 public:
@@ -209,6 +220,7 @@ void fit_node(WideNode& node, const TriangleMesh& mesh, Children children) {
         other.area < kWorthTurning * boxes.area) {
         axes = turned;
         boxes = other;
+        node.turned = true;
     }
     for (std::size_t k = 0; k < 3; ++k) {
         node.origin[k] = origin[static_cast<Eigen::Index>(k)];
@@ -246,6 +258,7 @@ WideLeaf make_leaf(const TriangleMesh& mesh, std::span<const SplitItem> items) {
     leaf.plane[3].fill(-1e30F);
 
     CornerList list;
+    leaf.exact = true;
     Vec3 sum_of_normals = Vec3::Zero();
     for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -256,6 +269,7 @@ WideLeaf make_leaf(const TriangleMesh& mesh, std::span<const SplitItem> items) {
             for (std::size_t k = 0; k < 3; ++k) {
                 leaf.corner[k][at] = local[static_cast<Eigen::Index>(k)];
             }
+            leaf.exact = leaf.exact && is_sum(mesh.positions[v], origin, local);
             const auto length = static_cast<float>(local.cast<double>().norm());
             leaf.radius = std::max(leaf.radius, length * (1.0F + 8.0F * kFloatUnit) + kUnderflow);
         }

@@ -74,6 +74,16 @@ std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segme
     return first;
 }
 
+std::vector<Instructions> instructions_here() {
+    std::vector<Instructions> here;
+    for (const Instructions i : {Instructions::sse42, Instructions::avx2, Instructions::avx512}) {
+        if (can_run(i)) {
+            here.push_back(i);
+        }
+    }
+    return here;
+}
+
 TriangleMesh mesh_of_some_kind(Dice& dice) {
     TriangleMesh mesh;
     switch (dice.below(5)) {

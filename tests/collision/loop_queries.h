@@ -16,6 +16,9 @@ MeshPoint loop_closest_point(const TriangleMesh& mesh, const Vec3& point);
 std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segment, double radius,
                                   const Vec3& move);
 
+/// Those that this machine has, the least first.
+std::vector<Instructions> instructions_here();
+
 /// One mesh on both layouts.
 struct BothLayouts {
     MeshCollider wide;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "tests/collision/loop_queries.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
@@ -22,16 +23,6 @@ using support::repeats;
 /// What `repeats` leaves of a number of finds.
 std::size_t at_least(int plain) {
     return static_cast<std::size_t>(repeats(plain));
-}
-
-std::vector<Instructions> instructions_here() {
-    std::vector<Instructions> here;
-    for (const Instructions i : {Instructions::sse42, Instructions::avx2, Instructions::avx512}) {
-        if (can_run(i)) {
-            here.push_back(i);
-        }
-    }
-    return here;
 }
 
 /// Checks both queries with every instruction set against the loop over all pairs; returns how many overlap.

@@ -1,6 +1,8 @@
 #include "collision/mesh_query.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -89,19 +91,34 @@ TEST(TrianglesNear, TouchingExactlyCounts) {
     }
 }
 
-/// All three queries of a ray, on both layouts; returns how many triangles are on it.
+/// All three queries of a ray; answers their work.
+QueryCounters expect_hits(const MeshCollider& mesh, const Ray& ray, const std::vector<MeshHit>& expected,
+                          Instructions instructions) {
+    QueryCounters counters;
+    std::vector<MeshHit> all{{0.5, 12345}};
+    all_on_ray(mesh, ray, all, counters, instructions);
+    EXPECT_EQ(all, expected);
+    EXPECT_EQ(first_on_ray(mesh, ray, counters, instructions),
+              expected.empty() ? std::nullopt : std::optional(expected.front()));
+    EXPECT_EQ(any_on_ray(mesh, ray, counters, instructions), !expected.empty());
+    EXPECT_EQ(counters.nu, 3U);
+    return counters;
+}
+
+/// On both layouts, with every instruction set; returns how many triangles are on the ray.
 std::size_t expect_hits_of_the_loop(const BothLayouts& both, const Ray& ray) {
     const std::vector<MeshHit> expected = loop_all_on_ray(both.mesh(), ray);
-    for (const MeshCollider* mesh : both.each()) {
-        SCOPED_TRACE(mesh->layout() == Layout::wide ? "wide" : "paper");
-        QueryCounters counters;
-        std::vector<MeshHit> all{{0.5, 12345}};
-        all_on_ray(*mesh, ray, all, counters);
-        EXPECT_EQ(all, expected);
-        EXPECT_EQ(first_on_ray(*mesh, ray, counters),
-                  expected.empty() ? std::nullopt : std::optional(expected.front()));
-        EXPECT_EQ(any_on_ray(*mesh, ray, counters), !expected.empty());
-        EXPECT_EQ(counters.nu, 3U);
+    {
+        SCOPED_TRACE("paper");
+        expect_hits(both.paper, ray, expected, Instructions::sse42);
+    }
+    std::optional<QueryCounters> work;
+    for (const Instructions instructions : instructions_here()) {
+        SCOPED_TRACE(static_cast<int>(instructions));
+        const QueryCounters counters = expect_hits(both.wide, ray, expected, instructions);
+        work = work.value_or(counters);
+        EXPECT_EQ(counters.nv, work->nv);
+        EXPECT_EQ(counters.np, work->np);
     }
     return expected.size();
 }
@@ -208,6 +225,67 @@ TEST(OnRay, FromFarAwayStillMeetsWhatIsSmall) {
         const Vec3 from = dice.in_cube(1e7);
         EXPECT_GE(expect_hits_of_the_loop(both, {from, Vec3(-from)}), 1U) << i;
     }
+}
+
+/// From the size of a molecule to that of the solar system, with rays of all lengths.
+TEST(OnRay, OfWhateverSizeAreThoseOfTheLoop) {
+    Dice dice(54);
+    std::size_t hits = 0;
+    for (int m = 0; m < repeats(60); ++m) {
+        TriangleMesh mesh = mesh_of_some_kind(dice);
+        const double scale = std::array{1e-25, 1e-9, 1e-3, 1e3, 1e10}[static_cast<std::size_t>(m % 5)];
+        for (Eigen::Vector3f& p : mesh.positions) {
+            p *= static_cast<float>(scale);
+        }
+        const BothLayouts both(mesh);
+        for (int i = 0; i < 40; ++i) {
+            SCOPED_TRACE(m * 100 + i);
+            const Vec3 from = scale * dice.in_cube(6.0);
+            const Vec3 along = point_around(both.mesh(), dice, 0.1 * scale) - from;
+            const double length = std::array{0.9, 1.1, 1e3, 1e9, 1e30}[static_cast<std::size_t>(i % 5)];
+            hits += expect_hits_of_the_loop(both, {from, from + length * along});
+        }
+    }
+    EXPECT_GT(hits, static_cast<std::size_t>(repeats(1000)));
+}
+
+/// Longer than float32 can tell.
+TEST(OnRay, WithoutAnEndAreThoseOfTheLoop) {
+    Dice dice(55);
+    std::size_t hits = 0;
+    const BothLayouts both(support::random_mesh(dice, 200, 4.0));
+    for (int i = 0; i < repeats(200); ++i) {
+        SCOPED_TRACE(i);
+        const Vec3 from = dice.in_cube(6.0);
+        const Vec3 along = point_around(both.mesh(), dice, 0.1) - from;
+        hits += expect_hits_of_the_loop(both, {from, from + 1e60 * along});
+        hits += expect_hits_of_the_loop(both, {from - 1e60 * along, from});
+    }
+    EXPECT_GT(hits, static_cast<std::size_t>(repeats(100)));
+}
+
+/// Many nodes, most of them with a frame of their own, and little to test for each ray.
+TEST(OnRay, OfABallAreThoseOfTheLoop) {
+    Dice dice(56);
+    TriangleMesh ball = support::ball(30);
+    const Mat3 turn = support::random_pose(dice, 0.0).rotation;
+    for (Eigen::Vector3f& p : ball.positions) {
+        p = (turn * p.cast<double>()).cast<float>();
+    }
+    const BothLayouts both(ball);
+    const auto& nodes = both.wide.wide_tree().nodes;
+    EXPECT_GT(std::count_if(nodes.begin(), nodes.end(), [](const WideNode& n) { return n.turned; }), 10);
+    std::size_t hits = 0;
+    QueryCounters work;
+    for (int i = 0; i < repeats(300); ++i) {
+        SCOPED_TRACE(i);
+        const Ray ray{dice.in_cube(1.5), dice.in_cube(1.5)};
+        hits += expect_hits_of_the_loop(both, ray);
+        std::vector<MeshHit> all;
+        all_on_ray(both.wide, ray, all, work);
+    }
+    EXPECT_GT(hits, static_cast<std::size_t>(repeats(200)));
+    EXPECT_LE(work.np, 2 * hits) << "float32 tells nearly all that are missed";
 }
 
 TEST(ClosestPoint, IsThatOfTheLoop) {

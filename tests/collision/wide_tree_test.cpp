@@ -38,6 +38,8 @@ private:
     std::vector<std::uint32_t> inspect_node(std::uint32_t index, std::size_t depth = 1) {
         deepest_ = std::max(deepest_, depth);
         const WideNode& node = tree_.nodes[index];
+        constexpr decltype(WideNode::axes) kStraight = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+        EXPECT_EQ(node.turned, node.axes != kStraight);
         EXPECT_GE(node.count, 1);
         EXPECT_LE(node.count, kWideChildren);
         std::vector<std::uint32_t> all;
@@ -76,6 +78,9 @@ private:
             const std::uint32_t t = leaf.triangle[slot];
             ++seen_[t];
             all.push_back(t);
+            const Triangle given = collision::corners(mesh_, t);
+            const Triangle found = collision::corners(mesh_, leaf, slot);
+            EXPECT_TRUE(found.a == given.a && found.b == given.b && found.c == given.c);
             for (std::size_t c = 0; c < 3; ++c) {
                 expect_corner(leaf, slot, c, mesh_.positions[mesh_.triangles[t][c]].cast<double>());
             }
