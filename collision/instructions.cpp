@@ -22,7 +22,7 @@ bool can_run(Instructions instructions) {
 
 Instructions fastest_instructions() {
     static const Instructions fastest = [] {
-        for (const Instructions best : {Instructions::avx512, Instructions::avx2, Instructions::sse42}) {
+        for (const Instructions best : {Instructions::avx2, Instructions::sse42}) {
             if (can_run(best)) {
                 return best;
             }

@@ -34,10 +34,9 @@ struct ArrangedCorners {
     Bytes sure;        ///< all bits where no side is in doubt
 
     HWY_INLINE void turn_over(Bytes where) {
-        const auto m = hn::MaskFromVec(where);
         const Bytes old_q = q;
-        q = hn::IfThenElse(m, r, q);
-        r = hn::IfThenElse(m, old_q, r);
+        q = hn::IfVecThenElse(where, r, q);
+        r = hn::IfVecThenElse(where, old_q, r);
     }
     HWY_INLINE void store(std::uint8_t order[3][16]) const {
         const ByteTag d;
@@ -85,10 +84,10 @@ public:
         const Bytes sr = side(below_, r, plane);
         const Bytes pq = hn::Xor(sp, sq);
         const Bytes pr = hn::Xor(sp, sr);
-        const auto q_alone = hn::MaskFromVec(hn::AndNot(pr, pq));
-        const auto r_alone = hn::MaskFromVec(hn::AndNot(pq, pr));
+        const Bytes q_alone = hn::AndNot(pr, pq);
+        const Bytes r_alone = hn::AndNot(pq, pr);
         const auto choose = [&](Bytes if_p, Bytes if_q, Bytes if_r) {
-            return hn::IfThenElse(q_alone, if_q, hn::IfThenElse(r_alone, if_r, if_p));
+            return hn::IfVecThenElse(q_alone, if_q, hn::IfVecThenElse(r_alone, if_r, if_p));
         };
         ArrangedCorners c;
         c.p = choose(p, q, r);
