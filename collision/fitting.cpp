@@ -18,25 +18,19 @@ void for_each_corner(const TriangleMesh& mesh, std::span<const std::uint32_t> tr
     }
 }
 
-double farthest(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const Vec3& from) {
+BoundingSphere sphere_to_farthest(const Vec3& center, const TriangleMesh& mesh,
+                                  std::span<const std::uint32_t> triangles) {
     double squared = 0.0;
     for_each_corner(mesh, triangles,
-                    [&](const Vec3& p) { squared = std::max(squared, (p - from).squaredNorm()); });
-    const double radius = std::sqrt(squared);
-    return radius + kOutward * (radius + from.cwiseAbs().maxCoeff());
+                    [&](const Vec3& p) { squared = std::max(squared, (p - center).squaredNorm()); });
+    return sphere_about(center, squared);
 }
 
 }  // namespace
 
-Vec3 incentre(const Triangle& t) {
-    const double a = (t.b - t.c).norm();
-    const double b = (t.c - t.a).norm();
-    const double c = (t.a - t.b).norm();
-    const double perimeter = a + b + c;
-    if (perimeter <= 0.0) {
-        return t.a;
-    }
-    return (a * t.a + b * t.b + c * t.c) / perimeter;
+BoundingSphere sphere_about(const Vec3& center, double squared) {
+    const double radius = std::sqrt(squared);
+    return {center, radius + kOutward * (radius + center.cwiseAbs().maxCoeff())};
 }
 
 BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
@@ -44,8 +38,7 @@ BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::u
     for (const std::uint32_t t : triangles) {
         sum += incentre(corners(mesh, t));
     }
-    const Vec3 center = sum / static_cast<double>(triangles.size());
-    return {center, farthest(mesh, triangles, center)};
+    return sphere_to_farthest(sum / static_cast<double>(triangles.size()), mesh, triangles);
 }
 
 OrientedBox fit_inner_box(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
@@ -77,7 +70,7 @@ OrientedBox fit_inner_box(const TriangleMesh& mesh, std::span<const std::uint32_
     box.center = mean + box.axes * (0.5 * (low + high));
     const double slack = kOutward * (box.center.cwiseAbs().maxCoeff() + (high - low).maxCoeff());
     box.half_extents = (0.5 * (high - low)).array() + slack;
-    box.radius = farthest(mesh, triangles, box.center);
+    box.radius = sphere_to_farthest(box.center, mesh, triangles).radius;
     return box;
 }
 

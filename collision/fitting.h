@@ -29,7 +29,20 @@ struct OrientedBox {
 
 /// Centre of the inscribed circle: the corners weighted by the lengths of the opposite edges. A triangle
 /// of no size gives its corner.
-Vec3 incentre(const Triangle& triangle);
+inline Vec3 incentre(const Triangle& t) {
+    // Four at a time, for roots are slow.
+    const Eigen::Array4d length =
+        Eigen::Array4d((t.b - t.c).squaredNorm(), (t.c - t.a).squaredNorm(), (t.a - t.b).squaredNorm(), 0.0)
+            .sqrt();
+    const double perimeter = length[0] + length[1] + length[2];
+    if (perimeter <= 0.0) {
+        return t.a;
+    }
+    return (length[0] * t.a + length[1] * t.b + length[2] * t.c) / perimeter;
+}
+
+/// A sphere that holds what lies within sqrt(`squared`) of its centre.
+BoundingSphere sphere_about(const Vec3& center, double squared);
 
 /// Outer sphere (paper III.A.1): centre = mean of the triangles' incentres, radius to the farthest vertex.
 BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles);

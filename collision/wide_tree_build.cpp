@@ -1,10 +1,10 @@
 #include <array>
-#include <cmath>
-#include <numeric>
+#include <optional>
 #include <span>
 
 #include "collision/wide_tree.h"
 #include "collision/wide_tree_fit.h"
+#include "collision/wide_tree_leaf.h"
 #include "collision/wide_tree_split.h"
 
 namespace campuswalk::collision {
@@ -14,31 +14,60 @@ namespace {
 /// Triangles that a node whose children are all leaves is expected to take.
 constexpr std::size_t kLowestNode = 88;
 
+/// Divides triangles into nodes and leaves from the top down, then fills leaves and fits nodes from the
+/// bottom up.
 class Builder {
 public:
-    Builder(const TriangleMesh& mesh, WideTree& tree) : mesh_(mesh), tree_(tree) {}
+    Builder(const TriangleMesh& mesh, WideTree& tree) : mesh_(mesh), tree_(tree), leaf_maker_(mesh) {}
 
     void build() {
-        items_.resize(mesh_.triangles.size());
-        for (std::uint32_t t = 0; t < items_.size(); ++t) {
-            items_[t].triangle = t;
-            for (const std::uint32_t v : mesh_.triangles[t]) {
-                const Eigen::Vector3f& p = mesh_.positions[v];
-                items_[t].bounds.extend(Lanes(p.x(), p.y(), p.z(), 0.0F));
-            }
-        }
-        tree_.nodes.reserve(items_.size() / 32 + 1);
-        tree_.leaves.reserve(items_.size() / 8 + 1);
-        build_node({items_, false});
-        tree_.nodes.shrink_to_fit();
-        tree_.leaves.shrink_to_fit();
+        fill_points();
+        fill_items();
+        find_middle();
+        spare_.resize(items_.size());
+        corners_.reserve(items_.size());
+        leaves_.reserve(items_.size() / 8);
+        divide(part(items_));
+        fill_leaves();
+        fit_nodes();
+        tree_.outer = sphere_about(middle_, corners_);
     }
 
 private:
     struct Part {
         std::span<SplitItem> items;
-        bool leaf = false;
+        std::optional<std::uint32_t> leaf;  ///< that they went into
     };
+    using Parts = std::array<Part, kWideChildren>;
+
+    void fill_points() {
+        points_.reserve(mesh_.positions.size());
+        for (const Eigen::Vector3f& p : mesh_.positions) {
+            points_.push_back(lanes(p));
+        }
+        Lanes reach = Lanes::Zero();
+        for (const Lanes& p : points_) {
+            reach = reach.max(p.abs());
+        }
+        tree_.reach = reach.maxCoeff();
+    }
+
+    void fill_items() {
+        items_.reserve(mesh_.triangles.size());
+        for (const auto& [a, b, c] : mesh_.triangles) {
+            const LaneBounds bounds{points_[a].min(points_[b]).min(points_[c]),
+                                    points_[a].max(points_[b]).max(points_[c])};
+            items_.emplace_back(bounds, static_cast<std::uint32_t>(items_.size()));
+        }
+    }
+
+    void find_middle() {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            sum += incentre(corners(mesh_, t));
+        }
+        middle_ = sum / static_cast<double>(mesh_.triangles.size());
+    }
 
     /// What a child may hold so that the nodes below come out full: one eighth of the least full tree that
     /// holds `items`.
@@ -53,10 +82,22 @@ private:
         return capacity;
     }
 
+    /// Triangles that fit a leaf are in one at once, so that the leaves below any child lie side by side.
+    Part part(std::span<SplitItem> items) {
+        if (!leaf_maker_.make(items, leaves_.emplace_back())) {
+            leaves_.pop_back();
+            return {items, std::nullopt};
+        }
+        for (const std::uint32_t v : leaf_maker_.vertices()) {
+            corners_.push_back(points_[v]);
+        }
+        return {items, static_cast<std::uint32_t>(leaves_.size() - 1)};
+    }
+
     /// The children of a node: the fullest is split until all fit or there are eight.
-    std::size_t divide(const Part& whole, std::array<Part, kWideChildren>& parts) const {
+    std::size_t divide(const Part& whole, Parts& parts) {
         const std::size_t capacity = capacity_of_child(whole.items.size());
-        parts[0] = {whole.items, fits_leaf(mesh_, whole.items)};
+        parts[0] = whole;
         std::size_t count = 1;
         while (count < kWideChildren) {
             std::size_t fullest = count;
@@ -71,55 +112,74 @@ private:
                 break;
             }
             const std::span<SplitItem> items = parts[fullest].items;
-            const std::size_t left = split_by_area(items);
+            const std::size_t left = split(items, spare_, instructions_);
             parts[fullest] = part(items.first(left));
             parts[count++] = part(items.subspan(left));
         }
         return count;
     }
 
-    Part part(std::span<SplitItem> items) const { return {items, fits_leaf(mesh_, items)}; }
-
-    /// Recursion is as deep as the tree, whose splits are never lopsided.
-    std::uint32_t build_node(const Part& whole) {
-        std::array<Part, kWideChildren> parts;
+    /// A node and those below it, which come after it. Recursion is as deep as the tree, whose splits are
+    /// never lopsided.
+    std::uint32_t divide(const Part& whole) {
+        Parts parts;
         const std::size_t count = divide(whole, parts);
-        std::array<std::span<const SplitItem>, kWideChildren> children;
-        WideNode node;
+        const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
+        tree_.nodes.emplace_back().count = static_cast<std::uint8_t>(count);
         for (std::size_t i = 0; i < count; ++i) {
-            children[i] = parts[i].items;
+            const std::uint32_t child = parts[i].leaf ? *parts[i].leaf : divide(parts[i]);
+            WideNode& node = tree_.nodes[index];
+            node.child[i] = child;
             node.leaves = static_cast<std::uint8_t>(node.leaves | (parts[i].leaf ? 1U << i : 0U));
         }
-        fit_node(node, mesh_, {children.data(), count});
-        const std::size_t index = tree_.nodes.size();
-        tree_.nodes.push_back(node);
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::uint32_t child = parts[i].leaf ? build_leaf(parts[i]) : build_node(parts[i]);
-            tree_.nodes[index].child[i] = child;
-        }
-        return static_cast<std::uint32_t>(index);
+        return index;
     }
 
-    std::uint32_t build_leaf(const Part& part) {
-        tree_.leaves.push_back(make_leaf(mesh_, part.items));
-        return static_cast<std::uint32_t>(tree_.leaves.size() - 1);
+    void fill_leaves() {
+        tree_.leaves.reserve(leaves_.size());
+        held_by_leaf_.reserve(leaves_.size());
+        std::size_t first = 0;
+        for (const LeafTriangles& leaf : leaves_) {
+            const std::span corners = std::span<const Lanes>(corners_).subspan(first, leaf.corners);
+            fill_leaf(tree_.leaves.emplace_back(), leaf, corners);
+            held_by_leaf_.push_back(hold(corners, middle_));
+            first += corners.size();
+        }
+    }
+
+    void fit_nodes() {
+        tree_.nodes.shrink_to_fit();
+        std::vector<Held> held_by_node(tree_.nodes.size());
+        for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
+            WideNode& node = tree_.nodes[n];
+            std::array<Held, kWideChildren> held;
+            for (std::size_t i = 0; i < node.count; ++i) {
+                const bool leaf = (node.leaves >> i & 1) != 0;
+                held[i] = (leaf ? held_by_leaf_ : held_by_node)[node.child[i]];
+            }
+            const std::span<const Held> children(held.data(), node.count);
+            held_by_node[n] = hold(children);
+            fit_node(node, children, held_by_node[n]);
+        }
     }
 
     const TriangleMesh& mesh_;
     WideTree& tree_;
+    const Instructions instructions_ = fastest_instructions();
+    std::vector<Lanes> points_;  ///< the mesh's positions
     std::vector<SplitItem> items_;
+    std::vector<SplitItem> spare_;
+    LeafMaker leaf_maker_;
+    std::vector<LeafTriangles> leaves_;
+    std::vector<Lanes> corners_;  ///< of the leaves, one after the other
+    std::vector<Held> held_by_leaf_;
+    Vec3 middle_ = Vec3::Zero();  ///< mean of the incentres, the outer sphere's centre
 };
 
 }  // namespace
 
 WideTree build_wide_tree(const TriangleMesh& mesh) {
     WideTree tree;
-    std::vector<std::uint32_t> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0U);
-    tree.outer = fit_outer_sphere(mesh, all);
-    for (const Eigen::Vector3f& p : mesh.positions) {
-        tree.reach = std::max(tree.reach, p.cwiseAbs().maxCoeff());
-    }
     Builder(mesh, tree).build();
     return tree;
 }
