@@ -1,7 +1,10 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "collision/large_pages.h"
 #include "collision/wide_tree.h"
 #include "collision/wide_tree_fit.h"
 #include "collision/wide_tree_leaf.h"
@@ -28,6 +31,7 @@ public:
         corners_.reserve(items_.size());
         leaves_.reserve(items_.size() / 8);
         divide(part(items_));
+        move_nodes();
         fill_leaves();
         fit_nodes();
         tree_.outer = sphere_about(middle_, corners_);
@@ -135,8 +139,22 @@ private:
         return index;
     }
 
+    template <typename Element>
+    static void reserve_exactly(std::vector<Element>& elements, std::size_t count) {
+        elements.reserve(count);
+        prefer_large_pages(elements.data(), count * sizeof(Element));
+    }
+
+    /// Out of the vector that grew with them.
+    void move_nodes() {
+        std::vector<WideNode> exact;
+        reserve_exactly(exact, tree_.nodes.size());
+        exact.assign(tree_.nodes.begin(), tree_.nodes.end());
+        tree_.nodes = std::move(exact);
+    }
+
     void fill_leaves() {
-        tree_.leaves.reserve(leaves_.size());
+        reserve_exactly(tree_.leaves, leaves_.size());
         held_by_leaf_.reserve(leaves_.size());
         std::size_t first = 0;
         for (const LeafTriangles& leaf : leaves_) {
@@ -148,7 +166,6 @@ private:
     }
 
     void fit_nodes() {
-        tree_.nodes.shrink_to_fit();
         std::vector<Held> held_by_node(tree_.nodes.size());
         for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
             WideNode& node = tree_.nodes[n];

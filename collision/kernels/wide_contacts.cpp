@@ -12,6 +12,7 @@
 
 #include "collision/kernels/leaf_pair_inl.h"
 #include "collision/kernels/node_pair_inl.h"
+#include "collision/kernels/prefetch.h"
 #include "collision/kernels/relative_pose_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,6 +41,9 @@ HWY_INLINE std::uint64_t whole_rows(std::uint64_t bits) {
 }
 
 void search(const WidePair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryCounters& counters) {
+    // Of trees that the caches next to a core can't hold, what comes next is fetched ahead.
+    constexpr std::size_t kNodesInCache = 2048;
+    const bool far = pair.a.nodes.size() + pair.b.nodes.size() > kNodesInCache;
     const RelativePose pose(pair);
     LeafPairs leaf_pairs(pair, pose, out, counters);
     thread_local std::vector<NodePair> stack;
@@ -56,6 +60,11 @@ void search(const WidePair& pair, Wanted wanted, std::vector<TrianglePair>& out,
         const std::uint64_t leaves = whole_rows(a.leaves) & (0x0101010101010101ULL * b.leaves);
         for (std::uint64_t m = met & leaves; m != 0; m &= m - 1) {
             const auto bit = static_cast<std::size_t>(std::countr_zero(m));
+            if (const std::uint64_t rest = m & (m - 1); far && rest != 0) {
+                const auto next = static_cast<std::size_t>(std::countr_zero(rest));
+                prefetch(pair.a.leaves[a.child[next / 8]]);
+                prefetch(pair.b.leaves[b.child[next % 8]]);
+            }
             leaf_pairs.find(pair.a.leaves[a.child[bit / 8]], pair.b.leaves[b.child[bit % 8]]);
             if (wanted == Wanted::first && !out.empty()) {
                 return;
@@ -73,6 +82,10 @@ void search(const WidePair& pair, Wanted wanted, std::vector<TrianglePair>& out,
             if ((b.leaves >> j & 1) == 0) {
                 next.b = b.child[j];
                 next.columns = all_children(pair.b.nodes[next.b]);
+            }
+            if (far) {
+                prefetch(pair.a.nodes[next.a]);
+                prefetch(pair.b.nodes[next.b]);
             }
             stack.push_back(next);
         }

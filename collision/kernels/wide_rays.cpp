@@ -14,6 +14,7 @@
 #include <bit>
 #include <utility>
 
+#include "collision/kernels/prefetch.h"
 #include "collision/kernels/ray_leaf_inl.h"
 #include "collision/kernels/ray_node_inl.h"
 
@@ -109,7 +110,7 @@ private:
             if (other.before(nearest)) {
                 std::swap(other, nearest);
             }
-            prefetch(other);
+            fetch(other);
             agenda_.add(other, first);
         }
         return true;
@@ -125,11 +126,12 @@ private:
     }
 
     /// Half of the time of a ray in a large mesh is waiting for memory: what waits is fetched meanwhile.
-    HWY_INLINE void prefetch(const Waiting& part) const {
-        const auto* data = part.is_leaf() ? reinterpret_cast<const char*>(&tree_.leaves[part.index()])
-                                          : reinterpret_cast<const char*>(&tree_.nodes[part.index()]);
-        for (std::size_t line = 0; line < 4; ++line) {
-            __builtin_prefetch(data + 64 * line);
+    HWY_INLINE void fetch(const Waiting& part) const {
+        constexpr std::size_t kReadByRays = 256;  // of either: see wide_tree.h
+        if (part.is_leaf()) {
+            prefetch(tree_.leaves[part.index()], kReadByRays);
+        } else {
+            prefetch(tree_.nodes[part.index()], kReadByRays);
         }
     }
 

@@ -69,6 +69,7 @@ THIRD_PARTY = {
     "spdlog/": ["tools/campuswalk"],
     "unistd.h": ["scene/import", "tools/campuswalk", "tests"],
     "fcntl.h": ["scene/import", "tools/campuswalk", "tests"],
+    "sys/mman.h": ["collision/large_pages.cpp"],
     "sys/": ["scene/import", "tools/campuswalk", "tests"],
     "gtest/": ["tests"],
     "gmock/": ["tests"],

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+namespace campuswalk::collision {
+
+/// Starts to fetch the first `bytes` of something that will be looked at soon.
+template <typename Part>
+inline void prefetch(const Part& part, std::size_t bytes = sizeof(Part)) {
+    for (std::size_t at = 0; at < bytes; at += 64) {
+        __builtin_prefetch(reinterpret_cast<const char*>(&part) + at);
+    }
+}
+
+}  // namespace campuswalk::collision
