@@ -19,9 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Sixteen float32, as many at a time as the instruction set takes.
 using Floats = hn::CappedTag<float, 16>;
-using Ints = hn::RebindToSigned<Floats>;
 using Real = hn::Vec<Floats>;
-using Index = hn::Vec<Ints>;
 inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
 
 /// Sixteen bytes.
@@ -44,32 +42,28 @@ HWY_INLINE std::uint32_t sign_bits(D d, V v) {
     return bits_of(d, hn::MaskFromVec(v));
 }
 
-/// Of sixteen numbers, those at `index`.
-HWY_INLINE Real pick(const float* table, Index index) {
-    const Floats d;
-    if constexpr (kLanes == 16) {
-        return hn::TableLookupLanes(hn::Load(d, table), hn::IndicesFromVec(d, index));
-    } else if constexpr (kLanes == 8) {
-        const Ints di;
-        const auto at = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, 7)));
-        const auto upper = hn::RebindMask(d, hn::Gt(index, hn::Set(di, 7)));
-        return hn::IfThenElse(upper, hn::TableLookupLanes(hn::Load(d, table + 8), at),
-                              hn::TableLookupLanes(hn::Load(d, table), at));
-    } else {
-        HWY_ALIGN std::int32_t at[kLanes];
-        HWY_ALIGN float picked[kLanes];
-        hn::Store(index, Ints(), at);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            picked[lane] = table[at[lane]];
+/// Of sixteen numbers those that the bytes tell, as many as there are lanes.
+template <class D>
+HWY_INLINE hn::Vec<D> pick(D d, const float* table, const std::uint8_t* bytes) {
+    constexpr std::size_t kCount = hn::MaxLanes(D());
+    if constexpr (kCount == 4) {
+        HWY_ALIGN float picked[kCount];
+        for (std::size_t lane = 0; lane < kCount; ++lane) {
+            picked[lane] = table[bytes[lane]];
         }
         return hn::Load(d, picked);
+    } else {
+        const hn::RebindToSigned<D> di;
+        const auto index = hn::PromoteTo(di, hn::LoadU(hn::Rebind<std::uint8_t, decltype(di)>(), bytes));
+        if constexpr (kCount == 16) {
+            return hn::TableLookupLanes(hn::Load(d, table), hn::IndicesFromVec(d, index));
+        } else {
+            const auto at = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, 7)));
+            const auto upper = hn::RebindMask(d, hn::Gt(index, hn::Set(di, 7)));
+            return hn::IfThenElse(upper, hn::TableLookupLanes(hn::Load(d, table + 8), at),
+                                  hn::TableLookupLanes(hn::Load(d, table), at));
+        }
     }
-}
-
-/// Bytes that are indices, as many as there are lanes.
-HWY_INLINE Index indices(const std::uint8_t* bytes) {
-    const hn::Rebind<std::uint8_t, Ints> few;
-    return hn::PromoteTo(Ints(), hn::LoadU(few, bytes));
 }
 
 struct Real3 {

@@ -89,8 +89,8 @@ private:
                     hn::BitCast(d, hn::ConcatUpperUpper(d2, xy23, xy01)),
                     hn::BitCast(d, hn::ConcatLowerLower(d2, z23, z01))};
         } else {
-            const Index at = indices(index);
-            return {pick(&corners[0][0], at), pick(&corners[1][0], at), pick(&corners[2][0], at)};
+            return {pick(d, &corners[0][0], index), pick(d, &corners[1][0], index),
+                    pick(d, &corners[2][0], index)};
         }
     }
 
@@ -246,9 +246,9 @@ private:
                                  float high[16]) {
         const Floats d;
         for (std::size_t c = 0; c < leaf.triangles; c += kLanes) {
-            const Real p = pick(corners, indices(leaf.corner_of[0].data() + c));
-            const Real q = pick(corners, indices(leaf.corner_of[1].data() + c));
-            const Real r = pick(corners, indices(leaf.corner_of[2].data() + c));
+            const Real p = pick(d, corners, leaf.corner_of[0].data() + c);
+            const Real q = pick(d, corners, leaf.corner_of[1].data() + c);
+            const Real r = pick(d, corners, leaf.corner_of[2].data() + c);
             hn::Store(hn::Sub(hn::Min(p, hn::Min(q, r)), hn::Set(d, margin)), d, low + c);
             hn::Store(hn::Add(hn::Max(p, hn::Max(q, r)), hn::Set(d, margin)), d, high + c);
         }

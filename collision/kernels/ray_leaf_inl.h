@@ -11,35 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// Sixteen numbers, one for each corner of a leaf.
-class CornerTable {
-public:
-    HWY_INLINE void set(std::size_t at, RayReal v) { hn::Store(v, RayTag(), values_ + at); }
-
-    /// Those of the corners that are named, as many as there are lanes.
-    HWY_INLINE RayReal at(const std::uint8_t* corners) const {
-        const RayTag d;
-        if constexpr (kRayLanes == 8) {
-            const hn::RebindToSigned<RayTag> di;
-            const auto index =
-                hn::PromoteTo(di, hn::LoadU(hn::Rebind<std::uint8_t, decltype(di)>(), corners));
-            const auto in_half = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, 7)));
-            const auto upper = hn::RebindMask(d, hn::Gt(index, hn::Set(di, 7)));
-            return hn::IfThenElse(upper, hn::TableLookupLanes(hn::Load(d, values_ + 8), in_half),
-                                  hn::TableLookupLanes(hn::Load(d, values_), in_half));
-        } else {
-            HWY_ALIGN float picked[kRayLanes];
-            for (std::size_t lane = 0; lane < kRayLanes; ++lane) {
-                picked[lane] = values_[corners[lane]];
-            }
-            return hn::Load(d, picked);
-        }
-    }
-
-private:
-    HWY_ALIGN float values_[kLeafCorners];
-};
-
 /// A ray seen along the axis on which it goes farthest: sheared so that it lies on that axis, as `hit`
 /// (ray.h) does it in double.
 class Shear {
@@ -77,8 +48,8 @@ public:
         const float m = 2.0F * leaf.radius + p + e;
         const float error = 5.0F * (e * (m + e) + kFloatUnit * m * m) + 0x1p-120F;
 
-        CornerTable xs;
-        CornerTable ys;
+        HWY_ALIGN float xs[kLeafCorners];
+        HWY_ALIGN float ys[kLeafCorners];
         const RayTag d;
         for (std::size_t c = 0; c < kLeafCorners; c += kRayLanes) {
             const RayReal along = hn::Load(d, leaf.corner[z_].data() + c);
@@ -86,14 +57,17 @@ public:
                 const RayReal place = hn::Sub(hn::Load(d, leaf.corner[axis].data() + c), hn::Set(d, at));
                 return hn::Sub(place, hn::Mul(hn::Set(d, static_cast<float>(slope)), along));
             };
-            xs.set(c, sheared(x_, at_x, slope_x_));
-            ys.set(c, sheared(y_, at_y, slope_y_));
+            hn::Store(sheared(x_, at_x, slope_x_), d, xs + c);
+            hn::Store(sheared(y_, at_y, slope_y_), d, ys + c);
         }
         std::uint32_t missed = 0;
         for (std::size_t t = 0; t < kLeafTriangles; t += kRayLanes) {
-            const RayReal ax = xs.at(leaf.corner_of[0].data() + t), ay = ys.at(leaf.corner_of[0].data() + t);
-            const RayReal bx = xs.at(leaf.corner_of[1].data() + t), by = ys.at(leaf.corner_of[1].data() + t);
-            const RayReal cx = xs.at(leaf.corner_of[2].data() + t), cy = ys.at(leaf.corner_of[2].data() + t);
+            const auto of = [&](const float* along, std::size_t corner) {
+                return pick(d, along, leaf.corner_of[corner].data() + t);
+            };
+            const RayReal ax = of(xs, 0), ay = of(ys, 0);
+            const RayReal bx = of(xs, 1), by = of(ys, 1);
+            const RayReal cx = of(xs, 2), cy = of(ys, 2);
             const RayReal u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
             const RayReal v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
             const RayReal w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
