@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,15 +33,17 @@ struct alignas(64) WideNode {
     std::array<std::array<float, kWideChildren>, 3> center{};  ///< of each child's box, by axis
     std::array<std::array<float, kWideChildren>, 3> half{};    ///< its half extents, rounded outward
     std::array<float, 4> origin{};                             ///< the fourth entry is 0
-    std::array<float, 3> low{};                                ///< of all the boxes
-    std::array<float, 3> high{};
     float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
-    std::array<std::uint32_t, kWideChildren> child{};        ///< an index of nodes or of leaves
-    std::uint8_t count = 0;                                  ///< children there are
-    std::uint8_t leaves = 0;                                 ///< bit i: child i is a leaf
-    bool turned = false;                                     ///< false: `axes` is the identity
+    std::array<std::uint32_t, kWideChildren> child{};  ///< an index of nodes or of leaves
+    std::uint8_t count = 0;                            ///< children there are
+    std::uint8_t leaves = 0;                           ///< bit i: child i is a leaf
+    bool turned = false;                               ///< false: `axes` is the identity
+    std::array<float, 3> low{};                        ///< of all the boxes
+    std::array<float, 3> high{};
     alignas(64) std::array<std::array<float, 4>, 3> axes{};  ///< by column; the fourth entry is 0
 };
+
+static_assert(offsetof(WideNode, turned) < 256);
 
 /// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
 struct alignas(64) WideLeaf {

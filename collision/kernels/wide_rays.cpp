@@ -127,11 +127,11 @@ private:
 
     /// Half of the time of a ray in a large mesh is waiting for memory: what waits is fetched meanwhile.
     HWY_INLINE void fetch(const Waiting& part) const {
-        constexpr std::size_t kReadByRays = 256;  // of either: see wide_tree.h
+        constexpr std::size_t kReadFirst = 256;  // of a node all but a turned frame, of a leaf its corners
         if (part.is_leaf()) {
-            prefetch(tree_.leaves[part.index()], kReadByRays);
+            prefetch(tree_.leaves[part.index()], kReadFirst);
         } else {
-            prefetch(tree_.nodes[part.index()], kReadByRays);
+            prefetch(tree_.nodes[part.index()], kReadFirst);
         }
     }
 
@@ -159,7 +159,7 @@ HWY_AFTER_NAMESPACE();
 namespace campuswalk::collision {
 
 bool fits_wide_rays(const Ray& ray) {
-    constexpr double kFarthest = 0x1p96;
+    constexpr double kFarthest = 0x1p60;
     return ray.from != ray.to &&
            std::max(ray.from.cwiseAbs().maxCoeff(), ray.to.cwiseAbs().maxCoeff()) < kFarthest;
 }

@@ -29,8 +29,8 @@ private:
     double (*call_)(const void*, std::uint32_t, const Triangle&, double);
 };
 
-/// Whether float32 has room for the ray: it goes somewhere, and no product of its coordinates with the
-/// inverse of its steepness overflows.
+/// Whether float32 has room for the ray: it goes somewhere, and neither a product of two of its coordinates
+/// nor one with the inverse of its steepness (2^24 at most) overflows.
 bool fits_wide_rays(const Ray& ray);
 
 /// Hands `meet` all triangles that `hit` (ray.h) may see up to the limit, 1 at first, and few others; near
