@@ -17,7 +17,7 @@ void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
     const std::uintptr_t end = (start + bytes) / kPage * kPage;
     if (first < end) {
         // Fails where the kernel knows no large pages, which is no fault.
-        madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+        madvise(static_cast<std::byte*>(memory) + (first - start), end - first, MADV_HUGEPAGE);
     }
 #endif
 }
