@@ -28,6 +28,7 @@ std::string label_of(std::span<const double> coordinates) {
 template <typename Named>
 std::vector<std::string> names_of(const std::vector<Named>& items) {
     std::vector<std::string> names;
+    names.reserve(items.size());
     for (const Named& item : items) {
         names.push_back(item.name);
     }
@@ -61,6 +62,7 @@ Target CampusNames::target_at(const CheckedNode& node) const {
         return {};
     }
     std::vector<double> coordinates;
+    coordinates.reserve(items.size());
     for (const CheckedNode& item : items) {
         coordinates.push_back(item.number(kCoordinate).value_or(0.0));
     }

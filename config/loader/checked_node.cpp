@@ -7,7 +7,6 @@
 
 namespace campuswalk::config {
 
-using scene::DiagnosticList;
 using scene::SourceMark;
 
 namespace {

@@ -46,7 +46,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
 }
 
 std::string suggestion_or_list(std::string_view word, const std::vector<std::string>& candidates) {
-    const std::string nearest = suggestion(word, candidates);
+    std::string nearest = suggestion(word, candidates);
     if (!nearest.empty()) {
         return nearest;
     }
