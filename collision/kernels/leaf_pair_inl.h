@@ -317,7 +317,7 @@ private:
                                  hn::Set(d, 2.0F * radius_b), hn::Set(d, error)));
     }
 
-    /// Three edges from one corner, sixteen times or less.
+    /// Three edges from one corner, in every lane.
     struct Edges {
         Real3 m, u, v;
 
@@ -409,10 +409,7 @@ private:
                 const std::uint8_t* ij = pairs + first + c;
                 const std::uint32_t meet =
                     settle_lanes(s, order, c, sure >> c, ij, std::min(kLanes, here - c));
-                found.add_some(ij, meet & 0xFF);
-                if constexpr (kLanes == 16) {
-                    found.add_some(ij + 8, meet >> 8);
-                }
+                found.add_some(ij, meet);
             }
         }
         for (std::size_t k = 0; k < found.size(); ++k) {

@@ -105,7 +105,7 @@ public:
 
 private:
     /// Two vectors at a time, so that a corner is fetched once for both.
-    static constexpr std::size_t kPlanesAtOnce = std::min<std::size_t>(2 * kLanes, kLeafTriangles);
+    static constexpr std::size_t kPlanesAtOnce = 2 * kLanes;
 
     using Table = std::uint8_t[2][kLeafCorners];
     using Unsigned = hn::RebindToUnsigned<Floats>;
@@ -117,9 +117,6 @@ private:
 
     static HWY_INLINE void record(Table& table, std::size_t corner, std::uint32_t bits, std::size_t c) {
         table[c / 8][corner] = static_cast<std::uint8_t>(bits);
-        if constexpr (kLanes == 16) {
-            table[1][corner] = static_cast<std::uint8_t>(bits >> 8);
-        }
     }
 
     /// The planes from c on. Returns `nearest` or what is nearer.
@@ -130,7 +127,7 @@ private:
     HWY_INLINE Bits fill_planes(const WideLeaf& planes, const float corners[3][16], std::size_t count,
                                 float error, std::size_t c, Bits nearest) {
         const Floats d;
-        const std::size_t c2 = c + kPlanesAtOnce - kLanes;
+        const std::size_t c2 = c + kLanes;
         const auto part = [&](std::size_t k, std::size_t at) {
             return hn::Load(d, planes.plane[k].data() + at);
         };
@@ -151,16 +148,14 @@ private:
             nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f1));
             std::uint32_t below = sign_bits(d, f1);
             std::uint32_t above = is_above(f1);
-            if constexpr (kPlanesAtOnce > kLanes) {
-                const Real f2 = distance(n2, x, d2);
-                nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f2));
-                if constexpr (kLanes == 4) {
-                    below |= sign_bits(d, f2) << 4;
-                    above |= is_above(f2) << 4;
-                } else {
-                    record(below_, v, sign_bits(d, f2), c2);
-                    record_above(v, is_above(f2), c2);
-                }
+            const Real f2 = distance(n2, x, d2);
+            nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f2));
+            if constexpr (kLanes == 4) {
+                below |= sign_bits(d, f2) << 4;
+                above |= is_above(f2) << 4;
+            } else {
+                record(below_, v, sign_bits(d, f2), c2);
+                record_above(v, is_above(f2), c2);
             }
             record(below_, v, below, c);
             record_above(v, above, c);
