@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "collision/closed_parts.h"
+#include "tests/support/mesh_volume.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -11,16 +12,6 @@ namespace {
 using collision::Pose;
 using collision::TriangleMesh;
 using collision::Vec3;
-
-/// Positive for a closed mesh that faces outward.
-double volume(const TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const collision::Triangle t = corners(mesh, i);
-        sum += t.a.dot(t.b.cross(t.c)) / 6.0;
-    }
-    return sum;
-}
 
 Pose quarter_turn_about_y() {
     Pose X;
@@ -33,7 +24,7 @@ TEST(MeshParts, ABoxIsClosedAndWhereItShouldBe) {
     TriangleMesh mesh;
     MeshParts(mesh).add_box(quarter_turn_about_y(), {0.0, 1.0, 2.0}, {1.0, 0.5, 0.25});
     EXPECT_EQ(mesh.triangles.size(), 12U);
-    EXPECT_NEAR(volume(mesh), 2.0 * 1.0 * 0.5, 1e-6);
+    EXPECT_NEAR(support::enclosed_volume(mesh), 2.0 * 1.0 * 0.5, 1e-6);
     const collision::ClosedParts parts(mesh);
     EXPECT_TRUE(parts.contains({12.0, 1.0, 5.9}));
     EXPECT_FALSE(parts.contains({12.3, 1.0, 5.0}));
@@ -43,12 +34,12 @@ TEST(MeshParts, ABoxIsClosedAndWhereItShouldBe) {
 TEST(MeshParts, ABallIsClosedAndBumpy) {
     TriangleMesh smooth;
     MeshParts(smooth).add_ball(Vec3(1.0, 2.0, 3.0), Vec3(2.0, 1.0, 1.0), 40, 30, [] { return 1.0; });
-    EXPECT_NEAR(volume(smooth), 4.0 / 3.0 * 3.14159265 * 2.0, 0.1);
+    EXPECT_NEAR(support::enclosed_volume(smooth), 4.0 / 3.0 * 3.14159265 * 2.0, 0.1);
     EXPECT_TRUE(collision::ClosedParts(smooth).contains({2.9, 2.0, 3.0}));
     EXPECT_FALSE(collision::ClosedParts(smooth).contains({1.0, 3.01, 3.0}));
     TriangleMesh half;
     MeshParts(half).add_ball(Vec3(1.0, 2.0, 3.0), Vec3(2.0, 1.0, 1.0), 40, 30, [] { return 0.5; });
-    EXPECT_NEAR(volume(half), volume(smooth) / 8.0, 1e-3);
+    EXPECT_NEAR(support::enclosed_volume(half), support::enclosed_volume(smooth) / 8.0, 1e-3);
 }
 
 TEST(MeshParts, APrismFacesOutward) {

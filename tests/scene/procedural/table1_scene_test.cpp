@@ -12,6 +12,7 @@
 #include "collision/mesh_contacts.h"
 #include "scene/procedural/cylinder.h"
 #include "scene/procedural/teapot.h"
+#include "tests/support/mesh_volume.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -39,15 +40,6 @@ std::size_t open_edges(const TriangleMesh& mesh) {
     }));
 }
 
-double volume(const TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const collision::Triangle t = corners(mesh, i);
-        sum += t.a.dot(t.b.cross(t.c)) / 6.0;
-    }
-    return sum;
-}
-
 TEST(Cylinder, IsClosedAndFacesOutward) {
     const TriangleMesh mesh = cylinder();
     EXPECT_EQ(mesh.triangles.size(), 8064U);
@@ -57,7 +49,7 @@ TEST(Cylinder, IsClosedAndFacesOutward) {
         ASSERT_EQ(times, 1);
     }
     // A prism of 64 sides: 64 / 2 r^2 sin(2 pi / 64) h.
-    EXPECT_NEAR(volume(mesh), 32.0 * 1.4 * 1.4 * 0.0980171403 * 2.5, 1e-4);
+    EXPECT_NEAR(support::enclosed_volume(mesh), 32.0 * 1.4 * 1.4 * 0.0980171403 * 2.5, 1e-4);
     const collision::ClosedParts parts(mesh);
     EXPECT_TRUE(parts.contains({1.39, 0.0, 1.24}));
     EXPECT_FALSE(parts.contains({1.41, 0.0, 0.0}));
