@@ -1,0 +1,160 @@
+#include "scene/procedural/walkable_campus.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/trigonometry.h"
+#include "scene/procedural/campus_parts.h"
+#include "scene/procedural/chance.h"
+#include "scene/procedural/mesh_parts.h"
+
+namespace campuswalk::scene {
+
+using collision::Pose;
+using collision::Vec3;
+
+namespace {
+
+constexpr double kLot = 72.0;    ///< metres
+constexpr int kCellsALot = 36;   ///< of the terrain, along a side
+constexpr double kLevel = 26.0;  ///< metres around the middle of a lot: the course's and a cell of the terrain
+constexpr double kSlope = 10.0;  ///< metres from there to where hills are hills
+constexpr double kTreeLine = kLevel + 3.5;  ///< a crown's radius away from the course
+constexpr int kTrees = 7;                   ///< a lot
+constexpr int kBenches = 6;                 ///< a lot
+constexpr int kLamps = 6;                   ///< a lot
+static_assert(kLevel >= kCourseRadius + kLot / kCellsALot);
+
+double hills(double x, double z) {
+    return 1.5 * collision::sin_cos(x / 40.0).sin * collision::sin_cos(z / 55.0).cos +
+           0.6 * collision::sin_cos(x / 17.0 + z / 23.0).sin;
+}
+
+double middle_of(int lot, int lots) {
+    return kLot * (lot - 0.5 * (lots - 1));
+}
+
+/// The middle of the lot that has the coordinate.
+double nearest_middle(double coordinate, int lots) {
+    const auto lot = static_cast<int>(coordinate / kLot + 0.5 * lots);
+    return middle_of(std::clamp(lot, 0, lots - 1), lots);
+}
+
+double height_at(double x, double z, int lots) {
+    const double middle_x = nearest_middle(x, lots);
+    const double middle_z = nearest_middle(z, lots);
+    const double out = Vec3(x - middle_x, 0.0, z - middle_z).norm();
+    const double t = std::clamp((out - kLevel) / kSlope, 0.0, 1.0);
+    const double smooth = t * t * (3.0 - 2.0 * t);
+    return (1.0 - smooth) * hills(middle_x, middle_z) + smooth * hills(x, z);
+}
+
+void add_terrain(MeshParts& parts, int lots) {
+    const int cells = lots * kCellsALot;
+    const double step = kLot / kCellsALot;
+    const double low = -0.5 * lots * kLot;
+    const auto first = [&](int row) { return static_cast<std::uint32_t>(row * (cells + 1)); };
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            const double x = low + step * column;
+            const double z = low + step * row;
+            parts.add_point({x, height_at(x, z, lots), z});
+        }
+    }
+    for (int row = 0; row < cells; ++row) {
+        for (std::uint32_t column = 0; column < static_cast<std::uint32_t>(cells); ++column) {
+            const std::uint32_t a = first(row) + column;
+            const std::uint32_t b = first(row + 1) + column;
+            parts.add_quad(a, b, b + 1, a + 1);
+        }
+    }
+}
+
+/// One lot of the campus.
+class Lot {
+public:
+    Lot(int row, int column, int lots, Chance& chance) : lots_(lots), chance_(chance) {
+        const double x = middle_of(column, lots);
+        const double z = middle_of(row, lots);
+        X_campus_course_ = turned({x, height_at(x, z, lots), z}, chance.between(-3.0, 3.0));
+        sizes_ = course_sizes(row % 3 * 3 + column % 3);
+    }
+
+    void build(MeshParts& parts, std::vector<WalkPath>& paths) {
+        add_course(parts, X_campus_course_, sizes_, paths);
+        paths.push_back(over_the_hill());
+        for (int i = 0; i < kTrees; ++i) {
+            add_tree(parts, around(kTreeLine), chance_);
+        }
+        for (int i = 0; i < kBenches; ++i) {
+            const Vec3 at = around(kLevel + 1.0);
+            add_bench(parts, turned(at, chance_.between(0.0, 6.0)));
+        }
+        for (int i = 0; i < kLamps; ++i) {
+            const Vec3 at = around(kLevel + 1.0);
+            add_lamp(parts, turned(at, chance_.between(0.0, 6.0)));
+        }
+    }
+
+private:
+    Vec3 on_ground(const Vec3& in_course) const {
+        const Vec3 at = X_campus_course_ * in_course;
+        return {at.x(), height_at(at.x(), at.z(), lots_), at.z()};
+    }
+
+    /// Up the slope around the course and back; nothing else is put beside x > 0, z = 0.
+    WalkPath over_the_hill() const {
+        return {"hill",
+                on_ground({21.0, 0.0, 1.0}),
+                {{on_ground({27.0, 0.0, 0.5})}, {on_ground({33.0, 0.0, 0.0})}, {on_ground({21.0, 0.0, -1.0})}}};
+    }
+
+    /// Somewhere on the lot, at least `away` from its middle, and not where a crown would be in the next lot's
+    /// way.
+    Vec3 around(double away) {
+        constexpr double kFree = 5.0;
+        constexpr double kFar = 0.5 * kLot - 4.0;
+        while (true) {
+            const Vec3 offset(chance_.between(-kFar, kFar), 0.0, chance_.between(-kFar, kFar));
+            const Vec3 in_course = X_campus_course_.inverse_rotate(offset);
+            const bool is_on_way = in_course.x() > 0.0 && std::abs(in_course.z()) < kFree;
+            if (offset.norm() >= away && !is_on_way) {
+                return on_ground(in_course);
+            }
+        }
+    }
+
+    int lots_;
+    Chance& chance_;
+    Pose X_campus_course_;
+    CourseSizes sizes_;
+};
+
+/// Three lots along a side, from end to end, with the remainders 0, 1 and 2 of 3: nine sizes of courses.
+bool is_walked(int lot, int lots) {
+    if (lots < 3) {
+        return true;
+    }
+    const int middle = (lots / 2 + 1) / 3 * 3 + 1;
+    const int last = (lots - 3) / 3 * 3 + 2;
+    return lot == 0 || lot == std::min(middle, last - 1) || lot == last;
+}
+
+}  // namespace
+
+WalkableCampus walkable_campus(int lots) {
+    WalkableCampus campus;
+    MeshParts parts(campus.mesh);
+    add_terrain(parts, lots);
+    Chance chance(4);
+    std::vector<WalkPath> nowhere;
+    for (int row = 0; row < lots; ++row) {
+        for (int column = 0; column < lots; ++column) {
+            const bool walked = is_walked(row, lots) && is_walked(column, lots);
+            Lot(row, column, lots, chance).build(parts, walked ? campus.paths : nowhere);
+        }
+    }
+    return campus;
+}
+
+}  // namespace campuswalk::scene
