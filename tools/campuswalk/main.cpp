@@ -181,7 +181,7 @@ CLI::App* add_bench_command(CLI::App& bench, const char* name, const char* descr
     BenchOptions& options = arguments.bench;
     CLI::App* command = add_command(bench, name, description);
     command->add_option("--csv", options.csv, "Write every measurement to this file")->type_name("FILE");
-    command->add_option("--rounds", options.rounds, "How often each query is timed")
+    command->add_option("--rounds", options.rounds, "How often each query or tick is timed")
         ->check(CLI::Range(1, 100000));
     command->add_flag("--quick", options.quick, "Small scenes, one round: whether it works, not how fast");
     command->callback([&arguments, &options, name] {
@@ -192,11 +192,23 @@ CLI::App* add_bench_command(CLI::App& bench, const char* name, const char* descr
         "Exit code: 0 our own engines agree with each other and are right, 1 they don't or aren't, 2 bad "
         "usage,\n3 something failed while running. Other engines are built by tools/bench; where they differ "
         "it is shown.");
+    if (name == std::string(kBenchWalk)) {
+        command->footer(
+            "The CSV has a line a campus and controller; forbidden: how many places it got to that no person "
+            "of its\nsize gets to; bullet: the better of its defaults and a tuned set. Each tick's time is "
+            "the "
+            "least of all\nrounds, which are the same walk to the bit.\n"
+            "Exit code: 0 ours got to every goal, to no forbidden one, and was never in anything, 1 it "
+            "wasn't so, "
+            "2 bad\nusage, 3 something failed while running. How fast it is changes nothing. Bullet's is "
+            "built "
+            "by tools/bench.");
+    }
     return command;
 }
 
 void add_bench(CLI::App& app, Arguments& arguments) {
-    CLI::App* bench = add_command(app, "bench", "Measure the hybrid trees on this machine");
+    CLI::App* bench = add_command(app, "bench", "Measure on this machine, beside other libraries");
     bench->require_subcommand(1);
     for (const BenchCommand& it : bench_commands()) {
         CLI::App* command = add_bench_command(*bench, it.name, it.description, arguments);
@@ -204,7 +216,7 @@ void add_bench(CLI::App& app, Arguments& arguments) {
             add_table1_options(*command, arguments.bench);
         }
     }
-    add_bench_command(*bench, kBenchAll, "All of these, into one CSV", arguments);
+    add_bench_command(*bench, kBenchAll, "All of these but walk, into one CSV", arguments);
 }
 
 int guarded(const std::function<int()>& command) {

@@ -47,7 +47,7 @@ THIRD_PARTY = {
     "LinearMath/": ["collision/bullet_broad_phase.cpp"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
     "BulletCollision/": ["tests", "tools/campuswalk/bench/peers"],
-    "BulletDynamics/": ["tests"],
+    "BulletDynamics/": ["tests", "tools/campuswalk/bench/peers"],
     "BulletSoftBody/": ["tests"],
     "btBulletCollisionCommon.h": ["tests"],
     "btBulletDynamicsCommon.h": ["tests"],

@@ -10,7 +10,7 @@ struct BenchOptions {
     std::string which;           ///< one of bench_commands(), or kBenchAll
     std::filesystem::path csv;   ///< empty: none
     std::filesystem::path plot;  ///< of table1: *.svg or *.png; empty: none
-    int rounds = 0;              ///< how often each query is timed; 0: as often as the case is worth
+    int rounds = 0;              ///< how often each query or tick is timed; 0: as often as the case is worth
     bool mixed = false;          ///< of table1: with the paper's mixed reading
     bool quick = false;          ///< small scenes, one round: to see that it works
 };
@@ -20,7 +20,8 @@ struct BenchCommand {
     const char* description = "";
 };
 
-inline constexpr const char* kBenchAll = "all";
+inline constexpr const char* kBenchAll = "all";  ///< but kBenchWalk
+inline constexpr const char* kBenchWalk = "walk";
 
 /// Whatever can be measured by itself.
 std::span<const BenchCommand> bench_commands();

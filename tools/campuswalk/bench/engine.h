@@ -76,4 +76,34 @@ public:
 using MakeTreeBuilder = TreeBuilder*(const collision::TriangleMesh& mesh);
 inline constexpr const char* kMakeTreeBuilder = "campuswalk_make_tree_builder";
 
+/// Who walks: an upright capsule, metres, radians, seconds.
+struct WalkBody {
+    double radius = 0.3;
+    double height = 1.8;
+    double step_height = 0.3;
+    double max_slope = 0.8726646259971648;  ///< 50 degrees
+    double gravity = 9.81;
+    double speed = 1.4;
+    double tick = 1.0 / 60.0;
+};
+
+/// A character controller in a mesh that stands still. The foot is the capsule's lowest point.
+class WalkEngine {
+public:
+    virtual ~WalkEngine() = default;
+
+    /// Puts the body there, at rest; what was before makes no difference from now on.
+    virtual void place(const collision::Vec3& foot) = 0;
+
+    /// Walks for a tick: `wish` is the displacement asked for, level.
+    virtual void walk(const collision::Vec3& wish) = 0;
+
+    virtual collision::Vec3 foot() const = 0;
+};
+
+using MakeWalkEngine = WalkEngine*(const collision::TriangleMesh& mesh, const WalkBody& body);
+inline constexpr const char* kMakeWalkEngine = "campuswalk_make_walk_engine";
+/// The same set up as well as it can be; the above has the library's defaults.
+inline constexpr const char* kMakeTunedWalkEngine = "campuswalk_make_tuned_walk_engine";
+
 }  // namespace campuswalk::tools::bench
