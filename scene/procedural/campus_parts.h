@@ -13,12 +13,12 @@ constexpr double kStorey = 3.5;  ///< metres
 /// Yaw about +Y, radians.
 collision::Pose turned(const collision::Vec3& at, double yaw);
 
-/// A wall of windows 3 m wide that lie 0.25 m behind it, seen from its outside: X's z points there, its x to the
-/// right; from x = -half to half, y = 0 to the top.
+/// A wall of windows 3 m wide that lie 0.25 m behind it, seen from its outside: X's z points there, its x to
+/// the right; from x = -half to half, y = 0 to the top.
 void add_window_wall(MeshParts& parts, const collision::Pose& X_campus_wall, double half, int storeys);
 
-/// A trunk, a bumpy crown up to 3 m around it, and leaves that stick out of it. Whatever differs between trees
-/// is by `chance`.
+/// A trunk, a bumpy crown up to 3 m around it, and leaves that stick out of it. Whatever differs between
+/// trees is by `chance`.
 void add_tree(MeshParts& parts, const collision::Vec3& foot, Chance& chance);
 
 /// 1.8 m long, along X's x.

@@ -65,8 +65,8 @@ void add_upper_floors(const CourseGround& ground) {
     for (int side = 0; side < 4; ++side) {
         const bool is_long = side % 2 == 0;
         const Pose X_hall_wall = turned(Vec3::Zero(), kQuarterTurn * side);
-        const Vec3 middle = Vec3(0.0, kUpper, -0.5 * kDeep) +
-                            X_hall_wall.rotate({0.0, 0.0, is_long ? 0.5 * kDeep : kHalf});
+        const Vec3 middle =
+            Vec3(0.0, kUpper, -0.5 * kDeep) + X_hall_wall.rotate({0.0, 0.0, is_long ? 0.5 * kDeep : kHalf});
         const Pose X{ground.X.rotation * X_hall_wall.rotation, ground.X * middle};
         add_window_wall(ground.parts, X, is_long ? kHalf : 0.5 * kDeep, storeys);
     }

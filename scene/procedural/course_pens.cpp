@@ -90,7 +90,7 @@ void add_bars(const Pen& pen) {
 }  // namespace
 
 void add_pens(const CourseGround& ground) {
-    constexpr void (*kPens[])(const Pen&) = {add_walled, add_riser, add_slope,
+    constexpr void (*kPens[])(const Pen&) = {add_walled, add_riser,       add_slope,
                                              add_gap,    add_low_opening, add_bars};
     double x = -12.5;
     for (const auto& add : kPens) {

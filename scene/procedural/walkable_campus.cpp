@@ -15,10 +15,11 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kLot = 72.0;    ///< metres
-constexpr int kCellsALot = 36;   ///< of the terrain, along a side
-constexpr double kLevel = 26.0;  ///< metres around the middle of a lot: the course's and a cell of the terrain
-constexpr double kSlope = 10.0;  ///< metres from there to where hills are hills
+constexpr double kLot = 72.0;   ///< metres
+constexpr int kCellsALot = 36;  ///< of the terrain, along a side
+constexpr double kLevel =
+    26.0;  ///< metres around the middle of a lot: the course's and a cell of the terrain
+constexpr double kSlope = 10.0;             ///< metres from there to where hills are hills
 constexpr double kTreeLine = kLevel + 3.5;  ///< a crown's radius away from the course
 constexpr int kTrees = 7;                   ///< a lot
 constexpr int kBenches = 6;                 ///< a lot
@@ -40,13 +41,36 @@ double nearest_middle(double coordinate, int lots) {
     return middle_of(std::clamp(lot, 0, lots - 1), lots);
 }
 
-double height_at(double x, double z, int lots) {
+/// Of a corner of the terrain.
+double corner_height(double x, double z, int lots) {
     const double middle_x = nearest_middle(x, lots);
     const double middle_z = nearest_middle(z, lots);
     const double out = Vec3(x - middle_x, 0.0, z - middle_z).norm();
     const double t = std::clamp((out - kLevel) / kSlope, 0.0, 1.0);
     const double smooth = t * t * (3.0 - 2.0 * t);
     return (1.0 - smooth) * hills(middle_x, middle_z) + smooth * hills(x, z);
+}
+
+/// On the terrain's triangles.
+double ground_height(double x, double z, int lots) {
+    constexpr double kCell = kLot / kCellsALot;
+    const double low = -0.5 * lots * kLot;
+    const double column = std::floor((x - low) / kCell);
+    const double row = std::floor((z - low) / kCell);
+    const auto height = [&](double across, double along) {
+        return corner_height(low + kCell * (column + across), low + kCell * (row + along), lots);
+    };
+    const double u = (x - low) / kCell - column;
+    const double v = (z - low) / kCell - row;
+    // Both triangles of a cell have its first corner and the one across.
+    const double first = height(0.0, 0.0);
+    const double last = height(1.0, 1.0);
+    if (v >= u) {
+        const double beside = height(0.0, 1.0);
+        return first + v * (beside - first) + u * (last - beside);
+    }
+    const double beside = height(1.0, 0.0);
+    return first + u * (beside - first) + v * (last - beside);
 }
 
 void add_terrain(MeshParts& parts, int lots) {
@@ -58,7 +82,7 @@ void add_terrain(MeshParts& parts, int lots) {
         for (int column = 0; column <= cells; ++column) {
             const double x = low + step * column;
             const double z = low + step * row;
-            parts.add_point({x, height_at(x, z, lots), z});
+            parts.add_point({x, corner_height(x, z, lots), z});
         }
     }
     for (int row = 0; row < cells; ++row) {
@@ -76,7 +100,7 @@ public:
     Lot(int row, int column, int lots, Chance& chance) : lots_(lots), chance_(chance) {
         const double x = middle_of(column, lots);
         const double z = middle_of(row, lots);
-        X_campus_course_ = turned({x, height_at(x, z, lots), z}, chance.between(-3.0, 3.0));
+        X_campus_course_ = turned({x, ground_height(x, z, lots), z}, chance.between(-3.0, 3.0));
         sizes_ = course_sizes(row % 3 * 3 + column % 3);
     }
 
@@ -99,18 +123,19 @@ public:
 private:
     Vec3 on_ground(const Vec3& in_course) const {
         const Vec3 at = X_campus_course_ * in_course;
-        return {at.x(), height_at(at.x(), at.z(), lots_), at.z()};
+        return {at.x(), ground_height(at.x(), at.z(), lots_), at.z()};
     }
 
     /// Up the slope around the course and back; nothing else is put beside x > 0, z = 0.
     WalkPath over_the_hill() const {
-        return {"hill",
-                on_ground({21.0, 0.0, 1.0}),
-                {{on_ground({27.0, 0.0, 0.5})}, {on_ground({33.0, 0.0, 0.0})}, {on_ground({21.0, 0.0, -1.0})}}};
+        return {
+            "hill",
+            on_ground({21.0, 0.0, 1.0}),
+            {{on_ground({27.0, 0.0, 0.5})}, {on_ground({33.0, 0.0, 0.0})}, {on_ground({21.0, 0.0, -1.0})}}};
     }
 
-    /// Somewhere on the lot, at least `away` from its middle, and not where a crown would be in the next lot's
-    /// way.
+    /// Somewhere on the lot, at least `away` from its middle, and not where a crown would be in the next
+    /// lot's way.
     Vec3 around(double away) {
         constexpr double kFree = 5.0;
         constexpr double kFar = 0.5 * kLot - 4.0;

@@ -9,6 +9,8 @@ from program import ProgramCase, main
 
 PAIRS = [31, 142, 238, 347, 429, 666, 815, 961, 1081, 1295]
 COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
+WALK_COLUMNS = ("triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
+                "crossings").split(",")
 OF_THE_PAPER = ["paper", "obb", "sphere"]
 CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points"]
 HAS_NO_RENDERING = "this build has no rendering"
@@ -28,7 +30,7 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_bad_usage(self):
-        self.refused("a command is needed: table1, million, nested, trees, campus, all")
+        self.refused("a command is needed: table1, million, nested, trees, campus, walk, all")
         self.refused("there is no command 'table2' (did you mean 'table1'?)", "table2")
         for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
                                           ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
@@ -108,6 +110,31 @@ class Bench(ProgramCase):
         out = self.passes("bench", "nested", "--rounds", "1", "--csv", "n.csv").out
         self.assertEqual({row["case"] for row in self.rows("n.csv")}, {"nested"})
         self.assertEqual(len(out[out.index("Against what is to be reached"):].splitlines()), 2)
+
+    def test_a_walk(self):
+        """On a campus of some thousand triangles; whether it is quick enough says nothing here."""
+        outcome = self.run_program("bench", "walk", "--quick", "--csv", "new/w.csv")
+        self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
+        rows = list(csv.DictReader(io.StringIO(self.read("new/w.csv").decode())))
+        self.assertEqual(list(rows[0]), WALK_COLUMNS)
+        ours = rows[0]
+        self.assertEqual([ours[key] for key in ("controller", "goals", "reached", "forbidden", "crossings")],
+                         ["ours", "23", "23", "0", "0"])
+        self.assertLessEqual(float(ours["max_penetration_mm"]), 0.1)
+        self.assertIn([row["controller"] for row in rows[1:]], ([], ["bullet", "bullet_default", "bullet_tuned"]))
+        for row in rows:
+            self.assertEqual((row["triangles"], row["goals"]), (ours["triangles"], "23"))
+            self.assertLess(0.0, float(row["us_p50"]))
+            self.assertLessEqual(float(row["us_p50"]), float(row["us_p99"]))
+            self.assertLessEqual(float(row["us_p99"]), float(row["us_max"]))
+        verdicts = outcome.out[outcome.out.index("Against what is to be reached"):].splitlines()[1:]
+        self.assertEqual(len(verdicts), 9)
+        for line in verdicts:
+            self.assertRegex(line, r"^  \S.* (not measured|[0-9.]+(x Bullet's| mm| bytes| us| ms)?  "
+                                   r"\(must [0-9.]+(, aim [0-9.]+)?\)  (MISSED|reached|aim reached))$")
+        for line in verdicts:
+            if "MISSED" in line:
+                self.assertRegex(line, "mean tick|worst tick|two minutes")
 
     def plots(self, name, start, *arguments, **options):
         """What table1 prints while it plots; nothing where there is no rendering."""

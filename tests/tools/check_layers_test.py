@@ -91,7 +91,7 @@ class CheckLayers(unittest.TestCase):
         self.finds({"collision/bullet_broad_phase.cpp": broad, "collision/bullet_broad_phase.h": HEADER + broad},
                    "collision/bullet_broad_phase.h:2:10: error third-party: "
                    "<BulletCollision/BroadphaseCollision/btDbvtBroadphase.h> may be included in "
-                   "collision/bullet_broad_phase.cpp only")
+                   "collision/bullet_broad_phase.cpp, tools/campuswalk/bench/peers only")
 
     def test_a_folder_of_the_distribution_hides_nothing(self):
         self.finds({"engine/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},

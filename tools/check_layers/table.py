@@ -43,7 +43,7 @@ STRICTER = {file: _ORACLE + ["collision/mesh_collider", "collision/shapes", "col
 THIRD_PARTY = {
     "Eigen/": [ANYWHERE],
     "hwy/": ["collision/kernels"],
-    "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp"],
+    "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp", "tools/campuswalk/bench/peers"],
     "LinearMath/": ["collision/bullet_broad_phase.cpp"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
     "BulletCollision/": ["tests", "tools/campuswalk/bench/peers"],

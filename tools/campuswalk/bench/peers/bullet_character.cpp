@@ -9,7 +9,6 @@
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletDynamics/Character/btKinematicCharacterController.h>
 
-#include <memory>
 #include <optional>
 
 #include "tools/campuswalk/bench/engine.h"
@@ -25,19 +24,24 @@ btVector3 bullet(const collision::Vec3& v) {
     return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-/// What there is to set beyond what the body says.
+/// What there is to set beyond what the body says, metres; Bullet's defaults.
 struct Tuning {
-    btScalar mesh_margin = 0.04F;            ///< around triangles, metres
-    btScalar allowed_penetration = 0.04F;    ///< of sweeps
+    btScalar mesh_margin = 0.04F;             ///< around triangles
+    btScalar allowed_penetration = 0.04F;     ///< of sweeps
     btScalar unrecovered_penetration = 0.2F;  ///< what is left as it is after a tick
-    bool sweep_by_ghost = true;              ///< asks what the ghost overlaps, not the world
 };
 
-/// Deeper than this nothing else is in the world, so that the mesh is a static object like any other.
+/// The most goals right of some twenty combinations on the campus of 65 thousand triangles. Recovering from
+/// all penetration ends on the stairs and in doors; leaving more of it gets where nobody should.
+constexpr Tuning kTuned{0.015F, 0.02F, 0.06F};
+
 class BulletCharacter final : public WalkEngine {
 public:
     BulletCharacter(const collision::TriangleMesh& mesh, const WalkBody& body, const Tuning& tuning)
-        : body_(body), tuning_(tuning), dispatcher_(&configuration_), world_(&dispatcher_, &broad_phase_, &configuration_) {
+        : body_(body),
+          tuning_(tuning),
+          dispatcher_(&configuration_),
+          world_(&dispatcher_, &broad_phase_, &configuration_) {
         triangles_.addIndexedMesh(indexed(mesh));
         mesh_.emplace(&triangles_, true);
         mesh_->setMargin(tuning.mesh_margin);
@@ -71,7 +75,6 @@ public:
         controller_->setGravity({0.0F, -static_cast<btScalar>(body_.gravity), 0.0F});
         controller_->setMaxSlope(static_cast<btScalar>(body_.max_slope));
         controller_->setMaxPenetrationDepth(tuning_.unrecovered_penetration);
-        controller_->setUseGhostSweepTest(tuning_.sweep_by_ghost);
         world_.addCollisionObject(&*ghost_, btBroadphaseProxy::CharacterFilter,
                                   btBroadphaseProxy::StaticFilter | btBroadphaseProxy::DefaultFilter);
     }
@@ -118,9 +121,7 @@ extern "C" WalkEngine* campuswalk_make_walk_engine(const collision::TriangleMesh
 
 extern "C" WalkEngine* campuswalk_make_tuned_walk_engine(const collision::TriangleMesh& mesh,
                                                          const WalkBody& body) {
-    const auto number = [](const char* name, float other) { const char* t = getenv(name); return t ? (float)atof(t) : other; };
-    Tuning tuning{number("B_MARGIN", 0.0F), number("B_CCD", 0.0F), number("B_PEN", 0.0F), number("B_GHOST", 1) > 0};
-    return new BulletCharacter(mesh, body, tuning);
+    return new BulletCharacter(mesh, body, kTuned);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -38,8 +38,7 @@ OurWalker::OurWalker(const collision::TriangleMesh& mesh, const WalkBody& body)
 }
 
 void OurWalker::place(const Vec3& foot) {
-    const auto free =
-        free_place(world_, {}, foot, settings_.radius, settings_.height, kSearch, counters_);
+    const auto free = free_place(world_, {}, foot, settings_.radius, settings_.height, kSearch, counters_);
     if (!free) {
         throw std::runtime_error("a path of the benchmark starts where nobody can stand");
     }

@@ -19,8 +19,8 @@ public:
     void walk(const collision::Vec3& wish) override;
     collision::Vec3 foot() const override { return state_.foot; }
 
-    /// What the mover keeps for itself after all it has done, bytes. It is gone then. Only itself, without what
-    /// it has allocated, where heaps aren't counted (heap.h).
+    /// What the mover keeps for itself after all it has done, bytes. It is gone then. Only itself, without
+    /// what it has allocated, where heaps aren't counted (heap.h).
     std::size_t weigh();
 
 private:

@@ -26,8 +26,9 @@ double clock_alone() {
 }  // namespace
 
 bool run_walk_bench(int rounds, bool quick, const std::filesystem::path& csv) {
-    std::printf("A person of 1.8 m at 1.4 m/s and 60 Hz, one thread. Reading the clock takes %.3f us of each tick.\n",
-                clock_alone());
+    std::printf(
+        "A person of 1.8 m at 1.4 m/s and 60 Hz, one thread. Reading the clock takes %.3f us of each tick.\n",
+        clock_alone());
     std::vector<WalkedCampus> campuses;
     for (const int lots : quick ? std::vector<int>{1} : std::vector<int>{3, 8, 17}) {
         campuses.push_back(walk_campus(lots, rounds));

@@ -30,9 +30,9 @@ Peers make_peers(const collision::TriangleMesh& mesh, const WalkBody& body) {
 
 void print_score(const WalkScore& score) {
     std::printf("%16s%9.3f%9.3f%9.3f%9.3f%9zu%6zu/%-5zu%5zu/%-5zu%9.3f%10zu%9zu\n", score.controller.c_str(),
-                score.us_mean, score.us_p50, score.us_p99, score.us_max, score.ticks, score.reached, score.goals,
-                score.forbidden, score.walled_off, 1000.0 * score.max_penetration, score.crossings,
-                score.unrepeated);
+                score.us_mean, score.us_p50, score.us_p99, score.us_max, score.ticks, score.reached,
+                score.goals, score.forbidden, score.walled_off, 1000.0 * score.max_penetration,
+                score.crossings, score.unrepeated);
 }
 
 void print_failures(const WalkScore& score) {
@@ -79,12 +79,13 @@ WalkedCampus walk_campus(int lots, int rounds) {
         walked.fastest_peer = std::min(walked.scores[1].us_mean, walked.scores[2].us_mean);
         walked.scores.insert(walked.scores.begin() + 1, best);
     }
-    std::printf("%16s%9s%9s%9s%9s%9s%12s%11s%9s%10s%9s\n", "", "mean", "p50", "p99", "max", "ticks", "reached",
-                "forbidden", "deep, mm", "crossings", "differ");
+    std::printf("%16s%9s%9s%9s%9s%9s%12s%11s%9s%10s%9s\n", "", "mean", "p50", "p99", "max", "ticks",
+                "reached", "forbidden", "deep, mm", "crossings", "differ");
     for (const WalkScore& score : walked.scores) {
         print_score(score);
     }
-    std::printf("goals of ours that were missed, or wrongly got to: %zu\n", walked.scores.front().failures.size());
+    std::printf("goals of ours that were missed, or wrongly got to: %zu\n",
+                walked.scores.front().failures.size());
     print_failures(walked.scores.front());
     return walked;
 }

@@ -27,7 +27,8 @@ double distance_of_pieces(const Vec3& p, const Vec3& u, const Vec3& q, const Vec
         const double t = length > 0.0 ? std::clamp(along.dot(point - from) / length, 0.0, 1.0) : 0.0;
         return (from + t * along - point).norm();
     };
-    double least = std::min({to_piece(p, q, v), to_piece(p + u, q, v), to_piece(q, p, u), to_piece(q + v, p, u)});
+    double least =
+        std::min({to_piece(p, q, v), to_piece(p + u, q, v), to_piece(q, p, u), to_piece(q + v, p, u)});
     const double uu = u.squaredNorm();
     const double uv = u.dot(v);
     const double vv = v.squaredNorm();

@@ -36,9 +36,9 @@ private:
 
     const collision::TriangleMesh& mesh_;
     collision::Vec3 low_ = collision::Vec3::Zero();
-    std::size_t side_ = 1;  ///< columns
-    double width_ = 1.0;    ///< metres a column
-    std::vector<std::uint32_t> first_;    ///< by column, into triangles_
+    std::size_t side_ = 1;              ///< columns
+    double width_ = 1.0;                ///< metres a column
+    std::vector<std::uint32_t> first_;  ///< by column, into triangles_
     std::vector<std::uint32_t> triangles_;
 };
 

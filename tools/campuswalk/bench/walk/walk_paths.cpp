@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "tools/campuswalk/bench/heap.h"
+
 namespace campuswalk::tools::bench {
 
 using collision::Vec3;
@@ -60,6 +62,7 @@ void walk_path(WalkEngine& engine, const WalkPath& path, const WalkBody& body, W
     record.arrived.clear();
     engine.place(path.start);
     record.start = engine.foot();
+    const std::size_t heap_before = heap_in_use();
     Vec3 from = path.start;
     for (const WalkGoal& goal : path.goals) {
         bool arrived = false;
@@ -71,6 +74,8 @@ void walk_path(WalkEngine& engine, const WalkPath& path, const WalkBody& body, W
         record.arrived.push_back(arrived ? 1 : 0);
         from = goal.at;
     }
+    const std::size_t heap_after = heap_in_use();
+    record.heap_growth = heap_after > heap_before ? heap_after - heap_before : 0;
 }
 
 }  // namespace campuswalk::tools::bench

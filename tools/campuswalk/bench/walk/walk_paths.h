@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/procedural/walk_course.h"
@@ -17,7 +18,8 @@ struct WalkTick {
 struct WalkRecord {
     collision::Vec3 start = collision::Vec3::Zero();  ///< where the walker was put
     std::vector<WalkTick> ticks;
-    std::vector<char> arrived;  ///< by goal
+    std::vector<char> arrived;    ///< by goal
+    std::size_t heap_growth = 0;  ///< bytes, from the start to the end
 };
 
 /// The record of no walk along this path takes more memory than this has.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tools/campuswalk/bench/heap.h"
 #include "tools/campuswalk/bench/walk/walk_paths.h"
 
 namespace campuswalk::tools::bench {
@@ -29,10 +28,8 @@ bool are_same(const WalkRecord& a, const WalkRecord& b) {
 }
 
 void repeat(Contestant& it, const WalkPath& path, const WalkBody& body) {
-    const std::size_t before = heap_in_use();
     walk_path(*it.walker.engine, path, body, it.again);
-    const std::size_t after = heap_in_use();
-    it.score.heap_growth += after > before ? after - before : 0;
+    it.score.heap_growth += it.again.heap_growth;
     it.is_repeated = it.is_repeated && are_same(it.first, it.again);
     for (std::size_t i = 0; it.is_repeated && i < it.first.ticks.size(); ++i) {
         it.first.ticks[i].us = std::min(it.first.ticks[i].us, it.again.ticks[i].us);

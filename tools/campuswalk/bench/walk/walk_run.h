@@ -24,14 +24,14 @@ struct WalkScore {
     double us_p50 = 0.0;
     double us_p99 = 0.0;
     double us_max = 0.0;
-    std::size_t goals = 0;         ///< that it is to get to
-    std::size_t reached = 0;       ///< of these
-    std::size_t walled_off = 0;    ///< that it mustn't get to
-    std::size_t forbidden = 0;     ///< of these it got to
-    double max_penetration = 0.0;  ///< metres, at the end of a tick
-    std::size_t crossings = 0;     ///< ticks on which the middle of the body went through a triangle
-    std::size_t unrepeated = 0;    ///< paths that weren't the same, to the bit, each time
-    std::size_t heap_growth = 0;   ///< bytes, from the second round on
+    std::size_t goals = 0;              ///< that it is to get to
+    std::size_t reached = 0;            ///< of these
+    std::size_t walled_off = 0;         ///< that it mustn't get to
+    std::size_t forbidden = 0;          ///< of these it got to
+    double max_penetration = 0.0;       ///< metres, at the end of a tick
+    std::size_t crossings = 0;          ///< ticks on which the middle of the body went through a triangle
+    std::size_t unrepeated = 0;         ///< paths that weren't the same, to the bit, each time
+    std::size_t heap_growth = 0;        ///< bytes, from the second round on
     std::vector<std::string> failures;  ///< goals missed or wrongly got to
 };
 
@@ -39,7 +39,8 @@ struct WalkScore {
 /// finds in the caches what the ticks before it left there: replaying a tick by itself would find all it
 /// needs, and hide what a new neighbourhood costs. Where a walk isn't the same each time it is the first that
 /// counts, and its times.
-std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers, const std::vector<scene::WalkPath>& paths,
-                                 const WalkBody& body, const WalkJudge& judge, int rounds);
+std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers,
+                                 const std::vector<scene::WalkPath>& paths, const WalkBody& body,
+                                 const WalkJudge& judge, int rounds);
 
 }  // namespace campuswalk::tools::bench

@@ -19,7 +19,8 @@ WalkVerdict at_most(std::string what, std::optional<double> value, const char* u
     return verdict;
 }
 
-WalkVerdict at_least(std::string what, std::optional<double> value, const char* unit, double must, double aim) {
+WalkVerdict at_least(std::string what, std::optional<double> value, const char* unit, double must,
+                     double aim) {
     WalkVerdict verdict{std::move(what), value, unit, true, must, aim, false};
     verdict.holds = value && reaches(verdict, must);
     return verdict;
@@ -51,9 +52,9 @@ void judge_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVe
 
 /// From the smallest campus to the largest.
 void judge_growth(const WalkedCampus& small, const WalkedCampus& large, std::vector<WalkVerdict>& verdicts) {
-    verdicts.push_back(
-        at_most("growth of working memory",
-                static_cast<double>(large.working_memory) / static_cast<double>(small.working_memory), "x", 1.2));
+    verdicts.push_back(at_most(
+        "growth of working memory",
+        static_cast<double>(large.working_memory) / static_cast<double>(small.working_memory), "x", 1.2));
     const double mean = large.scores.front().us_mean;
     WalkVerdict growth = at_most("growth of the mean tick", mean / small.scores.front().us_mean, "x", 2.5);
     if (large.fastest_peer && mean * 60.0 <= *large.fastest_peer) {
@@ -65,7 +66,8 @@ void judge_growth(const WalkedCampus& small, const WalkedCampus& large, std::vec
 
 std::string value_of(const WalkVerdict& verdict) {
     char text[32];
-    std::snprintf(text, sizeof(text), "%.*f%s", *verdict.value >= 1000.0 ? 0 : 2, *verdict.value, verdict.unit);
+    std::snprintf(text, sizeof(text), "%.*f%s", *verdict.value >= 1000.0 ? 0 : 2, *verdict.value,
+                  verdict.unit);
     return text;
 }
 

@@ -20,7 +20,8 @@ struct WalkVerdict {
 };
 
 /// Quality and speed. `tour_ms` is what the demo campus' tour took.
-std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses, std::optional<double> tour_ms);
+std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses,
+                                       std::optional<double> tour_ms);
 
 void print_verdicts(const std::vector<WalkVerdict>& verdicts);
 

@@ -1,0 +1,143 @@
+// Whether a person can get where a course says, and nowhere else: by flooding, which knows no mover.
+
+#include "scene/procedural/walk_course.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/procedural/walkable_campus.h"
+#include "tests/scene/procedural/standing_flood.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using collision::TriangleMesh;
+using collision::Vec3;
+
+/// Half a person, nearly: where she can't go nobody of full size can.
+constexpr FloodBody kSlim{0.27, 1.79, 0.305, 0.6225146366376195};  // 51.5 degrees
+constexpr double kFine = 0.04;
+// A cell's half diagonal and she are narrower than a person, so that no way is missed between cells.
+static_assert(kSlim.radius + 0.71 * kFine < 0.3);
+
+/// Where she gets along anybody of normal size does.
+constexpr FloodBody kStout{0.33, 1.85, 0.285, 0.6626200482157375};  // 48.5 degrees
+constexpr double kCoarse = 0.08;
+constexpr double kAside = 1.2;  ///< metres from the straight line to a goal
+
+struct Course {
+    TriangleMesh mesh;
+    std::vector<WalkPath> paths;
+};
+
+Course course_on_flat_ground(int ninth) {
+    Course course;
+    MeshParts parts(course.mesh);
+    const double half = kCourseRadius;
+    parts.add_quad({-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half});
+    add_course(parts, {}, course_sizes(ninth), course.paths);
+    return course;
+}
+
+void expect_ways(const TriangleMesh& mesh, const std::vector<WalkPath>& paths) {
+    StandingFlood stout(mesh, kStout, kCoarse);
+    for (const WalkPath& path : paths) {
+        Vec3 from = path.start;
+        for (const WalkGoal& goal : path.goals) {
+            if (!goal.forbidden) {
+                EXPECT_TRUE(stout.leads(from, goal.at, kAside)) << path.name << ": to " << goal.at.transpose();
+            }
+            from = goal.at;
+        }
+    }
+}
+
+class WalkCourse : public testing::TestWithParam<int> {};
+
+TEST_P(WalkCourse, LeadsToEveryGoalNearlyStraight) {
+    const Course course = course_on_flat_ground(GetParam());
+    expect_ways(course.mesh, course.paths);
+}
+
+TEST_P(WalkCourse, WallsForbiddenGoalsOff) {
+    const Course course = course_on_flat_ground(GetParam());
+    StandingFlood slim(course.mesh, kSlim, kFine);
+    int forbidden = 0;
+    for (const WalkPath& path : course.paths) {
+        for (const WalkGoal& goal : path.goals) {
+            if (goal.forbidden) {
+                const double away = (path.start - goal.at).norm();
+                EXPECT_FALSE(slim.is_open(goal.at, 0.9 * away)) << path.name;
+                ++forbidden;
+            }
+        }
+    }
+    EXPECT_EQ(forbidden, 7);
+}
+
+TEST_P(WalkCourse, WallsThemOffByWhatItSays) {
+    CourseSizes easy = course_sizes(GetParam());
+    easy.too_high = 0.25;
+    easy.too_steep = 45.0;
+    easy.too_narrow = 0.75;
+    easy.too_low = 1.95;
+    TriangleMesh mesh;
+    MeshParts parts(mesh);
+    std::vector<WalkPath> paths;
+    const double half = kCourseRadius;
+    parts.add_quad({-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half});
+    add_course(parts, {}, easy, paths);
+    StandingFlood stout(mesh, kStout, kCoarse);
+    int open = 0;
+    for (const WalkPath& path : paths) {
+        if (path.goals.front().forbidden) {
+            open += stout.leads(path.start, path.goals.front().at, kAside) ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(open, 4) << "but for the wall, the bars and the closed room";
+}
+
+INSTANTIATE_TEST_SUITE_P(EasyToHard, WalkCourse, testing::Values(0, 4, 8));
+
+TEST(WalkableCampus, HasWaysOverItsHills) {
+    const WalkableCampus campus = walkable_campus(1);
+    std::vector<WalkPath> hills;
+    for (const WalkPath& path : campus.paths) {
+        if (path.name == "hill") {
+            hills.push_back(path);
+        }
+    }
+    ASSERT_EQ(hills.size(), 1U);
+    expect_ways(campus.mesh, hills);
+}
+
+TEST(WalkableCampus, ThreeLotsASideAreWalkedAll) {
+    const WalkableCampus campus = walkable_campus(3);
+    EXPECT_NEAR(static_cast<double>(campus.mesh.triangles.size()), 65e3, 3e3);
+    std::size_t goals = 0;
+    std::size_t forbidden = 0;
+    for (const WalkPath& path : campus.paths) {
+        for (const WalkGoal& goal : path.goals) {
+            (goal.forbidden ? forbidden : goals) += 1;
+        }
+    }
+    EXPECT_EQ(campus.paths.size(), 144U);
+    EXPECT_EQ(goals, 207U);
+    EXPECT_EQ(forbidden, 63U);
+}
+
+TEST(WalkableCampus, IsAsLargeAsAskedAndWalkedFromEndToEnd) {
+    const WalkableCampus campus = walkable_campus(17);
+    EXPECT_NEAR(static_cast<double>(campus.mesh.triangles.size()), 2.09e6, 2e4);
+    EXPECT_EQ(campus.paths.size(), 144U);
+    Vec3 low = campus.paths[0].start;
+    Vec3 high = low;
+    for (const WalkPath& path : campus.paths) {
+        low = low.cwiseMin(path.start);
+        high = high.cwiseMax(path.start);
+    }
+    EXPECT_GT(high.x() - low.x(), 14 * 72.0);
+    EXPECT_GT(high.z() - low.z(), 14 * 72.0);
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

@@ -1,0 +1,278 @@
+// What `campuswalk bench walk` says of walkers that are made up for it, and of ours on a small campus.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "scene/procedural/walkable_campus.h"
+#include "tests/collision/allocation_count.h"
+#include "tests/support/dice.h"
+#include "tests/support/mesh_pieces.h"
+#include "tests/support/penetration_oracle.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/campuswalk/bench/walk/our_walker.h"
+#include "tools/campuswalk/bench/walk/walk_csv.h"
+#include "tools/campuswalk/bench/walk/walk_judge.h"
+#include "tools/campuswalk/bench/walk/walk_paths.h"
+#include "tools/campuswalk/bench/walk/walk_run.h"
+#include "tools/campuswalk/bench/walk/walk_verdicts.h"
+
+namespace campuswalk::tools::bench {
+namespace {
+
+using collision::TriangleMesh;
+using collision::Vec3;
+using scene::WalkPath;
+
+/// Moves as a function says.
+class MadeUpWalker final : public WalkEngine {
+public:
+    using Move = std::function<Vec3(const Vec3& foot, const Vec3& wish)>;
+    explicit MadeUpWalker(Move move) : move_(std::move(move)) {}
+
+    void place(const Vec3& foot) override { foot_ = foot; }
+    void walk(const Vec3& wish) override { foot_ = move_(foot_, wish); }
+    Vec3 foot() const override { return foot_; }
+
+private:
+    Move move_;
+    Vec3 foot_ = Vec3::Zero();
+};
+
+/// A floor with a wall across it at x = 2.
+TriangleMesh floor_and_wall() {
+    TriangleMesh mesh;
+    support::add_floor(mesh, 10.0);
+    support::add_quad(mesh, {2, 0, -10}, {2, 0, 10}, {2, 3, 10}, {2, 3, -10});
+    return mesh;
+}
+
+/// To a place before the wall, and then to one behind it.
+std::vector<WalkPath> to_the_wall_and_through() {
+    return {{"wall", {0, 0, 0}, {{{1, 0, 0}, false}, {{3, 0, 0}, true}}}};
+}
+
+WalkScore score_of(const MadeUpWalker::Move& move, int rounds = 3) {
+    const TriangleMesh mesh = floor_and_wall();
+    MadeUpWalker walker(move);
+    return run_walks({{"made up", &walker}}, to_the_wall_and_through(), {}, WalkJudge(mesh), rounds).at(0);
+}
+
+TEST(RunWalks, LetsOneThatStopsBeforeWallsPass) {
+    const WalkScore score = score_of([](const Vec3& foot, const Vec3& wish) {
+        const Vec3 there = foot + wish;
+        return Vec3(std::min(there.x(), 1.7), there.y(), there.z());
+    });
+    EXPECT_EQ(score.goals, 1U);
+    EXPECT_EQ(score.reached, 1U);
+    EXPECT_EQ(score.walled_off, 1U);
+    EXPECT_EQ(score.forbidden, 0U);
+    EXPECT_EQ(score.crossings, 0U);
+    EXPECT_LT(score.max_penetration, 1e-12);
+    EXPECT_TRUE(score.failures.empty());
+    EXPECT_TRUE(walks_right(score));
+    // 0.8 m at 1.4 m/s, then 2 m at that speed and 3 s more.
+    EXPECT_NEAR(static_cast<double>(score.ticks), 60.0 * (0.8 / 1.4 + 2.0 / 1.4 + 3.0), 2.0);
+}
+
+TEST(RunWalks, SeesOneThatWalksThroughWalls) {
+    const WalkScore score = score_of([](const Vec3& foot, const Vec3& wish) { return Vec3(foot + wish); });
+    EXPECT_EQ(score.reached, 1U);
+    EXPECT_EQ(score.forbidden, 1U);
+    EXPECT_EQ(score.crossings, 1U);
+    EXPECT_NEAR(score.max_penetration, 0.3, 0.02) << "all of it, when the wall is at its axis";
+    EXPECT_EQ(score.failures, (std::vector<std::string>{"wall, goal 2"}));
+    EXPECT_FALSE(walks_right(score));
+}
+
+TEST(RunWalks, SeesOneThatSinksIn) {
+    const WalkScore score = score_of([](const Vec3& foot, const Vec3& wish) {
+        return Vec3(std::min(foot.x() + wish.x(), 1.75), -0.001, foot.z());
+    });
+    EXPECT_NEAR(score.max_penetration, 0.05, 1e-9);
+    EXPECT_EQ(score.reached, 1U);
+    EXPECT_FALSE(walks_right(score));
+}
+
+TEST(RunWalks, SeesOneThatGetsNowhere) {
+    const WalkScore score = score_of([](const Vec3& foot, const Vec3&) { return foot; });
+    EXPECT_EQ(score.reached, 0U);
+    EXPECT_EQ(score.forbidden, 0U);
+    EXPECT_EQ(score.failures, (std::vector<std::string>{"wall, goal 1"}));
+    EXPECT_FALSE(walks_right(score));
+}
+
+TEST(RunWalks, SeesOneThatIsNeverTheSame) {
+    double drift = 0.0;
+    const WalkScore score = score_of([&](const Vec3& foot, const Vec3& wish) {
+        drift += 1e-9;
+        return Vec3(std::min(foot.x() + wish.x(), 1.6) + drift, foot.y(), foot.z());
+    });
+    EXPECT_EQ(score.unrepeated, 1U);
+    EXPECT_FALSE(walks_right(score));
+}
+
+TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
+    static constexpr double kSlow = 200.0;  // microseconds
+    const auto slow_in_the_first_round = [](int& round) {
+        return [&round](const Vec3& foot, const Vec3& wish) {
+            round += foot.x() == 0.0 ? 1 : 0;
+            const auto start = std::chrono::steady_clock::now();
+            while (round == 1 && std::chrono::steady_clock::now() - start <
+                                     std::chrono::duration<double, std::micro>(kSlow)) {
+            }
+            return Vec3(std::min(foot.x() + wish.x(), 1.6), foot.y(), foot.z());
+        };
+    };
+    int rounds = 0;
+    const WalkScore once = score_of(slow_in_the_first_round(rounds), 1);
+    EXPECT_EQ(rounds, 1);
+    EXPECT_GE(once.us_p50, kSlow);
+    EXPECT_GE(once.us_mean, kSlow);
+    EXPECT_LE(once.us_p50, once.us_p99);
+    EXPECT_LE(once.us_p99, once.us_max);
+    rounds = 0;
+    const WalkScore thrice = score_of(slow_in_the_first_round(rounds), 3);
+    EXPECT_EQ(rounds, 3);
+    EXPECT_LT(thrice.us_p50, kSlow);
+}
+
+TEST(WalkJudge, AgreesWithTheTestsOwnOracle) {
+    const scene::WalkableCampus campus = scene::walkable_campus(1);
+    const WalkJudge judge(campus.mesh);
+    collision::World world(std::make_unique<collision::LinearBroadPhase>());
+    support::add_object(world, campus.mesh);
+    const support::PenetrationOracle oracle(world);
+    support::Dice dice(11);
+    int inside = 0;
+    int crossed = 0;
+    for (int i = 0; i < 4000; ++i) {
+        // About what is built: most of it is near the middle.
+        const Vec3 foot = Vec3(dice.between(-20, 20), dice.between(-1.0, 4.0), dice.between(-20, 20));
+        const double depth = oracle.worst_penetration(foot, 0.3, 1.8).depth;
+        EXPECT_NEAR(judge.penetration(foot, 0.3, 1.8), std::max(0.0, depth), 1e-9) << foot.transpose();
+        inside += depth > 0.0 ? 1 : 0;
+        // An axis of no length: a point.
+        const Vec3 to = foot + dice.in_cube(0.5);
+        const bool met = judge.crosses(foot, to);
+        int met_one_by_one = 0;
+        const support::Line way{foot, to};
+        if (i % 40 == 0) {
+            for (std::size_t t = 0; t < campus.mesh.triangles.size(); ++t) {
+                const collision::Triangle c = corners(campus.mesh, t);
+                met_one_by_one += passes_through(way, support::Corners{c.a, c.b, c.c}) ? 1 : 0;
+            }
+            EXPECT_EQ(met, met_one_by_one > 0) << foot.transpose();
+            crossed += met ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inside, 400);
+    EXPECT_LT(inside, 3600);
+    EXPECT_GT(crossed, 5);
+}
+
+TEST(OurWalker, GetsEverywhereOnASmallCampusAndAllocatesNothingWarm) {
+    const scene::WalkableCampus campus = scene::walkable_campus(1);
+    const WalkBody body;
+    OurWalker ours(campus.mesh, body);
+    const WalkScore score = run_walks({{"ours", &ours}}, campus.paths, body, WalkJudge(campus.mesh), 2).at(0);
+    EXPECT_EQ(score.goals, 23U);
+    EXPECT_EQ(score.walled_off, 7U);
+    EXPECT_TRUE(walks_right(score)) << testing::PrintToString(score.failures);
+
+    for (const WalkPath& path : campus.paths) {
+        ours.place(path.start);
+        const Vec3 wish = body.speed * body.tick * (path.goals[0].at - path.start).normalized();
+        const std::size_t before = collision::allocation_count();
+        for (int tick = 0; tick < 60; ++tick) {
+            ours.walk({wish.x(), 0.0, wish.z()});
+        }
+        EXPECT_EQ(collision::allocation_count(), before) << path.name;
+    }
+}
+
+WalkedCampus made_up_campus(std::size_t triangles, double ours, double bullet, std::size_t memory) {
+    WalkedCampus campus;
+    campus.triangles = triangles;
+    campus.working_memory = memory;
+    campus.fastest_peer = bullet;
+    for (const auto& [name, mean] : {std::pair("ours", ours), std::pair("bullet", bullet)}) {
+        WalkScore score;
+        score.controller = name;
+        score.us_mean = mean;
+        score.us_p50 = 0.5 * mean;
+        score.us_p99 = 2.0 * mean;
+        score.us_max = 10.0 * mean;
+        score.goals = 60;
+        score.reached = 60;
+        score.max_penetration = 0.25e-4;
+        campus.scores.push_back(score);
+    }
+    campus.scores[1].reached = 58;
+    campus.scores[1].forbidden = 2;
+    campus.scores[1].crossings = 3;
+    return campus;
+}
+
+TEST(WalkCsv, HasALineACampusAndController) {
+    const support::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "new" / "walk.csv";
+    write_walk_csv({made_up_campus(60000, 0.5, 50.0, 100)}, file);
+    std::ifstream in(file);
+    std::stringstream text;
+    text << in.rdbuf();
+    EXPECT_EQ(text.str(),
+              "triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
+              "crossings\n"
+              "60000,ours,0.500,0.250,1.000,5.000,60,60,0,0.025,0\n"
+              "60000,bullet,50.000,25.000,100.000,500.000,60,58,2,0.025,3\n");
+}
+
+const WalkVerdict& verdict(const std::vector<WalkVerdict>& verdicts, const std::string& what) {
+    for (const WalkVerdict& it : verdicts) {
+        if (it.what.starts_with(what)) {
+            return it;
+        }
+    }
+    throw std::out_of_range(what);
+}
+
+TEST(WalkVerdicts, SayWhatIsReached) {
+    const auto all = walk_verdicts(
+        {made_up_campus(60000, 0.5, 50.0, 1000), made_up_campus(2000000, 2.0, 70.0, 1201)}, 49.0);
+    EXPECT_TRUE(verdict(all, "mean tick, 60000").holds);
+    EXPECT_DOUBLE_EQ(*verdict(all, "mean tick, 60000").value, 100.0);
+    EXPECT_FALSE(verdict(all, "mean tick, 2000000").holds) << "35 times";
+    EXPECT_TRUE(verdict(all, "waypoints missed").holds);
+    EXPECT_TRUE(verdict(all, "deepest").holds);
+    EXPECT_TRUE(verdict(all, "worst tick").holds);
+    EXPECT_FALSE(verdict(all, "growth of working memory").holds);
+    EXPECT_FALSE(verdict(all, "growth of the mean").holds) << "4 times, and more than 1/60 of Bullet's";
+    EXPECT_TRUE(verdict(all, "two minutes").holds);
+    const auto large_but_fast = walk_verdicts(
+        {made_up_campus(60000, 0.25, 50.0, 1000), made_up_campus(2000000, 1.0, 61.0, 1000)}, std::nullopt);
+    EXPECT_TRUE(verdict(large_but_fast, "growth of the mean").holds);
+    EXPECT_FALSE(verdict(large_but_fast, "two minutes").holds) << "not measured";
+}
+
+TEST(WalkCase, TheBetterHasMoreGoalsRightThenLessTime) {
+    WalkScore a;
+    a.goals = 10;
+    a.walled_off = 4;
+    a.reached = 9;
+    a.forbidden = 2;
+    a.us_mean = 30.0;
+    WalkScore b = a;
+    b.us_mean = 20.0;
+    EXPECT_EQ(&better(a, b), &b);
+    a.forbidden = 1;
+    EXPECT_EQ(&better(a, b), &a);
+    b.reached = 10;
+    EXPECT_EQ(&better(a, b), &b);
+}
+
+}  // namespace
+}  // namespace campuswalk::tools::bench
