@@ -1,23 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "collision/counters.h"
-#include "collision/obstacle.h"
+#include "collision/footing.h"
+#include "collision/half_planes.h"
+#include "collision/mover_settings.h"
+#include "collision/neighbourhood.h"
+#include "collision/way.h"
 #include "collision/world.h"
 
 namespace campuswalk::collision {
-
-/// The body that is moved: an upright capsule, metres.
-struct MoverSettings {
-    double height = 1.8;  ///< total
-    double radius = 0.3;
-    double step_height = 0.3;            ///< the highest edge it rolls over
-    double min_up = 0.6427876096865393;  ///< cosine of the steepest slope it walks on (50°)
-    double skin = 0.02;                  ///< gap kept to flat walls
-    double gravity = 9.81;               ///< metres a second squared
-};
 
 struct MoverState {
     Vec3 foot = Vec3::Zero();     ///< lowest point of the capsule
@@ -42,7 +35,8 @@ struct MoveTrace {
 
 /// Moves a capsule through the solid objects of a world: slides along walls, follows the ground, climbs
 /// steps, falls. It never ends a move overlapping a solid it didn't overlap before: every straight piece of
-/// motion is swept exactly (see `sweep`), whatever decided on it.
+/// motion is cleared by separating planes or swept exactly, whatever decided on it. What a move does depends
+/// on its arguments alone, not on what went before; a warm move allocates nothing.
 class CapsuleMover {
 public:
     CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter);
@@ -54,56 +48,46 @@ public:
     /// One tick: `wish` is the horizontal displacement asked for (y = 0), `seconds` the tick's length.
     void move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace, QueryCounters& counters);
 
+    /// Leaves the ground at `speed`, metres a second upwards; the moves that follow rise and fall on the
+    /// exact parabola. False, and nothing is changed, unless the body stands.
+    bool jump(MoverState& state, double speed) const;
+
+    /// Crouches or stands up: another total height, no less than two radii, on the same foot. False, and
+    /// nothing is changed, where there is no head room.
+    bool resize(MoverState& state, double height, QueryCounters& counters);
+    double height() const { return settings_.height; }
+
+    /// Call when the filter sees other objects than before.
+    void forget() { around_.forget(); }
+
     /// Fills `trace.touching` for a body at rest.
     void touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters);
 
 private:
-    enum class Kind : std::uint8_t { floor, step, wall };
-
-    /// An obstacle as the body meets it at the start of a part of the move.
-    struct Contact {
-        const Obstacle* obstacle = nullptr;
-        Closest closest;
-        Vec3 normal = Vec3::Zero();  ///< from the obstacle to the body
-        Kind kind = Kind::wall;
-    };
-
-    /// A wall as the horizontal solve sees it: the move may go at most `room` against `normal`.
-    struct HalfPlane {
-        double nx = 0.0;
-        double nz = 0.0;
-        double room = 0.0;
-    };
-
-    Segment body(const Vec3& foot) const;
-    void gather(const Vec3& foot, double sideways, double up, double down, QueryCounters& counters);
-    void find_contacts(const Vec3& foot, double reach);
-    Kind kind_of(const Obstacle& obstacle, const Vec3& normal, const Vec3& foot) const;
-    bool is_step(const Obstacle& obstacle, const Vec3& foot) const;
-    bool owned_by_floor(const Vec3& point) const;
+    void look_around(const Vec3& foot, double sideways, double up, double down, QueryCounters& counters);
+    void move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
+                   QueryCounters& counters);
 
     void walk(MoverState& state, const Vec3& wish);
+    void walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead);
     void fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace);
-    Vec3 slide(const Vec3& foot, const Vec3& wish);
-    double needed_lift(const Vec3& foot, const Vec3& move) const;
-    /// Sweeps the body and returns the displacement that is free.
-    Vec3 free_part(const Vec3& foot, const Vec3& move, double radius) const;
-    bool supported(const Vec3& foot) const;
-    Vec3 resting_normal(const Vec3& foot) const;
+    Vec3 fall_along(const Vec3& foot, double rest);
+    Vec3 slide(const Vec3& foot, const Vec3& wish, bool grounded);
+    void find_walls(const Vec3& foot, double length, bool grounded);
+    bool stands(const Vec3& foot);
+    Vec3 resting_normal(const Vec3& foot);
     void list_touching(const Vec3& foot, MoveTrace& trace);
 
     static void land(MoverState& state, const Vec3& foot, MoveTrace& trace);
 
-    static HalfPlane half_plane(const Contact& contact, double radius, double keep);
-    static Vec3 solve(const Vec3& wish, const std::vector<HalfPlane>& planes);
+    Way way() { return {around_, settings_}; }
 
-    const World& world_;
     MoverSettings settings_;
-    QueryFilter filter_;
-    std::vector<Obstacle> obstacles_;
-    std::vector<Contact> contacts_;
+    Neighbourhood around_;
+    Footing footing_;
+    double steepest_;  ///< metres up for one metre ahead
     std::vector<HalfPlane> planes_;
-    std::vector<bool> in_solve_;
+    std::vector<Neighbourhood::Index> edges_;
 };
 
 }  // namespace campuswalk::collision

@@ -1,0 +1,223 @@
+#include "collision/neighbourhood.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "collision/query_volumes.h"
+#include "collision/tree_descent.h"
+#include "collision/upright_distance.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// Gathered beyond what is asked for, metres: a walker needs a new neighbourhood every 20 ticks.
+constexpr double kMargin = 0.45;
+
+Aabb bounds_of(const Triangle& t) {
+    return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+}
+
+bool contains(const Aabb& outer, const Aabb& inner) {
+    return (outer.min.array() <= inner.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, const QueryFilter& filter)
+    : world_(&world), settings_(settings), filter_(filter) {}
+
+void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
+    if (!contains(covered_, box)) {
+        covered_ = box.grown(kMargin);
+        gather(counters);
+    }
+}
+
+void Neighbourhood::forget() {
+    covered_ = Aabb{};
+    pieces_.clear();
+    near_count_ = 0;
+}
+
+void Neighbourhood::resize(double height) {
+    settings_.height = height;
+    forget();
+}
+
+void Neighbourhood::gather(QueryCounters& counters) {
+    pieces_.clear();
+    near_count_ = 0;
+    world_->candidates(covered_, filter_, candidates_);
+    for (const ObjectId id : candidates_) {
+        const Object& object = world_->object(id);
+        if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
+            gather_mesh(id, **mesh, counters);
+        } else if (const auto* box = std::get_if<Box>(&object.shape)) {
+            gather_box(id, *box);
+        } else {
+            Obstacle solid;
+            solid.object = id;
+            solid.solid = &object;
+            solid.top = world_->bounds(id).max.y();
+            add(solid, world_->bounds(id));
+        }
+    }
+    start_bounds();
+}
+
+void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, QueryCounters& counters) {
+    const Pose& X = world_->object(id).X_world_shape;
+    const Pose X_mesh_box{X.rotation.transpose(), X.inverse_apply(0.5 * (covered_.min + covered_.max))};
+    const BoxVolume volume(Box{0.5 * (covered_.max - covered_.min)}, X_mesh_box);
+    const auto meet = [&](std::uint32_t t, double limit) {
+        const Triangle c = corners(mesh.mesh(), t);
+        add_triangle(id, t, {X * c.a, X * c.b, X * c.c});
+        return limit;
+    };
+    descend(mesh, volume, 0.0, meet, counters);
+}
+
+/// A box is its twelve triangles: whoever is outside can't get in.
+void Neighbourhood::gather_box(ObjectId id, const Box& box) {
+    const Pose& X = world_->object(id).X_world_shape;
+    const auto corner = [&](unsigned i) {
+        const Vec3 side((i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1);
+        return Vec3(X * side.cwiseProduct(box.half_extents));
+    };
+    constexpr std::array<std::array<unsigned, 4>, 6> kFaces{
+        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    std::uint32_t index = 0;
+    for (const auto& f : kFaces) {
+        add_triangle(id, index++, {corner(f[0]), corner(f[1]), corner(f[2])});
+        add_triangle(id, index++, {corner(f[0]), corner(f[2]), corner(f[3])});
+    }
+}
+
+void Neighbourhood::add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners) {
+    const Aabb box = bounds_of(corners);
+    if (!box.overlaps(covered_)) {
+        return;
+    }
+    Obstacle o;
+    o.object = id;
+    o.triangle = index;
+    o.corners = corners;
+    const Vec3 n = (corners.b - corners.a).cross(corners.c - corners.a);
+    const double length = n.norm();
+    o.normal = length > 0.0 ? Vec3(n / length) : Vec3::Zero();
+    o.top = box.max.y();
+    add(o, box);
+}
+
+void Neighbourhood::add(const Obstacle& obstacle, const Aabb& box) {
+    const bool walkable = obstacle.solid == nullptr && std::abs(obstacle.normal.y()) >= settings_.min_up;
+    pieces_.push_back({obstacle, box, walkable});
+}
+
+void Neighbourhood::start_bounds() {
+    origin_ = 0.5 * (covered_.min + covered_.max);
+    // Of numbers up to the size of what is covered, some roundings of float32.
+    slack_ = 1e-6 * (1.0 + (covered_.max - covered_.min).norm());
+    kept_.assign(pieces_.size(), Kept{});
+    bounds_.assign((pieces_.size() + kLanes - 1) / kLanes, Bounds{});
+    near_.resize(bounds_.size() * kLanes + 1);  // a place to write what is not kept
+    if (!bounds_.empty()) {
+        bounds_.back().rest.fill(std::numeric_limits<float>::infinity());
+    }
+    for (Index i = 0; i < pieces_.size(); ++i) {
+        bound_by_box(i);
+    }
+}
+
+/// The side on which the piece's box is farthest from a body in the middle.
+void Neighbourhood::bound_by_box(Index i) {
+    const Aabb& box = pieces_[i].box;
+    const Vec3 above = box.min - origin_;
+    const Vec3 below = origin_ - box.max;
+    const double head = settings_.height - settings_.radius;
+    Vec3 normal(-1, 0, 0);
+    double best = above.x();
+    const auto offer = [&](double gap, const Vec3& n) {
+        if (gap > best) {
+            best = gap;
+            normal = n;
+        }
+    };
+    offer(below.x(), {1, 0, 0});
+    offer(above.z(), {0, 0, -1});
+    offer(below.z(), {0, 0, 1});
+    offer(above.y() - head, {0, -1, 0});
+    offer(below.y() + settings_.radius, {0, 1, 0});
+    set_bound(i, normal, best);
+}
+
+void Neighbourhood::set_bound(Index i, const Vec3& normal, double at_origin) {
+    Bounds& b = bounds_[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    b.x[lane] = static_cast<float>(normal.x());
+    b.y[lane] = static_cast<float>(normal.y());
+    b.z[lane] = static_cast<float>(normal.z());
+    b.flat[lane] = static_cast<float>(std::sqrt(normal.x() * normal.x() + normal.z() * normal.z()));
+    b.rest[lane] = static_cast<float>(at_origin);
+}
+
+void Neighbourhood::survey(const Vec3& foot, double sideways, double up, double down, double reach) {
+    const Vec3 at = foot - origin_;
+    const auto x = static_cast<float>(at.x());
+    const auto y = static_cast<float>(at.y());
+    const auto z = static_cast<float>(at.z());
+    const auto aside = static_cast<float>(sideways);
+    const auto rise = static_cast<float>(up);
+    const auto drop = static_cast<float>(down);
+    const auto limit = static_cast<float>(settings_.radius + reach + slack_);
+    std::size_t count = 0;
+    Index first = 0;
+    for (const Bounds& b : bounds_) {
+        Lanes least;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float here = b.rest[i] + (b.x[i] * x + b.y[i] * y + b.z[i] * z) - b.flat[i] * aside;
+            least[i] = here + std::min(b.y[i] * rise, -b.y[i] * drop);
+        }
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            near_[count] = first + static_cast<Index>(i);
+            count += least[i] <= limit ? 1U : 0U;
+        }
+        first += kLanes;
+    }
+    near_count_ = count;
+}
+
+const Separation& Neighbourhood::separation(Index i, const Vec3& foot) {
+    Kept& kept = kept_[i];
+    for (std::uint8_t k = 0; k < 2; ++k) {
+        if (kept.places[k].foot == foot) {
+            kept.last = k;
+            return kept.places[k];
+        }
+    }
+    kept.last = kept.last == 0 ? 1 : 0;
+    const Obstacle& obstacle = pieces_[i].obstacle;
+    const Closest c = closest_upright(settings_.core(foot), obstacle);
+    Separation& s = kept.places[kept.last];
+    s.foot = foot;
+    s.distance = c.distance;
+    s.on_piece = c.on_shape;
+    s.feature = c.feature;
+    s.normal = c.distance > 0.0 ? Vec3((c.on_segment - c.on_shape) / c.distance) : obstacle.normal;
+    if (c.distance > 0.0) {
+        set_bound(i, s.normal, s.bound(origin_));
+    }
+    return s;
+}
+
+bool Neighbourhood::known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const {
+    const auto& places = kept_[i].places;
+    return std::any_of(places.begin(), places.end(), [&](const Separation& s) {
+        return s.bound(from) >= distance && s.bound(to) >= distance;  // never where the place is none
+    });
+}
+
+}  // namespace campuswalk::collision

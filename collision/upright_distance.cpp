@@ -1,0 +1,78 @@
+#include "collision/upright_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// Distances that differ by less are as near as each other, metres: rounding would choose.
+constexpr double kTie = 1e-10;
+
+bool above_inside(const Triangle& t, const Vec3& normal, const Vec3& point) {
+    const auto left_of = [&](const Vec3& from, const Vec3& to) {
+        return normal.dot((to - from).cross(point - from)) >= 0.0;
+    };
+    return left_of(t.a, t.b) && left_of(t.b, t.c) && left_of(t.c, t.a);
+}
+
+/// The closest points of an upright segment and an edge.
+Closest closest_upright(const Segment& s, const Vec3& from, const Vec3& to) {
+    const Vec3 e = to - from;
+    const double flat2 = e.x() * e.x() + e.z() * e.z();
+    const double length2 = flat2 + e.y() * e.y();
+    const auto along = [&](const Vec3& p) {
+        return length2 > 0.0 ? std::clamp(e.dot(p - from) / length2, 0.0, 1.0) : 0.0;
+    };
+    // Nearest seen from above; the segment's end decides where that is over or under it.
+    const double seen = e.x() * (s.a.x() - from.x()) + e.z() * (s.a.z() - from.z());
+    double t = flat2 > 0.0 ? std::clamp(seen / flat2, 0.0, 1.0) : along(s.a);
+    double y = from.y() + t * e.y();
+    if (y < s.a.y()) {
+        t = along(s.a);
+        y = s.a.y();
+    } else if (y > s.b.y()) {
+        t = along(s.b);
+        y = s.b.y();
+    }
+    const Vec3 q = from + t * e;
+    const Vec3 p(s.a.x(), std::clamp(q.y(), s.a.y(), s.b.y()), s.a.z());
+    return {p, q, (p - q).norm(), Feature::edge};
+}
+
+}  // namespace
+
+Closest closest_upright(const Segment& upright, const Obstacle& obstacle) {
+    const Triangle& t = obstacle.corners;
+    const Vec3& n = obstacle.normal;
+    if (obstacle.solid != nullptr || n == Vec3::Zero()) {
+        return closest(upright, obstacle);
+    }
+    const double at_a = n.dot(upright.a - t.a);
+    const double at_b = n.dot(upright.b - t.a);
+    if (at_a * at_b <= 0.0) {
+        return closest(upright, t);  // the face's plane passes through the segment
+    }
+    const double ahead = std::abs(at_b) - std::abs(at_a);
+    const auto over = [&](const Vec3& end, double height) -> Closest {
+        return {end, end - height * n, std::abs(height), Feature::face};
+    };
+    if (ahead <= kTie && above_inside(t, n, upright.b)) {
+        return over(upright.b, at_b);
+    }
+    if (ahead >= -kTie && above_inside(t, n, upright.a)) {
+        return over(upright.a, at_a);
+    }
+    Closest best = closest_upright(upright, t.a, t.b);
+    for (const Closest& other : {closest_upright(upright, t.b, t.c), closest_upright(upright, t.c, t.a)}) {
+        if (other.distance < best.distance) {
+            best = other;
+        }
+    }
+    return best;
+}
+
+}  // namespace campuswalk::collision
