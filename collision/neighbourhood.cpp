@@ -13,8 +13,14 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Gathered beyond what is asked for, metres: a walker needs a new neighbourhood every 20 ticks.
-constexpr double kMargin = 0.45;
+/// How much more than what is asked for is gathered to the sides, metres. Where little comes of it, more is
+/// gathered the next time: few pieces are soon gathered and surveyed, and a walker then seldom needs others.
+constexpr double kLeastMargin = 0.3;
+constexpr double kMostMargin = 2.0;
+constexpr std::size_t kFewPieces = 16;
+constexpr std::size_t kManyPieces = 40;
+/// Likewise above and below.
+constexpr double kUpright = 0.2;
 
 Aabb bounds_of(const Triangle& t) {
     return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
@@ -31,8 +37,14 @@ Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, 
 
 void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
     if (!contains(covered_, box)) {
-        covered_ = box.grown(kMargin);
+        const Vec3 more(margin_, kUpright, margin_);
+        covered_ = {box.min - more, box.max + more};
         gather(counters);
+        if (pieces_.size() < kFewPieces) {
+            margin_ = std::min(kMostMargin, 1.4 * margin_);
+        } else if (pieces_.size() > kManyPieces) {
+            margin_ = std::max(kLeastMargin, 0.5 * margin_);
+        }
     }
 }
 

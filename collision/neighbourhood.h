@@ -92,6 +92,7 @@ private:
     QueryFilter filter_;
 
     Aabb covered_;
+    double margin_ = 0.5;  ///< of what is gathered next, metres
     Vec3 origin_ = Vec3::Zero();  ///< of the bounds
     double slack_ = 0.0;          ///< what float32 may be off within what is covered
     std::vector<Piece> pieces_;
