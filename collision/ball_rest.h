@@ -9,8 +9,8 @@ namespace campuswalk::collision {
 
 /// A ball on top of something, world coordinates, metres.
 struct BallRest {
-    double height = 0.0;       ///< y of the ball's centre
-    Vec3 on = Vec3::Zero();    ///< where it touches
+    double height = 0.0;     ///< y of the ball's centre
+    Vec3 on = Vec3::Zero();  ///< where it touches
 };
 
 /// Where a ball of `radius` that comes straight down at (x, z) from far above stops on the triangle; none if

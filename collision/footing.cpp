@@ -77,7 +77,7 @@ Ground Footing::ground(const Neighbourhood& around, double x, double z, const Ve
     rests_.clear();
     double best = lowest;
     for (const Neighbourhood::Index i : around.near()) {
-        const auto ball = rest_on(around.piece(i), x, z, highest, lowest);
+        const auto ball = rest_on(around.piece(i), x, z, highest, best - 2.0 * kRest);
         if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRest &&
             ball->height - ball->on.y() > kSide * settings_.radius) {
             rests_.push_back({i, *ball});
@@ -110,12 +110,20 @@ bool Footing::reaches_over(const Obstacle& obstacle, const Vec3& foot, double he
 
 Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Vec3& foot) {
     const Neighbourhood::Piece& piece = around.piece(i);
-    const Obstacle& o = piece.obstacle;
     const double highest_edge = foot.y() + settings_.step_height + kHeightSlack;
-    if (o.top <= foot.y() || (piece.walkable && o.top <= highest_edge)) {
+    if (piece.obstacle.top <= foot.y() || (piece.walkable && piece.obstacle.top <= highest_edge)) {
         return Kind::floor;
     }
-    const Separation s = around.separation(i, foot);
+    const Separation& s = around.separation(i, foot);
+    if (!s.kind) {
+        s.kind = kind_of(around, piece.obstacle, s, highest_edge);
+    }
+    return *s.kind;
+}
+
+Kind Footing::kind_of(const Neighbourhood& around, const Obstacle& o, const Separation& s,
+                      double highest_edge) {
+    const Vec3& foot = s.foot;
     const bool below = s.normal.y() >= settings_.min_up;
     if (below && s.feature == Feature::face) {
         return Kind::floor;
@@ -133,8 +141,8 @@ Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Vec3& fo
     }
     const double gap = std::max(0.0, s.distance - settings_.radius);
     const double ahead = std::min(gap / flat + kOnto, kProbe) / flat;
-    const Ground there = ground(around, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(), foot,
-                                settings_.step_height + kHeightSlack, 2.0 * kRest);
+    const Ground there = ground(around, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(),
+                                foot, settings_.step_height + kHeightSlack, 2.0 * kRest);
     return there.found && !there.carries ? Kind::wall : Kind::step;
 }
 

@@ -15,13 +15,6 @@ struct Ground {
     double foot_y = 0.0;   ///< where the foot comes to rest, kRest above it
 };
 
-/// What a piece beside the body is to it.
-enum class Kind : std::uint8_t {
-    floor,  ///< underfoot
-    step,   ///< low, and climbed if walked into
-    wall,
-};
-
 /// Tells ground from walls, by the faces of what the body would touch, not by where it touches them: edges
 /// as high as a step allows carry if a walkable face ends there, and no edge is climbed that is higher, how
 /// ever round the body is.
@@ -47,6 +40,8 @@ private:
     std::optional<BallRest> rest_on(const Neighbourhood::Piece& piece, double x, double z, double highest,
                                     double lowest) const;
     bool carries(const Neighbourhood& around, const Rest& rest, double highest_edge) const;
+    Kind kind_of(const Neighbourhood& around, const Obstacle& obstacle, const Separation& separation,
+                 double highest_edge);
     bool ends_in_floor(const Neighbourhood& around, const Vec3& point) const;
     bool reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const;
 

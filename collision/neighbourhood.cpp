@@ -215,6 +215,7 @@ const Separation& Neighbourhood::separation(Index i, const Vec3& foot) {
     const Closest c = closest_upright(settings_.core(foot), obstacle);
     Separation& s = kept.places[kept.last];
     s.foot = foot;
+    s.kind.reset();
     s.distance = c.distance;
     s.on_piece = c.on_shape;
     s.feature = c.feature;

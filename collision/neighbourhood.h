@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,14 +16,22 @@
 
 namespace campuswalk::collision {
 
+/// What a piece near the body is to it.
+enum class Kind : std::uint8_t {
+    floor,  ///< underfoot
+    step,   ///< low, and climbed if walked into
+    wall,
+};
+
 /// How the body, standing somewhere, is apart from a piece. Both are convex and the body is only shifted, so
 /// the plane between the closest points tells something about every other place too.
 struct Separation {
     Vec3 foot = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  ///< where the body stands
-    Vec3 normal = Vec3::Zero();    ///< unit, from the piece to the body; the face's own where they meet
+    Vec3 normal = Vec3::Zero();  ///< unit, from the piece to the body; the face's own where they meet
     Vec3 on_piece = Vec3::Zero();
-    double distance = 0.0;         ///< from the capsule's core
+    double distance = 0.0;  ///< from the capsule's core
     Feature feature = Feature::face;
+    mutable std::optional<Kind> kind;  ///< kept by Footing, which finds it out
 
     /// A body at `other` is no nearer than this.
     double bound(const Vec3& other) const {
@@ -92,7 +101,7 @@ private:
     QueryFilter filter_;
 
     Aabb covered_;
-    double margin_ = 0.5;  ///< of what is gathered next, metres
+    double margin_ = 0.5;         ///< of what is gathered next, metres
     Vec3 origin_ = Vec3::Zero();  ///< of the bounds
     double slack_ = 0.0;          ///< what float32 may be off within what is covered
     std::vector<Piece> pieces_;

@@ -34,9 +34,8 @@ bool Way::blocked(Neighbourhood::Index i, const Vec3& from, const Vec3& to) cons
 
 bool Way::is_free(const Vec3& from, const Vec3& to) const {
     const auto near = around_.near();
-    return std::all_of(near.begin(), near.end(), [&](Neighbourhood::Index i) {
-        return cleared(i, from, to) || !blocked(i, from, to);
-    });
+    return std::all_of(near.begin(), near.end(),
+                       [&](Neighbourhood::Index i) { return cleared(i, from, to) || !blocked(i, from, to); });
 }
 
 bool Way::is_free_over(const Vec3& from, const Vec3& to) const {
