@@ -56,11 +56,11 @@ bool Footing::ends_in_floor(const Neighbourhood& around, const Vec3& point) cons
     });
 }
 
-bool Footing::carries(const Neighbourhood& around, const Rest& rest, double highest_edge) const {
+bool Footing::carries(const Neighbourhood& around, const Rest& rest, double highest) const {
     const Obstacle& o = around.piece(rest.piece).obstacle;
     const Vec3& on = rest.ball.on;
     const double up = (rest.ball.height - on.y()) / (settings_.radius + kRest);
-    const bool low = on.y() <= highest_edge;
+    const bool low = on.y() <= highest;
     if (walkable_at(o, on, settings_.min_up)) {
         // The crest of a ramp is higher than its foot, and walked up to on a face as steep as the touch.
         constexpr double kAlike = 1e-6;
@@ -69,9 +69,9 @@ bool Footing::carries(const Neighbourhood& around, const Rest& rest, double high
     return low && (up >= settings_.min_up || ends_in_floor(around, on));
 }
 
-Ground Footing::ground(const Neighbourhood& around, double x, double z, const Vec3& stand, double up,
+Ground Footing::ground(const Neighbourhood& around, double x, double z, const Stand& stand, double up,
                        double down) {
-    const double center = stand.y() + settings_.radius;
+    const double center = stand.foot.y() + settings_.radius;
     const double highest = center + up;
     const double lowest = center - down;
     rests_.clear();
@@ -84,12 +84,15 @@ Ground Footing::ground(const Neighbourhood& around, double x, double z, const Ve
             best = std::max(best, ball->height);
         }
     }
-    const double highest_edge = stand.y() + settings_.step_height + kHeightSlack;
     Ground ground;
+    ground.at = lowest - settings_.radius;
     for (const Rest& rest : rests_) {
         if (rest.ball.height >= best - 2.0 * kRest && rest.ball.height >= lowest) {
             ground.found = true;
-            ground.carries = ground.carries || carries(around, rest, highest_edge);
+            if (carries(around, rest, highest_edge(stand))) {
+                ground.carries = true;
+                ground.at = std::max(ground.at, rest.ball.on.y());
+            }
         }
     }
     ground.foot_y = best - settings_.radius;
@@ -108,41 +111,43 @@ bool Footing::reaches_over(const Obstacle& obstacle, const Vec3& foot, double he
     return closest_upright(upper, obstacle).on_shape.y() > height;
 }
 
-Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Vec3& foot) {
+Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Stand& stand) {
     const Neighbourhood::Piece& piece = around.piece(i);
-    const double highest_edge = foot.y() + settings_.step_height + kHeightSlack;
-    if (piece.obstacle.top <= foot.y() || (piece.walkable && piece.obstacle.top <= highest_edge)) {
+    const double top = piece.obstacle.top;
+    if (top <= stand.foot.y() || (piece.walkable && top <= highest_edge(stand))) {
         return Kind::floor;
     }
-    const Separation& s = around.separation(i, foot);
-    if (!s.kind) {
-        s.kind = kind_of(around, piece.obstacle, s, highest_edge);
+    const Separation& s = around.separation(i, stand.foot);
+    if (!s.kind || s.kind_from != stand.base) {
+        s.kind = kind_of(around, piece, s, stand);
+        s.kind_from = stand.base;
     }
     return *s.kind;
 }
 
-Kind Footing::kind_of(const Neighbourhood& around, const Obstacle& o, const Separation& s,
-                      double highest_edge) {
-    const Vec3& foot = s.foot;
+Kind Footing::kind_of(const Neighbourhood& around, const Neighbourhood::Piece& piece, const Separation& s,
+                      const Stand& stand) {
+    const Vec3& foot = stand.foot;
     const bool below = s.normal.y() >= settings_.min_up;
     if (below && s.feature == Feature::face) {
         return Kind::floor;
     }
-    if (s.on_piece.y() > highest_edge && !below) {
+    // The edge of a floor may be the crest of a ramp, however high.
+    const bool may_be_crest = piece.walkable && s.normal.y() > 0.0;
+    const double highest = highest_edge(stand);
+    if (!below && !may_be_crest &&
+        (s.on_piece.y() > highest || reaches_over(piece.obstacle, foot, highest))) {
         return Kind::wall;
     }
-    if (!below && reaches_over(o, foot, highest_edge)) {
-        return Kind::wall;
-    }
-    // What would carry the body if it went there?
     const double flat = std::sqrt(s.normal.x() * s.normal.x() + s.normal.z() * s.normal.z());
     if (flat <= 0.0) {
         return below ? Kind::floor : Kind::wall;
     }
+    // What would carry the body if it went there?
     const double gap = std::max(0.0, s.distance - settings_.radius);
     const double ahead = std::min(gap / flat + kOnto, kProbe) / flat;
     const Ground there = ground(around, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(),
-                                foot, settings_.step_height + kHeightSlack, 2.0 * kRest);
+                                stand, highest - foot.y(), 2.0 * kRest);
     return there.found && !there.carries ? Kind::wall : Kind::step;
 }
 

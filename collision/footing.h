@@ -8,11 +8,18 @@
 
 namespace campuswalk::collision {
 
+/// Where the body stands, and the height that edges count from.
+struct Stand {
+    Vec3 foot = Vec3::Zero();
+    double base = 0.0;  ///< of what carries it; not below the foot
+};
+
 /// What a body that comes straight down would stand on.
 struct Ground {
     bool found = false;    ///< something is there
     bool carries = false;  ///< and can be stood on
     double foot_y = 0.0;   ///< where the foot comes to rest, kRest above it
+    double at = 0.0;       ///< height of the highest point that carries
 };
 
 /// Tells ground from walls, by the faces of what the body would touch, not by where it touches them: edges
@@ -25,11 +32,12 @@ public:
     /// How far sideways of the body `kind` looks, metres: what is near must have been surveyed for it.
     static constexpr double kProbe = 0.06;
 
-    /// Looks among what is near for the highest ground at (x, z) within `up` above and `down` below
-    /// `stand.y()`, where the body stands now: heights of edges count from there.
-    Ground ground(const Neighbourhood& around, double x, double z, const Vec3& stand, double up, double down);
+    /// Looks among what is near for the highest ground at (x, z) up to `up` above and `down` below where the
+    /// body stands now.
+    Ground ground(const Neighbourhood& around, double x, double z, const Stand& stand, double up,
+                  double down);
 
-    Kind kind(Neighbourhood& around, Neighbourhood::Index i, const Vec3& foot);
+    Kind kind(Neighbourhood& around, Neighbourhood::Index i, const Stand& stand);
 
 private:
     struct Rest {
@@ -39,9 +47,12 @@ private:
 
     std::optional<BallRest> rest_on(const Neighbourhood::Piece& piece, double x, double z, double highest,
                                     double lowest) const;
-    bool carries(const Neighbourhood& around, const Rest& rest, double highest_edge) const;
-    Kind kind_of(const Neighbourhood& around, const Obstacle& obstacle, const Separation& separation,
-                 double highest_edge);
+    bool carries(const Neighbourhood& around, const Rest& rest, double highest) const;
+    double highest_edge(const Stand& stand) const {
+        return stand.base + settings_.step_height + kHeightSlack;
+    }
+    Kind kind_of(const Neighbourhood& around, const Neighbourhood::Piece& piece, const Separation& separation,
+                 const Stand& stand);
     bool ends_in_floor(const Neighbourhood& around, const Vec3& point) const;
     bool reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const;
 

@@ -45,14 +45,21 @@ void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, Mov
         move_part(state, wish / parts, seconds / parts, trace, counters);
         trace.path.push_back(state.foot);
     }
-    list_touching(state.foot, trace);
+    list_touching(state, trace);
+}
+
+Stand CapsuleMover::stand_of(const MoverState& state) const {
+    const double foot_y = state.foot.y();
+    const bool known = state.grounded && state.carried_at <= foot_y + settings_.radius;
+    return {state.foot, known ? std::max(foot_y, state.carried_at) : foot_y};
 }
 
 void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
                              QueryCounters& counters) {
     const double length = horizontal_norm(wish);
     if (state.grounded) {
-        const double high = std::max(settings_.step_height, steepest_ * length) + 2.0 * kHeightSlack;
+        const double above = stand_of(state).base - state.foot.y();
+        const double high = std::max(settings_.step_height + above, steepest_ * length) + 2.0 * kHeightSlack;
         look_around(state.foot, length, high, high, counters);
         if (length > 0.0) {
             walk(state, wish);
@@ -76,7 +83,8 @@ void CapsuleMover::look_around(const Vec3& foot, double sideways, double up, dou
     around_.survey(foot, beside, up, down, settings_.skin + kListed);
 }
 
-void CapsuleMover::find_walls(const Vec3& foot, double length, bool grounded) {
+void CapsuleMover::find_walls(const Stand& stand, double length, bool grounded) {
+    const Vec3& foot = stand.foot;
     constexpr double kVertical = 1e-6;
     planes_.clear();
     edges_.clear();
@@ -94,7 +102,7 @@ void CapsuleMover::find_walls(const Vec3& foot, double length, bool grounded) {
             continue;
         }
         const bool wall =
-            grounded ? footing_.kind(around_, i, foot) == Kind::wall : s.normal.y() < settings_.min_up;
+            grounded ? footing_.kind(around_, i, stand) == Kind::wall : s.normal.y() < settings_.min_up;
         if (!wall) {
             continue;
         }
@@ -109,8 +117,9 @@ void CapsuleMover::find_walls(const Vec3& foot, double length, bool grounded) {
 
 /// Holds the wish against the walls. Flat walls always count; an edge counts only once the move would run
 /// into it, because an edge between two flush faces isn't there for the avatar.
-Vec3 CapsuleMover::slide(const Vec3& foot, const Vec3& wish, bool grounded) {
-    find_walls(foot, horizontal_norm(wish), grounded);
+Vec3 CapsuleMover::slide(const Stand& stand, const Vec3& wish, bool grounded) {
+    const Vec3& foot = stand.foot;
+    find_walls(stand, horizontal_norm(wish), grounded);
     while (true) {
         const Vec3 move = nearest_allowed(wish, planes_);
         const auto met = std::partition(edges_.begin(), edges_.end(),
@@ -128,21 +137,23 @@ Vec3 CapsuleMover::slide(const Vec3& foot, const Vec3& wish, bool grounded) {
     }
 }
 
-bool CapsuleMover::stands(const Vec3& foot) {
-    const Ground here = footing_.ground(around_, foot.x(), foot.z(), foot, 4.0 * kRest, 4.0 * kRest);
-    return here.found && here.carries;
+Ground CapsuleMover::underfoot(const Vec3& foot) {
+    return footing_.ground(around_, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRest, 4.0 * kRest);
 }
 
 void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
-    const Vec3 start = state.foot;
-    const Vec3 flat = slide(start, wish, true);
-    const double high = std::max(settings_.step_height, steepest_ * horizontal_norm(flat)) + kHeightSlack;
-    const Ground ahead =
-        footing_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), start, high, high);
-    if (ahead.found && ahead.carries) {
+    const Stand stand = stand_of(state);
+    const Vec3& start = stand.foot;
+    const Vec3 flat = slide(stand, wish, true);
+    const double high =
+        std::max(settings_.step_height + stand.base - start.y(), steepest_ * horizontal_norm(flat));
+    const Ground ahead = footing_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), stand,
+                                         high + kHeightSlack, high + kHeightSlack);
+    if (ahead.carries) {
         const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
         if (way().is_free(start, goal) || way().is_free_over(start, goal)) {
             state.foot = goal;
+            state.carried_at = ahead.at;
             return;
         }
     }
@@ -152,19 +163,20 @@ void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
 /// Where something is in the way, or nothing to stand on.
 void CapsuleMover::walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead) {
     const double radius = settings_.radius + kHard;
-    const Vec3 start = state.foot;
+    const Stand stand = stand_of(state);
+    const Vec3& start = stand.foot;
     Vec3 foot = start;
-    if (ahead.found && ahead.carries && ahead.foot_y > start.y()) {
+    if (ahead.carries && ahead.foot_y > start.y()) {
         foot += way().free_part(foot, Vec3(0, ahead.foot_y - start.y() + kHard, 0), radius);
     }
     foot += way().free_part(foot, flat, radius);
-    const Ground below = footing_.ground(around_, foot.x(), foot.z(), start, foot.y() - start.y() + kHard,
+    const Ground below = footing_.ground(around_, foot.x(), foot.z(), stand, foot.y() - start.y() + kHard,
                                          settings_.step_height + kHeightSlack);
-    const bool carried = below.found && below.carries;
-    const double lower = std::min(0.0, (carried ? below.foot_y : start.y()) - foot.y());
+    const double lower = std::min(0.0, (below.carries ? below.foot_y : start.y()) - foot.y());
     foot += way().free_part(foot, Vec3(0, lower, 0), radius);
     state.foot = foot;
-    if (carried && foot.y() <= below.foot_y + kRest) {
+    if (below.carries && foot.y() <= below.foot_y + kRest) {
+        state.carried_at = below.at;
         return;
     }
     // Over an edge, or onto something too steep. Falling starts at the old height.
@@ -182,7 +194,7 @@ void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, Mov
         vertical = way().free_part(foot, Vec3(0, rise, 0), settings_.radius + kHard);
         foot += vertical;
     }
-    foot += way().free_part(foot, slide(foot, wish, false), settings_.radius + kHard);
+    foot += way().free_part(foot, slide({foot, foot.y()}, wish, false), settings_.radius + kHard);
     if (rise <= 0.0) {
         vertical = way().free_part(foot, Vec3(0, rise, 0), settings_.radius + kRest);
         foot += vertical;
@@ -193,16 +205,16 @@ void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, Mov
     if (rest > 0.0) {
         state.vertical_speed = 0.0;
     } else if (rest < 0.0) {
-        if (stands(foot)) {
-            land(state, foot, trace);
+        if (const Ground ground = underfoot(foot); ground.carries) {
+            land(state, foot, ground, trace);
             return;
         }
         const Vec3 before = foot;
         foot = fall_along(foot, rest);
         state.vertical_speed = (foot.y() - start.y()) / seconds;
         const bool wedged = (foot - before).norm() < kStill && std::abs(vertical.y()) < kStill;
-        if (wedged || stands(foot)) {
-            land(state, foot, trace);
+        if (const Ground ground = underfoot(foot); wedged || ground.carries) {
+            land(state, foot, ground, trace);
             return;
         }
     }
@@ -213,7 +225,7 @@ void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, Mov
 Vec3 CapsuleMover::fall_along(const Vec3& foot, double rest) {
     const Vec3 n = resting_normal(foot);
     const Vec3 along = rest * (Vec3::UnitY() - n.y() * n);
-    const Vec3 flat = slide(foot, Vec3(along.x(), 0, along.z()), false);
+    const Vec3 flat = slide({foot, foot.y()}, Vec3(along.x(), 0, along.z()), false);
     const Vec3 across = foot + way().free_part(foot, flat, settings_.radius + kHard);
     return across + way().free_part(across, Vec3(0, along.y(), 0), settings_.radius + kRest);
 }
@@ -232,16 +244,19 @@ Vec3 CapsuleMover::resting_normal(const Vec3& foot) {
     return steepest;
 }
 
-void CapsuleMover::land(MoverState& state, const Vec3& foot, MoveTrace& trace) {
+void CapsuleMover::land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace) {
     trace.landed = true;
     trace.fall_height = std::max(trace.fall_height, state.fall_from - foot.y());
     state.foot = foot;
     state.grounded = true;
+    state.carried_at = ground.at;
     state.vertical_speed = 0.0;
 }
 
-void CapsuleMover::list_touching(const Vec3& foot, MoveTrace& trace) {
+void CapsuleMover::list_touching(const MoverState& state, MoveTrace& trace) {
     trace.touching.clear();
+    const Stand stand = stand_of(state);
+    const Vec3& foot = stand.foot;
     const double reach = settings_.radius + settings_.skin + kListed;
     const double highest_edge = foot.y() + settings_.step_height;
     for (const Neighbourhood::Index i : around_.near()) {
@@ -251,7 +266,7 @@ void CapsuleMover::list_touching(const Vec3& foot, MoveTrace& trace) {
             continue;
         }
         const double distance = around_.separation(i, foot).distance;
-        if (distance > reach || footing_.kind(around_, i, foot) != Kind::wall) {
+        if (distance > reach || footing_.kind(around_, i, stand) != Kind::wall) {
             continue;
         }
         const double gap = distance - settings_.radius;
@@ -267,10 +282,11 @@ void CapsuleMover::list_touching(const Vec3& foot, MoveTrace& trace) {
 void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, QueryCounters& counters) {
     look_around(foot, 0.0, kHeightSlack, search + kHeightSlack, counters);
     const Vec3 down = way().free_part(foot, Vec3(0, -search, 0), settings_.radius + kRest);
-    const bool found = down.y() > -search && stands(foot + down);
+    const Ground ground = underfoot(foot + down);
     state = MoverState{};
-    state.grounded = found;
-    state.foot = found ? Vec3(foot + down) : foot;
+    state.grounded = down.y() > -search && ground.carries;
+    state.foot = state.grounded ? Vec3(foot + down) : foot;
+    state.carried_at = ground.at;
     state.fall_from = state.foot.y();
 }
 
@@ -307,9 +323,9 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
 }
 
 void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters) {
-    look_around(state.foot, 0.0, settings_.step_height + kHeightSlack, settings_.step_height + kHeightSlack,
-                counters);
-    list_touching(state.foot, trace);
+    const double high = stand_of(state).base - state.foot.y() + settings_.step_height + kHeightSlack;
+    look_around(state.foot, 0.0, high, high, counters);
+    list_touching(state, trace);
 }
 
 }  // namespace campuswalk::collision

@@ -17,6 +17,9 @@ struct MoverState {
     double vertical_speed = 0.0;  ///< metres a second, up positive; 0 while grounded
     bool grounded = false;
     double fall_from = 0.0;  ///< greatest height since the ground was left, metres
+    /// Height of the point that carries the body, which steps are measured from: on a slope or at an edge it
+    /// is above the foot. Ignored where it can't be.
+    double carried_at = -1e300;
 };
 
 /// A solid object beside or above the body; the ground underfoot and steps that are climbed don't count.
@@ -68,17 +71,18 @@ private:
     void move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
                    QueryCounters& counters);
 
+    Stand stand_of(const MoverState& state) const;
     void walk(MoverState& state, const Vec3& wish);
     void walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead);
     void fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace);
     Vec3 fall_along(const Vec3& foot, double rest);
-    Vec3 slide(const Vec3& foot, const Vec3& wish, bool grounded);
-    void find_walls(const Vec3& foot, double length, bool grounded);
-    bool stands(const Vec3& foot);
+    Vec3 slide(const Stand& stand, const Vec3& wish, bool grounded);
+    void find_walls(const Stand& stand, double length, bool grounded);
+    Ground underfoot(const Vec3& foot);
     Vec3 resting_normal(const Vec3& foot);
-    void list_touching(const Vec3& foot, MoveTrace& trace);
+    void list_touching(const MoverState& state, MoveTrace& trace);
 
-    static void land(MoverState& state, const Vec3& foot, MoveTrace& trace);
+    static void land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace);
 
     Way way() { return {around_, settings_}; }
 

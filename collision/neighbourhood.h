@@ -31,7 +31,9 @@ struct Separation {
     Vec3 on_piece = Vec3::Zero();
     double distance = 0.0;  ///< from the capsule's core
     Feature feature = Feature::face;
-    mutable std::optional<Kind> kind;  ///< kept by Footing, which finds it out
+    /// Kept by Footing, which finds it out for edges that count from `kind_from`.
+    mutable std::optional<Kind> kind;
+    mutable double kind_from = 0.0;
 
     /// A body at `other` is no nearer than this.
     double bound(const Vec3& other) const {
