@@ -29,6 +29,9 @@ class Footing {
 public:
     explicit Footing(const MoverSettings& settings) : settings_(settings) {}
 
+    /// The body has another height from now on.
+    void resize(double height) { settings_.height = height; }
+
     /// How far sideways of the body `kind` looks, metres: what is near must have been surveyed for it.
     static constexpr double kProbe = 0.06;
 

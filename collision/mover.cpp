@@ -145,10 +145,11 @@ void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
     const Stand stand = stand_of(state);
     const Vec3& start = stand.foot;
     const Vec3 flat = slide(stand, wish, true);
-    const double high =
-        std::max(settings_.step_height + stand.base - start.y(), steepest_ * horizontal_norm(flat));
-    const Ground ahead = footing_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), stand,
-                                         high + kHeightSlack, high + kHeightSlack);
+    const double slope = steepest_ * horizontal_norm(flat) + kHeightSlack;
+    const double up = std::max(settings_.step_height + kHeightSlack + stand.base - start.y(), slope);
+    const double down = std::max(settings_.step_height + kHeightSlack, slope);
+    const Ground ahead =
+        footing_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
     if (ahead.carries) {
         const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
         if (way().is_free(start, goal) || way().is_free_over(start, goal)) {
@@ -306,7 +307,7 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
     const auto change = [&](double to) {
         settings_.height = to;
         around_.resize(to);
-        footing_ = Footing(settings_);
+        footing_.resize(to);
     };
     change(height);
     look_around(state.foot, 0.0, kHeightSlack, kHeightSlack, counters);

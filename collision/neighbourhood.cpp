@@ -15,6 +15,7 @@ namespace {
 
 /// How much more than what is asked for is gathered to the sides, metres. Where little comes of it, more is
 /// gathered the next time: few pieces are soon gathered and surveyed, and a walker then seldom needs others.
+constexpr double kFirstMargin = 0.5;
 constexpr double kLeastMargin = 0.3;
 constexpr double kMostMargin = 2.0;
 constexpr std::size_t kFewPieces = 16;
@@ -33,7 +34,7 @@ bool contains(const Aabb& outer, const Aabb& inner) {
 }  // namespace
 
 Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, const QueryFilter& filter)
-    : world_(&world), settings_(settings), filter_(filter) {}
+    : world_(&world), settings_(settings), filter_(filter), margin_(kFirstMargin) {}
 
 void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
     if (!contains(covered_, box)) {
@@ -50,6 +51,7 @@ void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
 
 void Neighbourhood::forget() {
     covered_ = Aabb{};
+    margin_ = kFirstMargin;
     pieces_.clear();
     near_count_ = 0;
 }
@@ -133,6 +135,7 @@ void Neighbourhood::start_bounds() {
     origin_ = 0.5 * (covered_.min + covered_.max);
     // Of numbers up to the size of what is covered, some roundings of float32.
     slack_ = 1e-6 * (1.0 + (covered_.max - covered_.min).norm());
+    reserve_for(pieces_.size());
     kept_.assign(pieces_.size(), Kept{});
     bounds_.assign((pieces_.size() + kLanes - 1) / kLanes, Bounds{});
     near_.resize(bounds_.size() * kLanes + 1);  // a place to write what is not kept
@@ -141,6 +144,17 @@ void Neighbourhood::start_bounds() {
     }
     for (Index i = 0; i < pieces_.size(); ++i) {
         bound_by_box(i);
+    }
+}
+
+/// `assign` alone would take from the heap whenever there is one piece more than ever before.
+void Neighbourhood::reserve_for(std::size_t count) {
+    constexpr std::size_t kUsual = 256;
+    if (count > kept_.capacity() || kept_.capacity() == 0) {
+        const std::size_t room = std::max(kUsual, 2 * count);
+        kept_.reserve(room);
+        bounds_.reserve(room / kLanes + 1);
+        near_.reserve(room + kLanes + 1);
     }
 }
 

@@ -95,6 +95,7 @@ private:
     void add(const Obstacle& obstacle, const Aabb& box);
     void add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners);
     void start_bounds();
+    void reserve_for(std::size_t count);
     void bound_by_box(Index i);
     void set_bound(Index i, const Vec3& normal, double at_origin);
 
