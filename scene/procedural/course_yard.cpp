@@ -5,7 +5,6 @@
 
 namespace campuswalk::scene {
 
-using collision::Pose;
 using collision::Vec3;
 
 namespace {

@@ -14,7 +14,8 @@ using support::Line;
 using Point = StandingFlood::Point;
 
 constexpr double kSame = 0.02;  ///< metres between two levels that are one
-constexpr std::pair<int, int> kBeside[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+constexpr std::pair<int, int> kBeside[] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                           {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 
 double level_distance(const Point& a, const Point& b) {
     return Point(a.x() - b.x(), 0.0, a.z() - b.z()).norm();

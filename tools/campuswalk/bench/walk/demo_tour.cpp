@@ -21,7 +21,7 @@ std::filesystem::path tour_file() {
     const std::filesystem::path name = "walks/first-tour.walk.yaml";
     for (const std::filesystem::path& avatars : search_paths().avatars) {
         std::error_code none;
-        if (const auto file = avatars.parent_path() / name; std::filesystem::exists(file, none)) {
+        if (auto file = avatars.parent_path() / name; std::filesystem::exists(file, none)) {
             return file;
         }
     }
