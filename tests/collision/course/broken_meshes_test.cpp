@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "tests/collision/course/course_scene.h"
+#include "tests/support/audited_walk.h"
+#include "tests/support/course/profile.h"
+#include "tests/support/course/walls.h"
+#include "tests/support/dice.h"
+#include "tests/support/effort.h"
+
+/// The course's meshes as they come: flipped, doubled, split by slivers and T-junctions, in any order, far
+/// from the origin. Each way of breaking leaves the surface where it is, so the walk must be the same.
+namespace campuswalk::collision::course {
+namespace {
+
+using support::Dice;
+
+/// A yard: floor, a flight up to a terrace, a ramp down, a wall across, a kerb, a corner.
+TriangleMesh yard() {
+    TriangleMesh mesh;
+    support::add_floor(mesh, 12.0, 0.0, 1.5);
+    support::add_stairs(mesh, 2.0, -2.0, 4.0, 0.17, 0.28, 6);
+    support::add_quad(mesh, {4.4, 1.02, 2}, {7.4, 0, 2}, {7.4, 0, -2}, {4.4, 1.02, -2});
+    support::add_doorway(mesh, -4.0, 0.2, 0.9, 2.1);
+    support::add_box(mesh, {-3, 0, 5}, {6, 0.12, 8});
+    support::add_box(mesh, {9, 0, -10}, {9.2, 2.5, 10});
+    support::add_box(mesh, {-3, 0, -5}, {9, 2.5, -4.8});
+    return mesh;
+}
+
+void flip_some(TriangleMesh& mesh, Dice& dice) {
+    for (auto& triangle : mesh.triangles) {
+        if (dice.chance(0.5)) {
+            std::swap(triangle[0], triangle[1]);
+        }
+    }
+}
+
+void double_some(TriangleMesh& mesh, Dice& dice) {
+    const auto once = mesh.triangles;
+    for (const auto& triangle : once) {
+        if (dice.chance(0.5)) {
+            mesh.triangles.push_back(triangle);
+        }
+        if (dice.chance(0.2)) {
+            mesh.triangles.push_back({triangle[0], triangle[0], triangle[1]});  // without area
+        }
+    }
+}
+
+/// Cuts `share` of the triangles in two from their first corner, at `part` of the opposite edge. The
+/// neighbour across that edge keeps it whole: a T-junction, and with a small part a sliver. The new corner is
+/// rounded to float32, so the halves are up to a micrometre out of plane, and slivers noticeably turned.
+void cut(TriangleMesh& mesh, Dice& dice, double share, double part) {
+    const auto once = mesh.triangles;
+    mesh.triangles.clear();
+    for (const auto& t : once) {
+        if (!dice.chance(share)) {
+            mesh.triangles.push_back(t);
+            continue;
+        }
+        const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(mesh.positions[t[1]] +
+                                 static_cast<float>(part) * (mesh.positions[t[2]] - mesh.positions[t[1]]));
+        mesh.triangles.push_back({t[0], t[1], middle});
+        mesh.triangles.push_back({t[0], middle, t[2]});
+    }
+}
+
+/// A heading for some seconds.
+struct Leg {
+    double degrees = 0.0;
+    double seconds = 0.0;
+};
+
+/// Over the stairs and the ramp to the wall, along it into the corner; back over the kerb and to the door.
+constexpr std::array kLegs = {Leg{0.0, 5.0},   Leg{60.0, 2.0},  Leg{30.0, 2.0}, Leg{170.0, 4.0},
+                              Leg{250.0, 5.0}, Leg{190.0, 4.0}, Leg{100.0, 3.0}};
+
+/// Where the yard is, and how the time passes there.
+struct Setting {
+    Vec3 mesh_at = Vec3::Zero();
+    Vec3 yard_in_mesh = Vec3::Zero();  ///< of the yard's origin
+    double rate = 60.0;
+};
+
+/// Where the body is at the end of each leg, seen from the yard's origin.
+std::vector<Vec3> walk_the_yard(const TriangleMesh& mesh, const Setting& setting = {}) {
+    auto world = empty_world();
+    support::add_object(*world, mesh, Detection::solid, {Mat3::Identity(), setting.mesh_at});
+    AuditedBody body(*world);
+    body.ticks_per_second = setting.rate;
+    const Vec3 origin = setting.mesh_at + setting.yard_in_mesh;
+    body.stand(origin + Vec3(0, 0.01, 0.2));
+    std::vector<Vec3> ends;
+    for (const Leg& leg : kLegs) {
+        body.walk(kPace * towards(leg.degrees), leg.seconds);
+        ends.push_back(body.foot() - origin);
+    }
+    return ends;
+}
+
+double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        worst = std::max(worst, (a[i] - b[i]).norm());
+    }
+    return worst;
+}
+
+struct Damage {
+    const char* name = "";
+    void (*inflict)(TriangleMesh& mesh, Dice& dice) = nullptr;
+    double allowed = 0.0;  ///< metres; 0 where the walk is the same to the bit
+};
+
+void PrintTo(const Damage& damage, std::ostream* out) {
+    *out << damage.name;
+}
+
+class CourseBrokenMeshes : public ::testing::TestWithParam<Damage> {};
+
+TEST_P(CourseBrokenMeshes, AreWalkedLikeWholeOnes) {
+    const auto whole = walk_the_yard(yard());
+    ASSERT_GT(whole[0].x(), 5.0) << "the walk gets over the stairs";
+    const auto turns = static_cast<std::uint32_t>(support::repeats(4));
+    for (std::uint32_t seed = 0; seed < turns; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        TriangleMesh mesh = yard();
+        GetParam().inflict(mesh, dice);
+        EXPECT_LE(farthest(walk_the_yard(mesh), whole), GetParam().allowed);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Damages, CourseBrokenMeshes,
+    ::testing::Values(
+Damage{"doubled", double_some, 0.0},
+                      Damage{"flipped", flip_some, 1e-6},
+                      Damage{"t_junctions",
+                             [](TriangleMesh& mesh, Dice& dice) {
+                                 for (int i = 0; i < 3; ++i) {
+                                     cut(mesh, dice, 0.5, dice.between(0.2, 0.8));
+                                 }
+                             },
+                             1e-3},
+                      Damage{"slivers",
+                             [](TriangleMesh& mesh, Dice& dice) {
+                                 for (const double part : {1e-3, 1e-5, 0.999}) {
+                                     cut(mesh, dice, 0.5, part);
+                                 }
+                             },
+                             1e-3}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// Five kilometres away a double still tells 1e-12 m: the walk is the same.
+TEST(CoursePlaces, FarFromTheOriginTheWalkIsTheSame) {
+    const auto here = walk_the_yard(yard());
+    EXPECT_LE(farthest(walk_the_yard(yard(), {.mesh_at = {5000, 300, -5000}}), here), 1e-6);
+}
+
+/// Vertices of float32 at 5 km are on a grid of half a millimetre; the walk is about the same on it.
+TEST(CoursePlaces, VerticesFarFromTheirOriginAreWalkedAsTheyAre) {
+    const auto here = walk_the_yard(yard());
+    TriangleMesh far = yard();
+    const Eigen::Vector3f offset(5000, 0, -5000);
+    for (auto& position : far.positions) {
+        position += offset;
+    }
+    EXPECT_LE(farthest(walk_the_yard(far, {.yard_in_mesh = offset.cast<double>()}), here), 0.02);
+}
+
+/// Seconds count, not ticks.
+TEST(CoursePlaces, TheTickRateDoesNotChangeTheWalk) {
+    const auto usual = walk_the_yard(yard());
+    for (const double rate : {30.0, 120.0, 240.0}) {
+        const auto other = walk_the_yard(yard(), {.rate = rate});
+        for (std::size_t i = 0; i < usual.size(); ++i) {
+            EXPECT_LE((other[i] - usual[i]).norm(), 0.05)
+                << rate << " Hz, leg " << i << ": " << other[i].transpose() << " and not "
+                << usual[i].transpose();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::collision::course

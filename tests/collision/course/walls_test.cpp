@@ -1,0 +1,111 @@
+#include "tests/support/course/walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include "tests/collision/course/course_scene.h"
+#include "tests/support/effort.h"
+
+/// The course's walls: nothing is passed at any speed, and nothing but the angle takes speed away.
+namespace campuswalk::collision::course {
+namespace {
+
+/// How a wall is put together.
+struct WallMake {
+    const char* name = "";
+    void (*add)(World& world, double length, const Pose& X_world_wall) = nullptr;
+};
+
+/// 0.5 to 100 m/s at 30 to 240 ticks a second, straight and aslant.
+TEST(CourseWalls, HeadOnNothingIsPassed) {
+    for (const double thickness : {0.2, 0.02, 0.0}) {
+        const auto world =
+            floor_and([&](TriangleMesh& mesh) { support::add_barrier(mesh, 1.0, thickness, 15.0, 0.0, 3.0); });
+        AuditedBody body(*world);
+        for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
+            for (const double speed : {0.5, 1.4, 5.0, 20.0, 100.0}) {
+                for (const double degrees : {0.0, 35.0}) {
+                    SCOPED_TRACE(testing::Message() << thickness << " m thick, " << speed << " m/s, " << rate
+                                                    << " Hz, " << degrees << " degrees");
+                    body.ticks_per_second = rate;
+                    body.stand({0, 0, 0});
+                    const double seconds = std::max(2.0 / rate, 1.5 / speed);
+                    ASSERT_NO_FATAL_FAILURE(body.walk(speed * towards(degrees), seconds));
+                    EXPECT_NEAR(body.foot().x(), 1.0 - kRadius - kSkin, 1e-3);
+                    EXPECT_TRUE(body.state().grounded);
+                }
+            }
+        }
+    }
+}
+
+void PrintTo(const WallMake& make, std::ostream* out) {
+    *out << make.name;
+}
+
+class CourseAlongWalls : public ::testing::TestWithParam<WallMake> {};
+
+/// A wish at an angle to the wall keeps cos of it, whatever the wall's heading, seams or none.
+TEST_P(CourseAlongWalls, SlidingCostsTheAngleOnly) {
+    // The convex boxes' nearest points are searched for, which takes long.
+    const double every = support::kSanitized ? 20.0 : GetParam().add == support::add_wall_of_boxes ? 10.0 : 5.0;
+    for (const double heading : {0.0, 26.565, 73.0}) {
+        auto world = floor_world();
+        GetParam().add(*world, 10.0, {support::turn(Vec3::UnitY(), radians(heading)), Vec3::Zero()});
+        AuditedBody body(*world);
+        const Vec3 along = towards(heading);
+        const Vec3 out = towards(heading - 90.0);
+        for (double degrees = 5.0; degrees < 90.0; degrees += every) {
+            SCOPED_TRACE(testing::Message() << "wall at " << heading << ", wish at " << degrees);
+            body.stand(-3.0 * along + (kRadius + kSkin + 0.01) * out);
+            const Vec3 wish = 3.0 * towards(heading + degrees);
+            ASSERT_NO_FATAL_FAILURE(body.walk(wish, 0.2));
+            const Vec3 start = body.foot();
+            const double seconds = every > 5.0 ? 0.5 : 1.5;
+            ASSERT_NO_FATAL_FAILURE(body.walk(wish, seconds));
+            const double free = 3.0 * seconds * std::cos(radians(degrees));
+            EXPECT_NEAR((body.foot() - start).dot(along), free, 0.01 * free);
+            EXPECT_LE(body.foot().dot(out), kRadius + kSkin + 1e-3) << "it lost the wall";
+            EXPECT_EQ(body.ticks_in_air(), 0);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Makes, CourseAlongWalls,
+                         ::testing::Values(WallMake{"plain", support::add_plain_wall},
+                                           WallMake{"butted", support::add_butted_wall},
+                                           WallMake{"tessellated", support::add_tessellated_wall},
+                                           WallMake{"sheets", support::add_wall_of_sheets},
+                                           WallMake{"boxes", support::add_wall_of_boxes}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+/// However the walk leads into a corner, there the body is at rest, and comes out again at once.
+TEST(CourseWalls, AcuteCornersHoldTheBodyStill) {
+    for (const double degrees : {15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
+        const auto world = floor_and([&](TriangleMesh& mesh) { support::add_corner(mesh, degrees); });
+        AuditedBody body(*world);
+        for (const double rate : {30.0, 60.0, 240.0}) {
+            // At an angle of less than half the corner's, no wall can be slid along away from it.
+            for (const double part : {0.0, 0.3, -0.6}) {
+                SCOPED_TRACE(testing::Message()
+                             << degrees << " degrees, " << rate << " Hz, wish at " << part << " of the half");
+                body.ticks_per_second = rate;
+                const double there = (kRadius + kSkin) / std::sin(radians(0.5 * degrees));
+                body.stand({-there - 0.8, 0, 0});
+                const Vec3 wish = kPace * towards(0.5 * part * degrees);
+                ASSERT_NO_FATAL_FAILURE(body.walk(wish, 4.0));
+                EXPECT_NEAR(body.foot().x(), -there, 0.01);
+                EXPECT_LE(jitter(body, wish, 2.0), 5e-4);
+                const double tip = body.foot().x();
+                ASSERT_NO_FATAL_FAILURE(body.walk(-kEast, 0.5));
+                EXPECT_NEAR(tip - body.foot().x(), 0.5 * kPace, 0.01) << "not sticky";
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::collision::course
