@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ostream>
 #include <functional>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -138,26 +138,24 @@ TEST_P(CourseBrokenMeshes, AreWalkedLikeWholeOnes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Damages, CourseBrokenMeshes,
-    ::testing::Values(
-Damage{"doubled", double_some, 0.0},
-                      Damage{"flipped", flip_some, 1e-6},
-                      Damage{"t_junctions",
-                             [](TriangleMesh& mesh, Dice& dice) {
-                                 for (int i = 0; i < 3; ++i) {
-                                     cut(mesh, dice, 0.5, dice.between(0.2, 0.8));
-                                 }
-                             },
-                             1e-3},
-                      Damage{"slivers",
-                             [](TriangleMesh& mesh, Dice& dice) {
-                                 for (const double part : {1e-3, 1e-5, 0.999}) {
-                                     cut(mesh, dice, 0.5, part);
-                                 }
-                             },
-                             1e-3}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Damages, CourseBrokenMeshes,
+                         ::testing::Values(Damage{"doubled", double_some, 0.0},
+                                           Damage{"flipped", flip_some, 1e-6},
+                                           Damage{"t_junctions",
+                                                  [](TriangleMesh& mesh, Dice& dice) {
+                                                      for (int i = 0; i < 3; ++i) {
+                                                          cut(mesh, dice, 0.5, dice.between(0.2, 0.8));
+                                                      }
+                                                  },
+                                                  1e-3},
+                                           Damage{"slivers",
+                                                  [](TriangleMesh& mesh, Dice& dice) {
+                                                      for (const double part : {1e-3, 1e-5, 0.999}) {
+                                                          cut(mesh, dice, 0.5, part);
+                                                      }
+                                                  },
+                                                  1e-3}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 /// Five kilometres away a double still tells 1e-12 m: the walk is the same.
 TEST(CoursePlaces, FarFromTheOriginTheWalkIsTheSame) {

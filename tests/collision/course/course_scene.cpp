@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <gtest/gtest.h>
+
 namespace campuswalk::collision::course {
 
 double radians(double degrees) {

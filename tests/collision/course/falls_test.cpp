@@ -34,8 +34,7 @@ TEST(CourseFalls, FollowTheParabolaAtEveryTickRate) {
 
 /// Off a ledge: where it leaves the ground and where it lands don't depend on the tick rate.
 TEST(CourseFalls, OffALedgeItLandsInTheSamePlaceAtEveryTickRate) {
-    const auto world =
-        floor_and([](TriangleMesh& mesh) { support::add_box(mesh, {-6, 0, -3}, {0, 3, 3}); });
+    const auto world = floor_and([](TriangleMesh& mesh) { support::add_box(mesh, {-6, 0, -3}, {0, 3, 3}); });
     AuditedBody body(*world);
     for (const double speed : {1.4, 5.0}) {
         double usual = 0.0;
@@ -73,8 +72,14 @@ TEST(CourseFalls, WhateverIsBelowItIsLandedOn) {
              support::add_quad(mesh, {-3, 0, 3}, {3, 3, 3}, {3, 3, -3}, {-3, 0, -3});
              support::add_object(world, std::move(mesh));
          }},
-        {"ball", [](World& world) { support::add_object(world, Sphere{0.7}, {0, 0.5, 0}); }},
-        {"pole", [](World& world) { support::add_object(world, Capsule{0.05, 1.0}, {0.01, 1.0, 0.02}); }},
+        {"ball",
+         [](World& world) {
+             support::add_object(world, Sphere{0.7}, {0, 0.5, 0});
+         }},
+        {"pole",
+         [](World& world) {
+             support::add_object(world, Capsule{0.05, 1.0}, {0.01, 1.0, 0.02});
+         }},
     };
     for (const Below& below : grounds) {
         const auto world = floor_world();

@@ -14,9 +14,7 @@ using support::add_quad;
 
 /// A pole of triangles, as modellers make round ones.
 void add_prism(TriangleMesh& mesh, const Vec3& at, double radius, double high, int sides) {
-    const auto corner = [&](int i) {
-        return Vec3(at + radius * towards(360.0 * i / sides));
-    };
+    const auto corner = [&](int i) { return Vec3(at + radius * towards(360.0 * i / sides)); };
     for (int i = 0; i < sides; ++i) {
         const Vec3 up(0, high, 0);
         add_quad(mesh, corner(i), corner(i + 1), corner(i + 1) + up, corner(i) + up);
@@ -69,8 +67,8 @@ bool gets_past(AuditedBody& body, const Vec3& velocity, double seconds) {
     return body.foot().x() >= 3.5;
 }
 
-/// Hit in its middle it holds the body still, or lets it slip around; then, as when hit off its middle, a little to
-/// one side is enough.
+/// Hit in its middle it holds the body still, or lets it slip around; then, as when hit off its middle, a
+/// little to one side is enough.
 TEST_P(CourseFurniture, IsWalkedAroundWithoutTremble) {
     const auto world = floor_world();
     GetParam().put(*world, {3, 0, 0});
@@ -91,42 +89,43 @@ TEST_P(CourseFurniture, IsWalkedAroundWithoutTremble) {
 
 INSTANTIATE_TEST_SUITE_P(
     Things, CourseFurniture,
-    ::testing::Values(
-        Thing{"thin_pole",
-              [](World& world, const Vec3& at) {
-                  support::add_object(world, Capsule{0.02, 1.5}, at + Vec3(0, 1.5, 0));
-              },
-              0.02},
-        Thing{"prism_pole",
-              [](World& world, const Vec3& at) {
-                  put_mesh(world, [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.15, 3.0, 8); });
-              },
-              0.15},
-        Thing{"fine_column",
-              [](World& world, const Vec3& at) {
-                  put_mesh(world, [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.5, 3.0, 64); });
-              },
-              0.5},
-        Thing{"ball",
-              [](World& world, const Vec3& at) {
-                  support::add_object(world, Sphere{0.8}, at + Vec3(0, 0.8, 0));
-              },
-              0.5},
-        Thing{"hanging_ball",
-              [](World& world, const Vec3& at) {
-                  support::add_object(world, Sphere{0.4}, at + Vec3(0, 1.9, 0));
-              },
-              0.3},
-        Thing{"bench",
-              [](World& world, const Vec3& at) {
-                  put_mesh(world, [&](TriangleMesh& mesh) { add_bench(mesh, at); });
-              },
-              0.9},
-        Thing{"box_bench",
-              [](World& world, const Vec3& at) {
-                  support::add_object(world, Box{{0.25, 0.225, 0.9}}, at + Vec3(0, 0.225, 0));
-              },
-              0.9}),
+    ::testing::Values(Thing{"thin_pole",
+                            [](World& world, const Vec3& at) {
+                                support::add_object(world, Capsule{0.02, 1.5}, at + Vec3(0, 1.5, 0));
+                            },
+                            0.02},
+                      Thing{"prism_pole",
+                            [](World& world, const Vec3& at) {
+                                put_mesh(world,
+                                         [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.15, 3.0, 8); });
+                            },
+                            0.15},
+                      Thing{"fine_column",
+                            [](World& world, const Vec3& at) {
+                                put_mesh(world,
+                                         [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.5, 3.0, 64); });
+                            },
+                            0.5},
+                      Thing{"ball",
+                            [](World& world, const Vec3& at) {
+                                support::add_object(world, Sphere{0.8}, at + Vec3(0, 0.8, 0));
+                            },
+                            0.5},
+                      Thing{"hanging_ball",
+                            [](World& world, const Vec3& at) {
+                                support::add_object(world, Sphere{0.4}, at + Vec3(0, 1.9, 0));
+                            },
+                            0.3},
+                      Thing{"bench",
+                            [](World& world, const Vec3& at) {
+                                put_mesh(world, [&](TriangleMesh& mesh) { add_bench(mesh, at); });
+                            },
+                            0.9},
+                      Thing{"box_bench",
+                            [](World& world, const Vec3& at) {
+                                support::add_object(world, Box{{0.25, 0.225, 0.9}}, at + Vec3(0, 0.225, 0));
+                            },
+                            0.9}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

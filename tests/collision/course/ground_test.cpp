@@ -80,21 +80,20 @@ Ground ramp_of(const char* name, double degrees) {
 
 INSTANTIATE_TEST_SUITE_P(
     Grounds, CourseGround,
-    ::testing::Values(
-        ramp_of("ramp_5", 5.0), ramp_of("ramp_15", 15.0), ramp_of("ramp_30", 30.0), ramp_of("ramp_40", 40.0),
-        ramp_of("ramp_45", 45.0), ramp_of("ramp_49", 49.0),
-        Ground{"kerb_12", support::flight(0.0, 0.12, 0.3, 1), -1.0, 1.0},
-        Ground{"flight_17", support::flight(0.0, 0.17, 0.28, 5), -0.8, 2.0},
-        Ground{"flight_10", support::flight(0.0, 0.10, 0.35, 5), -0.8, 2.2},
-        Ground{"flight_25", support::flight(0.0, 0.25, 0.25, 5), -0.8, 1.8},
-        Ground{"ridge_20", {{-3, 0}, {0, 0}, {1.5, 0.546}, {3, 0}, {6, 0}}, -1.0, 4.0},
-        Ground{"ridge_45", {{-3, 0}, {0, 0}, {1.5, 1.5}, {3, 0}, {6, 0}}, -1.0, 4.0},
-        Ground{"valley_20", {{-3, 0}, {0, 0}, {1.5, -0.546}, {3, 0}, {6, 0}}, -1.0, 4.0},
-        Ground{"valley_45", {{-3, 0}, {0, 0}, {1.5, -1.5}, {3, 0}, {6, 0}}, -1.0, 4.0},
-        Ground{"narrow_ditch", {{-3, 0}, {0, 0}, {0.1, -0.8}, {0.2, 0}, {3, 0}}, -1.0, 1.2},
-        Ground{"bumps", support::waves(0.5, 0.06, 5, 6), -0.5, 3.0},
-        Ground{"hills", support::waves(4.0, 0.8, 1, 40), -0.5, 4.5},
-        Ground{"hills_running", support::waves(4.0, 0.8, 1, 40), -0.5, 4.5, 4.0}),
+    ::testing::Values(ramp_of("ramp_5", 5.0), ramp_of("ramp_15", 15.0), ramp_of("ramp_30", 30.0),
+                      ramp_of("ramp_40", 40.0), ramp_of("ramp_45", 45.0), ramp_of("ramp_49", 49.0),
+                      Ground{"kerb_12", support::flight(0.0, 0.12, 0.3, 1), -1.0, 1.0},
+                      Ground{"flight_17", support::flight(0.0, 0.17, 0.28, 5), -0.8, 2.0},
+                      Ground{"flight_10", support::flight(0.0, 0.10, 0.35, 5), -0.8, 2.2},
+                      Ground{"flight_25", support::flight(0.0, 0.25, 0.25, 5), -0.8, 1.8},
+                      Ground{"ridge_20", {{-3, 0}, {0, 0}, {1.5, 0.546}, {3, 0}, {6, 0}}, -1.0, 4.0},
+                      Ground{"ridge_45", {{-3, 0}, {0, 0}, {1.5, 1.5}, {3, 0}, {6, 0}}, -1.0, 4.0},
+                      Ground{"valley_20", {{-3, 0}, {0, 0}, {1.5, -0.546}, {3, 0}, {6, 0}}, -1.0, 4.0},
+                      Ground{"valley_45", {{-3, 0}, {0, 0}, {1.5, -1.5}, {3, 0}, {6, 0}}, -1.0, 4.0},
+                      Ground{"narrow_ditch", {{-3, 0}, {0, 0}, {0.1, -0.8}, {0.2, 0}, {3, 0}}, -1.0, 1.2},
+                      Ground{"bumps", support::waves(0.5, 0.06, 5, 6), -0.5, 3.0},
+                      Ground{"hills", support::waves(4.0, 0.8, 1, 40), -0.5, 4.5},
+                      Ground{"hills_running", support::waves(4.0, 0.8, 1, 40), -0.5, 4.5, 4.0}),
     [](const auto& test) { return std::string(test.param.name); });
 
 /// Spheres to walk over: the body's lower ball rolls over them at the sum of the radii.

@@ -46,8 +46,8 @@ TEST(CoursePassages, DoorwaysLowerOrNarrowerThanTheBodyAreClosed) {
                                 Opening{0.9, 1.78, false}, Opening{0.9, 1.5, false}, Opening{0.9, 0.6, false},
                                 Opening{0.58, 2.0, false}, Opening{0.4, 2.0, false}}) {
         SCOPED_TRACE(testing::Message() << door.width << " m by " << door.high << " m");
-        const auto world =
-            floor_and([&](TriangleMesh& mesh) { support::add_doorway(mesh, 2.0, 0.2, door.width, door.high); });
+        const auto world = floor_and(
+            [&](TriangleMesh& mesh) { support::add_doorway(mesh, 2.0, 0.2, door.width, door.high); });
         AuditedBody body(*world);
         body.stand({0, 0, 0});
         ASSERT_NO_FATAL_FAILURE(body.walk(kEast, 3.0));

@@ -22,8 +22,8 @@ struct WallMake {
 /// 0.5 to 100 m/s at 30 to 240 ticks a second, straight and aslant.
 TEST(CourseWalls, HeadOnNothingIsPassed) {
     for (const double thickness : {0.2, 0.02, 0.0}) {
-        const auto world =
-            floor_and([&](TriangleMesh& mesh) { support::add_barrier(mesh, 1.0, thickness, 15.0, 0.0, 3.0); });
+        const auto world = floor_and(
+            [&](TriangleMesh& mesh) { support::add_barrier(mesh, 1.0, thickness, 15.0, 0.0, 3.0); });
         AuditedBody body(*world);
         for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
             for (const double speed : {0.5, 1.4, 5.0, 20.0, 100.0}) {
@@ -51,7 +51,9 @@ class CourseAlongWalls : public ::testing::TestWithParam<WallMake> {};
 /// A wish at an angle to the wall keeps cos of it, whatever the wall's heading, seams or none.
 TEST_P(CourseAlongWalls, SlidingCostsTheAngleOnly) {
     // The convex boxes' nearest points are searched for, which takes long.
-    const double every = support::kSanitized ? 20.0 : GetParam().add == support::add_wall_of_boxes ? 10.0 : 5.0;
+    const double every = support::kSanitized                            ? 20.0
+                         : GetParam().add == support::add_wall_of_boxes ? 10.0
+                                                                        : 5.0;
     for (const double heading : {0.0, 26.565, 73.0}) {
         auto world = floor_world();
         GetParam().add(*world, 10.0, {support::turn(Vec3::UnitY(), radians(heading)), Vec3::Zero()});
