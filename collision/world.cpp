@@ -36,6 +36,9 @@ void World::candidates(const Vec3& from, const Vec3& to, const QueryFilter& filt
 void World::keep_visible(const QueryFilter& filter, std::vector<ObjectId>& out) const {
     std::erase_if(out, [&](ObjectId id) {
         const Object& o = object(id);
+        if (filter.disabled != nullptr && (*filter.disabled)[index_of(id)]) {
+            return true;
+        }
         return !any_of(o.detection, filter.detection) || ((filter.ignored_layers >> o.layer) & 1U) != 0;
     });
     std::sort(out.begin(), out.end());

@@ -30,7 +30,8 @@ struct Object {
 /// Which objects a query sees.
 struct QueryFilter {
     Detection detection = Detection::solid;
-    std::uint32_t ignored_layers = 0;  ///< bit n set: layer n is not seen
+    std::uint32_t ignored_layers = 0;             ///< bit n set: layer n is not seen
+    const std::vector<bool>* disabled = nullptr;  ///< by object: not seen; nothing is disabled if null
 };
 
 /// The static world: objects in a broad phase, hybrid trees as their narrow phase. Immutable once filled;

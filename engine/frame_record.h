@@ -19,6 +19,7 @@ struct AvatarState {
     double pitch = 0.0;                                  ///< radians, up positive
     double vertical_speed = 0.0;                         ///< metres a second, while falling
     bool grounded = false;
+    double stature = 1.0;  ///< height over the profile's: less than 1 while it crouches
 };
 
 /// What one tick did, as plain data that observers read after it. Spans stay valid until the next tick.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <utility>
 
 #include "engine/expect/expectation_judge.h"
@@ -26,14 +27,25 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
     return event;
 }
 
+/// Set when the failure's line is one of a file that the walk includes.
+std::string included_file(const Failure& failure, const Walk& walk) {
+    const std::string& file = failure.mark.file;
+    return file.empty() || walk.mark.file.empty() || file == walk.mark.file
+               ? ""
+               : std::filesystem::path(file).filename().string();
+}
+
 /// Puts the verdict into the walk's last event and, before it, what was not as expected.
-void add_verdict(const WalkSummary& summary, std::vector<Event>& events) {
+void add_verdict(const WalkSummary& summary, const Walk& walk, std::vector<Event>& events) {
     Event end = std::move(events.back());
     events.pop_back();
     for (const Failure& failure : summary.failures) {
         Event& event = events.emplace_back(event_at(summary.ticks, EventKind::expect_fail, failure.code));
         event.fields = {{"line", static_cast<std::int64_t>(failure.mark.line)},
                         {"message", Text{failure.message}}};
+        if (std::string file = included_file(failure, walk); !file.empty()) {
+            event.fields.push_back({"file", std::move(file)});
+        }
     }
     end.fields = {{"result", std::string(summary.passed ? "pass" : "fail")},
                   {"events", summary.events},
@@ -83,7 +95,7 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
     summary.distance = simulation.distance();
     summary.hash = simulation.hash();
     summary.counters = simulation.counters();
-    add_verdict(summary, closing);
+    add_verdict(summary, walk, closing);
     last.events = closing;
     show(last);
     for (Observer* observer : observers) {

@@ -32,24 +32,40 @@ void sort_for_log(std::vector<SensedTransition>& transitions) {
 }  // namespace
 
 Senses::Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
-               Tick stay_ticks)
+               Tick stay_ticks, Tick gaze_hold, const std::vector<bool>* disabled)
     : campus_(campus),
       avatar_(avatar),
       ignored_layers_(ignored_layers),
+      disabled_(disabled),
       solids_(stay_ticks),
       triggers_(stay_ticks),
-      gaze_(stay_ticks) {}
+      gaze_(stay_ticks),
+      gaze_memory_(gaze_hold) {}
 
 void Senses::sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
                    std::vector<SensedTransition>& out, collision::QueryCounters& counters) {
     out.clear();
     see_solids(trace);
     collect(tick, Strategy::collision, solids_, out);
-    see_triggers(trace, counters);
+    see_triggers(avatar.stature * avatar_.height, trace, counters);
     collect(tick, Strategy::trigger, triggers_, out);
-    see_gaze(avatar, counters);
+    see_gaze(tick, avatar, counters);
     collect(tick, Strategy::ray, gaze_, out);
     sort_for_log(out);
+}
+
+void Senses::sense_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                         std::vector<SensedTransition>& out, collision::QueryCounters& counters) {
+    if (disabled_ != nullptr) {
+        for (std::size_t i = 0; i < disabled_->size(); ++i) {
+            if ((*disabled_)[i]) {
+                gaze_memory_.forget(static_cast<collision::ObjectId>(i));
+            }
+        }
+    }
+    sense(tick, avatar, trace, out, counters);
+    // `sense` has told this tick's stays before.
+    std::erase_if(out, [](const SensedTransition& s) { return s.transition.phase == Phase::stay; });
 }
 
 void Senses::leave_all(Tick tick, std::vector<SensedTransition>& out) {
@@ -64,6 +80,7 @@ void Senses::leave_all(Tick tick, std::vector<SensedTransition>& out) {
     leave(Strategy::collision, solids_);
     leave(Strategy::trigger, triggers_);
     leave(Strategy::ray, gaze_);
+    gaze_memory_.forget_all();
     sort_for_log(out);
 }
 
@@ -72,7 +89,7 @@ void Senses::collect(Tick tick, Strategy strategy, ContactTracker& tracker,
     changes_.clear();
     tracker.update(tick, seen_, changes_);
     for (const Transition& t : changes_) {
-        out.push_back({strategy, t, strategy == Strategy::ray ? gaze_distance_ : 0.0});
+        out.push_back({strategy, t, strategy == Strategy::ray ? gaze_memory_.distance(t.object) : 0.0});
     }
 }
 
@@ -86,17 +103,18 @@ void Senses::see_solids(const collision::MoveTrace& trace) {
     }
 }
 
-void Senses::see_triggers(const collision::MoveTrace& trace, collision::QueryCounters& counters) {
+void Senses::see_triggers(double height, const collision::MoveTrace& trace,
+                          collision::QueryCounters& counters) {
     seen_.clear();
     Aabb box;
     for (const Vec3& foot : trace.path) {
         box.extend(foot);
-        box.extend(foot + Vec3(0, avatar_.height, 0));
+        box.extend(foot + Vec3(0, height, 0));
     }
-    const QueryFilter filter{Detection::trigger, ignored_layers_};
+    const QueryFilter filter{Detection::trigger, ignored_layers_, disabled_};
     campus_.world.candidates(box.grown(avatar_.radius + kVolumeSlack), filter, candidates_);
     for (const collision::ObjectId id : candidates_) {
-        const Sighting sighting = sight_trigger(id, trace.path, counters);
+        const Sighting sighting = sight_trigger(id, height, trace.path, counters);
         if (sighting.met || triggers_.active(id)) {
             seen_.push_back(sighting);
         }
@@ -104,12 +122,11 @@ void Senses::see_triggers(const collision::MoveTrace& trace, collision::QueryCou
 }
 
 /// How the avatar meets a volume along its path, from the first contact to the last.
-Sighting Senses::sight_trigger(collision::ObjectId id, const std::vector<Vec3>& path,
+Sighting Senses::sight_trigger(collision::ObjectId id, double height, const std::vector<Vec3>& path,
                                collision::QueryCounters& counters) const {
     const double radius = avatar_.radius + (triggers_.active(id) ? kVolumeSlack : 0.0);
     const auto span_from = [&](const Vec3& foot, const Vec3& move) {
-        const Segment body{foot + Vec3(0, avatar_.radius, 0),
-                           foot + Vec3(0, avatar_.height - avatar_.radius, 0)};
+        const Segment body{foot + Vec3(0, avatar_.radius, 0), foot + Vec3(0, height - avatar_.radius, 0)};
         return overlap_span(campus_.world, id, body, radius, move, counters);
     };
     if (path.size() == 1) {  // put down here
@@ -131,18 +148,21 @@ Sighting Senses::sight_trigger(collision::ObjectId id, const std::vector<Vec3>& 
     return sighting;
 }
 
-void Senses::see_gaze(const AvatarState& avatar, collision::QueryCounters& counters) {
+void Senses::see_gaze(Tick tick, const AvatarState& avatar, collision::QueryCounters& counters) {
     seen_.clear();
     const auto [sin_yaw, cos_yaw] = collision::sin_cos(avatar.yaw);
     const auto [sin_pitch, cos_pitch] = collision::sin_cos(avatar.pitch);
     const Vec3 direction(-sin_yaw * cos_pitch, sin_pitch, -cos_yaw * cos_pitch);
-    const Vec3 eye = avatar.position + Vec3(0, avatar_.eye_height, 0);
+    const Vec3 eye = avatar.position + Vec3(0, avatar.stature * avatar_.eye_height, 0);
     const Ray ray{eye, eye + avatar_.look_distance * direction};
-    const QueryFilter filter{Detection::solid | Detection::ray, ignored_layers_};
+    const QueryFilter filter{Detection::solid | Detection::ray, ignored_layers_, disabled_};
     const auto hit = collision::cast(campus_.world, filter, ray, Detection::ray, counters);
     if (hit && any_of(campus_.world.object(hit->object).detection, Detection::ray)) {
-        gaze_distance_ = hit->fraction * avatar_.look_distance;
-        seen_.push_back({hit->object});
+        gaze_memory_.meet(tick, hit->object, hit->fraction * avatar_.look_distance);
+    }
+    gaze_memory_.advance(tick);
+    for (const GazeMemory::Look& look : gaze_memory_.looks()) {
+        seen_.push_back({look.object});
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "collision/placement.h"
@@ -38,8 +39,9 @@ KindsOf kinds_of(Strategy strategy) {
     }
 }
 
-Tick stay_ticks(const SimSettings& sim) {
-    return std::max<Tick>(1, static_cast<Tick>(std::floor(sim.stay_every * sim.ticks_per_second + 0.5)));
+/// At least one.
+Tick ticks_of(double seconds, const SimSettings& sim) {
+    return std::max<Tick>(1, static_cast<Tick>(std::floor(seconds * sim.ticks_per_second + 0.5)));
 }
 
 std::string popup_body(const scene::Building& building) {
@@ -100,11 +102,14 @@ Simulation::Simulation(const scene::Campus& campus, const Walk& walk)
     : campus_(campus),
       walk_(walk),
       dt_(1.0 / walk.sim.ticks_per_second),
-      solids_{Detection::solid, ignored_layers(campus, walk.avatar)},
+      disabled_(campus.objects.size(), false),
+      solids_{Detection::solid, ignored_layers(campus, walk.avatar), &disabled_},
       mover_(campus.world, mover_settings(walk.avatar), solids_),
       script_(walk),
-      senses_(campus, walk.avatar, solids_.ignored_layers, stay_ticks(walk.sim)),
-      popups_(campus.description.buildings.size()) {}
+      senses_(campus, walk.avatar, solids_.ignored_layers, ticks_of(walk.sim.stay_every, walk.sim),
+              ticks_of(walk.sim.gaze_hold, walk.sim), &disabled_),
+      popups_(campus.description.buildings.size()),
+      stuck_(walk.sim.ticks_per_second) {}
 
 const FrameRecord& Simulation::step() {
     ++tick_;
@@ -118,9 +123,11 @@ const FrameRecord& Simulation::step() {
         Event& start = add(EventKind::walk_start, walk_.name);
         start.fields = {{"pos", avatar_.position}, {"yaw", Decimal{avatar_.yaw * kDegrees, 1}}};
     }
+    report_placement(intent);
     senses_.sense(tick_, avatar_, trace_, transitions_, counters_);
     report_transitions(placed_);
     report_fall();
+    report_stuck(intent);
     report_step_end();
     return finish_record();
 }
@@ -135,8 +142,10 @@ const FrameRecord& Simulation::leave_everything() {
 
 void Simulation::move(const Intent& intent) {
     if (intent.placement) {
-        put(*intent.placement, intent.yaw);
+        leave_place(intent.placement->kind == EventKind::avatar_teleport ? "teleport" : "spawn");
+        set_down(intent.placement->foot, *intent.placement->label);
     } else {
+        jumped_ = (intent.jump && mover_.jump(body_, *intent.jump)) || jumped_;
         mover_.move(body_, intent.move, dt_, trace_, counters_);
         for (std::size_t i = 1; i < trace_.path.size(); ++i) {
             distance_ += (trace_.path[i] - trace_.path[i - 1]).norm();
@@ -149,25 +158,46 @@ void Simulation::move(const Intent& intent) {
     avatar_.pitch = intent.pitch;
 }
 
-void Simulation::put(const Intent::Placement& placement, double yaw) {
-    const bool teleported = placement.kind == EventKind::avatar_teleport;
-    placed_ = teleported ? "teleport" : "spawn";
-    if (tick_ > 0) {  // what is met ends where the avatar was
+/// What is met ends where the avatar was.
+void Simulation::leave_place(const char* cause) {
+    placed_ = cause;
+    jumped_ = false;
+    if (tick_ > 0) {
         senses_.leave_all(tick_, transitions_);
-        report_transitions(placed_);
+        report_transitions(cause);
     }
-    const AvatarProfile& a = walk_.avatar;
-    // check_walk has refused places that aren't free.
-    const Vector3d foot = collision::free_place(campus_.world, solids_, placement.foot, a.radius, a.height,
-                                                kPlacementSearch, counters_)
-                              .value_or(placement.foot);
-    mover_.place(body_, foot, 2.0 * kPlacementSearch, counters_);
+}
+
+/// Puts the body down at a place, or beside what is in the way there.
+void Simulation::set_down(const Vector3d& foot, const std::string& label) {
+    // check_walk has refused places that can't be made free.
+    const collision::Standing standing =
+        collision::standing_place(campus_.world, solids_, foot, walk_.avatar.radius, mover_.height(),
+                                  kPlacementSearch, counters_)
+            .value_or(collision::Standing{foot, std::nullopt});
+    if (standing.pushed_out_of) {
+        push_ = Push{label, foot, (standing.foot - foot).norm(), *standing.pushed_out_of};
+    }
+    mover_.place(body_, standing.foot, 2.0 * kPlacementSearch, counters_);
+    stay_where_it_is();
+}
+
+/// The trace of a body that doesn't move.
+void Simulation::stay_where_it_is() {
     trace_.path.assign(1, body_.foot);
     trace_.landed = false;
     mover_.touch(body_, trace_, counters_);
-    if (tick_ > 0) {
-        Event& event = add(placement.kind, *placement.label);
-        event.fields = {{"pos", body_.foot}, {"yaw", Decimal{yaw * kDegrees, 1}}};
+}
+
+void Simulation::report_placement(const Intent& intent) {
+    if (intent.placement && tick_ > 0) {
+        Event& event = add(intent.placement->kind, *intent.placement->label);
+        event.fields = {{"pos", body_.foot}, {"yaw", Decimal{intent.yaw * kDegrees, 1}}};
+    }
+    report_push();
+    if (intent.jump && jumped_) {
+        add(EventKind::avatar_jump, walk_.name).fields = {{"pos", trace_.path.front()},
+                                                          {"speed", Decimal{*intent.jump, 3}}};
     }
 }
 
@@ -213,36 +243,59 @@ void Simulation::report_transition(const SensedTransition& sensed, const char* c
 }
 
 void Simulation::report_fall() {
-    if (trace_.landed && trace_.fall_height >= kNotableFall) {
-        add(EventKind::avatar_land, walk_.name).fields = {{"pos", avatar_.position},
-                                                          {"height", Decimal{trace_.fall_height, 3}}};
+    if (trace_.landed && (jumped_ || trace_.fall_height >= kNotableFall)) {
+        add(EventKind::avatar_landed, walk_.name).fields = {{"pos", avatar_.position},
+                                                            {"height", Decimal{trace_.fall_height, 3}}};
     }
+    jumped_ = jumped_ && !body_.grounded;
     if (avatar_.position.y() < campus_.world.bounds().min.y() - kAbyss) {
         add(EventKind::avatar_fell, walk_.name).fields = {{"pos", avatar_.position}};
         end_walk(walk_.mark, "fell", "the avatar fell off the world");
     }
 }
 
+void Simulation::report_stuck(const Intent& intent) {
+    if (!stuck_.see(avatar_.position, intent.move.norm())) {
+        return;
+    }
+    Event& event = add(EventKind::avatar_stuck, walk_.name);
+    event.fields.push_back({"pos", avatar_.position});
+    if (std::string by = obstacle(); !by.empty()) {
+        event.fields.push_back({"by", std::move(by)});
+    }
+}
+
+/// The object beside the avatar that is nearest to it; empty when nothing is.
+std::string Simulation::obstacle() const {
+    if (trace_.touching.empty()) {
+        return "";
+    }
+    const auto nearest = std::ranges::min_element(trace_.touching, {}, &collision::Touch::gap);
+    return campus_.objects[index_of(nearest->object)].id;
+}
+
 void Simulation::report_step_end() {
-    const std::optional<StepEnd> end = script_.settle(avatar_, snapshots_);
+    script_.hear(events_);
+    effects_.clear();
+    const std::optional<StepEnd> end = script_.settle(avatar_, effects_);
     if (end) {
-        Event& event = add(end->kind, *end->label);
-        event.fields.push_back({"pos", avatar_.position});
-        std::string by;
-        if (end->kind == EventKind::avatar_blocked && !trace_.touching.empty()) {
-            const auto nearest = std::ranges::min_element(trace_.touching, {}, &collision::Touch::gap);
-            by = campus_.objects[index_of(nearest->object)].id;
-            event.fields.push_back({"by", by});
+        const std::string by = end->kind == EventKind::avatar_blocked ? obstacle() : "";
+        if (end->kind) {
+            Event& event = add(*end->kind, *end->label);
+            event.fields.push_back({"pos", avatar_.position});
+            if (!by.empty()) {
+                event.fields.push_back({"by", by});
+            }
         }
         if (end->fatal) {
-            end_walk(*end->mark, "blocked",
-                     "walk_to " + *end->label + " was not reached" + end->why +
-                         (by.empty() ? "" : ": blocked by " + by));
+            end_walk(*end->mark, end->code, end->message + (by.empty() ? "" : ": blocked by " + by));
         }
     }
-    for (const SnapshotStep* snapshot : snapshots_) {
-        add(EventKind::snapshot_take, snapshot->name).fields = {{"pos", avatar_.position}};
+    const std::size_t heard = events_.size();
+    for (const Step* effect : effects_) {
+        apply(*effect);
     }
+    script_.hear(std::span(events_).subspan(heard));
     finished_ = finished_ || script_.finished();
 }
 

@@ -13,6 +13,7 @@
 #include "engine/script/walk.h"
 #include "engine/senses.h"
 #include "engine/state_hash.h"
+#include "engine/stuck_watch.h"
 #include "scene/campus.h"
 
 namespace campuswalk::engine {
@@ -20,7 +21,7 @@ namespace campuswalk::engine {
 /// The step that ended a walk early.
 struct Stop {
     SourceMark mark;
-    std::string code;  ///< "blocked" or "fell"
+    std::string code;  ///< "blocked", "enclosed", "fell" or "timeout"
     std::string message;
 };
 
@@ -29,6 +30,8 @@ struct Stop {
 class Simulation {
 public:
     Simulation(const scene::Campus& campus, const Walk& walk);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
 
     bool finished() const { return finished_; }
 
@@ -45,11 +48,28 @@ public:
 
 private:
     void move(const Intent& intent);
-    void put(const Intent::Placement& placement, double yaw);
+    void leave_place(const char* cause);
+    void set_down(const Eigen::Vector3d& foot, const std::string& label);
+    void stay_where_it_is();
+    void report_placement(const Intent& intent);
     void report_transitions(const char* cause);
     void report_transition(const SensedTransition& sensed, const char* cause);
-    void report_step_end();
     void report_fall();
+    void report_stuck(const Intent& intent);
+    void report_step_end();
+    std::string obstacle() const;
+
+    // What steps do that take no time (simulation_effects.cpp).
+    void apply(const Step& step);
+    void carry_out(const SnapshotStep& step);
+    void carry_out(const CrouchStep& step);
+    void carry_out(const EnableStep& step);
+    template <typename Other>
+    void carry_out(const Other&) {}
+    bool switch_objects(const EnableStep& step);
+    void make_room(const EnableStep& step);
+    void report_push();
+
     const FrameRecord& finish_record();
 
     Eigen::Vector3d position_at(double fraction) const;
@@ -59,6 +79,7 @@ private:
     const scene::Campus& campus_;
     const Walk& walk_;
     double dt_;
+    std::vector<bool> disabled_;  ///< by object
     collision::QueryFilter solids_;
     collision::CapsuleMover mover_;
     ScriptPlayer script_;
@@ -71,8 +92,19 @@ private:
     collision::MoveTrace trace_;
     std::vector<SensedTransition> transitions_;
     std::vector<Event> events_;
+    std::vector<const Step*> effects_;
     std::vector<const SnapshotStep*> snapshots_;
     const char* placed_ = nullptr;  ///< why the avatar was put somewhere this tick
+    bool jumped_ = false;           ///< in the air by a jump
+    StuckWatch stuck_;
+    /// Out of what the avatar was pushed where it was put down.
+    struct Push {
+        std::string label;
+        Eigen::Vector3d from = Eigen::Vector3d::Zero();
+        double distance = 0.0;  ///< metres
+        collision::ObjectId out_of{};
+    };
+    std::optional<Push> push_;
     FrameRecord record_;
 
     bool finished_ = false;
@@ -87,8 +119,8 @@ collision::MoverSettings mover_settings(const AvatarProfile& avatar);
 /// Bits of the layers the avatar takes no notice of.
 std::uint32_t ignored_layers(const scene::Campus& campus, const AvatarProfile& avatar);
 
-/// How far above a written-down place the avatar looks for a free one, metres. Ground is looked for twice as
-/// far below what it found, so at least as far below what was written.
+/// How far above a written-down place the avatar looks for a free one, metres (see standing_place). Ground is
+/// looked for twice as far below what it found, so at least as far below what was written.
 constexpr double kPlacementSearch = 0.5;
 
 }  // namespace campuswalk::engine

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "config/loader/avatar_search.h"
@@ -31,6 +32,12 @@ SourceMark whole_file(const fs::path& file) {
     return {shown_path(file), 0, 0};
 }
 
+/// A file that is included twice is read twice; its mistakes are told once.
+void drop_repeated(std::vector<Diagnostic>& diagnostics) {
+    std::set<std::string> told;
+    std::erase_if(diagnostics, [&](const Diagnostic& d) { return !told.insert(scene::to_string(d)).second; });
+}
+
 /// `first`, then the files it names as they were read; the complaints of each from top to bottom.
 void throw_in_order(const DiagnosticList& diagnostics, const SourceMark& first) {
     if (!diagnostics.has_errors()) {
@@ -47,6 +54,7 @@ void throw_in_order(const DiagnosticList& diagnostics, const SourceMark& first) 
         const SourceMark& mark = diagnostic.mark;
         return std::tuple(std::ranges::find(files, mark.file) - files.begin(), mark.line, mark.column);
     });
+    drop_repeated(sorted);
     throw scene::InputError(std::move(sorted));
 }
 
@@ -77,7 +85,10 @@ AvatarProfile open_avatar(const fs::path& path, const SourceMark& asked_at, Diag
 class RunReader {
 public:
     RunReader(const fs::path& walk_file, const SearchPaths& search, DiagnosticList& diagnostics)
-        : folder_(walk_file.parent_path()), search_(search), diagnostics_(diagnostics) {}
+        : walk_file_(walk_file),
+          folder_(walk_file.parent_path()),
+          search_(search),
+          diagnostics_(diagnostics) {}
 
     Run read(const YamlFile& file) {
         CheckedMap map(file.root(), "a walk");
@@ -87,7 +98,7 @@ public:
         if (const auto avatar = map.find("avatar")) {
             run.walk.avatar = read_avatar_of(*avatar, names);
         }
-        read_walk(map, names, run.walk);
+        read_walk(map, names, walk_file_, run.walk);
         map.refuse_other_keys();
         if (campus) {
             run.campus = std::move(*campus);
@@ -134,6 +145,7 @@ private:
         return file ? open_avatar(*file, node.mark(), diagnostics_) : AvatarProfile{};
     }
 
+    fs::path walk_file_;
     fs::path folder_;
     const SearchPaths& search_;
     DiagnosticList& diagnostics_;

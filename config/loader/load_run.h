@@ -24,6 +24,7 @@ struct Run {
 //   unknown-key, missing-key, duplicate-key                       keys
 //   wrong-type, bad-value                                         values
 //   unknown-name, duplicate-name                                  names of places, layers, avatars, events, …
+//   include-cycle, include-depth, too-many-steps                  steps that other files and rounds add
 
 /// Reads `NAME.walk.yaml`, the campus it names and its avatar profile; resolves places and spawns.
 Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search);

@@ -67,10 +67,12 @@ void UniqueNames::add(const std::string& name, const CheckedNode& at) {
     if (name.empty()) {
         return;
     }
-    const auto [earlier, fresh] = lines_.emplace(name, at.mark().line);
+    const auto [earlier, fresh] = marks_.emplace(name, at.mark());
     if (!fresh) {
-        at.complain("duplicate-name", "the " + thing_ + " " + in_quotes(name) + " stands on line " +
-                                          std::to_string(earlier->second) + " already");
+        const scene::SourceMark& mark = earlier->second;
+        at.complain("duplicate-name",
+                    "the " + thing_ + " " + in_quotes(name) + " stands on line " + std::to_string(mark.line) +
+                        (mark.file == at.mark().file ? "" : " of " + mark.file) + " already");
     }
 }
 

@@ -33,7 +33,7 @@ public:
 
 private:
     std::string thing_;
-    std::map<std::string, int> lines_;
+    std::map<std::string, scene::SourceMark> marks_;
 };
 
 }  // namespace campuswalk::config

@@ -12,6 +12,8 @@ constexpr Range kLength{0.0, 1e6, true, "m"};
 constexpr Range kDistance{0.0, 1e6, false, "m"};
 constexpr Range kYaw{-3600.0, 3600.0, false, "degrees"};
 constexpr Range kSeconds{0.0, 86'400.0, false, "s"};
+constexpr Range kTimeout{0.0, 86'400.0, true, "s"};
+constexpr Range kPace{0.0, 100.0, true, "m/s"};
 constexpr Range kFieldOfView{1.0, 170.0, false, "degrees"};
 
 }  // namespace campuswalk::config

@@ -1,6 +1,7 @@
 #include "config/loader/read_avatar.h"
 
 #include "config/loader/names.h"
+#include "config/loader/ranges.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -13,7 +14,6 @@ namespace {
 constexpr Range kHeight{0.05, 100.0, false, "m"};
 constexpr Range kRadius{0.01, 50.0, false, "m"};
 constexpr Range kStepHeight{0.0, 50.0, false, "m"};
-constexpr Range kSpeed{0.0, 100.0, true, "m/s"};
 constexpr Range kSlope{0.0, 89.0, false, "degrees"};
 constexpr Range kSkin{0.001, 0.5, false, "m"};
 constexpr Range kTurnSpeed{0.0, 36'000.0, true, "degrees per second"};
@@ -44,7 +44,8 @@ std::vector<CheckedNode> read_avatar_fields(CheckedMap& map, AvatarProfile& prof
     map.number("height", kHeight, profile.height);
     map.number("radius", kRadius, profile.radius);
     map.number("eye_height", kHeight, profile.eye_height);
-    map.number("speed", kSpeed, profile.speed);
+    map.number("speed", kPace, profile.speed);
+    map.number("run_speed", kPace, profile.run_speed);
     map.number("step_height", kStepHeight, profile.step_height);
     map.angle("max_slope_deg", kSlope, profile.max_slope);
     map.number("skin_width", kSkin, profile.skin_width);

@@ -1,18 +1,14 @@
 #include "config/loader/read_expectations.h"
 
-#include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "config/loader/checked_map.h"
 #include "config/loader/ranges.h"
+#include "config/loader/read_pattern.h"
 #include "config/loader/single_key.h"
-#include "engine/events/event.h"
-#include "scene/glob.h"
 
 namespace campuswalk::config {
 
-using engine::EventPattern;
 using engine::Expectation;
 using engine::ExpectCount;
 using engine::ExpectNever;
@@ -20,29 +16,6 @@ using engine::ExpectReaches;
 using engine::ExpectSequence;
 
 namespace {
-
-/// `KIND OBJECT` or `KIND`; a kind that no event has is a typing mistake.
-EventPattern read_pattern(const CheckedNode& node) {
-    EventPattern pattern;
-    pattern.mark = node.mark();
-    std::istringstream words(node.line().value_or(""));
-    words >> pattern.kind;
-    if (pattern.kind.empty()) {
-        return pattern;  // has been complained of
-    }
-    words >> pattern.object;
-    if (std::string more; words >> more) {
-        node.complain("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; " +
-                                       in_quotes(more) + " is too much");
-    }
-    const std::vector<std::string> kinds = engine::event_kind_names();
-    const auto known = [&](const std::string& kind) { return scene::glob_matches(pattern.kind, kind); };
-    if (std::ranges::none_of(kinds, known)) {
-        node.complain("unknown-name", "no event is called " + in_quotes(pattern.kind) +
-                                          suggestion_or_list(pattern.kind, kinds));
-    }
-    return pattern;
-}
 
 Expectation read_sequence(const CheckedNode& node, const CampusNames& /*names*/) {
     ExpectSequence sequence;

@@ -1,141 +1,155 @@
 #include "config/loader/read_steps.h"
 
+#include <algorithm>
 #include <array>
+#include <system_error>
 
 #include "config/loader/checked_map.h"
-#include "config/loader/names.h"
-#include "config/loader/ranges.h"
-#include "config/loader/read_camera.h"
+#include "config/loader/read_single_step.h"
 #include "config/loader/single_key.h"
+#include "config/loader/source_text.h"
+#include "config/loader/step_context.h"
+#include "config/loader/yaml_file.h"
 
 namespace campuswalk::config {
 
-using engine::CameraSettings;
-using engine::IfBlocked;
-using engine::LookAtStep;
-using engine::SnapshotStep;
-using engine::SpawnStep;
+namespace fs = std::filesystem;
+
 using engine::Step;
-using engine::TeleportStep;
-using engine::TurnStep;
-using engine::WaitStep;
-using engine::WalkToStep;
 
 namespace {
 
-/// What the readers of single steps share.
-struct StepContext {
-    const CampusNames& names;
-    const CameraSettings& camera;
-    UniqueNames snapshots{"snapshot"};
-    bool first = true;
-};
+constexpr std::size_t kMostSteps = 100'000;
+constexpr std::size_t kMostDeep = 16;  // files included by files
+constexpr const char* kSuffix = ".steps.yaml";
 
-Step read_spawn(const CheckedNode& node, StepContext& context) {
-    if (!context.first) {
-        node.complain("bad-value", "'spawn' can only be the first step; later it is 'teleport'");
+void read_list(const CheckedNode& section, StepContext& context, std::vector<Step>& out);
+
+/// Counts steps that are there or would be; complains when they are too many, at the step that makes them so.
+bool count_steps(std::size_t more, const CheckedNode& at, StepContext& context) {
+    context.read += std::min(more, 2 * kMostSteps);
+    if (context.read <= kMostSteps) {
+        return true;
     }
-    const Standing standing = context.names.standing(node);
-    return SpawnStep{node.mark(), standing.label, standing.position, standing.yaw.value_or(0.0)};
+    at.complain("too-many-steps", "with 'repeat' and 'include' the walk has more than " +
+                                      std::to_string(kMostSteps) + " steps");
+    return false;
 }
 
-Step read_walk_to(const CheckedNode& node, StepContext& context) {
-    constexpr std::array kIfBlocked = {Choice<IfBlocked>{"fail", IfBlocked::fail},
-                                       Choice<IfBlocked>{"continue", IfBlocked::proceed}};
-    WalkToStep step;
-    step.mark = node.mark();
-    if (!node.is_map()) {
-        step.target = context.names.target(node);
-        return step;
+void read_repeat(const CheckedNode& node, StepContext& context, std::vector<Step>& out) {
+    int times = 1;
+    std::vector<Step> round;
+    CheckedMap map(node, "'repeat'");
+    map.require("times");
+    map.whole_number("times", 1, static_cast<int>(kMostSteps), times);
+    if (const auto steps = map.require("steps")) {
+        ++context.repeats;
+        read_list(*steps, context, round);
+        --context.repeats;
     }
-    CheckedMap map(node, "'walk_to'");
-    if (const auto to = map.require("to")) {
-        step.target = context.names.target(*to);
-    }
-    map.number("within", kDistance, step.within);
-    map.number("timeout", {0.0, kSeconds.most, true, "s"}, step.timeout);
-    map.number("speed", {0.0, 100.0, true, "m/s"}, step.speed);
-    map.choice("if_blocked", kIfBlocked, step.if_blocked);
     map.refuse_other_keys();
-    return step;
-}
-
-Step read_wait(const CheckedNode& node, StepContext& /*context*/) {
-    return WaitStep{node.mark(), node.number(kSeconds).value_or(0.0)};
-}
-
-Step read_turn(const CheckedNode& node, StepContext& /*context*/) {
-    TurnStep step;
-    step.mark = node.mark();
-    if (!node.is_map()) {
-        step.angle = radians(node.number(kYaw).value_or(0.0));
-        return step;
+    const auto rounds = static_cast<std::size_t>(times);
+    if (count_steps((rounds - 1) * round.size(), node, context)) {
+        for (std::size_t i = 0; i < rounds; ++i) {
+            out.insert(out.end(), round.begin(), round.end());
+        }
     }
-    CheckedMap map(node, "'turn'");
-    map.require("to_deg");
-    map.angle("to_deg", kYaw, step.angle);
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code none;
+    return fs::equivalent(a, b, none);
+}
+
+/// Whether the file may be opened from the one that is being read.
+bool may_include(const CheckedNode& node, const fs::path& path, const StepContext& context) {
+    if (std::ranges::any_of(context.files, [&](const fs::path& open) { return same_file(open, path); })) {
+        node.complain("include-cycle", shown_path(path) + " includes itself, by way of this line");
+        return false;
+    }
+    if (context.files.size() > kMostDeep) {
+        node.complain("include-depth", "files include each other more than " + std::to_string(kMostDeep) +
+                                           " deep; put the steps into fewer files");
+        return false;
+    }
+    return true;
+}
+
+void read_include(const CheckedNode& node, StepContext& context, std::vector<Step>& out) {
+    const std::optional<std::string> written = node.line();
+    if (!written) {
+        return;
+    }
+    const fs::path path = context.files.back().parent_path() / *written;
+    if (!may_include(node, path, context)) {
+        return;
+    }
+    const auto file = YamlFile::open(path, kSuffix, node.mark(), node.diagnostics());
+    if (!file) {
+        return;
+    }
+    context.files.push_back(path);
+    CheckedMap map(file->root(), "a steps file");
+    if (const auto steps = map.require("steps")) {
+        read_list(*steps, context, out);
+    }
     map.refuse_other_keys();
-    step.absolute = true;
-    return step;
+    context.files.pop_back();
 }
 
-Step read_look_at(const CheckedNode& node, StepContext& context) {
-    return LookAtStep{node.mark(), context.names.target(node)};
+template <Step (*read)(const CheckedNode&, StepContext&)>
+void read_one(const CheckedNode& node, StepContext& context, std::vector<Step>& out) {
+    out.push_back(read(node, context));
 }
 
-Step read_teleport(const CheckedNode& node, StepContext& context) {
-    Standing standing = context.names.standing(node);
-    return TeleportStep{node.mark(), std::move(standing.label), standing.position, standing.yaw};
-}
+using StepReader = void (*)(const CheckedNode&, StepContext&, std::vector<Step>&);
+constexpr std::array kSteps = {Choice<StepReader>{"spawn", read_one<read_spawn>},
+                               Choice<StepReader>{"walk_to", read_one<read_walk_to>},
+                               Choice<StepReader>{"follow", read_one<read_follow>},
+                               Choice<StepReader>{"run", read_one<read_run>},
+                               Choice<StepReader>{"speed", read_one<read_speed>},
+                               Choice<StepReader>{"jump", read_one<read_jump>},
+                               Choice<StepReader>{"crouch", read_one<read_crouch>},
+                               Choice<StepReader>{"wait", read_one<read_wait>},
+                               Choice<StepReader>{"wait_until", read_one<read_wait_until>},
+                               Choice<StepReader>{"turn", read_one<read_turn>},
+                               Choice<StepReader>{"look_at", read_one<read_look_at>},
+                               Choice<StepReader>{"teleport", read_one<read_teleport>},
+                               Choice<StepReader>{"enable", read_one<read_enable>},
+                               Choice<StepReader>{"disable", read_one<read_disable>},
+                               Choice<StepReader>{"snapshot", read_one<read_snapshot>},
+                               Choice<StepReader>{"repeat", read_repeat},
+                               Choice<StepReader>{"include", read_include}};
 
-Step read_snapshot(const CheckedNode& node, StepContext& context) {
-    SnapshotStep step;
-    step.mark = node.mark();
-    step.camera = context.camera;
-    const auto take_name = [&](const CheckedNode& name) {
-        step.name = kebab_name(name).value_or("");
-        context.snapshots.add(step.name, name);
-    };
-    if (!node.is_map()) {
-        take_name(node);
-        return step;
-    }
-    CheckedMap map(node, "'snapshot'");
-    if (const auto name = map.require("name")) {
-        take_name(*name);
-    }
-    read_camera_fields(map, step.camera);
-    map.refuse_other_keys();
-    return step;
-}
-
-using StepReader = Step (*)(const CheckedNode&, StepContext&);
-constexpr std::array kSteps = {
-    Choice<StepReader>{"spawn", read_spawn},      Choice<StepReader>{"walk_to", read_walk_to},
-    Choice<StepReader>{"wait", read_wait},        Choice<StepReader>{"turn", read_turn},
-    Choice<StepReader>{"look_at", read_look_at},  Choice<StepReader>{"teleport", read_teleport},
-    Choice<StepReader>{"snapshot", read_snapshot}};
-
-}  // namespace
-
-std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& names,
-                             const CameraSettings& camera) {
-    std::vector<Step> steps;
-    StepContext context{names, camera};
+void read_list(const CheckedNode& section, StepContext& context, std::vector<Step>& out) {
     const std::vector<CheckedNode> nodes = section.items("a step");
     for (const CheckedNode& node : nodes) {
-        const auto step = single_key(node, "a step", kSteps);
-        if (step) {
-            if (context.first && step->meaning != read_spawn) {
+        const bool known_as_first = context.first;
+        if (const auto step = single_key(node, "a step", kSteps)) {
+            if (known_as_first && step->meaning != kSteps.front().value) {
                 node.complain("bad-value", "the first step must be 'spawn', as in 'spawn: main-gate'");
+                context.first = false;
             }
-            steps.push_back(step->meaning(step->value, context));
+            if (!count_steps(1, node, context)) {
+                return;
+            }
+            step->meaning(step->value, context, out);
         }
         context.first = false;
     }
     if (nodes.empty() && (section.is_sequence() || section.is_null())) {
-        section.complain("bad-value", "'steps' needs at least a spawn");
+        section.complain("bad-value", context.first ? "'steps' needs at least a spawn"
+                                                    : "'steps' needs at least one step");
     }
+}
+
+}  // namespace
+
+std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& names, const engine::Walk& walk,
+                             const fs::path& walk_file) {
+    std::vector<Step> steps;
+    StepContext context{names, walk.avatar, walk.camera, {walk_file}};
+    read_list(section, context, steps);
     return steps;
 }
 

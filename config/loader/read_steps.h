@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "config/loader/campus_names.h"
@@ -9,8 +10,12 @@
 namespace campuswalk::config {
 
 /// Reads `steps`: a list of maps with one key each, the first of them `spawn`. Snapshots take their camera
-/// from `camera` where they don't say otherwise.
+/// from the walk's where they don't say otherwise; crouching and running are those of its avatar.
+///
+/// `repeat` and `include` are unrolled: the result is the plain list that is played, each step with the mark
+/// of where it is written, in whatever file. Complains of files that include themselves (include-cycle) or
+/// others deeper than 16 (include-depth), and of more than 100,000 steps (too-many-steps).
 std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
-                                     const engine::CameraSettings& camera);
+                                     const engine::Walk& walk, const std::filesystem::path& walk_file);
 
 }  // namespace campuswalk::config

@@ -15,6 +15,7 @@ engine::SimSettings read_sim(const CheckedNode& node) {
     CheckedMap map(node, "'sim'");
     map.whole_number("ticks_per_second", 1, kMostTicks, sim.ticks_per_second);
     map.number("stay_every", kSeconds, sim.stay_every);
+    map.number("gaze_hold", kSeconds, sim.gaze_hold);
     if (const auto seed = map.find("seed")) {
         sim.seed = seed->seed().value_or(0);
     }
@@ -32,7 +33,8 @@ engine::CameraSettings read_camera(const CheckedNode& node) {
 
 }  // namespace
 
-void read_walk(CheckedMap& map, const CampusNames& names, engine::Walk& walk) {
+void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
+               engine::Walk& walk) {
     if (const auto sim = map.find("sim")) {
         walk.sim = read_sim(*sim);
     }
@@ -40,7 +42,7 @@ void read_walk(CheckedMap& map, const CampusNames& names, engine::Walk& walk) {
         walk.camera = read_camera(*camera);
     }
     if (const auto steps = map.require("steps")) {
-        walk.steps = read_steps(*steps, names, walk.camera);
+        walk.steps = read_steps(*steps, names, walk, walk_file);
     }
     if (const auto expect = map.find("expect")) {
         walk.expectations = read_expectations(*expect, names);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "config/loader/campus_names.h"
 #include "config/loader/checked_map.h"
 #include "engine/script/walk.h"
@@ -8,6 +10,7 @@ namespace campuswalk::config {
 
 /// Reads what a walk file says by itself, once its campus and its avatar are known: sim, camera, steps,
 /// expect.
-void read_walk(CheckedMap& map, const CampusNames& names, engine::Walk& walk);
+void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
+               engine::Walk& walk);
 
 }  // namespace campuswalk::config

@@ -19,8 +19,15 @@ enum class EventKind : std::uint8_t {
     avatar_teleport,
     avatar_arrive,   ///< a walk_to reached its target
     avatar_blocked,  ///< a walk_to gave up
-    avatar_land,     ///< ground again after a fall, with its height
+    avatar_landed,   ///< ground again after a fall, with its height
     avatar_fell,     ///< below everything there is
+    avatar_jump,
+    avatar_crouch,
+    avatar_stand,         ///< up again from crouching
+    avatar_stuck,         ///< wants to go on and makes no progress
+    avatar_depenetrated,  ///< put down inside something, and pushed out of it
+    object_enable,
+    object_disable,
     collision_enter,
     collision_stay,
     collision_exit,
@@ -61,8 +68,13 @@ struct Field {
     FieldValue value;
 };
 
-/// One thing that happened. Contacts are ordered within a tick by (at, exits before enters, object); where
-/// the avatar is put elsewhere, all exits come first.
+/// One thing that happened. The order within a tick is total: where the avatar is put elsewhere, what ends
+/// with that; then contacts by (at, exits before enters before stays, object, strategy), a pop-up beside the
+/// contact that it comes with; then landing, falling off, being stuck and the end of a step; last what steps
+/// do that take no time, in the script's order, each with the contacts it ends or begins.
+///
+/// An enter or exit that doesn't come of the avatar's own motion has a `cause`: spawn, teleport, enable,
+/// disabled or end (of the walk). Every enter has its exit.
 struct Event {
     Tick tick = 0;
     double at = 1.0;  ///< fraction of the tick at which it happened, [0, 1]

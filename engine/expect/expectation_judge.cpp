@@ -3,15 +3,10 @@
 #include <utility>
 
 #include "engine/decimals.h"
-#include "scene/glob.h"
 
 namespace campuswalk::engine {
 
 namespace {
-
-std::string told(const EventPattern& pattern) {
-    return pattern.object == "*" ? pattern.kind : pattern.kind + " " + pattern.object;
-}
 
 std::string told(const Event& event, double time) {
     return std::string(name_of(event.kind)) + " " + event.object + " at " + fixed(time, 3) + " s";
@@ -35,11 +30,6 @@ Judge judge_of(const ExpectReaches& expected) {
 }
 
 }  // namespace
-
-bool matches(const EventPattern& pattern, const Event& event) {
-    return scene::glob_matches(pattern.kind, name_of(event.kind)) &&
-           scene::glob_matches(pattern.object, event.object);
-}
 
 // ---- sequence -------------------------------------------------------------------------------------------
 

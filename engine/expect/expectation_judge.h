@@ -5,13 +5,12 @@
 #include <variant>
 #include <vector>
 
+#include "engine/event_pattern.h"
 #include "engine/expect/failure.h"
 #include "engine/frame_record.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
-
-bool matches(const EventPattern& pattern, const Event& event);
 
 // One judge an expectation: sees every frame, then says what is wrong, if anything. The expectation must
 // outlive it.

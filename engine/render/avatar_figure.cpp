@@ -109,7 +109,7 @@ void arm(FigureBuilder& figure, double x, double swing) {
 FigureMesh make_figure(const AvatarState& avatar, const AvatarProfile& profile, double stride,
                        const Vector3d& origin) {
     const Eigen::Matrix3d facing = Eigen::AngleAxisd(avatar.yaw, Vector3d::UnitY()).toRotationMatrix();
-    FigureBuilder figure(facing, profile.height, avatar.position - origin);
+    FigureBuilder figure(facing, avatar.stature * profile.height, avatar.position - origin);
     const double swing = 0.42 * std::sin(stride);
     leg(figure, -0.052, swing);
     leg(figure, 0.052, -swing);

@@ -49,14 +49,15 @@ Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, dou
 }
 
 Viewpoint first_person(const AvatarState& avatar, const AvatarProfile& profile, double fov) {
-    const Eigen::Vector3d eyes = avatar.position + profile.eye_height * Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d eyes =
+        avatar.position + avatar.stature * profile.eye_height * Eigen::Vector3d::UnitY();
     return looking(eyes, avatar.yaw, avatar.pitch, fov);
 }
 
 Viewpoint third_person(const AvatarState& avatar, const AvatarProfile& profile, double fov, double distance,
                        const FreeDistance& free_distance) {
     const Eigen::Vector3d pivot =
-        avatar.position + (profile.eye_height + kAboveEyes) * Eigen::Vector3d::UnitY();
+        avatar.position + (avatar.stature * profile.eye_height + kAboveEyes) * Eigen::Vector3d::UnitY();
     // Half of the avatar's own pitch: looking up at a tower must not put the camera into the ground.
     Viewpoint view = looking(pivot, avatar.yaw, kBehindPitch + 0.5 * avatar.pitch, fov);
     const Eigen::Vector3d backwards = view.R_world_camera.col(2);

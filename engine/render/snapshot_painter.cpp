@@ -26,7 +26,7 @@ Picture SnapshotPainter::draw(const Shot& shot) {
     std::optional<Figure> figure;
     if (shot.camera.view == View::third_person) {
         const Eigen::Vector3d eyes =
-            shot.avatar.position + shot.profile.eye_height * Eigen::Vector3d::UnitY();
+            shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
         if ((view.position - eyes).norm() > kFigureFrom) {
             figure = Figure{shot.avatar, shot.profile, shot.stride};
         }

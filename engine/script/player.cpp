@@ -5,6 +5,7 @@
 
 #include "collision/trigonometry.h"
 #include "engine/decimals.h"
+#include "engine/event_pattern.h"
 
 namespace campuswalk::engine {
 
@@ -16,8 +17,8 @@ namespace {
 
 /// Standing this far above or below a target that has a height still counts as being there, metres.
 constexpr double kLevel = 0.5;
-/// A walk_to gives up after this many seconds in which its target came no nearer by kProgress, or by half of
-/// what a slower avatar would walk in that time.
+/// A walk_to or follow gives up after this many seconds in which its target came no nearer by kProgress, or
+/// by half of what a slower avatar would walk in that time.
 constexpr double kPatience = 1.5;
 constexpr double kProgress = 0.05;  // metres
 constexpr double kAligned = 1e-9;   // radians
@@ -29,6 +30,17 @@ double yaw_towards(const Vector3d& direction) {
 Vector3d flat(Vector3d v) {
     v.y() = 0.0;
     return v;
+}
+
+bool has_arrived(const Target& target, double within, const AvatarState& avatar) {
+    const Vector3d way = target.point - avatar.position;
+    return flat(way).norm() <= within && (!target.has_height || std::abs(way.y()) <= kLevel);
+}
+
+/// Steps that take no time.
+bool is_effect(const Step& step) {
+    return std::holds_alternative<SnapshotStep>(step) || std::holds_alternative<CrouchStep>(step) ||
+           std::holds_alternative<SpeedStep>(step) || std::holds_alternative<EnableStep>(step);
 }
 
 }  // namespace
@@ -46,8 +58,18 @@ Intent ScriptPlayer::intend(const AvatarState& avatar) {
     return intent;
 }
 
-std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar,
-                                            std::vector<const SnapshotStep*>& snapshots) {
+void ScriptPlayer::hear(std::span<const Event> events) {
+    if (finished()) {
+        return;
+    }
+    if (const auto* wait = std::get_if<WaitUntilStep>(&walk_.steps[current_])) {
+        progress_.heard = progress_.heard || std::ranges::any_of(events, [&](const Event& event) {
+                              return matches(wait->event, event);
+                          });
+    }
+}
+
+std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vector<const Step*>& effects) {
     if (finished()) {
         return std::nullopt;
     }
@@ -56,22 +78,87 @@ std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar,
     if (result == Outcome::going) {
         return std::nullopt;
     }
-    std::optional<StepEnd> end;
-    if (const auto* walk_to = std::get_if<WalkToStep>(&step)) {
-        const bool blocked = result == Outcome::blocked;
-        end = StepEnd{blocked ? EventKind::avatar_blocked : EventKind::avatar_arrive, &walk_to->target.label,
-                      &walk_to->mark, blocked && walk_to->if_blocked == IfBlocked::fail,
-                      blocked ? why_not_reached(*walk_to, avatar) : ""};
-    }
+    std::optional<StepEnd> end = end_of(step, result, avatar);
     progress_ = {};
-    for (++current_; !finished(); ++current_) {
-        const auto* snapshot = std::get_if<SnapshotStep>(&walk_.steps[current_]);
-        if (snapshot == nullptr || (end && end->fatal)) {
-            break;
+    ++current_;
+    if (end && end->fatal) {
+        return end;
+    }
+    for (; !finished() && is_effect(walk_.steps[current_]); ++current_) {
+        if (const auto* speed = std::get_if<SpeedStep>(&walk_.steps[current_])) {
+            pace_ = speed->speed;
+        } else {
+            effects.push_back(&walk_.steps[current_]);
         }
-        snapshots.push_back(snapshot);
     }
     return end;
+}
+
+std::optional<StepEnd> ScriptPlayer::end_of(const Step& step, Outcome result,
+                                            const AvatarState& avatar) const {
+    const auto end_of_way = [&](const auto& way, const Target& target, const char* verb) {
+        if (result == Outcome::arrived) {
+            return StepEnd{EventKind::avatar_arrive, &target.label, &way.mark, false, "", ""};
+        }
+        return StepEnd{
+            EventKind::avatar_blocked,
+            &target.label,
+            &way.mark,
+            way.if_blocked == IfBlocked::fail,
+            "blocked",
+            verb + (" " + target.label) + " was not reached" + why_not_reached(target, way.within, avatar)};
+    };
+    if (const auto* walk_to = std::get_if<WalkToStep>(&step)) {
+        return end_of_way(*walk_to, walk_to->target, "walk_to");
+    }
+    if (const auto* follow = std::get_if<FollowStep>(&step)) {
+        return end_of_way(*follow, follow->points.back(), "follow");
+    }
+    if (const auto* wait = std::get_if<WaitUntilStep>(&step); wait && result == Outcome::timed_out) {
+        return StepEnd{std::nullopt,
+                       nullptr,
+                       &wait->mark,
+                       true,
+                       "timeout",
+                       "'" + told(wait->event) + "' did not come within " + fixed(wait->timeout, 1) + " s"};
+    }
+    return std::nullopt;
+}
+
+double ScriptPlayer::speed_of(const std::optional<double>& own) const {
+    return own.value_or(pace_.value_or(walk_.avatar.speed));
+}
+
+void ScriptPlayer::go_towards(const Vector3d& point, double speed, const AvatarState& avatar,
+                              Intent& intent) {
+    const Vector3d way = flat(point - avatar.position);
+    if (const double distance = way.norm(); distance > 0.0) {
+        intent.move = way * (std::min(distance, speed * dt_) / distance);
+        intent.yaw = turned(avatar.yaw, yaw_towards(way));
+    }
+    intent.pitch = turned(avatar.pitch, 0.0);
+}
+
+bool ScriptPlayer::gives_up(double remaining, double speed) {
+    if (remaining < progress_.nearest - std::min(kProgress, 0.5 * speed * kPatience)) {
+        progress_.nearest = remaining;
+        progress_.since_closer = progress_.ticks;
+    }
+    const double idle = static_cast<double>(progress_.ticks - progress_.since_closer) * dt_;
+    return static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed || idle >= kPatience;
+}
+
+std::string ScriptPlayer::why_not_reached(const Target& target, double within,
+                                          const AvatarState& avatar) const {
+    const Vector3d way = target.point - avatar.position;
+    if (flat(way).norm() <= within) {
+        return ": it is " + fixed(std::abs(way.y()), 3) + " m " + (way.y() > 0.0 ? "above" : "below") +
+               " the avatar's feet";
+    }
+    const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
+    return late ? " within " + fixed(progress_.allowed, 1) + " s, still " + fixed(flat(way).norm(), 3) +
+                      " m away"
+                : "";
 }
 
 /// `from` turned towards `to` the short way, by no more than a tick's worth.
@@ -104,45 +191,54 @@ ScriptPlayer::Outcome ScriptPlayer::outcome(const TeleportStep&, const AvatarSta
 }
 
 void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Intent& intent) {
-    const Vector3d way = flat(step.target.point - avatar.position);
-    const double distance = way.norm();
-    const double speed = step.speed.value_or(walk_.avatar.speed);
+    const double speed = speed_of(step.speed);
     if (progress_.ticks == 0) {
+        const double distance = flat(step.target.point - avatar.position).norm();
         progress_.allowed = step.timeout.value_or(2.0 * distance / speed + 5.0);
     }
-    if (distance > 0.0) {
-        intent.move = way * (std::min(distance, speed * dt_) / distance);
-        intent.yaw = turned(avatar.yaw, yaw_towards(way));
-    }
-    intent.pitch = turned(avatar.pitch, 0.0);
+    go_towards(step.target.point, speed, avatar, intent);
 }
 
 ScriptPlayer::Outcome ScriptPlayer::outcome(const WalkToStep& step, const AvatarState& avatar) {
-    const Vector3d way = step.target.point - avatar.position;
-    const double distance = flat(way).norm();
-    if (distance <= step.within && (!step.target.has_height || std::abs(way.y()) <= kLevel)) {
+    if (has_arrived(step.target, step.within, avatar)) {
         return Outcome::arrived;
     }
-    const double speed = step.speed.value_or(walk_.avatar.speed);
-    if (distance < progress_.nearest - std::min(kProgress, 0.5 * speed * kPatience)) {
-        progress_.nearest = distance;
-        progress_.since_closer = progress_.ticks;
-    }
-    const double idle = static_cast<double>(progress_.ticks - progress_.since_closer) * dt_;
-    const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
-    return late || idle >= kPatience ? Outcome::blocked : Outcome::going;
+    const double distance = flat(step.target.point - avatar.position).norm();
+    return gives_up(distance, speed_of(step.speed)) ? Outcome::blocked : Outcome::going;
 }
 
-std::string ScriptPlayer::why_not_reached(const WalkToStep& step, const AvatarState& avatar) const {
-    const Vector3d way = step.target.point - avatar.position;
-    if (flat(way).norm() <= step.within) {
-        return ": it is " + fixed(std::abs(way.y()), 3) + " m " + (way.y() > 0.0 ? "above" : "below") +
-               " the avatar's feet";
+void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(step.speed);
+    if (progress_.ticks == 0) {
+        curve_.start(avatar.position, step.points);
+        progress_.allowed = step.timeout.value_or(2.0 * curve_.length() / speed + 5.0);
     }
-    const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
-    return late ? " within " + fixed(progress_.allowed, 1) + " s, still " + fixed(flat(way).norm(), 3) +
-                      " m away"
-                : "";
+    go_towards(curve_.lead(avatar.position, speed * dt_), speed, avatar, intent);
+}
+
+ScriptPlayer::Outcome ScriptPlayer::outcome(const FollowStep& step, const AvatarState& avatar) {
+    if (curve_.at_end() && has_arrived(step.points.back(), step.within, avatar)) {
+        return Outcome::arrived;
+    }
+    return gives_up(curve_.remaining(avatar.position), speed_of(step.speed)) ? Outcome::blocked
+                                                                             : Outcome::going;
+}
+
+/// Someone in the air comes down first.
+void ScriptPlayer::intend(const JumpStep& step, const AvatarState& avatar, Intent& intent) {
+    if (!progress_.jumped && !avatar.grounded) {
+        return;
+    }
+    if (!progress_.jumped) {
+        intent.jump = step.speed;
+        progress_.jumped = true;
+    }
+    const auto [sin, cos] = collision::sin_cos(avatar.yaw);
+    intent.move = step.forward * dt_ * Vector3d(-sin, 0.0, -cos);
+}
+
+ScriptPlayer::Outcome ScriptPlayer::outcome(const JumpStep&, const AvatarState& avatar) {
+    return progress_.jumped && avatar.grounded ? Outcome::done : Outcome::going;
 }
 
 void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}
@@ -151,6 +247,17 @@ ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitStep& step, const AvatarSt
     return static_cast<double>(progress_.ticks) >= step.seconds * walk_.sim.ticks_per_second - 1e-9
                ? Outcome::done
                : Outcome::going;
+}
+
+void ScriptPlayer::intend(const WaitUntilStep&, const AvatarState&, Intent&) {}
+
+ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitUntilStep& step, const AvatarState&) {
+    if (progress_.heard) {
+        return Outcome::done;
+    }
+    const bool late =
+        static_cast<double>(progress_.ticks) >= step.timeout * walk_.sim.ticks_per_second - 1e-9;
+    return late ? Outcome::timed_out : Outcome::going;
 }
 
 /// To an angle the short way; by an angle all the way, however often around.
@@ -169,7 +276,7 @@ ScriptPlayer::Outcome ScriptPlayer::outcome(const TurnStep&, const AvatarState&)
 }
 
 void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent) {
-    const Vector3d eye = avatar.position + Vector3d(0, walk_.avatar.eye_height, 0);
+    const Vector3d eye = avatar.position + Vector3d(0, avatar.stature * walk_.avatar.eye_height, 0);
     const Vector3d way = step.target.point - eye;
     const double distance = flat(way).norm();
     const double yaw = distance > 0.0 ? yaw_towards(way) : avatar.yaw;
@@ -182,13 +289,6 @@ void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Int
 
 ScriptPlayer::Outcome ScriptPlayer::outcome(const LookAtStep&, const AvatarState&) {
     return progress_.aligned ? Outcome::done : Outcome::going;
-}
-
-void ScriptPlayer::intend(const SnapshotStep&, const AvatarState&, Intent&) {}
-
-/// Snapshots are taken in `settle` after the step before them; the first step is always a spawn.
-ScriptPlayer::Outcome ScriptPlayer::outcome(const SnapshotStep&, const AvatarState&) {
-    return Outcome::done;
 }
 
 }  // namespace campuswalk::engine

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/frame_record.h"
+#include "engine/script/curve_walk.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
@@ -22,27 +24,32 @@ struct Intent {
         EventKind kind = EventKind::avatar_spawn;
     };
     std::optional<Placement> placement;
+    std::optional<double> jump;  ///< leaves the ground at this speed, metres a second
 };
 
 /// How a step ended.
 struct StepEnd {
-    EventKind kind = EventKind::avatar_arrive;  ///< or avatar_blocked
+    std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, with the label; none: not logged
     const std::string* label = nullptr;
     const SourceMark* mark = nullptr;
-    bool fatal = false;  ///< the walk ends here
-    std::string why;     ///< blocked: what a message adds to "was not reached", if anything but an obstacle
+    bool fatal = false;   ///< the walk ends here
+    std::string code;     ///< fatal: of the failure
+    std::string message;  ///< fatal: what went wrong; an obstacle is for others to add
 };
 
-/// Plays a walk's steps one after the other: `intend` before the avatar moves, `settle` after it.
+/// Plays a walk's steps one after the other: `intend` before the avatar moves, `hear` and `settle` after it.
 class ScriptPlayer {
 public:
     explicit ScriptPlayer(const Walk& walk);
 
     bool finished() const { return current_ >= walk_.steps.size(); }
     Intent intend(const AvatarState& avatar);
-    /// Ends the current step if it is done, and takes the snapshots that follow it (appended). The end of a
-    /// walk_to is reported.
-    std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const SnapshotStep*>& snapshots);
+    /// What happened, for a wait_until: before `settle`, and again for what the effects of steps brought.
+    void hear(std::span<const Event> events);
+    /// Ends the current step if it is done, and appends the steps after it that take no time, which the
+    /// caller carries out in their order. The end of a walk_to or a follow is reported, and what ends the
+    /// walk.
+    std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& effects);
     /// No further step is played.
     void abandon() { current_ = walk_.steps.size(); }
 
@@ -53,7 +60,9 @@ private:
         double nearest = 1e300;           ///< least distance to the target so far, metres
         std::optional<double> turn_left;  ///< radians
         bool aligned = false;             ///< turn and look_at: looking where asked
-        double allowed = 0.0;             ///< walk_to: seconds before it gives up
+        double allowed = 0.0;             ///< walk_to and follow: seconds before it gives up
+        bool jumped = false;
+        bool heard = false;  ///< wait_until: the event
     };
 
     void intend(const SpawnStep& step, const AvatarState& avatar, Intent& intent);
@@ -62,24 +71,42 @@ private:
     void intend(const WaitStep& step, const AvatarState& avatar, Intent& intent);
     void intend(const TurnStep& step, const AvatarState& avatar, Intent& intent);
     void intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const SnapshotStep& step, const AvatarState& avatar, Intent& intent);
+    void intend(const FollowStep& step, const AvatarState& avatar, Intent& intent);
+    void intend(const JumpStep& step, const AvatarState& avatar, Intent& intent);
+    void intend(const WaitUntilStep& step, const AvatarState& avatar, Intent& intent);
+    template <typename Effect>
+    void intend(const Effect&, const AvatarState&, Intent&) {}
 
-    enum class Outcome { going, done, arrived, blocked };
-    std::string why_not_reached(const WalkToStep& step, const AvatarState& avatar) const;
+    enum class Outcome { going, done, arrived, blocked, timed_out };
+    std::optional<StepEnd> end_of(const Step& step, Outcome result, const AvatarState& avatar) const;
     Outcome outcome(const SpawnStep& step, const AvatarState& avatar);
     Outcome outcome(const TeleportStep& step, const AvatarState& avatar);
     Outcome outcome(const WalkToStep& step, const AvatarState& avatar);
     Outcome outcome(const WaitStep& step, const AvatarState& avatar);
     Outcome outcome(const TurnStep& step, const AvatarState& avatar);
     Outcome outcome(const LookAtStep& step, const AvatarState& avatar);
-    Outcome outcome(const SnapshotStep& step, const AvatarState& avatar);
+    Outcome outcome(const FollowStep& step, const AvatarState& avatar);
+    Outcome outcome(const JumpStep& step, const AvatarState& avatar);
+    Outcome outcome(const WaitUntilStep& step, const AvatarState& avatar);
+    /// Effects are carried out in `settle` after the step before them; the first step is always a spawn.
+    template <typename Effect>
+    Outcome outcome(const Effect&, const AvatarState&) {
+        return Outcome::done;
+    }
 
     double turned(double from, double to) const;
+    double speed_of(const std::optional<double>& own) const;
+    void go_towards(const Eigen::Vector3d& point, double speed, const AvatarState& avatar, Intent& intent);
+    /// Whether someone who has `remaining` metres to go is late or comes no nearer.
+    bool gives_up(double remaining, double speed);
+    std::string why_not_reached(const Target& target, double within, const AvatarState& avatar) const;
 
     const Walk& walk_;
     double dt_;
     std::size_t current_ = 0;
     Progress progress_;
+    std::optional<double> pace_;  ///< metres a second, once a step has set it
+    CurveWalk curve_;
 };
 
 }  // namespace campuswalk::engine

@@ -29,7 +29,18 @@ struct CameraSettings {
     double distance = 4.0;            ///< metres behind the avatar, for View::third_person
 };
 
+// ---- events -------------------------------------------------------------------------------------------
+
+/// `KIND OBJECT` with globs in both, as in "popup.open library" or "collision.* bench/*".
+/// A pattern without an object matches any.
+struct EventPattern {
+    SourceMark mark;
+    std::string kind;
+    std::string object = "*";
+};
+
 // ---- steps --------------------------------------------------------------------------------------------
+// `repeat` and `include` are unrolled by the loader: what is played is one plain list.
 // Names are resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
 
 /// A point to go to. Without a height of its own (`[x, z]`) only the horizontal distance counts.
@@ -87,17 +98,60 @@ struct SnapshotStep {
     CameraSettings camera;
 };
 
-using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep>;
+/// Along a smooth curve through points, from where the avatar is. Ends like a walk_to to the last of them.
+struct FollowStep {
+    SourceMark mark;
+    std::vector<Target> points;     ///< at least one
+    double within = 0.05;           ///< metres, horizontal, of the last point
+    std::optional<double> timeout;  ///< simulated seconds; default 2 x the curve's time + 5 s
+    std::optional<double> speed;    ///< metres a second
+    IfBlocked if_blocked = IfBlocked::fail;
+};
+
+/// Once on the ground, up; over when it is on the ground again.
+struct JumpStep {
+    SourceMark mark;
+    double speed = 0.0;    ///< metres a second, upwards
+    double forward = 0.0;  ///< metres a second in the air, where the avatar looks
+};
+
+/// Waits for an event from the step's first tick on; ends the walk if it doesn't come.
+struct WaitUntilStep {
+    SourceMark mark;
+    EventPattern event;
+    double timeout = 30.0;  ///< simulated seconds
+};
+
+// Steps that take no time: they happen at the end of the tick that ended the step before them, like
+// snapshots.
+
+/// Crouches, or stands up: a new height of the body, the eyes lowered in proportion.
+struct CrouchStep {
+    SourceMark mark;
+    double height = 0.0;  ///< metres; the profile's own when standing up
+};
+
+/// The pace of what follows, where a step has no speed of its own.
+struct SpeedStep {
+    SourceMark mark;
+    double speed = 0.0;  ///< metres a second
+};
+
+/// Objects that can be met from now on, or no longer.
+struct EnableStep {
+    struct ObjectPattern {
+        SourceMark mark;
+        std::string glob;
+    };
+    SourceMark mark;
+    std::vector<ObjectPattern> objects;
+    bool enabled = true;
+};
+
+using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
+                          FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep>;
 
 // ---- expectations -------------------------------------------------------------------------------------
-
-/// `KIND OBJECT` with globs in both, as in "popup.open library" or "collision.* bench/*".
-/// A pattern without an object matches any.
-struct EventPattern {
-    SourceMark mark;
-    std::string kind;
-    std::string object = "*";
-};
 
 struct ExpectSequence {
     SourceMark mark;
@@ -130,7 +184,10 @@ using Expectation = std::variant<ExpectSequence, ExpectNever, ExpectCount, Expec
 struct SimSettings {
     int ticks_per_second = 60;
     double stay_every = 1.0;  ///< simulated seconds between stay events; 0 = every tick
-    std::uint64_t seed = 0;   ///< logged; kept for steps that draw random numbers
+    /// Simulated seconds for which what was looked at still counts as looked at. Columns and posts that pass
+    /// before the eyes take one to ten ticks; what stays away for longer has been left.
+    double gaze_hold = 0.2;
+    std::uint64_t seed = 0;  ///< logged; kept for steps that draw random numbers
 };
 
 /// One `NAME.walk.yaml`, resolved and checked.

@@ -118,6 +118,8 @@ TEST(Obstruction, HeedsTheFilter) {
     world.add(trigger);
     EXPECT_FALSE(obstruction_at(world, {0, 0, 0}));
     EXPECT_TRUE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 0}));
+    const std::vector<bool> disabled = {true};
+    EXPECT_FALSE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 0, &disabled}));
     EXPECT_FALSE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 1U << 4U}));
 }
 
@@ -137,6 +139,86 @@ TEST(FreePlace, IsLiftedOutOfGroundThatIsALittleHigher) {
     EXPECT_LT(place->y(), 0.05);
     EXPECT_EQ(place->x(), 0.0);
     EXPECT_FALSE(free_place_at(world, {0, -0.62, 0}, 0.5)) << "too deep";
+}
+
+// ---- standing places ------------------------------------------------------------------------------------
+
+std::optional<Standing> standing_at(const World& world, const Vec3& foot) {
+    QueryCounters counters;
+    return standing_place(world, {}, foot, kRadius, kHeight, 0.5, counters);
+}
+
+TEST(StandingPlace, IsBesideAWallThatIsOverlapped) {
+    World world(std::make_unique<LinearBroadPhase>());
+    const ObjectId wall = add_object(world, Box{{0.1, 2, 5}}, {1, 2, 0});  // its face at x = 0.9
+    for (const double x : {0.61, 0.75, 0.899}) {
+        const auto standing = standing_at(world, {x, 0, 0});
+        ASSERT_TRUE(standing) << x;
+        EXPECT_EQ(standing->pushed_out_of, wall);
+        EXPECT_NEAR(standing->foot.x(), 0.9 - kRadius - 1e-3, 1e-4) << x;
+        EXPECT_NEAR(standing->foot.z(), 0.0, 1e-9);
+        EXPECT_EQ(standing->foot.y(), 0.0);
+    }
+    EXPECT_EQ(standing_at(world, {0.59, 0, 0})->pushed_out_of, std::nullopt);
+    EXPECT_FALSE(standing_at(world, {0.95, 0, 0})) << "its axis is inside";
+}
+
+TEST(StandingPlace, IsOnThisSideOfAThinWall) {
+    // Beyond the sheet it would be as near, and there is a block on this side.
+    TriangleMesh sheet;
+    sheet.vertices = {{0.1F, 0, -9}, {0.1F, 9, -9}, {0.1F, 0, 9}, {0.1F, 9, 9}};
+    sheet.triangles = {{0, 1, 2}, {1, 3, 2}};
+    World world(std::make_unique<LinearBroadPhase>());
+    add_object(world, sheet);
+    const auto alone = standing_at(world, {0, 0, 0});
+    ASSERT_TRUE(alone);
+    EXPECT_NEAR(alone->foot.x(), 0.1 - kRadius - 1e-3, 1e-4);
+    add_object(world, Box{{0.1, 2, 9}}, {-0.4, 2, 0});  // its face at x = -0.3: no room in between
+    EXPECT_FALSE(standing_at(world, {0, 0, 0}));
+}
+
+TEST(StandingPlace, IsNoFartherThanTwiceTheRadius) {
+    // A niche 0.55 m wide, too narrow at every depth: out of it only by its mouth.
+    const auto in_niche = [](double depth) {
+        World world(std::make_unique<LinearBroadPhase>());
+        add_object(world, Box{{0.5, 2, 2}}, {-0.775, 2, 2});
+        add_object(world, Box{{0.5, 2, 2}}, {0.775, 2, 2});
+        return standing_at(world, {0, 0, depth}).has_value();
+    };
+    EXPECT_TRUE(in_niche(0.3));
+    EXPECT_FALSE(in_niche(0.8));
+}
+
+TEST(StandingPlace, IsNearlyTheNearestFreeOne) {
+    const auto village = support::make_village();
+    const support::PenetrationOracle oracle(*village);
+    Dice dice(104);
+    int pushed = 0;
+    for (int i = 0; i < support::repeats(300); ++i) {
+        const Vec3 foot = Vec3(dice.between(-19, 19), dice.between(0.02, 0.3), dice.between(-19, 19));
+        const auto standing = standing_at(*village, foot);
+        if (!standing) {
+            continue;
+        }
+        ASSERT_LE(oracle.worst_penetration(standing->foot, kRadius, kHeight).depth, 1e-9) << foot.transpose();
+        const double moved = (standing->foot - foot).norm();
+        if (!standing->pushed_out_of || standing->foot.y() - foot.y() >= 0.05) {
+            continue;
+        }
+        ++pushed;
+        ASSERT_LE(moved, 2.0 * kRadius + 1e-9);
+        // Random places that are much nearer aren't free.
+        for (int j = 0; j < 50; ++j) {
+            Vec3 aside = dice.in_cube(1.0);
+            aside.y() = 0.0;
+            const Vec3 tried = foot + aside.normalized() * dice.between(0.0, moved - 0.03);
+            if (moved > 0.03) {
+                ASSERT_GT(oracle.worst_penetration(tried, kRadius, kHeight).depth, -2e-3)
+                    << foot.transpose() << " -> " << tried.transpose();
+            }
+        }
+    }
+    EXPECT_GT(pushed, support::repeats(300) / 60);
 }
 
 TEST(FreePlace, NeverEndsInsideAnything) {

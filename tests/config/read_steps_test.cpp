@@ -133,7 +133,8 @@ TEST_F(ReadSteps, WantsOneKeyAStep) {
             "a.walk.yaml:6:5: error wrong-type: a step must be a key with a value, as in 'spawn: …'",
             "a.walk.yaml:7:5: error unknown-key: unknown key 'wiat' for a step (did you mean 'wait'?)",
             "a.walk.yaml:8:5: error unknown-key: unknown key 'fly' for a step; known here: spawn, walk_to, "
-            "wait, turn, look_at, teleport, snapshot"));
+            "follow, run, speed, jump, crouch, wait, wait_until, turn, look_at, teleport, enable, disable, "
+            "snapshot, repeat, include"));
 }
 
 TEST_F(ReadSteps, ComplainsOfTargets) {
@@ -204,6 +205,147 @@ TEST_F(ReadSteps, ComplainsOfNumbersAndSnapshots) {
                             "single hyphens, as in main-gate, not '../x'"));
     EXPECT_THAT(about("snapshot: {view: top}"),
                 ElementsAre("a.walk.yaml:4:15: error missing-key: 'snapshot' needs the key 'name'"));
+}
+
+// ---- the body -------------------------------------------------------------------------------------------
+
+TEST_F(ReadSteps, ReadsWaysAlongACurve) {
+    const auto steps = read(
+        "  - spawn: gate\n"
+        "  - follow: [square, [4, 5], [6, 1, 7]]\n"
+        "  - follow: {through: [gate], within: 0.3, timeout: 9, speed: 2, if_blocked: continue}\n");
+    const auto& plain = std::get<FollowStep>(steps.at(1));
+    ASSERT_EQ(plain.points.size(), 3U);
+    EXPECT_EQ(plain.points[0].label, "square");
+    EXPECT_EQ(plain.points[0].point, Vector3d(2, 0, -3));
+    EXPECT_FALSE(plain.points[1].has_height);
+    EXPECT_EQ(plain.points[2].point, Vector3d(6, 1, 7));
+    EXPECT_EQ(plain.within, 0.05);
+    EXPECT_EQ(plain.mark.line, 4);
+    const auto& full = std::get<FollowStep>(steps.at(2));
+    EXPECT_EQ(full.points.at(0).label, "gate");
+    EXPECT_EQ(full.within, 0.3);
+    EXPECT_EQ(full.timeout, 9.0);
+    EXPECT_EQ(full.speed, 2.0);
+    EXPECT_EQ(full.if_blocked, IfBlocked::proceed);
+}
+
+TEST_F(ReadSteps, ComplainsOfCurves) {
+    EXPECT_THAT(about("follow: []"),
+                ElementsAre("a.walk.yaml:4:13: error bad-value: 'follow' needs at least one point"));
+    EXPECT_THAT(
+        about("follow: square"),
+        ElementsAre("a.walk.yaml:4:13: error wrong-type: 'follow' must be a list, not a single value"));
+    EXPECT_THAT(about("follow: [sqare]"),
+                ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has no place or spawn 'sqare' "
+                            "(did you mean 'square'?)"));
+    EXPECT_THAT(about("follow: {within: 1, speed: 0}"),
+                ElementsAre("a.walk.yaml:4:13: error missing-key: 'follow' needs the key 'through'",
+                            "a.walk.yaml:4:32: error bad-value: 'speed' must be more than 0 and at most 100 "
+                            "m/s, not '0'"));
+}
+
+TEST_F(ReadSteps, ReadsJumps) {
+    const auto steps = read(
+        "  - spawn: gate\n  - jump:\n  - jump: 0.2\n  - jump: {height: 1, forward: 2}\n"
+        "  - jump: {speed: 3}\n");
+    const auto height_of = [&](std::size_t i) {
+        const double speed = std::get<JumpStep>(steps.at(i)).speed;
+        return speed * speed / (2.0 * 9.81);
+    };
+    EXPECT_NEAR(height_of(1), 0.4, 1e-12);
+    EXPECT_NEAR(height_of(2), 0.2, 1e-12);
+    EXPECT_NEAR(height_of(3), 1.0, 1e-12);
+    EXPECT_EQ(std::get<JumpStep>(steps.at(3)).forward, 2.0);
+    EXPECT_EQ(std::get<JumpStep>(steps.at(4)).speed, 3.0);
+    EXPECT_EQ(std::get<JumpStep>(steps.at(4)).forward, 0.0);
+}
+
+TEST_F(ReadSteps, ComplainsOfJumps) {
+    EXPECT_THAT(about("jump: high"),
+                ElementsAre("a.walk.yaml:4:11: error wrong-type: 'jump' must be a number, not 'high'"));
+    EXPECT_THAT(about("jump: 0"), ElementsAre("a.walk.yaml:4:11: error bad-value: 'jump' must be more than 0 "
+                                              "and at most 20 m, not '0'"));
+    EXPECT_THAT(about("jump: {height: 1, speed: 2, foward: 1}"),
+                ElementsAre("a.walk.yaml:4:30: error bad-value: 'jump' takes 'height' or 'speed', not both",
+                            "a.walk.yaml:4:33: error unknown-key: unknown key 'foward' in 'jump' (did you "
+                            "mean 'forward'?)"));
+}
+
+TEST_F(ReadSteps, ReadsHowTallAndHowFast) {
+    const auto steps = read(
+        "  - spawn: gate\n  - crouch: on\n  - crouch: off\n  - crouch: {height: 1}\n  - run: on\n"
+        "  - run: off\n  - speed: 0.5\n");
+    EXPECT_NEAR(std::get<CrouchStep>(steps.at(1)).height, 0.6 * 1.8, 1e-12);
+    EXPECT_EQ(std::get<CrouchStep>(steps.at(2)).height, 1.8);
+    EXPECT_EQ(std::get<CrouchStep>(steps.at(3)).height, 1.0);
+    EXPECT_NEAR(std::get<SpeedStep>(steps.at(4)).speed, 2.8, 1e-12) << "twice the walking speed";
+    EXPECT_EQ(std::get<SpeedStep>(steps.at(5)).speed, 1.4);
+    EXPECT_EQ(std::get<SpeedStep>(steps.at(6)).speed, 0.5);
+    folder_.write("a.walk.yaml",
+                  "campus: a.campus.yaml\navatar: {profile: adult, run_speed: 5}\n"
+                  "steps: [{spawn: gate}, {run: on}]\n");
+    EXPECT_EQ(std::get<SpeedStep>(folder_.run().walk.steps.at(1)).speed, 5.0);
+}
+
+TEST_F(ReadSteps, ComplainsOfHowTallAndHowFast) {
+    EXPECT_THAT(
+        about("crouch: down"),
+        ElementsAre("a.walk.yaml:4:13: error bad-value: 'crouch' must be one of on, off, not 'down'"));
+    EXPECT_THAT(about("crouch: {height: 0.5}"),
+                ElementsAre("a.walk.yaml:4:22: error bad-value: 'height' must be from 0.6 to 1.8 m (this "
+                            "avatar's width and height), not '0.5'"));
+    EXPECT_THAT(about("run: fast"),
+                ElementsAre("a.walk.yaml:4:10: error bad-value: 'run' must be one of on, off, not 'fast'"));
+    EXPECT_THAT(about("speed: 0"), ElementsAre("a.walk.yaml:4:12: error bad-value: 'speed' must be more than "
+                                               "0 and at most 100 m/s, not '0'"));
+}
+
+// ---- waiting and changing the campus --------------------------------------------------------------------
+
+TEST_F(ReadSteps, ReadsWhatToWaitFor) {
+    const auto steps = read(
+        "  - spawn: gate\n  - wait_until: popup.open hut\n"
+        "  - wait_until: {event: avatar.landed, timeout: 4}\n");
+    const auto& plain = std::get<WaitUntilStep>(steps.at(1));
+    EXPECT_EQ(plain.event.kind, "popup.open");
+    EXPECT_EQ(plain.event.object, "hut");
+    EXPECT_EQ(plain.timeout, 30.0);
+    const auto& full = std::get<WaitUntilStep>(steps.at(2));
+    EXPECT_EQ(full.event.kind, "avatar.landed");
+    EXPECT_EQ(full.event.object, "*");
+    EXPECT_EQ(full.timeout, 4.0);
+}
+
+TEST_F(ReadSteps, ComplainsOfWhatToWaitFor) {
+    EXPECT_THAT(about("wait_until: popup.opne"),
+                ElementsAre("a.walk.yaml:4:17: error unknown-name: no event is called 'popup.opne' (did you "
+                            "mean 'popup.open'?)"));
+    EXPECT_THAT(about("wait_until: {timeout: 0}"),
+                ElementsAre("a.walk.yaml:4:17: error missing-key: 'wait_until' needs the key 'event'",
+                            "a.walk.yaml:4:27: error bad-value: 'timeout' must be more than 0 and at most "
+                            "86400 s, not '0'"));
+}
+
+TEST_F(ReadSteps, ReadsWhatToEnable) {
+    const auto steps = read("  - spawn: gate\n  - disable: hut/door\n  - enable: [\"hut/*\", ground]\n");
+    const auto& off = std::get<EnableStep>(steps.at(1));
+    EXPECT_FALSE(off.enabled);
+    ASSERT_EQ(off.objects.size(), 1U);
+    EXPECT_EQ(off.objects[0].glob, "hut/door");
+    const auto& on = std::get<EnableStep>(steps.at(2));
+    EXPECT_TRUE(on.enabled);
+    ASSERT_EQ(on.objects.size(), 2U);
+    EXPECT_EQ(on.objects[1].glob, "ground");
+    EXPECT_EQ(on.objects[1].mark.column, 23);
+}
+
+TEST_F(ReadSteps, ComplainsOfWhatToEnable) {
+    EXPECT_THAT(about("disable: []"),
+                ElementsAre("a.walk.yaml:4:14: error bad-value: 'disable' needs at least one object's id"));
+    EXPECT_THAT(about("enable: {id: hut}"),
+                ElementsAre("a.walk.yaml:4:13: error wrong-type: 'enable' must be a single value or a list, "
+                            "not a map of keys"));
 }
 
 }  // namespace

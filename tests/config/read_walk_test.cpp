@@ -42,7 +42,7 @@ TEST_F(ReadWalk, ComplainsOfTheSimulation) {
                     "a.walk.yaml:2:50: error bad-value: 'seed' must be a whole number from 0 to "
                     "18446744073709551615, written with digits only",
                     "a.walk.yaml:2:54: error unknown-key: unknown key 'dt' in 'sim'; known here: "
-                    "ticks_per_second, stay_every, seed"));
+                    "ticks_per_second, stay_every, gaze_hold, seed"));
     EXPECT_THAT(
         about_sim("{ticks_per_second: 59.5, stay_every: .inf, seed: 1e3}"),
         ElementsAre(

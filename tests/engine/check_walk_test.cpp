@@ -55,21 +55,23 @@ TEST(CheckWalk, RefusesASpawnInAWall) {
                           "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
 }
 
-TEST(CheckWalk, RefusesATeleportTooNearToAWall) {
+TEST(CheckWalk, AcceptsATeleportThatCanBePushedOutOfAWall) {
     const auto nearness = [](double gap) {
         return complaints(walk_of({spawn_at({0, 0, 0}), marked(teleport_to({4.0 - 0.3 - gap, 0, 0}), 14)}));
     };
     EXPECT_EQ(nearness(0.001), Complaints());
-    EXPECT_EQ(nearness(-0.001),
-              Complaints({"a.walk.yaml:14:5: error spawn-blocked: elsewhere at 3.701,0.000,0.000 is inside "
+    EXPECT_EQ(nearness(-0.299), Complaints()) << "by less than the radius";
+    EXPECT_EQ(nearness(-0.301),
+              Complaints({"a.walk.yaml:14:5: error spawn-blocked: elsewhere at 4.001,0.000,0.000 is inside "
                           "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
 }
 
 TEST(CheckWalk, MeasuresTheWalksOwnAvatar) {
-    Walk slim = walk_of({spawn_at({3.75, 0, 0})});
-    EXPECT_EQ(complaints(slim).size(), 1U);
-    slim.avatar.radius = 0.2;
-    EXPECT_EQ(complaints(slim), Complaints());
+    Walk low = walk_of({spawn_at({5, -1.1, 0})});
+    EXPECT_EQ(complaints(low).size(), 1U);
+    low.avatar.height = 1.0;
+    low.avatar.radius = 0.1;
+    EXPECT_EQ(complaints(low), Complaints());
 }
 
 TEST(CheckWalk, LooksThroughIgnoredLayers) {
@@ -92,6 +94,23 @@ TEST(CheckWalk, RefusesAnotherStrategysObject) {
     walk.expectations = {expect_count("ray.enter table", {}, 1, {}, 22)};
     EXPECT_EQ(complaints(walk), Complaints({"a.walk.yaml:22:5: error unknown-name: 'ray.enter table' can't "
                                             "happen: nothing of that name has such events"}));
+}
+
+TEST(CheckWalk, RefusesToEnableWhatIsNotThere) {
+    EnableStep step = enable("libary/door");
+    step.objects[0].mark = {"a.walk.yaml", 8, 13};
+    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), disable("library/*"), step, step})),
+              Complaints({"a.walk.yaml:8:13: error unknown-name: the campus has no object 'libary/door' (did "
+                          "you mean 'library/door'?)"}))
+        << "once, however often it is played";
+}
+
+TEST(CheckWalk, RefusesToWaitForWhatCannotHappen) {
+    WaitUntilStep step = wait_until("trigger.enter library/dor");
+    step.event.mark = {"a.walk.yaml", 9, 17};
+    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), step})),
+              Complaints({"a.walk.yaml:9:17: error unknown-name: 'trigger.enter library/dor' can't happen: "
+                          "nothing of that name has such events (did you mean 'library/door'?)"}));
 }
 
 TEST(CheckWalk, ReportsEverythingAtOnce) {

@@ -52,6 +52,39 @@ SnapshotStep snapshot(const std::string& name) {
     return step;
 }
 
+FollowStep follow(const std::vector<Eigen::Vector3d>& points) {
+    FollowStep step;
+    for (const Eigen::Vector3d& point : points) {
+        step.points.push_back({"way", point, false});
+    }
+    step.points.back().label = "goal";
+    return step;
+}
+
+JumpStep jump_up(double speed, double forward) {
+    return {{}, speed, forward};
+}
+
+WaitUntilStep wait_until(const std::string& words, double timeout) {
+    return {{}, pattern(words), timeout};
+}
+
+CrouchStep be_tall(double height) {
+    return {{}, height};
+}
+
+SpeedStep go_at(double speed) {
+    return {{}, speed};
+}
+
+EnableStep enable(const std::string& glob) {
+    return {{}, {{{}, glob}}, true};
+}
+
+EnableStep disable(const std::string& glob) {
+    return {{}, {{{}, glob}}, false};
+}
+
 Walk walk_of(std::vector<Step> steps) {
     Walk walk;
     walk.name = "stroll";

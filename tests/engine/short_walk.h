@@ -29,6 +29,15 @@ LookAtStep look_at(const Target& target);
 TeleportStep teleport_to(const Eigen::Vector3d& foot, std::optional<double> yaw = std::nullopt,
                          const std::string& label = "elsewhere");
 SnapshotStep snapshot(const std::string& name);
+/// Through points without heights; the last is called "goal".
+FollowStep follow(const std::vector<Eigen::Vector3d>& points);
+JumpStep jump_up(double speed, double forward = 0.0);
+/// "KIND OBJECT" as for `pattern`.
+WaitUntilStep wait_until(const std::string& words, double timeout = 30.0);
+CrouchStep be_tall(double height);
+SpeedStep go_at(double speed);
+EnableStep enable(const std::string& glob);
+EnableStep disable(const std::string& glob);
 
 /// A walk called "stroll" with everything else at its default.
 Walk walk_of(std::vector<Step> steps);

@@ -37,7 +37,7 @@ TEST(Falls, FollowTheParabolaWhateverTheRate) {
         EXPECT_TRUE(landed.grounded);
         EXPECT_NEAR(landed.position.y(), 0.0, 1e-3);
         EXPECT_EQ(landed.vertical_speed, 0.0);
-        const auto lands = outing.recorder.of("avatar.land stroll");
+        const auto lands = outing.recorder.of("avatar.landed stroll");
         ASSERT_EQ(lands.size(), 1U);
         EXPECT_EQ(lands[0].tick, landing);
         EXPECT_NEAR(field<Decimal>(lands[0], "height").value, 5.0, 1e-3);
@@ -49,7 +49,7 @@ TEST(Falls, OffALedgeTellTheirHeight) {
     scene::Campus campus = level_campus();
     add_box(campus, "terrace", {-5, 0, -1}, {5, 3, 5});
     const Outing outing = run(campus, walk_of({spawn_at({0, 3, 0}), walk_to(0, -4)}));
-    const auto lands = outing.recorder.of("avatar.land");
+    const auto lands = outing.recorder.of("avatar.landed");
     ASSERT_EQ(lands.size(), 1U);
     // The round foot rolls over the edge until its centre is a radius beyond; from there it falls.
     const double beyond = std::floor((1.0 + kRadius) / kTickLength) * kTickLength - 1.0;
@@ -72,7 +72,7 @@ TEST(Falls, OfLessThanHalfAMetreAreNotWorthAnEvent) {
         EXPECT_TRUE(outing.summary.passed);
         EXPECT_TRUE(std::ranges::any_of(outing.recorder.frames(),
                                         [](const Recorder::Frame& frame) { return !frame.avatar.grounded; }));
-        return outing.recorder.of("avatar.land").size();
+        return outing.recorder.of("avatar.landed").size();
     };
     EXPECT_EQ(lands_from(0.69), 0U);
     EXPECT_EQ(lands_from(0.71), 1U);

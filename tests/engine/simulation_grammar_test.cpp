@@ -57,6 +57,22 @@ Walk random_walk(support::Dice& dice) {
         if (dice.chance(0.3)) {
             steps.emplace_back(turn_by(dice.between(-400, 400)));
         }
+        if (dice.chance(0.3)) {
+            steps.emplace_back(dice.chance(0.5) ? disable("box/" + std::to_string(dice.below(4)) + "*")
+                                                : enable("box/*"));
+        }
+        if (dice.chance(0.2)) {
+            steps.emplace_back(be_tall(dice.between(0.6, 1.8)));
+        }
+        if (dice.chance(0.2)) {
+            steps.emplace_back(jump_up(dice.between(1.0, 5.0), dice.between(0.0, 4.0)));
+        }
+        if (dice.chance(0.2)) {
+            FollowStep way = follow({{dice.between(-9, 9), 0, 0}, {0, 0, dice.between(-9, 9)}});
+            way.if_blocked = IfBlocked::proceed;
+            way.timeout = 4.0;
+            steps.emplace_back(way);
+        }
         if (dice.chance(0.2)) {
             const bool in_the_air = dice.chance(0.5);
             steps.emplace_back(teleport_to(
@@ -209,7 +225,8 @@ TEST(Grammar, HoldsOnRandomWalks) {
     }
     for (const char* kind :
          {"collision.enter", "collision.stay", "trigger.enter", "trigger.stay", "ray.enter", "ray.stay",
-          "popup.open", "avatar.teleport", "avatar.blocked", "avatar.land"}) {
+          "popup.open", "avatar.teleport", "avatar.blocked", "avatar.landed", "avatar.stuck", "avatar.jump",
+          "avatar.crouch", "object.enable", "object.disable"}) {
         EXPECT_GT(seen[kind], 5) << kind << " must happen for this to say anything";
     }
 }

@@ -22,6 +22,12 @@ Outing look_ahead(const scene::Campus& campus, const AvatarProfile& avatar = {})
     return run(campus, walk);
 }
 
+/// With a gaze that forgets at once what it leaves.
+Walk at_once(Walk walk) {
+    walk.sim.gaze_hold = 0.0;
+    return walk;
+}
+
 double distance_of(const Event& event) {
     return field<Decimal>(event, "distance").value;
 }
@@ -143,7 +149,7 @@ TEST(Rays, LeaveAnObjectWhenTheAvatarTurnsAway) {
     scene::Campus campus = level_campus();
     // Its edges are 11.3 degrees left and right; the avatar turns by 3 a tick.
     add_box(campus, "wall", {-1, 0, -6}, {1, 3, -5}, kSeen);
-    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), turn_by(90)}));
+    const Outing outing = run(campus, at_once(walk_of({spawn_at({0, 0, 0}), turn_by(90)})));
     const auto exits = outing.recorder.of("ray.exit wall");
     ASSERT_EQ(exits.size(), 1U);
     EXPECT_EQ(exits[0].tick, 4);
@@ -151,11 +157,39 @@ TEST(Rays, LeaveAnObjectWhenTheAvatarTurnsAway) {
     EXPECT_FALSE(has_field(exits[0], "cause"));
 }
 
+TEST(Rays, HoldWhatPassesBehindColumns) {
+    // Sixty columns 6 cm wide, 20 cm apart, between the eyes and the building.
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_box(campus, "hall/front", {-20, 0, -6}, {20, 3, -5}, {Detection::ray, "hall", true, ""});
+    for (int i = -30; i < 30; ++i) {
+        add_box(campus, "column/" + std::to_string(i), {0.2 * i, 0, -3}, {0.2 * i + 0.06, 3, -2.94}, kSolid);
+    }
+    Walk walk =
+        walk_of({spawn_at({-4, 0, 0}, radians(-90)), turn_to(0), turn_by(5), turn_by(-10), wait_for(1)});
+    walk.avatar.turn_speed = radians(30);
+    const Outing held = run(campus, walk);
+    EXPECT_EQ(held.recorder.of("popup.open hall").size(), 1U);
+    EXPECT_EQ(held.recorder.of("popup.close hall").size(), 1U);
+    const Outing flickering = run(campus, at_once(walk));
+    EXPECT_GT(flickering.recorder.of("popup.open hall").size(), 3U);
+}
+
+TEST(Rays, LeaveWhatTheyHaveNotMetForTheHold) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "wall", {-1, 0, -6}, {1, 3, -5}, kSeen);
+    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), turn_by(90)}));
+    const auto exits = outing.recorder.of("ray.exit wall");
+    ASSERT_EQ(exits.size(), 1U);
+    EXPECT_EQ(exits[0].tick, 3 + 12) << "last met in tick 3";
+    EXPECT_FALSE(has_field(exits[0], "cause"));
+}
+
 TEST(Rays, GoFromOneObjectToTheNextInATick) {
     scene::Campus campus = level_campus();
     add_box(campus, "left", {-5, 0, -6}, {-1, 3, -5}, kSeen);  // lower ids would go first, but exits do
     add_box(campus, "right", {-1, 0, -6}, {1, 3, -5}, kSeen);
-    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), turn_by(30)}));
+    const Outing outing = run(campus, at_once(walk_of({spawn_at({0, 0, 0}), turn_by(30)})));
     EXPECT_EQ(outing.recorder.story(), std::vector<std::string>({"ray.enter right", "ray.exit right",
                                                                  "ray.enter left", "ray.exit left"}));
     EXPECT_EQ(outing.recorder.of("ray.exit right")[0].tick, 4);

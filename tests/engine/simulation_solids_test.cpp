@@ -34,8 +34,8 @@ TEST(Solids, AreMetASkinAwayAndLeftOnTheWayBack) {
     const Outing outing =
         run(walled_campus(), walk_of({spawn_at({0, 0, 0}), persistently(0, -10), walk_to(0, 0, "home")}));
     EXPECT_EQ(outing.recorder.story(),
-              std::vector<std::string>({"collision.enter wall", "collision.stay wall", "avatar.blocked goal",
-                                        "collision.exit wall", "avatar.arrive home"}));
+              std::vector<std::string>({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
+                                        "avatar.blocked goal", "collision.exit wall", "avatar.arrive home"}));
     const double way = 3.0 - kRadius;
     const Event enter = outing.recorder.of("collision.enter")[0];
     EXPECT_EQ(enter.tick, static_cast<Tick>(std::ceil((way - kSkin - 1e-3) / kTickLength)));

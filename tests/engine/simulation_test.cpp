@@ -115,8 +115,8 @@ TEST(Simulation, StopsWhenBlocked) {
     const Outing outing =
         run(walled_campus(), walk_of({spawn_at({0, 0, 0}), step, walk_to(0, 5, "home"), snapshot("never")}));
     EXPECT_EQ(outing.recorder.story(),
-              Story({"collision.enter wall", "collision.stay wall", "avatar.blocked square",
-                     "collision.exit wall", "expect.fail blocked"}));
+              Story({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
+                     "avatar.blocked square", "collision.exit wall", "expect.fail blocked"}));
     EXPECT_EQ(field<std::string>(outing.recorder.of("collision.exit")[0], "cause"), "end");
     EXPECT_FALSE(outing.summary.passed);
     ASSERT_EQ(outing.summary.failures.size(), 1U);
@@ -130,8 +130,8 @@ TEST(Simulation, GoesOnWhenBlockedIfAskedTo) {
     step.if_blocked = IfBlocked::proceed;
     const Outing outing = run(walled_campus(), walk_of({spawn_at({0, 0, 0}), step, walk_to(0, 5, "home")}));
     EXPECT_EQ(outing.recorder.story(),
-              Story({"collision.enter wall", "collision.stay wall", "avatar.blocked square",
-                     "collision.exit wall", "avatar.arrive home"}));
+              Story({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
+                     "avatar.blocked square", "collision.exit wall", "avatar.arrive home"}));
     EXPECT_TRUE(outing.summary.passed);
     EXPECT_FALSE(has_field(outing.recorder.of("collision.exit")[0], "cause"));
 }

@@ -124,6 +124,30 @@ class BrokenInput(ProgramCase):
         self.refused("short.walk.yaml:5:5: error unknown-key: unknown key 'walkto' for a step (did you mean "
                      "'walk_to'?)")
 
+    # ---- steps of other files, objects by name
+
+    def test_steps_file_that_is_missing_or_another_thing(self):
+        self.walk("turn: 180", "include: lap.steps.yaml")
+        self.refused("short.walk.yaml:6:14: error missing-file: 'lap.steps.yaml': no such file; check the path")
+        self.write("short.walk.yaml", WALK.replace("turn: 180", "include: short.walk.yaml"))
+        self.refused("short.walk.yaml:6:14: error include-cycle: short.walk.yaml includes itself, by way of this "
+                     "line")
+
+    def test_mistake_in_a_steps_file(self):
+        self.walk("turn: 180", "repeat: {times: 2, steps: [{include: parts/lap.steps.yaml}]}")
+        self.write("parts/lap.steps.yaml", "steps:\n  - wait: 1\n  - crouch: down\n")
+        self.refused("parts/lap.steps.yaml:3:13: error bad-value: 'crouch' must be one of on, off, not 'down'")
+
+    def test_object_that_is_not_there(self):
+        self.walk("turn: 180", "disable: [gate, hut/wal]")
+        self.refused("short.walk.yaml:6:21: error unknown-name: the campus has no object 'hut/wal' (did you mean "
+                     "'hut/wall'?)")
+
+    def test_waiting_for_what_can_not_happen(self):
+        self.walk("turn: 180", "wait_until: {event: trigger.enter hut/wall}")
+        self.refused("short.walk.yaml:6:25: error unknown-name: 'trigger.enter hut/wall' can't happen: nothing of "
+                     "that name has such events")
+
     def test_all_mistakes_at_once(self):
         self.walk("turn: 180\nexpect", "trun: 180\nexpct")
         self.campus("mode: trigger", "mode: triger")

@@ -23,12 +23,14 @@ void TickAudit::frame(const engine::FrameRecord& record) {
         return;  // the closing events, at the last tick again
     }
     ticks_ = static_cast<int>(record.tick) + 1;
-    check(record.avatar.position, record.time);
+    check(record.avatar, record.time);
     last_ = record.avatar.position;
 }
 
-void TickAudit::check(const Point& foot, double time) {
-    const Penetration worst = oracle_.worst_penetration(foot, avatar_.radius, avatar_.height);
+void TickAudit::check(const engine::AvatarState& avatar, double time) {
+    const Point& foot = avatar.position;
+    const double height = avatar.stature * avatar_.height;
+    const Penetration worst = oracle_.worst_penetration(foot, avatar_.radius, height);
     if (worst.depth > kAllowed) {
         complaints_.push_back("at " + engine::fixed(time, 3) + " s " +
                               engine::fixed(1000.0 * worst.depth, 3) + " mm inside object " +
@@ -37,7 +39,7 @@ void TickAudit::check(const Point& foot, double time) {
     if (!last_) {
         return;
     }
-    if (const auto object = oracle_.crossed(*last_, foot, avatar_.radius, avatar_.height)) {
+    if (const auto object = oracle_.crossed(*last_, foot, avatar_.radius, height)) {
         complaints_.push_back("at " + engine::fixed(time, 3) + " s through object " +
                               std::to_string(*object));
     }

@@ -25,7 +25,7 @@ public:
     const std::vector<std::string>& complaints() const { return complaints_; }
 
 private:
-    void check(const Point& foot, double time);
+    void check(const engine::AvatarState& avatar, double time);
 
     const PenetrationOracle& oracle_;
     engine::AvatarProfile avatar_;

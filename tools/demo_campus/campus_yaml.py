@@ -84,14 +84,15 @@ def _building_colliders(out, campus):
 
 
 def _furniture_colliders(out, campus):
-    out.note("Street furniture. Notice boards are seen by rays only: one may walk through them.")
+    out.note("Street furniture. Notice boards are seen by rays only: one may walk through them.\n"
+             "  # Name boards are meshes: who is small passes between their posts.")
     out.each("flower-bed", "flower_bed_*", "box")
     out.each("planter", "planter_*", "box")
     out.each("bench", "bench_*", "box")
     out.each("lamp", "lamp_*", "capsule", radius="0.16", height="3.9")
     out.each("bin", "bin_*", "capsule", radius="0.28", height="0.95")
     out.each("bicycle-stand", "bicycle_stand_*", "box")
-    out.each("sign", "sign_*", "box")
+    out.each("sign", "sign_*", "mesh")
     out.each("boundary", "boundary_wall_*", "box")
     out.each("fence", "fence_*", "box")
     out.add("notice-board", nodes=_names(["notice_board_*"]), each="true", shape="box", mode="ray",
@@ -153,6 +154,7 @@ OUTDOOR_PLACES = {
     "pond-beach": (88.5, 64.0), "pond-walk-north": (74.0, 49.5), "gallery-path": (-66.0, 74.0),
     "sports-path": (-60.0, -51.6), "dorm-path": (60.0, -46.0), "observatory-path": (22.0, -66.0),
     "greenhouse-path": (-25.7, -66.0), "road": (0.0, ROAD_Z),
+    "library-sign-south": (-12.8, -9.5), "library-sign-north": (-12.8, -14.0),
 }
 
 

@@ -67,8 +67,24 @@ TEST(EventSubjects, OfTheAvatarAreTheStepsLabels) {
     EXPECT_EQ(names("snapshot.take"), Names({"picture"}));
 }
 
+TEST(EventSubjects, OfWhatTheBodyDoesAreThereIfTheWalkDoesIt) {
+    const scene::Campus campus = campus_of_each_strategy();
+    const Walk walk = walk_of({spawn_at({0, 0, 9}), jump_up(2.0), be_tall(1.0), be_tall(1.8),
+                               follow({{1, 0, 1}, {2, 0, 2}}), disable("hall/*"), enable("hall/door")});
+    const EventSubjects subjects(campus, walk);
+    const auto names = [&](const std::string& kind) { return subjects.names(pattern(kind)); };
+    EXPECT_EQ(names("avatar.jump"), Names({"stroll"}));
+    EXPECT_EQ(names("avatar.crouch"), Names({"stroll"}));
+    EXPECT_EQ(names("avatar.stand"), Names({"stroll"}));
+    EXPECT_EQ(names("avatar.arrive"), Names({"goal"}));
+    EXPECT_EQ(names("object.disable"), Names({"hall/door", "hall/walls"}));
+    EXPECT_EQ(names("object.enable"), Names({"hall/door"}));
+    EXPECT_EQ(names("avatar.depenetrated"), Names({"start", "stroll"}));
+    EXPECT_FALSE(can_happen("avatar.jump stroll"));
+}
+
 TEST(EventSubjects, OfTheWalkAreItsName) {
-    for (const char* kind : {"walk.start", "walk.end", "avatar.land", "avatar.fell"}) {
+    for (const char* kind : {"walk.start", "walk.end", "avatar.landed", "avatar.fell", "avatar.stuck"}) {
         EXPECT_EQ(names(kind), Names({"stroll"})) << kind;
     }
     EXPECT_EQ(names("expect.fail"), Names()) << "no judge sees its own verdict";

@@ -114,8 +114,8 @@ TEST(TextLog, QuotesANameOnlyWhereItWouldBreakTheLine) {
     EXPECT_EQ(shown("two words"), R"("two words")");
     EXPECT_EQ(shown("a=b"), R"("a=b")");
     EXPECT_EQ(shown("a\rb"), R"("a\x0db")");
-    EXPECT_EQ(text_line(event(7, EventKind::avatar_land, "my walk", {{"height", Decimal{3, 3}}}), 0.5),
-              "000007    0.500000 avatar.land      \"my walk\"         height=3.000");
+    EXPECT_EQ(text_line(event(7, EventKind::avatar_landed, "my walk", {{"height", Decimal{3, 3}}}), 0.5),
+              "000007    0.500000 avatar.landed    \"my walk\"         height=3.000");
     EXPECT_EQ(text_line(event(7, EventKind::popup_close, "a b"), 0.5),
               "000007    0.500000 popup.close      \"a b\"");
 }

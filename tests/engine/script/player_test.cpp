@@ -25,8 +25,9 @@ public:
         }
         avatar.yaw = intent.yaw;
         avatar.pitch = intent.pitch;
-        snapshots.clear();
-        end = player.settle(avatar, snapshots);
+        effects.clear();
+        player.hear(events);
+        end = player.settle(avatar, effects);
         ++ticks;
     }
     /// Ticks until the current step has ended, at most `most`.
@@ -43,7 +44,8 @@ public:
     ScriptPlayer player;
     AvatarState avatar;
     Intent intent;
-    std::vector<const SnapshotStep*> snapshots;
+    std::vector<Event> events;  ///< of the tick
+    std::vector<const Step*> effects;
     std::optional<StepEnd> end;
     bool stuck = false;
     int ticks = 0;
@@ -307,10 +309,10 @@ TEST(ScriptPlayer, TeleportsWithItsYawUnlessAnotherIsGiven) {
     EXPECT_TRUE(puppet.player.finished());
 }
 
-std::vector<std::string> names_of(const std::vector<const SnapshotStep*>& snapshots) {
+std::vector<std::string> names_of(const std::vector<const Step*>& effects) {
     std::vector<std::string> names;
-    for (const SnapshotStep* step : snapshots) {
-        names.push_back(step->name);
+    for (const Step* step : effects) {
+        names.push_back(std::get<SnapshotStep>(*step).name);
     }
     return names;
 }
@@ -321,12 +323,12 @@ TEST(ScriptPlayer, TakesPicturesWithTheEndOfTheStepBefore) {
     const Walk walk = walk_of(
         {spawn_at({0, 0, 0}), snapshot("a"), wait_for(0.05), snapshot("b"), snapshot("c"), wait_for(0.05)});
     Puppet puppet(walk);
-    EXPECT_EQ(names_of(puppet.snapshots), Names({"a"}));
+    EXPECT_EQ(names_of(puppet.effects), Names({"a"}));
     puppet.tick();
     puppet.tick();
-    EXPECT_EQ(names_of(puppet.snapshots), Names());
+    EXPECT_EQ(names_of(puppet.effects), Names());
     puppet.tick();
-    EXPECT_EQ(names_of(puppet.snapshots), Names({"b", "c"}));
+    EXPECT_EQ(names_of(puppet.effects), Names({"b", "c"}));
     EXPECT_FALSE(puppet.player.finished());
     EXPECT_EQ(puppet.ticks_until_end(), 3);
 }
@@ -337,7 +339,7 @@ TEST(ScriptPlayer, TakesNoPictureAfterAFatalBlock) {
     puppet.stuck = true;
     puppet.ticks_until_end();
     EXPECT_TRUE(puppet.end->fatal);
-    EXPECT_EQ(names_of(puppet.snapshots), Names());
+    EXPECT_EQ(names_of(puppet.effects), Names());
 }
 
 TEST(ScriptPlayer, PlaysNothingOnceAbandoned) {
@@ -349,7 +351,7 @@ TEST(ScriptPlayer, PlaysNothingOnceAbandoned) {
     EXPECT_EQ(puppet.intent.move, Vector3d(0, 0, 0));
     EXPECT_FALSE(puppet.intent.placement);
     EXPECT_FALSE(puppet.end);
-    EXPECT_EQ(names_of(puppet.snapshots), Names());
+    EXPECT_EQ(names_of(puppet.effects), Names());
 }
 
 }  // namespace
