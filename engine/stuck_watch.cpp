@@ -6,9 +6,9 @@ namespace campuswalk::engine {
 
 namespace {
 
-constexpr double kProgress = 0.1;      // metres in a second
-constexpr double kSlowShare = 0.25;    // of what a slow avatar asks for in a second
-constexpr double kStandstill = 1e-3;   // metres a second: asking for less is asking to stay
+constexpr double kProgress = 0.1;     // metres in a second
+constexpr double kSlowShare = 0.25;   // of what a slow avatar asks for in a second
+constexpr double kStandstill = 1e-3;  // metres a second: asking for less is asking to stay
 
 }  // namespace
 

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kPiece = 0.1;         // metres
+constexpr double kPiece = 0.1;          // metres
 constexpr double kMostPieces = 1000.0;  // between two points
 
 /// The spline's parameter grows by the square root of the distance: that is what makes it centripetal.

@@ -166,8 +166,7 @@ TEST(StandingPlace, IsBesideAWallThatIsOverlapped) {
 TEST(StandingPlace, IsOnThisSideOfAThinWall) {
     // Beyond the sheet it would be as near, and there is a block on this side.
     TriangleMesh sheet;
-    sheet.vertices = {{0.1F, 0, -9}, {0.1F, 9, -9}, {0.1F, 0, 9}, {0.1F, 9, 9}};
-    sheet.triangles = {{0, 1, 2}, {1, 3, 2}};
+    support::add_quad(sheet, {0.1, 0, -9}, {0.1, 9, -9}, {0.1, 9, 9}, {0.1, 0, 9});
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, sheet);
     const auto alone = standing_at(world, {0, 0, 0});

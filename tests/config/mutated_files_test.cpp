@@ -103,7 +103,8 @@ class MutatedFiles : public testing::Test {
 protected:
     MutatedFiles() {
         for (const char* name :
-             {"demo.campus.yaml", "walks/first-tour.walk.yaml", "avatars/adult.avatar.yaml"}) {
+             {"demo.campus.yaml", "walks/first-tour.walk.yaml", "walks/every-step.walk.yaml",
+              "walks/fountain-lap.steps.yaml", "avatars/adult.avatar.yaml"}) {
             folder_.write(name, bytes_of(kConfig / name));
         }
     }
@@ -127,6 +128,13 @@ protected:
         return refusals;
     }
 
+    /// The names that a walk may use, without the buildings and colliders that take long to read.
+    void write_places_alone() {
+        const std::string campus = bytes_of(kConfig / "demo.campus.yaml");
+        folder_.write("demo.campus.yaml",
+                      "scenes: [{file: a.glb}]\ncolliders: []\n" + campus.substr(campus.find("\nspawns:")));
+    }
+
     support::TemporaryFolder folder_;
 
 private:
@@ -147,13 +155,24 @@ private:
 };
 
 TEST_F(MutatedFiles, WalkIsReadOrRefused) {
-    // The names that the walk may use, without the buildings and colliders that take long to read.
-    const std::string campus = bytes_of(kConfig / "demo.campus.yaml");
-    folder_.write("demo.campus.yaml",
-                  "scenes: [{file: a.glb}]\ncolliders: []\n" + campus.substr(campus.find("\nspawns:")));
+    write_places_alone();
     const int times = support::repeats(1500);
     EXPECT_GT(refused("walks/first-tour.walk.yaml", times, [](const fs::path& file) { load_run(file, {}); }),
               times / 4);
+}
+
+TEST_F(MutatedFiles, WalkOfEveryStepIsReadOrRefused) {
+    write_places_alone();
+    const int times = support::repeats(1500);
+    EXPECT_GT(refused("walks/every-step.walk.yaml", times, [](const fs::path& file) { load_run(file, {}); }),
+              times / 4);
+}
+
+TEST_F(MutatedFiles, IncludedStepsAreReadOrRefused) {
+    write_places_alone();
+    const int times = support::repeats(600);
+    const auto load = [&](const fs::path&) { load_run(folder_.path() / "walks/every-step.walk.yaml", {}); };
+    EXPECT_GT(refused("walks/fountain-lap.steps.yaml", times, load), times / 4);
 }
 
 TEST_F(MutatedFiles, CampusIsReadOrRefused) {

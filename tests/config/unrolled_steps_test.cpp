@@ -97,11 +97,11 @@ TEST_F(UnrolledSteps, ComplainOfAFileWhereItIsWrongAndOnce) {
     folder_.write("lap.steps.yaml", "steps:\n  - wait: long\n  - spawn: gate\nstep: 1\n");
     EXPECT_THAT(
         about("include: lap.steps.yaml\n  - include: lap.steps.yaml"),
-        ElementsAre(
-            "lap.steps.yaml:2:11: error wrong-type: 'wait' must be a number, not 'long'",
-            "lap.steps.yaml:3:12: error bad-value: 'spawn' can only be the first step; later it is 'teleport'",
-            "lap.steps.yaml:4:1: error unknown-key: unknown key 'step' in a steps file (did you mean "
-            "'steps'?)"));
+        ElementsAre("lap.steps.yaml:2:11: error wrong-type: 'wait' must be a number, not 'long'",
+                    "lap.steps.yaml:3:12: error bad-value: 'spawn' can only be the first step; later it is "
+                    "'teleport'",
+                    "lap.steps.yaml:4:1: error unknown-key: unknown key 'step' in a steps file (did you mean "
+                    "'steps'?)"));
 }
 
 TEST_F(UnrolledSteps, ComplainOfTheFileItself) {

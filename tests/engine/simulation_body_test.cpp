@@ -28,7 +28,8 @@ TEST(Jump, FollowsTheParabolaWhateverTheRate) {
         const auto landing = static_cast<Tick>(std::ceil(2.0 * 3.0 / kGravity * rate));
         for (Tick tick = 1; tick < landing; ++tick) {
             const double t = static_cast<double>(tick) / rate;
-            ASSERT_NEAR(outing.recorder.at(tick).position.y() - ground, 3.0 * t - 0.5 * kGravity * t * t, 1e-9)
+            ASSERT_NEAR(outing.recorder.at(tick).position.y() - ground, 3.0 * t - 0.5 * kGravity * t * t,
+                        1e-9)
                 << rate << " tps, tick " << tick;
             ASSERT_FALSE(outing.recorder.at(tick).grounded);
         }
@@ -110,8 +111,8 @@ TEST(Crouch, PassesUnderWhatStopsOneWhoStands) {
 TEST(Crouch, CantStandUpWithoutHeadRoom) {
     CrouchStep up = be_tall(1.8);
     up.mark = {"a.walk.yaml", 9, 3};
-    const Outing outing =
-        run(low_campus(), walk_of({spawn_at({0, 0, 0}), be_tall(1.2), walk_to(0, -3), up, snapshot("never")}));
+    const Outing outing = run(
+        low_campus(), walk_of({spawn_at({0, 0, 0}), be_tall(1.2), walk_to(0, -3), up, snapshot("never")}));
     ASSERT_EQ(outing.summary.failures.size(), 1U);
     EXPECT_EQ(outing.summary.failures[0].code, "blocked");
     EXPECT_EQ(outing.summary.failures[0].message, "there is no head room for 1.80 m: blocked by bar");
@@ -135,8 +136,8 @@ TEST(Crouch, LowersTheEyesInProportion) {
 TEST(Crouch, LeavesATriggerOverTheHead) {
     scene::Campus campus = level_campus();
     add_box(campus, "shelf", {-1, 1.5, -1}, {1, 2, 1}, {Detection::trigger, "", true, ""});
-    const Outing outing = run(
-        campus, walk_of({spawn_at({0, 0, 0}), be_tall(1.2), wait_for(0.1), be_tall(1.8), wait_for(0.1)}));
+    const Outing outing =
+        run(campus, walk_of({spawn_at({0, 0, 0}), be_tall(1.2), wait_for(0.1), be_tall(1.8), wait_for(0.1)}));
     EXPECT_EQ(outing.recorder.story(),
               Story({"trigger.enter shelf", "avatar.crouch stroll", "trigger.exit shelf",
                      "avatar.stand stroll", "trigger.enter shelf", "trigger.exit shelf"}));
@@ -156,8 +157,8 @@ TEST(Pace, HoldsFromTheStepThatSetsIt) {
                                                        walk_to(0, -5), own, follow({{0, 0, -9}})}));
     std::vector<double> speeds;
     for (std::size_t i = 1; i < outing.recorder.frames().size(); ++i) {
-        Vector3d way = outing.recorder.frames()[i].avatar.position -
-                       outing.recorder.frames()[i - 1].avatar.position;
+        Vector3d way =
+            outing.recorder.frames()[i].avatar.position - outing.recorder.frames()[i - 1].avatar.position;
         way.y() = 0.0;
         const double moved = way.norm();
         if (speeds.empty() || std::abs(moved * 60.0 - speeds.back()) > 1e-6) {

@@ -29,9 +29,8 @@ TEST(Disable, OpensAWayAndEnableClosesIt) {
     scene::Campus campus = level_campus();
     add_box(campus, "gate/left", {-5, 0, -3}, {0, 3, -2.8});
     add_box(campus, "gate/right", {0, 0, -3}, {5, 3, -2.8});
-    const Outing outing =
-        run(campus, walk_of({spawn_at({0, 0, 0}), persistently(0, -6), disable("gate/*"), walk_to(0, -6),
-                             enable("gate/*"), persistently(0, 0)}));
+    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), persistently(0, -6), disable("gate/*"),
+                                               walk_to(0, -6), enable("gate/*"), persistently(0, 0)}));
     EXPECT_EQ(outing.recorder.of("avatar.blocked goal").size(), 2U);
     EXPECT_EQ(outing.recorder.of("avatar.arrive goal").size(), 1U);
     EXPECT_LT(outing.recorder.frames().back().avatar.position.z(), -3.2);
@@ -43,7 +42,8 @@ TEST(Disable, EndsEveryContactAtOnceWithACause) {
     scene::Campus campus = level_campus();
     add_building(campus, "hall");
     add_box(campus, "hall/zone", {-1, 0, -1}, {1, 2, 1}, {Detection::trigger, "hall", true, ""});
-    add_box(campus, "hall/wall", {-5, 0, -3}, {5, 3, -2}, {Detection::solid | Detection::ray, "hall", true, ""});
+    add_box(campus, "hall/wall", {-5, 0, -3}, {5, 3, -2},
+            {Detection::solid | Detection::ray, "hall", true, ""});
     const Outing outing =
         run(campus, walk_of({spawn_at({0, 0, 0}), persistently(0, -5), disable("hall/*"), wait_for(0.5)}));
     for (const char* kind : {"trigger.exit", "collision.exit", "ray.exit"}) {
@@ -62,8 +62,9 @@ TEST(Disable, OfATriggerAroundTheAvatarIsAnExit) {
     add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kTrigger);
     const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), wait_for(0.1), disable("zone"),
                                                wait_for(0.1), enable("zone"), wait_for(0.1)}));
-    EXPECT_EQ(outing.recorder.story(), Story({"trigger.enter zone", "object.disable zone", "trigger.exit zone",
-                                              "object.enable zone", "trigger.enter zone", "trigger.exit zone"}));
+    EXPECT_EQ(outing.recorder.story(),
+              Story({"trigger.enter zone", "object.disable zone", "trigger.exit zone", "object.enable zone",
+                     "trigger.enter zone", "trigger.exit zone"}));
     const auto enters = outing.recorder.of("trigger.enter");
     const auto exits = outing.recorder.of("trigger.exit");
     EXPECT_EQ(cause_of(enters[0]), "spawn");
@@ -88,8 +89,9 @@ TEST(Disable, LetsTheGazePass) {
 TEST(Disable, OfTheGroundUnderfootIsAFall) {
     scene::Campus campus = level_campus();
     add_box(campus, "trapdoor", {-1, 0, -1}, {1, 2, 1});
-    const Outing outing = run(
-        campus, walk_of({spawn_at({0, 2, 0}), wait_for(0.1), disable("trapdoor"), wait_until("avatar.landed")}));
+    const Outing outing =
+        run(campus,
+            walk_of({spawn_at({0, 2, 0}), wait_for(0.1), disable("trapdoor"), wait_until("avatar.landed")}));
     EXPECT_TRUE(outing.summary.passed);
     EXPECT_NEAR(field<Decimal>(outing.recorder.of("avatar.landed").at(0), "height").value, 2.0, 2e-3);
     EXPECT_NEAR(outing.recorder.frames().back().avatar.position.y(), 0.0, 1e-3);
@@ -99,15 +101,17 @@ TEST(Disable, OfWhatIsDisabledAlreadyIsNothing) {
     scene::Campus campus = level_campus();
     add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kTrigger);
     const Outing outing =
-        run(campus, walk_of({spawn_at({5, 0, 0}), enable("zone"), disable("zone"), disable("z*"), wait_for(0.1)}));
+        run(campus,
+            walk_of({spawn_at({5, 0, 0}), enable("zone"), disable("zone"), disable("z*"), wait_for(0.1)}));
     EXPECT_EQ(outing.recorder.story(), Story({"object.disable zone"}));
 }
 
 TEST(Enable, PushesTheAvatarOutOfASolid) {
     scene::Campus campus = level_campus();
     add_box(campus, "door", {-1, 0, -0.4}, {1, 2, -0.1});
-    const Outing outing = run(
-        campus, walk_of({spawn_at({0, 0, 5}), disable("door"), walk_to(0, 0), enable("door"), wait_for(0.1)}));
+    const Outing outing =
+        run(campus,
+            walk_of({spawn_at({0, 0, 5}), disable("door"), walk_to(0, 0), enable("door"), wait_for(0.1)}));
     EXPECT_TRUE(outing.summary.passed);
     const auto pushes = outing.recorder.of("avatar.depenetrated stroll");
     ASSERT_EQ(pushes.size(), 1U);
@@ -127,8 +131,7 @@ TEST(Enable, OfASolidAroundTheAvatarEndsTheWalk) {
                                                snapshot("never"), wait_for(1.0)}));
     ASSERT_EQ(outing.summary.failures.size(), 1U);
     EXPECT_EQ(outing.summary.failures[0].code, "enclosed");
-    EXPECT_EQ(outing.summary.failures[0].message,
-              "block encloses the avatar; move it away before 'enable'");
+    EXPECT_EQ(outing.summary.failures[0].message, "block encloses the avatar; move it away before 'enable'");
     EXPECT_EQ(outing.summary.failures[0].mark.line, 7);
     EXPECT_TRUE(outing.recorder.of("snapshot.take").empty());
 }
