@@ -27,9 +27,11 @@ bool are_same(const WalkRecord& a, const WalkRecord& b) {
                       [](const WalkTick& one, const WalkTick& other) { return one.foot == other.foot; });
 }
 
-void repeat(Contestant& it, const WalkPath& path, const WalkBody& body) {
+void repeat(Contestant& it, const WalkPath& path, const WalkBody& body, int round) {
     walk_path(*it.walker.engine, path, body, it.again);
-    it.score.heap_growth += it.again.heap_growth;
+    if (round >= 2) {
+        it.score.heap_growth = it.score.heap_growth.value_or(0) + it.again.heap_growth;
+    }
     it.is_repeated = it.is_repeated && are_same(it.first, it.again);
     for (std::size_t i = 0; it.is_repeated && i < it.first.ticks.size(); ++i) {
         it.first.ticks[i].us = std::min(it.first.ticks[i].us, it.again.ticks[i].us);
@@ -83,7 +85,7 @@ void walk_by_turns(std::vector<Contestant>& all, const WalkPath& path, const Wal
     }
     for (int round = 1; round < rounds; ++round) {
         for (std::size_t turn = 0; turn < all.size(); ++turn) {
-            repeat(all[(turn + static_cast<std::size_t>(round)) % all.size()], path, body);
+            repeat(all[(turn + static_cast<std::size_t>(round)) % all.size()], path, body, round);
         }
     }
 }

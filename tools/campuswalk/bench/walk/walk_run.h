@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,16 @@ struct WalkScore {
     double us_p50 = 0.0;
     double us_p99 = 0.0;
     double us_max = 0.0;
-    std::size_t goals = 0;              ///< that it is to get to
-    std::size_t reached = 0;            ///< of these
-    std::size_t walled_off = 0;         ///< that it mustn't get to
-    std::size_t forbidden = 0;          ///< of these it got to
-    double max_penetration = 0.0;       ///< metres, at the end of a tick
-    std::size_t crossings = 0;          ///< ticks on which the middle of the body went through a triangle
-    std::size_t unrepeated = 0;         ///< paths that weren't the same, to the bit, each time
-    std::size_t heap_growth = 0;        ///< bytes, from the second round on
+    std::size_t goals = 0;         ///< that it is to get to
+    std::size_t reached = 0;       ///< of these
+    std::size_t walled_off = 0;    ///< that it mustn't get to
+    std::size_t forbidden = 0;     ///< of these it got to
+    double max_penetration = 0.0;  ///< metres, at the end of a tick
+    std::size_t crossings = 0;     ///< ticks on which the middle of the body went through a triangle
+    std::size_t unrepeated = 0;    ///< paths that weren't the same, to the bit, each time
+    /// Bytes, in ticks of the third round and later: the first two come to a path from two different places,
+    /// and by then buffers are as large as they must be. None with fewer rounds.
+    std::optional<std::size_t> heap_growth;
     std::vector<std::string> failures;  ///< goals missed or wrongly got to
 };
 

@@ -35,7 +35,9 @@ void judge_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVe
         all.forbidden += ours.forbidden;
         all.crossings += ours.crossings;
         all.unrepeated += ours.unrepeated;
-        all.heap_growth += ours.heap_growth;
+        if (ours.heap_growth) {
+            all.heap_growth = all.heap_growth.value_or(0) + *ours.heap_growth;
+        }
         all.us_max = std::max(all.us_max, ours.us_max);
         all.max_penetration = std::max(all.max_penetration, ours.max_penetration);
     }
@@ -46,7 +48,11 @@ void judge_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVe
         at_most("deepest penetration", 1000.0 * all.max_penetration, " mm", 1000.0 * kAllowedPenetration));
     verdicts.push_back(at_most("triangles crossed", count(all.crossings), "", 0.0));
     verdicts.push_back(at_most("paths that differ when repeated", count(all.unrepeated), "", 0.0));
-    verdicts.push_back(at_most("heap growth in warm ticks", count(all.heap_growth), " bytes", 0.0));
+    std::optional<double> growth;
+    if (all.heap_growth) {
+        growth = count(*all.heap_growth);
+    }
+    verdicts.push_back(at_most("heap growth in warm ticks", growth, " bytes", 0.0));
     verdicts.push_back(at_most("worst tick", all.us_max, " us", 20.0));
 }
 
