@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <sstream>
 
 #include "scene/procedural/walkable_campus.h"
@@ -13,6 +15,7 @@
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/penetration_oracle.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/campuswalk/bench/heap.h"
 #include "tools/campuswalk/bench/walk/our_walker.h"
 #include "tools/campuswalk/bench/walk/walk_csv.h"
 #include "tools/campuswalk/bench/walk/walk_judge.h"
@@ -113,6 +116,22 @@ TEST(RunWalks, SeesOneThatIsNeverTheSame) {
     });
     EXPECT_EQ(score.unrepeated, 1U);
     EXPECT_FALSE(walks_right(score));
+}
+
+TEST(RunWalks, SeesOneThatKeepsMoreAndMore) {
+    std::vector<std::unique_ptr<std::array<char, 100>>> kept;
+    kept.reserve(10000);
+    const auto hoard = [&](const Vec3& foot, const Vec3& wish) {
+        kept.push_back(std::make_unique<std::array<char, 100>>());
+        return Vec3(std::min(foot.x() + wish.x(), 1.6), foot.y(), foot.z());
+    };
+    EXPECT_FALSE(score_of(hoard, 2).heap_growth.has_value());
+    const WalkScore score = score_of(hoard, 3);
+    if (heap_in_use() == 0) {
+        GTEST_SKIP() << "this build doesn't count its heap";
+    }
+    EXPECT_GE(score.heap_growth.value_or(0), 100 * score.ticks);
+    EXPECT_EQ(score_of([](const Vec3& foot, const Vec3&) { return foot; }).heap_growth, 0U);
 }
 
 TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
