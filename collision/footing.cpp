@@ -23,8 +23,12 @@ std::optional<BallRest> Footing::rest_on(const Neighbourhood::Piece& piece, doub
                                          double highest, double lowest) const {
     const double reach = settings_.radius + kRest;
     const Aabb& box = piece.box;
-    if (x < box.min.x() - reach || x > box.max.x() + reach || z < box.min.z() - reach ||
-        z > box.max.z() + reach || box.max.y() + reach < lowest || box.min.y() - reach > highest) {
+    // The ball rests no higher than it would on the nearest point of the box's top.
+    const double dx = std::max({box.min.x() - x, x - box.max.x(), 0.0});
+    const double dz = std::max({box.min.z() - z, z - box.max.z(), 0.0});
+    const double left = reach * reach - (dx * dx + dz * dz);
+    const double above = lowest - box.max.y();
+    if (left < 0.0 || (above > 0.0 && above * above > left) || box.min.y() - reach > highest) {
         return std::nullopt;
     }
     const Obstacle& o = piece.obstacle;

@@ -31,6 +31,26 @@ bool contains(const Aabb& outer, const Aabb& inner) {
     return (outer.min.array() <= inner.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
 }
 
+/// Hands over every triangle that a descent meets, with its corners from where they are at hand.
+template <typename Take>
+class Gathering {
+public:
+    Gathering(const TriangleMesh& mesh, const Take& take) : mesh_(mesh), take_(take) {}
+
+    double operator()(std::uint32_t triangle, double limit) const {
+        take_(triangle, corners(mesh_, triangle));
+        return limit;
+    }
+    double operator()(const WideLeaf& leaf, std::size_t slot, double limit) const {
+        take_(leaf.triangle[slot], corners(mesh_, leaf, slot));
+        return limit;
+    }
+
+private:
+    const TriangleMesh& mesh_;
+    const Take& take_;
+};
+
 }  // namespace
 
 Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, const QueryFilter& filter)
@@ -86,12 +106,10 @@ void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, QueryCoun
     const Pose& X = world_->object(id).X_world_shape;
     const Pose X_mesh_box{X.rotation.transpose(), X.inverse_apply(0.5 * (covered_.min + covered_.max))};
     const BoxVolume volume(Box{0.5 * (covered_.max - covered_.min)}, X_mesh_box);
-    const auto meet = [&](std::uint32_t t, double limit) {
-        const Triangle c = corners(mesh.mesh(), t);
+    const auto take = [&](std::uint32_t t, const Triangle& c) {
         add_triangle(id, t, {X * c.a, X * c.b, X * c.c});
-        return limit;
     };
-    descend(mesh, volume, 0.0, meet, counters);
+    descend(mesh, volume, 0.0, Gathering(mesh.mesh(), take), counters);
 }
 
 /// A box is its twelve triangles: whoever is outside can't get in.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "collision/box_lanes.h"
@@ -21,6 +22,7 @@ namespace campuswalk::collision {
 //     double bound(const HybridNode&) const              the paper's layers
 //     void bounds(frame, centers, halves, bounds) const  of N float32 boxes side by side
 //     double meet(triangle, limit)                       answers the new limit
+//     double meet(leaf, slot, limit)                     likewise, if the query prefers a wide leaf's copy
 
 /// Parts of a tree that are still to be looked at.
 class Agenda {
@@ -127,7 +129,11 @@ void open_leaf(const WideTree& tree, std::uint32_t index, const Volume& volume, 
     for (std::size_t i = 0; i < leaf.triangles; ++i) {
         if (!(static_cast<double>(bounds[i]) > limit)) {
             ++counters.np;
-            limit = meet(leaf.triangle[i], limit);
+            if constexpr (std::is_invocable_v<const Meet&, const WideLeaf&, std::size_t, double>) {
+                limit = meet(leaf, i, limit);
+            } else {
+                limit = meet(leaf.triangle[i], limit);
+            }
         }
     }
 }

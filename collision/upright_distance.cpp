@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/sweep.h"
+
 namespace campuswalk::collision {
 
 namespace {
@@ -20,7 +22,7 @@ bool above_inside(const Triangle& t, const Vec3& normal, const Vec3& point) {
 }
 
 /// The closest points of an upright segment and an edge.
-Closest closest_upright(const Segment& s, const Vec3& from, const Vec3& to) {
+Closest to_edge(const Segment& s, const Vec3& from, const Vec3& to) {
     const Vec3 e = to - from;
     const double flat2 = e.x() * e.x() + e.z() * e.z();
     const double length2 = flat2 + e.y() * e.y();
@@ -43,6 +45,16 @@ Closest closest_upright(const Segment& s, const Vec3& from, const Vec3& to) {
     return {p, q, (p - q).norm(), Feature::edge};
 }
 
+Closest to_edges(const Segment& upright, const Triangle& t) {
+    Closest best = to_edge(upright, t.a, t.b);
+    for (const Closest& other : {to_edge(upright, t.b, t.c), to_edge(upright, t.c, t.a)}) {
+        if (other.distance < best.distance) {
+            best = other;
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
 Closest closest_upright(const Segment& upright, const Obstacle& obstacle) {
@@ -53,8 +65,11 @@ Closest closest_upright(const Segment& upright, const Obstacle& obstacle) {
     }
     const double at_a = n.dot(upright.a - t.a);
     const double at_b = n.dot(upright.b - t.a);
-    if (at_a * at_b <= 0.0) {
-        return closest(upright, t);  // the face's plane passes through the segment
+    if (at_a * at_b <= 0.0) {  // the face's plane passes through the segment
+        const Vec3 at =
+            at_a == at_b ? upright.a : Vec3(upright.a + at_a / (at_a - at_b) * (upright.b - upright.a));
+        return at_a != at_b && above_inside(t, n, at) ? Closest{at, at, 0.0, Feature::face}
+                                                      : to_edges(upright, t);
     }
     const double ahead = std::abs(at_b) - std::abs(at_a);
     const auto over = [&](const Vec3& end, double height) -> Closest {
@@ -66,13 +81,13 @@ Closest closest_upright(const Segment& upright, const Obstacle& obstacle) {
     if (ahead >= -kTie && above_inside(t, n, upright.a)) {
         return over(upright.a, at_a);
     }
-    Closest best = closest_upright(upright, t.a, t.b);
-    for (const Closest& other : {closest_upright(upright, t.b, t.c), closest_upright(upright, t.c, t.a)}) {
-        if (other.distance < best.distance) {
-            best = other;
-        }
-    }
-    return best;
+    return to_edges(upright, t);
+}
+
+std::optional<double> sweep_upright(const Segment& upright, double radius, const Vec3& move,
+                                    const Obstacle& obstacle) {
+    return first_touch(upright, radius, move,
+                       [&](const Segment& moved) { return closest_upright(moved, obstacle); });
 }
 
 }  // namespace campuswalk::collision

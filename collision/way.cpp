@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "collision/upright_distance.h"
+
 namespace campuswalk::collision {
 
 namespace {
@@ -28,7 +30,7 @@ bool Way::cleared(Neighbourhood::Index i, const Vec3& from, const Vec3& to) cons
 }
 
 bool Way::blocked(Neighbourhood::Index i, const Vec3& from, const Vec3& to) const {
-    return sweep(settings_.core(from), settings_.radius + kHard, to - from, around_.piece(i).obstacle)
+    return sweep_upright(settings_.core(from), settings_.radius + kHard, to - from, around_.piece(i).obstacle)
         .has_value();
 }
 
@@ -62,7 +64,7 @@ Vec3 Way::free_part(const Vec3& foot, const Vec3& move, double radius) const {
         if (around_.known_apart(i, foot, foot + move, radius + kHard)) {
             continue;
         }
-        if (const auto f = sweep(settings_.core(foot), radius, move, around_.piece(i).obstacle)) {
+        if (const auto f = sweep_upright(settings_.core(foot), radius, move, around_.piece(i).obstacle)) {
             fraction = std::min(fraction, *f);
         }
     }
@@ -71,7 +73,7 @@ Vec3 Way::free_part(const Vec3& foot, const Vec3& move, double radius) const {
 
 bool Way::meets(Neighbourhood::Index i, const Vec3& foot, const Vec3& move) const {
     return !apart(around_.separation(i, foot), foot, foot + move, settings_.radius + kRest) &&
-           sweep(settings_.core(foot), settings_.radius + kRest, move, around_.piece(i).obstacle);
+           sweep_upright(settings_.core(foot), settings_.radius + kRest, move, around_.piece(i).obstacle);
 }
 
 }  // namespace campuswalk::collision

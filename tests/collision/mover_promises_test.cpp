@@ -36,8 +36,8 @@ TriangleMesh yard() {
 /// A round trip of the yard.
 Vec3 tour(AuditedBody& body, const Vec3& at = Vec3::Zero()) {
     body.stand(at + Vec3(0, 0.05, 0));
-    for (const Vec3& velocity : {Vec3(1.4, 0, 0.1), Vec3(-1.4, 0, -0.1), Vec3(-1.4, 0, 0.2), Vec3(0.7, 0, 1.2),
-                                 Vec3(0, 0, -1.4), Vec3(0.5, 0, 1.3)}) {
+    for (const Vec3& velocity : {Vec3(1.4, 0, 0.1), Vec3(-1.4, 0, -0.1), Vec3(-1.4, 0, 0.2),
+                                 Vec3(0.7, 0, 1.2), Vec3(0, 0, -1.4), Vec3(0.5, 0, 1.3)}) {
         body.walk(velocity, 3.5);
     }
     return body.foot();
