@@ -68,6 +68,7 @@ private:
     void carry_out(const Other&) {}
     bool switch_objects(const EnableStep& step);
     void make_room(const EnableStep& step);
+    void drop_without_ground();
     void report_push();
 
     const FrameRecord& finish_record();

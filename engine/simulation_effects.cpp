@@ -48,16 +48,25 @@ void Simulation::carry_out(const EnableStep& step) {
     mover_.forget();
     if (step.enabled) {
         make_room(step);
-    } else if (body_.grounded) {  // perhaps no longer
-        collision::MoverState probe;
-        mover_.place(probe, body_.foot, 0.01, counters_);
-        body_.grounded = probe.grounded;
-        avatar_.grounded = probe.grounded;
+    } else {
+        drop_without_ground();
     }
     stay_where_it_is();
     report_push();
     senses_.sense_again(tick_, avatar_, trace_, transitions_, counters_);
     report_transitions(step.enabled ? "enable" : "disabled");
+}
+
+/// A body at rest doesn't look for its ground again by itself.
+void Simulation::drop_without_ground() {
+    collision::MoverState probe;
+    mover_.place(probe, body_.foot, 0.01, counters_);
+    if (body_.grounded && !probe.grounded) {
+        body_.grounded = false;
+        body_.vertical_speed = 0.0;
+        body_.fall_from = body_.foot.y();
+        avatar_.grounded = false;
+    }
 }
 
 /// Whether any object changed.
