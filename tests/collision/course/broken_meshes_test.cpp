@@ -174,6 +174,28 @@ TEST(CoursePlaces, VerticesFarFromTheirOriginAreWalkedAsTheyAre) {
     EXPECT_LE(farthest(walk_the_yard(far, {.yard_in_mesh = offset.cast<double>()}), here), 0.02);
 }
 
+/// What a tick does depends on its arguments alone, whatever a mover keeps from earlier ones.
+TEST(CoursePlaces, AFreshMoverEveryTickWalksTheSame) {
+    auto world = empty_world();
+    support::add_object(*world, yard());
+    CapsuleMover kept(*world, {}, {});
+    MoverState state;
+    QueryCounters counters;
+    kept.place(state, {0, 0.01, 0.2}, 0.5, counters);
+    MoveTrace trace;
+    for (const Leg& leg : kLegs) {
+        for (int i = 0; i < 60.0 * leg.seconds; ++i) {
+            const Vec3 wish = kPace / 60.0 * towards(leg.degrees);
+            MoverState other = state;
+            CapsuleMover(*world, {}, {}).move(other, wish, 1.0 / 60.0, trace, counters);
+            kept.move(state, wish, 1.0 / 60.0, trace, counters);
+            ASSERT_EQ(other.foot, state.foot);
+            ASSERT_EQ(other.vertical_speed, state.vertical_speed);
+            ASSERT_EQ(other.grounded, state.grounded);
+        }
+    }
+}
+
 /// Seconds count, not ticks.
 TEST(CoursePlaces, TheTickRateDoesNotChangeTheWalk) {
     const auto usual = walk_the_yard(yard());

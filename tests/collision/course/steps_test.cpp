@@ -154,9 +154,9 @@ TEST(CourseSteps, WithoutHeadRoomARiserIsAWall) {
             });
             AuditedBody body(*world);
             body.stand({0, 0, 0});
-            ASSERT_NO_FATAL_FAILURE(body.walk(kEast, 2.0));
+            ASSERT_NO_FATAL_FAILURE(body.walk(kEast, 4.0));
             if (room > 0.0) {
-                EXPECT_NEAR(body.foot().x(), 2.0 * kPace, 1e-6);
+                EXPECT_NEAR(body.foot().x(), 4.0 * kPace, 1e-6);
             } else {
                 EXPECT_LT(body.foot().x(), 1.0);
                 EXPECT_LE(jitter(body, kEast, 1.0), 5e-4);
