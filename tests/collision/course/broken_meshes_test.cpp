@@ -33,6 +33,13 @@ TriangleMesh yard() {
     return mesh;
 }
 
+void shuffle(TriangleMesh& mesh, Dice& dice) {
+    for (std::size_t i = mesh.triangles.size(); i > 1; --i) {
+        std::swap(mesh.triangles[i - 1],
+                  mesh.triangles[static_cast<std::size_t>(dice.below(static_cast<int>(i)))]);
+    }
+}
+
 void flip_some(TriangleMesh& mesh, Dice& dice) {
     for (auto& triangle : mesh.triangles) {
         if (dice.chance(0.5)) {
@@ -139,7 +146,8 @@ TEST_P(CourseBrokenMeshes, AreWalkedLikeWholeOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Damages, CourseBrokenMeshes,
-                         ::testing::Values(Damage{"doubled", double_some, 0.0},
+                         ::testing::Values(Damage{"shuffled", shuffle, 0.0},
+                                           Damage{"doubled", double_some, 0.0},
                                            Damage{"flipped", flip_some, 1e-6},
                                            Damage{"t_junctions",
                                                   [](TriangleMesh& mesh, Dice& dice) {
@@ -206,6 +214,34 @@ TEST(CoursePlaces, TheTickRateDoesNotChangeTheWalk) {
                 << rate << " Hz, leg " << i << ": " << other[i].transpose() << " and not "
                 << usual[i].transpose();
         }
+    }
+}
+
+/// A random walk to the bit, whatever the triangles' order.
+TEST(CoursePlaces, RandomWalksDoNotDependOnTheTrianglesOrder) {
+    const auto digest_of = [](const TriangleMesh& mesh, std::uint32_t seed) {
+        auto world = empty_world();
+        support::add_object(*world, mesh);
+        const support::PenetrationOracle oracle(*world);
+        CapsuleMover mover(*world, {}, {});
+        const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
+            QueryCounters counters;
+            mover.move(state, wish, seconds, trace, counters);
+        };
+        support::WalkSettings settings;
+        settings.start = {0, 0.01, 0.2};
+        settings.seed = seed;
+        settings.ticks = 900;
+        const support::WalkAudit audit = support::audit_random_walk(oracle, move, settings);
+        EXPECT_TRUE(audit.clean()) << "seed " << seed;
+        return audit.digest;
+    };
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(8)); ++seed) {
+        TriangleMesh mesh = yard();
+        const std::uint64_t as_built = digest_of(mesh, seed);
+        Dice dice(seed + 50);
+        shuffle(mesh, dice);
+        EXPECT_EQ(digest_of(mesh, seed), as_built) << "seed " << seed;
     }
 }
 

@@ -72,6 +72,12 @@ TEST(CourseFalls, WhateverIsBelowItIsLandedOn) {
              support::add_quad(mesh, {-3, 0, 3}, {3, 3, 3}, {3, 3, -3}, {-3, 0, -3});
              support::add_object(world, std::move(mesh));
          }},
+        {"fence",
+         [](World& world) {
+             TriangleMesh mesh;
+             support::add_quad(mesh, {0, 0, -3}, {0, 0, 3}, {0, 1, 3}, {0, 1, -3});
+             support::add_object(world, std::move(mesh));
+         }},
         {"ball",
          [](World& world) {
              support::add_object(world, Sphere{0.7}, {0, 0.5, 0});

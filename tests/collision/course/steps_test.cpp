@@ -95,6 +95,15 @@ TEST_P(CourseRisers, AreClimbedUpToTheStepHeightAndNoFurther) {
     ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {limit + kDoubt, 1, true}, false));
 }
 
+/// On the edge of a tread the round body stands a little lower than on the tread: that doesn't make the next
+/// riser higher.
+TEST_P(CourseRisers, AreClimbedOneAfterTheOther) {
+    for (const bool solid : {false, true}) {
+        const double high = GetParam().step_height - kDoubt;
+        ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {high, 3, solid}, true));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Bodies, CourseRisers,
                          ::testing::Values(StepBody{0.3, 0.3}, StepBody{0.3, 0.4}, StepBody{0.3, 0.15},
                                            StepBody{0.2, 0.3}, StepBody{0.4, 0.22}),
