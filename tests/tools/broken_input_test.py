@@ -149,9 +149,9 @@ class BrokenInput(ProgramCase):
                      "that name has such events")
 
     def test_all_mistakes_at_once(self):
-        self.walk("turn: 180\nexpect", "trun: 180\nexpct")
+        self.walk("turn: 180\nexpect", "turm: 180\nexpct")
         self.campus("mode: trigger", "mode: triger")
-        self.refused("short.walk.yaml:6:5: error unknown-key: unknown key 'trun' for a step (did you mean 'turn'?)",
+        self.refused("short.walk.yaml:6:5: error unknown-key: unknown key 'turm' for a step (did you mean 'turn'?)",
                      "short.walk.yaml:7:1: error unknown-key: unknown key 'expct' in a walk (did you mean "
                      "'expect'?)",
                      "small.campus.yaml:12:70: error bad-value: 'mode' must be one of solid, trigger, ray, not "
