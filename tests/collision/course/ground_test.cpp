@@ -156,5 +156,34 @@ TEST(CourseGrounds, BeyondTheSlopeLimitNothingIsClimbed) {
     }
 }
 
+/// From above it is a slide: as fast as without friction at the most, and never slower than half of that.
+TEST(CourseGrounds, BeyondTheSlopeLimitItSlidesDown) {
+    for (const double degrees : {51.0, 55.0, 60.0, 75.0}) {
+        const double run = 6.0 / std::tan(radians(degrees));
+        const auto world = world_of(support::ramp(0.0, degrees, run));
+        AuditedBody body(*world);
+        for (const double rate : {30.0, 60.0, 240.0}) {
+            SCOPED_TRACE(testing::Message() << degrees << " degrees, " << rate << " Hz");
+            body.ticks_per_second = rate;
+            body.stand({0.5 * run, 4.0, 0}, 1.1);
+            ASSERT_NO_FATAL_FAILURE(body.tick(Vec3::Zero()));
+            const double high = body.foot().y();
+            double last = high;
+            int ticks = 1;
+            for (; last > 0.01 && ticks < 10.0 * rate; ++ticks) {
+                ASSERT_NO_FATAL_FAILURE(body.tick(Vec3::Zero()));
+                ASSERT_LE(body.foot().y(), last + 1e-9) << "only ever down";
+                last = body.foot().y();
+            }
+            const double frictionless = std::sqrt(2.0 * high / 9.81) / std::sin(radians(degrees));
+            EXPECT_GE(ticks / rate, 0.8 * frictionless) << "it begins with a fall of half a metre or so";
+            EXPECT_LE(ticks / rate, 2.0 * frictionless);
+            ASSERT_NO_FATAL_FAILURE(body.walk(Vec3::Zero(), 1.0));
+            EXPECT_TRUE(body.state().grounded);
+            EXPECT_NEAR(body.foot().y(), 0.0, 5e-3);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::collision::course
