@@ -36,7 +36,7 @@ void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, Mov
     // In parts this short, an edge of a flat wall is never met by a body that keeps the skin from the wall.
     const double longest =
         std::max(0.99 * std::sqrt(2.0 * settings_.radius * settings_.skin), 0.1 * settings_.radius);
-    const double length = horizontal_norm(wish);
+    const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
     const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
     if (parts > 1) {
         look_around(state.foot, length, settings_.step_height, settings_.step_height, counters);
@@ -56,7 +56,7 @@ Stand CapsuleMover::stand_of(const MoverState& state) const {
 
 void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
                              QueryCounters& counters) {
-    const double length = horizontal_norm(wish);
+    const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
     if (state.grounded) {
         const double above = stand_of(state).base - state.foot.y();
         const double high = std::max(settings_.step_height + above, steepest_ * length) + 2.0 * kHeightSlack;
@@ -195,7 +195,9 @@ void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, Mov
         vertical = way().free_part(foot, Vec3(0, rise, 0), settings_.radius + kHard);
         foot += vertical;
     }
-    foot += way().free_part(foot, slide({foot, foot.y()}, wish, false), settings_.radius + kHard);
+    const Vec3 across = slide({foot, foot.y()}, wish + seconds * state.drift, false);
+    foot += way().free_part(foot, across, settings_.radius + kHard);
+    hold_drift(state, seconds);
     if (rise <= 0.0) {
         vertical = way().free_part(foot, Vec3(0, rise, 0), settings_.radius + kRest);
         foot += vertical;
@@ -211,8 +213,9 @@ void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, Mov
             return;
         }
         const Vec3 before = foot;
-        foot = fall_along(foot, rest);
-        state.vertical_speed = (foot.y() - start.y()) / seconds;
+        const Vec3 n = resting_normal(foot);
+        foot = fall_along(foot, n, rest);
+        turn_along(state, n, (foot - start).norm(), seconds);
         const bool wedged = (foot - before).norm() < kStill && std::abs(vertical.y()) < kStill;
         if (const Ground ground = underfoot(foot); wedged || ground.carries) {
             land(state, foot, ground, trace);
@@ -223,12 +226,32 @@ void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, Mov
 }
 
 /// Too steep to stand on: what is left of the fall goes down the slope.
-Vec3 CapsuleMover::fall_along(const Vec3& foot, double rest) {
-    const Vec3 n = resting_normal(foot);
+Vec3 CapsuleMover::fall_along(const Vec3& foot, const Vec3& n, double rest) {
     const Vec3 along = rest * (Vec3::UnitY() - n.y() * n);
     const Vec3 flat = slide({foot, foot.y()}, Vec3(along.x(), 0, along.z()), false);
     const Vec3 across = foot + way().free_part(foot, flat, settings_.radius + kHard);
     return across + way().free_part(across, Vec3(0, along.y(), 0), settings_.radius + kRest);
+}
+
+/// And so does the speed, but for what goes into the slope: without friction. Whoever is held up by something
+/// else as well is no faster for having wanted to be.
+void CapsuleMover::turn_along(MoverState& state, const Vec3& n, double moved, double seconds) const {
+    Vec3 velocity = state.drift + Vec3(0, state.vertical_speed, 0);
+    velocity -= std::min(0.0, velocity.dot(n)) * n;
+    const double most = moved / seconds + settings_.gravity * seconds;
+    if (const double speed = velocity.norm(); speed > most) {
+        velocity *= most / speed;
+    }
+    state.drift = Vec3(velocity.x(), 0, velocity.z());
+    state.vertical_speed = velocity.y();
+}
+
+/// Walls stop the drift, as they stop the wish: those of the last `slide`.
+void CapsuleMover::hold_drift(MoverState& state, double seconds) const {
+    const Vec3 own = seconds * state.drift;
+    if (const Vec3 left = nearest_allowed(own, planes_); left != own) {
+        state.drift = left / seconds;
+    }
 }
 
 /// The steepest of what the body rests on.
@@ -252,6 +275,7 @@ void CapsuleMover::land(MoverState& state, const Vec3& foot, const Ground& groun
     state.grounded = true;
     state.carried_at = ground.at;
     state.vertical_speed = 0.0;
+    state.drift = Vec3::Zero();
 }
 
 void CapsuleMover::list_touching(const MoverState& state, MoveTrace& trace) {

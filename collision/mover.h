@@ -15,6 +15,8 @@ namespace campuswalk::collision {
 struct MoverState {
     Vec3 foot = Vec3::Zero();     ///< lowest point of the capsule
     double vertical_speed = 0.0;  ///< metres a second, up positive; 0 while grounded
+    /// Horizontal, metres a second, of a slide down what is too steep to stand on; 0 while grounded.
+    Vec3 drift = Vec3::Zero();
     bool grounded = false;
     double fall_from = 0.0;  ///< greatest height since the ground was left, metres
     /// Height of the point that carries the body, which steps are measured from: on a slope or at an edge it
@@ -75,7 +77,9 @@ private:
     void walk(MoverState& state, const Vec3& wish);
     void walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead);
     void fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace);
-    Vec3 fall_along(const Vec3& foot, double rest);
+    Vec3 fall_along(const Vec3& foot, const Vec3& n, double rest);
+    void turn_along(MoverState& state, const Vec3& n, double moved, double seconds) const;
+    void hold_drift(MoverState& state, double seconds) const;
     Vec3 slide(const Stand& stand, const Vec3& wish, bool grounded);
     void find_walls(const Stand& stand, double length, bool grounded);
     Ground underfoot(const Vec3& foot);
