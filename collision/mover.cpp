@@ -15,6 +15,9 @@ constexpr double kListed = 0.01;
 /// Points that a floor may share with what the body touches lie no farther outside its reach, metres.
 constexpr double kSurroundings = 0.05;
 constexpr double kStill = 1e-9;
+/// Whoever is held back to this share of what was asked for stands still: what is left of the way along a
+/// wall becomes ever shorter, and would never end.
+constexpr double kCreep = 1e-5;
 
 double horizontal_norm(const Vec3& v) {
     return std::sqrt(v.x() * v.x() + v.z() * v.z());
@@ -33,6 +36,10 @@ void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, Mov
     trace.path.assign(1, state.foot);
     trace.landed = false;
     trace.fall_height = 0.0;
+    if (stays(state, wish, seconds, trace)) {
+        return;
+    }
+    const MoverState before = state;
     // In parts this short, an edge of a flat wall is never met by a body that keeps the skin from the wall.
     const double longest =
         std::max(0.99 * std::sqrt(2.0 * settings_.radius * settings_.skin), 0.1 * settings_.radius);
@@ -46,6 +53,28 @@ void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, Mov
         trace.path.push_back(state.foot);
     }
     list_touching(state, trace);
+    still_.known = state == before && !trace.landed;
+    if (still_.known) {
+        still_.state = state;
+        still_.wish = wish;
+        still_.seconds = seconds;
+        still_.places = trace.path.size();
+        still_.touching = trace.touching;
+    }
+}
+
+bool CapsuleMover::stays(const MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) const {
+    if (!still_.known || still_.wish != wish || still_.seconds != seconds || !(still_.state == state)) {
+        return false;
+    }
+    trace.path.assign(still_.places, state.foot);
+    trace.touching = still_.touching;
+    return true;
+}
+
+void CapsuleMover::forget() {
+    around_.forget();
+    still_.known = false;
 }
 
 Stand CapsuleMover::stand_of(const MoverState& state) const {
@@ -144,7 +173,10 @@ Ground CapsuleMover::underfoot(const Vec3& foot) {
 void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
     const Stand stand = stand_of(state);
     const Vec3& start = stand.foot;
-    const Vec3 flat = slide(stand, wish, true);
+    Vec3 flat = slide(stand, wish, true);
+    if (flat.squaredNorm() < kCreep * kCreep * wish.squaredNorm()) {
+        flat = Vec3::Zero();
+    }
     const double slope = steepest_ * horizontal_norm(flat) + kHeightSlack;
     const double up = std::max(settings_.step_height + kHeightSlack + stand.base - start.y(), slope);
     const double down = std::max(settings_.step_height + kHeightSlack, slope);
@@ -330,6 +362,7 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
     const double old_height = settings_.height;
     const auto change = [&](double to) {
         settings_.height = to;
+        still_.known = false;
         around_.resize(to);
         footing_.resize(to);
     };

@@ -22,6 +22,8 @@ struct MoverState {
     /// Height of the point that carries the body, which steps are measured from: on a slope or at an edge it
     /// is above the foot. Ignored where it can't be.
     double carried_at = -1e300;
+
+    friend bool operator==(const MoverState&, const MoverState&) = default;
 };
 
 /// A solid object beside or above the body; the ground underfoot and steps that are climbed don't count.
@@ -63,7 +65,7 @@ public:
     double height() const { return settings_.height; }
 
     /// Call when the filter sees other objects than before.
-    void forget() { around_.forget(); }
+    void forget();
 
     /// Fills `trace.touching` for a body at rest.
     void touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters);
@@ -90,12 +92,25 @@ private:
 
     Way way() { return {around_, settings_}; }
 
+    /// A move that came to nothing. It does so again if it is asked for again, and whoever pushes against
+    /// something asks in every tick.
+    struct Stillness {
+        bool known = false;
+        MoverState state;
+        Vec3 wish = Vec3::Zero();
+        double seconds = 0.0;
+        std::size_t places = 0;  ///< on the trace's path
+        std::vector<Touch> touching;
+    };
+    bool stays(const MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) const;
+
     MoverSettings settings_;
     Neighbourhood around_;
     Footing footing_;
     double steepest_;  ///< metres up for one metre ahead
     std::vector<HalfPlane> planes_;
     std::vector<Neighbourhood::Index> edges_;
+    Stillness still_;
 };
 
 }  // namespace campuswalk::collision
