@@ -48,6 +48,16 @@ void merge(std::optional<OverlapSpan>& total, const OverlapSpan& span) {
 
 std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const Segment& segment,
                                         double radius, const Vec3& move, QueryCounters& counters) {
+    const bool inside_at_start = contains(world.object(id), segment.a);
+    const bool inside_at_end = contains(world.object(id), segment.a + move);
+    OverlapSpan inside;
+    inside.at_start = inside_at_start;
+    inside.at_end = inside_at_end;
+    inside.enter = inside_at_start ? 0.0 : 1.0;
+    inside.leave = inside_at_end ? 1.0 : 0.0;
+    if (inside_at_start && inside_at_end) {
+        return inside;  // no piece adds to that
+    }
     thread_local std::vector<Obstacle> pieces;
     const Segment middle{segment.a + 0.5 * move, segment.b + 0.5 * move};
     gather_pieces(world, id, middle, radius + 0.5 * move.norm(), pieces, counters);
@@ -58,14 +68,7 @@ std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const S
         }
     }
     // Deep inside a closed mesh no surface is near; crossing the surface is in the pieces' spans already.
-    const bool inside_at_start = contains(world.object(id), segment.a);
-    const bool inside_at_end = contains(world.object(id), segment.a + move);
     if (inside_at_start || inside_at_end) {
-        OverlapSpan inside;
-        inside.at_start = inside_at_start;
-        inside.at_end = inside_at_end;
-        inside.enter = inside_at_start ? 0.0 : 1.0;
-        inside.leave = inside_at_end ? 1.0 : 0.0;
         merge(total, inside);
     }
     return total;
