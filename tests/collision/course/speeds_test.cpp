@@ -32,7 +32,7 @@ TEST_P(CourseSpeeds, NothingIsEnteredOrPassed) {
         EXPECT_TRUE(audit.clean()) << audit.ticks_inside << " ticks inside, " << audit.crossings
                                    << " crossings, deepest " << audit.deepest.depth << " m in object "
                                    << audit.deepest.object.value_or(999);
-        EXPECT_GT(audit.distance, 0.5);
+        EXPECT_GT(audit.distance, 0.5 * settings.ticks / 400.0);
     }
 }
 
