@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/dice.h"
+#include "tests/support/effort.h"
 
 namespace campuswalk::collision {
 namespace {
@@ -34,7 +35,7 @@ TEST(HalfPlanes, AWallLeavesWhatGoesAlongIt) {
 /// No allowed point of a fine grid is nearer to the wish.
 TEST(HalfPlanes, NothingAllowedIsNearer) {
     Dice dice(5);
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < support::repeats(500); ++i) {
         const auto planes = random_planes(dice, 1 + i % 6);
         const Vec3 wish(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
         const Vec3 found = nearest_allowed(wish, planes);
