@@ -213,9 +213,7 @@ void CapsuleMover::walk_as_far_as_free(MoverState& state, const Vec3& flat, cons
         return;
     }
     // Over an edge, or onto something too steep. Falling starts at the old height.
-    state.grounded = false;
-    state.vertical_speed = 0.0;
-    state.fall_from = start.y();
+    state.leave_ground(0.0, start.y());
 }
 
 void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
@@ -351,9 +349,7 @@ bool CapsuleMover::jump(MoverState& state, double speed) const {
     if (!state.grounded) {
         return false;
     }
-    state.grounded = false;
-    state.vertical_speed = speed;
-    state.fall_from = state.foot.y();
+    state.leave_ground(speed, state.foot.y());
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "collision/counters.h"
@@ -22,6 +23,13 @@ struct MoverState {
     /// Height of the point that carries the body, which steps are measured from: on a slope or at an edge it
     /// is above the foot. Ignored where it can't be.
     double carried_at = -1e300;
+
+    /// Into the air, at `speed` upwards; a fall counts from `height`.
+    void leave_ground(double speed, double height) {
+        grounded = false;
+        vertical_speed = speed;
+        fall_from = height;
+    }
 
     friend bool operator==(const MoverState&, const MoverState&) = default;
 };

@@ -62,9 +62,7 @@ void Simulation::drop_without_ground() {
     collision::MoverState probe;
     mover_.place(probe, body_.foot, 0.01, counters_);
     if (body_.grounded && !probe.grounded) {
-        body_.grounded = false;
-        body_.vertical_speed = 0.0;
-        body_.fall_from = body_.foot.y();
+        body_.leave_ground(0.0, body_.foot.y());
         avatar_.grounded = false;
     }
 }

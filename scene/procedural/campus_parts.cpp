@@ -25,6 +25,11 @@ Pose turned(const Vec3& at, double yaw) {
     return X;
 }
 
+double rolling_ground(double x, double z) {
+    return 3.0 * collision::sin_cos(x / 40.0).sin * collision::sin_cos(z / 55.0).cos +
+           1.2 * collision::sin_cos(x / 17.0 + z / 23.0).sin;
+}
+
 void add_window_wall(MeshParts& parts, const Pose& X_campus_wall, double half, int storeys) {
     constexpr double kFrame = 0.6;
     constexpr double kRecess = 0.25;

@@ -13,6 +13,9 @@ constexpr double kStorey = 3.5;  ///< metres
 /// Yaw about +Y, radians.
 collision::Pose turned(const collision::Vec3& at, double yaw);
 
+/// The height of rolling ground, within 4.2 m of 0.
+double rolling_ground(double x, double z);
+
 /// A wall of windows 3 m wide that lie 0.25 m behind it, seen from its outside: X's z points there, its x to
 /// the right; from x = -half to half, y = 0 to the top.
 void add_window_wall(MeshParts& parts, const collision::Pose& X_campus_wall, double half, int storeys);

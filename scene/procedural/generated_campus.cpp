@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "collision/trigonometry.h"
 #include "scene/procedural/campus_parts.h"
 #include "scene/procedural/chance.h"
 #include "scene/procedural/mesh_parts.h"
@@ -20,11 +19,6 @@ constexpr double kFooting = 2.0;  ///< metres that a house goes into the ground,
 constexpr int kTrees = 14;        ///< a lot
 constexpr int kBenches = 8;       ///< a lot
 constexpr int kLamps = 6;         ///< a lot
-
-double ground(double x, double z) {
-    return 3.0 * collision::sin_cos(x / 40.0).sin * collision::sin_cos(z / 55.0).cos +
-           1.2 * collision::sin_cos(x / 17.0 + z / 23.0).sin;
-}
 
 struct House {
     Pose X_campus_house;  ///< the middle of its floor at ground level
@@ -45,7 +39,7 @@ void add_terrain(MeshParts& parts, int lots) {
     const auto corner = [&](int row, int column) {
         const double x = low + step * column;
         const double z = low + step * row;
-        return parts.add_point({x, ground(x, z), z});
+        return parts.add_point({x, rolling_ground(x, z), z});
     };
     std::vector<std::uint32_t> corners;
     for (int row = 0; row <= cells; ++row) {
@@ -89,7 +83,7 @@ public:
     Lot(double x, double z, Chance& chance) : x_(x), z_(z), chance_(chance) {
         const double at_x = x + chance.between(-6.0, 6.0);
         const double at_z = z + chance.between(-6.0, 6.0);
-        house_.X_campus_house = turned({at_x, ground(at_x, at_z), at_z}, chance.between(-0.3, 0.3));
+        house_.X_campus_house = turned({at_x, rolling_ground(at_x, at_z), at_z}, chance.between(-0.3, 0.3));
         house_.half_length = chance.between(10.0, 14.0);
         house_.half_width = chance.between(6.0, 9.0);
         house_.storeys = 3 + static_cast<int>(chance.between(0.0, 4.0));
@@ -115,7 +109,7 @@ public:
                 const double x = x_ - 0.5 * kLot + kLot / kCellsALot * column;
                 const double z = z_ - 0.5 * kLot + kLot / kCellsALot * row;
                 if (!house_.is_within(1.0, x, z)) {
-                    feet.emplace_back(x, ground(x, z), z);
+                    feet.emplace_back(x, rolling_ground(x, z), z);
                 }
             }
         }
@@ -127,7 +121,7 @@ private:
             const double x = x_ + chance_.between(-0.5 * kLot, 0.5 * kLot);
             const double z = z_ + chance_.between(-0.5 * kLot, 0.5 * kLot);
             if (!house_.is_within(from_house, x, z)) {
-                return {x, ground(x, z), z};
+                return {x, rolling_ground(x, z), z};
             }
         }
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/trigonometry.h"
 #include "scene/procedural/campus_parts.h"
 #include "scene/procedural/chance.h"
 #include "scene/procedural/mesh_parts.h"
@@ -27,8 +26,7 @@ constexpr int kLamps = 6;                   ///< a lot
 static_assert(kLevel >= kCourseRadius + kLot / kCellsALot);
 
 double hills(double x, double z) {
-    return 1.5 * collision::sin_cos(x / 40.0).sin * collision::sin_cos(z / 55.0).cos +
-           0.6 * collision::sin_cos(x / 17.0 + z / 23.0).sin;
+    return 0.5 * rolling_ground(x, z);
 }
 
 double middle_of(int lot, int lots) {

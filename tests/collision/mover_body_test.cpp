@@ -22,10 +22,7 @@ class MoverBody : public ::testing::Test {
 protected:
     template <typename Add>
     void build(const Add& add) {
-        TriangleMesh mesh;
-        add_floor(mesh, 40.0);
-        add(mesh);
-        add_object(world_, mesh);
+        add_object(world_, support::floor_with(add));
         mover_.place(state_, Vec3(0, 0.01, 0), 0.5, counters_);
         ASSERT_TRUE(state_.grounded);
     }

@@ -26,10 +26,7 @@ protected:
     /// A level floor at height 0 with something added to it.
     template <typename Add>
     void build(const Add& add) {
-        TriangleMesh mesh;
-        add_floor(mesh, 40.0);
-        add(mesh);
-        add_object(world_, mesh);
+        add_object(world_, support::floor_with(add));
     }
     /// A slope that starts at x = 1 and rises along +X for 6 m, then a landing.
     void build_ramp(double degrees) {

@@ -37,10 +37,7 @@ MoverSettings settings_of(const Profile& profile) {
 template <typename Add>
 double height_reached(const MoverSettings& settings, double heading, double speed, const Add& add) {
     World world(std::make_unique<LinearBroadPhase>());
-    TriangleMesh mesh;
-    add_floor(mesh, 40.0);
-    add(mesh);
-    add_object(world, mesh);
+    add_object(world, support::floor_with(add));
     AuditedBody body(world, settings);
     body.stand({0, 0, 0});
     const double angle = heading * std::numbers::pi / 180.0;

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/config/config_folder.h"
+#include "tests/config/steps_fixture.h"
 
 namespace campuswalk::config {
 namespace {
@@ -16,20 +16,7 @@ using testing::ElementsAre;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-class ReadSteps : public testing::Test {
-protected:
-    std::vector<Step> read(const std::string& text) {
-        EXPECT_THAT(folder_.about_steps(text), ElementsAre());
-        return folder_.run().walk.steps;
-    }
-
-    /// What is said about a second step.
-    test::Lines about(const std::string& step) {
-        return folder_.about_steps("  - spawn: gate\n  - " + step + "\n");
-    }
-
-    test::ConfigFolder folder_;
-};
+class ReadSteps : public test::StepsFixture {};
 
 TEST_F(ReadSteps, ReadsSpawnsAndTeleports) {
     const auto steps = read(

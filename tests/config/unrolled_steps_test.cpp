@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "config/loader/read_steps.h"
-#include "tests/config/config_folder.h"
+#include "tests/config/steps_fixture.h"
 
 namespace campuswalk::config {
 namespace {
@@ -14,16 +14,8 @@ namespace {
 using namespace engine;
 using testing::ElementsAre;
 
-class UnrolledSteps : public testing::Test {
+class UnrolledSteps : public test::StepsFixture {
 protected:
-    std::vector<Step> read(const std::string& text) {
-        EXPECT_THAT(folder_.about_steps(text), ElementsAre());
-        return folder_.run().walk.steps;
-    }
-    test::Lines about(const std::string& step) {
-        return folder_.about_steps("  - spawn: gate\n  - " + step + "\n");
-    }
-
     /// The seconds of all `wait` steps, in their order.
     static std::vector<double> waits(const std::vector<Step>& steps) {
         std::vector<double> seconds;
@@ -37,8 +29,6 @@ protected:
     static SourceMark mark_of(const Step& step) {
         return std::visit([](const auto& s) { return s.mark; }, step);
     }
-
-    test::ConfigFolder folder_;
 };
 
 TEST_F(UnrolledSteps, GoRoundByRound) {

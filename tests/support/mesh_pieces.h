@@ -18,6 +18,14 @@ void add_quad(TriangleMesh& mesh, const Vector3d& a, const Vector3d& b, const Ve
 void add_box(TriangleMesh& mesh, const Vector3d& min, const Vector3d& max);
 /// A level square about the origin, at height `y`, in cells of `cell` metres.
 void add_floor(TriangleMesh& mesh, double half_size, double y = 0.0, double cell = 1e9);
+/// A level floor of 80 m by 80 m at height 0, and what `add` adds to it.
+template <typename Add>
+TriangleMesh floor_with(const Add& add) {
+    TriangleMesh mesh;
+    add_floor(mesh, 40.0);
+    add(mesh);
+    return mesh;
+}
 /// Treads and risers that rise along +X from (x, 0), between z and z + width; ends with a landing of a metre.
 void add_stairs(TriangleMesh& mesh, double x, double z, double width, double riser, double tread, int steps);
 /// Four walls around [min, max] with a door of `door` metres in the middle of the side at max.z, no roof.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <gtest/gtest.h>
+
 #include "collision/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
 #include "engine/check_walk.h"
@@ -71,6 +73,18 @@ AuditedRun audited_run(const std::filesystem::path& walk_file) {
     run.end = audit.last_foot();
     run.complaints = audit.complaints();
     return run;
+}
+
+void expect_passed(const AuditedRun& run) {
+    for (const engine::Failure& failure : run.summary.failures) {
+        ADD_FAILURE() << failure.mark.line << ": " << failure.message;
+    }
+}
+
+void expect_clean(const AuditedRun& run) {
+    for (const std::string& complaint : run.complaints) {
+        ADD_FAILURE() << complaint;
+    }
 }
 
 }  // namespace campuswalk::support

@@ -48,4 +48,9 @@ struct AuditedRun {
 /// Loads, checks and runs as `campuswalk run` does, without pictures. Throws scene::InputError.
 AuditedRun audited_run(const std::filesystem::path& walk_file);
 
+/// Fails the test for each expectation of the walk that doesn't hold, and for a step that ended it.
+void expect_passed(const AuditedRun& run);
+/// Fails the test for each of the oracle's complaints.
+void expect_clean(const AuditedRun& run);
+
 }  // namespace campuswalk::support

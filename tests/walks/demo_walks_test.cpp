@@ -18,16 +18,12 @@ AuditedRun run_of(const std::string& name) {
                        (name + ".walk.yaml"));
 }
 
-void expect_pass(const AuditedRun& run) {
-    for (const engine::Failure& failure : run.summary.failures) {
-        ADD_FAILURE() << failure.mark.line << ": " << failure.message;
-    }
-}
-
-void expect_clean(const AuditedRun& run) {
-    for (const std::string& complaint : run.complaints) {
-        ADD_FAILURE() << complaint;
-    }
+/// One that passes and never is in or goes through anything.
+AuditedRun clean_run_of(const std::string& name) {
+    AuditedRun run = run_of(name);
+    expect_passed(run);
+    expect_clean(run);
+    return run;
 }
 
 std::size_t lines_with(const AuditedRun& run, const std::string& words) {
@@ -37,7 +33,7 @@ std::size_t lines_with(const AuditedRun& run, const std::string& words) {
 
 TEST(DemoWalks, TakeEveryStep) {
     const AuditedRun run = run_of("every-step");
-    expect_pass(run);
+    expect_passed(run);
     std::set<std::size_t> kinds;
     for (const engine::Step& step : run.walk.steps) {
         kinds.insert(step.index());
@@ -58,25 +54,19 @@ TEST(DemoWalks, TakeEveryStep) {
 // The same way for three bodies: a sign with its board 1.25 m above the ground, then steps of 17 cm.
 
 TEST(DemoWalks, AnAdultDucksUnderASignAndClimbsSteps) {
-    const AuditedRun run = run_of("adult-visit");
-    expect_pass(run);
-    expect_clean(run);
+    const AuditedRun run = clean_run_of("adult-visit");
     EXPECT_EQ(lines_with(run, "avatar.blocked   library-sign-north"), 1U);
     EXPECT_EQ(lines_with(run, "avatar.blocked   library-portico"), 0U);
 }
 
 TEST(DemoWalks, AChildPassesUnderWhatStopsAnAdult) {
-    const AuditedRun run = run_of("child-visit");
-    expect_pass(run);
-    expect_clean(run);
+    const AuditedRun run = clean_run_of("child-visit");
     EXPECT_EQ(lines_with(run, "avatar.blocked"), 0U);
     EXPECT_EQ(lines_with(run, "avatar.crouch"), 0U);
 }
 
 TEST(DemoWalks, ARobotStopsAtStepsAndTakesTheRamp) {
-    const AuditedRun run = run_of("robot-delivery");
-    expect_pass(run);
-    expect_clean(run);
+    const AuditedRun run = clean_run_of("robot-delivery");
     EXPECT_EQ(lines_with(run, "avatar.blocked   library-sign-north"), 0U);
     EXPECT_EQ(lines_with(run, "avatar.blocked   library-portico"), 1U);
     EXPECT_EQ(lines_with(run, "avatar.arrive    library-ramp-top"), 1U);

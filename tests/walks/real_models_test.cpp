@@ -37,13 +37,9 @@ TEST_P(RealModels, ReachesAFarGoal) {
     const AuditedRun run =
         audited_run(fs::path(CAMPUSWALK_SOURCE_DIR) / "tests" / "walks" / (expected.name + ".walk.yaml"));
 
-    for (const engine::Failure& failure : run.summary.failures) {
-        ADD_FAILURE() << failure.message;
-    }
+    expect_passed(run);
     EXPECT_GE(run.summary.ticks, 30 * run.walk.sim.ticks_per_second);
-    for (const std::string& complaint : run.complaints) {
-        ADD_FAILURE() << complaint;
-    }
+    expect_clean(run);
 
     const auto& spawn = std::get<engine::SpawnStep>(run.walk.steps.front());
     EXPECT_GE(run.end.y() - spawn.position.y(), expected.climb);
