@@ -64,7 +64,7 @@ THIRD_PARTY = {
     "pango/": ["engine/render", "tests/engine/render"],
     "spng.h": ["engine/render", "tests/engine/render"],
     "yaml-cpp/": ["config/loader"],
-    "CLI/": ["tools/campuswalk"],
+    "CLI/": ["tools/campuswalk/command_line"],
     "fmt/": ["tools/campuswalk"],
     "spdlog/": ["tools/campuswalk"],
     "unistd.h": ["scene/import", "tools/campuswalk", "tests"],

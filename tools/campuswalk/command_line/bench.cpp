@@ -1,0 +1,78 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "tools/campuswalk/bench/bench_command.h"
+#include "tools/campuswalk/command_line/commands.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+/// `table1` has options that the others don't.
+void add_table1_options(Command& command, BenchOptions& options) {
+    command.option({.names = "--plot",
+                    .help = "Draw time over pairs: a .svg or .png file",
+                    .value = "FILE",
+                    .check =
+                        [](const std::string& file) {
+                            const std::string extension = std::filesystem::path(file).extension().string();
+                            return extension == ".svg" || extension == ".png"
+                                       ? std::string()
+                                       : "'" + file + "' is neither .svg nor .png";
+                        }},
+                   options.plot);
+    command.flag(
+        {.names = "--mixed",
+         .help = "With the paper's mixed reading too: one body's boxes against the other's spheres"},
+        options.mixed);
+}
+
+Command add_measurement(Command& bench, const std::string& name, const std::string& description,
+                        const std::shared_ptr<BenchOptions>& options, Chosen& chosen) {
+    Command command = bench.add(name, description);
+    command.option({.names = "--csv", .help = "Write every measurement to this file", .value = "FILE"},
+                   options->csv);
+    command.option({.names = "--rounds", .help = "How often each query or tick is timed"}, options->rounds,
+                   {1, 100000});
+    command.flag({.names = "--quick", .help = "Small scenes, one round: whether it works, not how fast"},
+                 options->quick);
+    command.footer(
+        "Exit code: 0 our own engines agree with each other and are right, 1 they don't or aren't, 2 bad "
+        "usage,\n3 something failed while running. Other engines are built by tools/bench; where they differ "
+        "it is shown.");
+    if (name == kBenchWalk) {
+        command.footer(
+            "The CSV has a line a campus and controller; forbidden: how many places it got to that no person "
+            "of its\nsize gets to; bullet: the better of its defaults and a tuned set. Each tick's time is "
+            "the "
+            "least of all\nrounds, which are the same walk to the bit.\n"
+            "Exit code: 0 ours got to every goal, to no forbidden one, and was never in anything, 1 it "
+            "wasn't so, "
+            "2 bad\nusage, 3 something failed while running. How fast it is changes nothing. Bullet's is "
+            "built "
+            "by tools/bench.");
+    }
+    command.choose(chosen, [options, name] {
+        options->which = name;
+        return run_bench(*options);
+    });
+    return command;
+}
+
+}  // namespace
+
+void add_bench(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<BenchOptions>();
+    Command bench = program.add("bench", "Measure on this machine, beside other libraries");
+    bench.need_command();
+    for (const BenchCommand& it : bench_commands()) {
+        Command command = add_measurement(bench, it.name, it.description, options, chosen);
+        if (it.name == std::string("table1")) {
+            add_table1_options(command, *options);
+        }
+    }
+    add_measurement(bench, kBenchAll, "All of these but walk, into one CSV", options, chosen);
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,149 @@
+#include "tools/campuswalk/command_line/command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "scene/diagnostic.h"
+#include "tools/campuswalk/exit_codes.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+constexpr const char* kVersion = "campuswalk " CAMPUSWALK_VERSION;
+
+/// CLI11 only says that a command is missing when it doesn't know the one that is there.
+std::string mistake_before_a_command(const CLI::App& app) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names.push_back(command->get_name());
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    const std::vector<std::string> unknown = app.remaining();
+    if (unknown.empty()) {
+        return "a command is needed: " + list;
+    }
+    const std::string& word = unknown.front();
+    return "there is no " + std::string(word.starts_with('-') ? "option" : "command") + " '" + word + "'" +
+           scene::did_you_mean(word, names);
+}
+
+std::string explanation(const CLI::App* app, const CLI::Error& error) {
+    std::string path = app->get_name();
+    while (!app->get_subcommands().empty()) {
+        app = app->get_subcommands().front();
+        path += " " + app->get_name();
+    }
+    const bool has_commands = !app->get_subcommands({}).empty();
+    return "error: " + (has_commands ? mistake_before_a_command(*app) : error.what()) + "\nsee " + path +
+           " --help\n";
+}
+
+}  // namespace
+
+Command Command::add(const std::string& name, const std::string& description) {
+    CLI::App* command = app_->add_subcommand(name, description);
+    command->set_version_flag("--version", kVersion);
+    return Command(*command);
+}
+
+void Command::need_command() {
+    app_->require_subcommand(1);
+}
+
+void Command::choose(Chosen& chosen, Chosen action) {
+    app_->callback([&chosen, action = std::move(action)] { chosen = action; });
+}
+
+void Command::footer(const std::string& text) {
+    app_->footer(text);
+}
+
+void Command::finish(CLI::Option& option, const Spelling& spelling) {
+    option.type_name(spelling.value)->required(spelling.required);
+    if (spelling.check) {
+        option.check(spelling.check);
+    }
+    if (spelling.show_default) {
+        option.capture_default_str();
+    }
+    if (!spelling.excludes.empty()) {
+        option.excludes(app_->get_option(spelling.excludes));
+    }
+    if (!spelling.environment.empty()) {
+        option.envname(spelling.environment);
+    }
+}
+
+template <typename Value>
+CLI::Option& Command::add_option(const Spelling& spelling, Value& target) {
+    CLI::Option* option = app_->add_option(spelling.names, target, spelling.help);
+    finish(*option, spelling);
+    return *option;
+}
+
+template <typename Value, typename Number>
+void Command::add_number(const Spelling& spelling, Value& target, const Limits<Number>& limits) {
+    const CLI::Range range(limits.least, limits.most);
+    Spelling shown = spelling;
+    shown.value = spelling.value.empty() ? range.get_description() : spelling.value;
+    add_option(shown, target).check(range.name(""));
+}
+
+void Command::option(const Spelling& spelling, std::string& target) {
+    add_option(spelling, target);
+}
+void Command::option(const Spelling& spelling, std::filesystem::path& target) {
+    add_option(spelling, target);
+}
+void Command::option(const Spelling& spelling, std::optional<std::string>& target) {
+    add_option(spelling, target);
+}
+void Command::option(const Spelling& spelling, std::optional<std::filesystem::path>& target) {
+    add_option(spelling, target);
+}
+void Command::option(const Spelling& spelling, std::vector<std::string>& target) {
+    add_option(spelling, target);
+}
+void Command::option(const Spelling& spelling, std::vector<std::filesystem::path>& target) {
+    add_option(spelling, target);
+}
+void Command::option(const Spelling& spelling, int& target, const Limits<int>& limits) {
+    add_number(spelling, target, limits);
+}
+void Command::option(const Spelling& spelling, double& target, const Limits<double>& limits) {
+    add_number(spelling, target, limits);
+}
+void Command::option(const Spelling& spelling, std::optional<double>& target, const Limits<double>& limits) {
+    add_number(spelling, target, limits);
+}
+
+void Command::option(const Spelling& spelling, std::function<void(const std::string&)> take) {
+    finish(*app_->add_option_function<std::string>(spelling.names, take, spelling.help), spelling);
+}
+
+void Command::flag(const Spelling& spelling, bool& target) {
+    finish(*app_->add_flag(spelling.names, target, spelling.help), spelling);
+}
+
+void Command::flag(const Spelling& spelling, std::function<void()> take) {
+    finish(*app_->add_flag_callback(spelling.names, std::move(take), spelling.help), spelling);
+}
+
+int read_command_line(int argc, char** argv, const std::function<void(Command, Chosen&)>& add_commands,
+                      const std::function<int(const Chosen&)>& guarded) {
+    CLI::App app("Walks scripted paths through virtual campuses without a screen.", "campuswalk");
+    app.set_version_flag("--version", kVersion);
+    app.require_subcommand(1);
+    app.failure_message(explanation);
+    Chosen chosen;
+    add_commands(Command(app), chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return guarded([&] { return app.exit(error) == 0 ? kPass : kBadInput; });
+    }
+    return guarded(chosen);
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace campuswalk::tools {
+
+/// What the command line asks for; returns the exit code.
+using Chosen = std::function<int()>;
+
+/// How an option or a positional argument is spelled, explained and checked.
+struct Spelling {
+    std::string names;  ///< "-o,--output"; a word without dashes is a positional argument
+    std::string help;
+    std::string value = {};         ///< what is shown for its value: "FILE"; empty: nothing
+    bool required = false;          ///< of options, one; of several values, at least one
+    bool show_default = false;      ///< the target's value at this moment
+    std::string excludes = {};      ///< an option added before, by its long name
+    std::string environment = {};   ///< a variable that gives the value when the command line doesn't
+    /// What is wrong with a value as it was written; empty when nothing is.
+    std::function<std::string(const std::string&)> check = {};
+};
+
+template <typename Number>
+struct Limits {
+    Number least{};
+    Number most{};
+};
+
+/// A command and its options. CLI11 stays behind it: that takes longer to compile than all of ours.
+/// Targets must live until the command line has been read.
+class Command {
+public:
+    explicit Command(CLI::App& app) : app_(&app) {}
+
+    Command add(const std::string& name, const std::string& description);
+    /// One of the commands below it must be named.
+    void need_command();
+    /// Sets `chosen`, which must live until then, when the user names this command.
+    void choose(Chosen& chosen, Chosen action);
+    /// What the help says below the options.
+    void footer(const std::string& text);
+
+    void option(const Spelling& spelling, std::string& target);
+    void option(const Spelling& spelling, std::filesystem::path& target);
+    void option(const Spelling& spelling, std::optional<std::string>& target);
+    void option(const Spelling& spelling, std::optional<std::filesystem::path>& target);
+    void option(const Spelling& spelling, std::vector<std::string>& target);
+    void option(const Spelling& spelling, std::vector<std::filesystem::path>& target);
+    void option(const Spelling& spelling, int& target, const Limits<int>& limits);
+    void option(const Spelling& spelling, double& target, const Limits<double>& limits);
+    void option(const Spelling& spelling, std::optional<double>& target, const Limits<double>& limits);
+    /// `take` is called with the value as it was written, once it has passed the check.
+    void option(const Spelling& spelling, std::function<void(const std::string&)> take);
+    void flag(const Spelling& spelling, bool& target);
+    void flag(const Spelling& spelling, std::function<void()> take);
+
+    /// An option that takes one of a few words.
+    template <typename Value>
+    void choice(Spelling spelling, const std::map<std::string, Value>& choices, Value& target) {
+        std::string words;
+        for (const auto& [word, value] : choices) {
+            words += (words.empty() ? "" : "|") + word;
+        }
+        spelling.value = words;
+        spelling.check = [choices, words](const std::string& word) {
+            return choices.contains(word) ? std::string() : "'" + word + "' is none of " + words;
+        };
+        option(spelling, [choices, &target](const std::string& word) { target = choices.at(word); });
+    }
+
+private:
+    template <typename Value>
+    CLI::Option& add_option(const Spelling& spelling, Value& target);
+    template <typename Value, typename Number>
+    void add_number(const Spelling& spelling, Value& target, const Limits<Number>& limits);
+    void finish(CLI::Option& option, const Spelling& spelling);
+
+    CLI::App* app_;
+};
+
+/// Reads the command line and does what it asks for. `add_commands` names what there is; `guarded` runs the
+/// chosen one, and what merely prints. Returns the exit code.
+int read_command_line(int argc, char** argv, const std::function<void(Command, Chosen&)>& add_commands,
+                      const std::function<int(const Chosen&)>& guarded);
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "tools/campuswalk/command_line/command.h"
+
+namespace campuswalk::tools {
+
+// Each adds a command and its options, a file each; the one the user names sets `chosen`.
+
+void add_run(Command program, Chosen& chosen);
+void add_validate(Command program, Chosen& chosen);
+void add_info(Command program, Chosen& chosen);
+void add_collide(Command program, Chosen& chosen);
+void add_snapshot(Command program, Chosen& chosen);
+void add_bench(Command program, Chosen& chosen);
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,27 @@
+#include <memory>
+#include <string>
+
+#include "tools/campuswalk/command_line/commands.h"
+#include "tools/campuswalk/command_line/file_frame.h"
+#include "tools/campuswalk/info_command.h"
+
+namespace campuswalk::tools {
+
+void add_info(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<InfoOptions>();
+    Command command = program.add("info", "Tell what is in a model file and what looks odd");
+    command.option({.names = "SCENE",
+                    .help = "A model file: glTF, OBJ, FBX, COLLADA, ...",
+                    .value = "FILE",
+                    .required = true},
+                   [&scene = options->scene](const std::string& file) {
+                       scene.file = file;
+                       scene.path = file;
+                       scene.mark.file = file;
+                   });
+    add_file_frame(command, options->scene, "the file");
+    command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    command.choose(chosen, [options] { return print_info(*options); });
+}
+
+}  // namespace campuswalk::tools
