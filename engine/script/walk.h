@@ -190,11 +190,29 @@ struct SimSettings {
     std::uint64_t seed = 0;  ///< logged; kept for steps that draw random numbers
 };
 
+/// What is to be done with a walk, and what is to be thought of its end.
+struct WalkStatus {
+    enum class Kind {
+        run,
+        skip,   ///< not run
+        only,   ///< where a run has such walks, it has no others
+        xfail,  ///< must fail, for the reasons named if any are
+    };
+    SourceMark mark;
+    Kind kind = Kind::run;
+    std::string reason;              ///< why it is skipped or fails
+    std::vector<std::string> codes;  ///< xfail: the failures it must have, in any order; empty: some
+};
+
 /// One `NAME.walk.yaml`, resolved and checked.
 struct Walk {
     std::string name;  ///< from the file's name
     SourceMark mark;
-    std::filesystem::path campus;  ///< the campus file, resolved
+    std::string project;  ///< which of walks.config.yaml it is played for; empty without
+    WalkStatus status;
+    std::vector<std::string> tags;  ///< kebab-case, to select walks by
+    std::optional<double> timeout;  ///< simulated seconds for all steps together
+    std::filesystem::path campus;   ///< the campus file, resolved
     std::string campus_name;
     AvatarProfile avatar;
     SimSettings sim;

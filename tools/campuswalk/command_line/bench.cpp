@@ -22,10 +22,9 @@ void add_table1_options(Command& command, BenchOptions& options) {
                                        : "'" + file + "' is neither .svg nor .png";
                         }},
                    options.plot);
-    command.flag(
-        {.names = "--mixed",
-         .help = "With the paper's mixed reading too: one body's boxes against the other's spheres"},
-        options.mixed);
+    command.flag({.names = "--mixed",
+                  .help = "With the paper's mixed reading too: one body's boxes against the other's spheres"},
+                 options.mixed);
 }
 
 Command add_measurement(Command& bench, const std::string& name, const std::string& description,

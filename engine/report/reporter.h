@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/report/walk_result.h"
+
+namespace campuswalk::engine {
+
+/// Tells about a run as it goes. Results come in the plan's order whatever the number of workers, so that a
+/// report's bytes don't depend on it. What can't be written is thrown as std::runtime_error.
+class Reporter {
+public:
+    virtual ~Reporter() = default;
+    virtual void begin(std::size_t cases) { static_cast<void>(cases); }
+    virtual void result(const WalkResult& result) = 0;
+    /// Once; everything must be written when this returns.
+    virtual void end(const RunReport& report) { static_cast<void>(report); }
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/report/walk_result.h"
+
+namespace campuswalk::engine {
+
+/// A result as one line of JSON, without the line's end: what the jsonl report holds, what workers send and
+/// what merge-reports and --resume read. Doubles keep their bits.
+std::string to_json_line(const WalkResult& result);
+
+/// The inverse. Throws std::runtime_error, with what is wrong, when it is no such line.
+WalkResult result_from_json_line(std::string_view line);
+
+}  // namespace campuswalk::engine
