@@ -19,6 +19,16 @@ constexpr double kStill = 1e-9;
 /// wall becomes ever shorter, and would never end.
 constexpr double kCreep = 1e-5;
 
+/// The nearest of each object counts.
+void note(const Touch& touch, std::vector<Touch>& touching) {
+    const auto at = std::ranges::lower_bound(touching, touch.object, {}, &Touch::object);
+    if (at == touching.end() || at->object != touch.object) {
+        touching.insert(at, touch);
+    } else {
+        at->gap = std::min(at->gap, touch.gap);
+    }
+}
+
 double horizontal_norm(const Vec3& v) {
     return std::sqrt(v.x() * v.x() + v.z() * v.z());
 }
@@ -324,13 +334,7 @@ void CapsuleMover::list_touching(const MoverState& state, MoveTrace& trace) {
         if (distance > reach || footing_.kind(around_, i, stand) != Kind::wall) {
             continue;
         }
-        const double gap = distance - settings_.radius;
-        const ObjectId object = piece.obstacle.object;
-        if (trace.touching.empty() || trace.touching.back().object != object) {
-            trace.touching.push_back({object, gap});
-        } else {
-            trace.touching.back().gap = std::min(trace.touching.back().gap, gap);
-        }
+        note(Touch{piece.obstacle.object, distance - settings_.radius}, trace.touching);
     }
 }
 

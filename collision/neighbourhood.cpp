@@ -31,23 +31,81 @@ bool contains(const Aabb& outer, const Aabb& inner) {
     return (outer.min.array() <= inner.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
 }
 
-/// Hands over every triangle that a descent meets, with its corners from where they are at hand.
-template <typename Take>
+/// What of a box lies outside another one, in the frame of a mesh. Where the mesh or a node is turned, the
+/// other one doesn't matter: more is met than must be.
+class Beyond : public BoxVolume {
+public:
+    Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
+        : BoxVolume(Box{0.5 * (whole.max - whole.min)},
+                    {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(middle(whole))}),
+          holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()),
+          whole_{whole.min - X_world_mesh.translation, whole.max - X_world_mesh.translation},
+          hole_{hole.min - X_world_mesh.translation, hole.max - X_world_mesh.translation} {}
+
+    template <std::size_t N>
+    void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
+                std::array<float, N>& out) const {
+        if (!holed_ || frame.turned) {
+            BoxVolume::bounds(frame, center, half, out);
+            return;
+        }
+        // Roundings, of all that is measured: of the corners 3 with LeafBoxes, of a side 1.
+        const PaddedLine whole{whole_.min - frame.origin, whole_.max - frame.origin, Vec3::Zero()};
+        const PaddedLine hole{hole_.min - frame.origin, hole_.max - frame.origin, Vec3::Zero()};
+        const float slack = kGenerous<float> * static_cast<float>(whole.size(frame) + hole.size(frame));
+        std::array<float, N> inside;    // how far each box reaches in, along the axis where it is least
+        std::array<float, N> beyond{};  // how far what is inside reaches out of the hole
+        inside.fill(std::numeric_limits<float>::max());
+        for (int k = 0; k < 3; ++k) {
+            const auto axis = static_cast<std::size_t>(k);
+            const float low = static_cast<float>(whole.from[k]) - slack;
+            const float high = static_cast<float>(whole.to[k]) + slack;
+            const float hole_low = static_cast<float>(hole.from[k]) + slack;
+            const float hole_high = static_cast<float>(hole.to[k]) - slack;
+            for (std::size_t i = 0; i < N; ++i) {
+                const float from = std::max(low, center[axis][i] - half[axis][i]);
+                const float to = std::min(high, center[axis][i] + half[axis][i]);
+                inside[i] = std::min(inside[i], to - from);
+                beyond[i] = std::max(beyond[i], std::max(hole_low - from, to - hole_high));
+            }
+        }
+        for (std::size_t i = 0; i < N; ++i) {
+            out[i] = inside[i] >= 0.0F && beyond[i] > 0.0F ? 0.0F : kApart<float>;
+        }
+    }
+
+private:
+    static Vec3 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
+
+    bool holed_;
+    Aabb whole_;
+    Aabb hole_;
+};
+
+/// Hands over every triangle that a descent meets and that isn't held, with its corners from where they are
+/// at hand.
+template <typename Held, typename Take>
 class Gathering {
 public:
-    Gathering(const TriangleMesh& mesh, const Take& take) : mesh_(mesh), take_(take) {}
+    Gathering(const TriangleMesh& mesh, const Held& held, const Take& take)
+        : mesh_(mesh), held_(held), take_(take) {}
 
     double operator()(std::uint32_t triangle, double limit) const {
-        take_(triangle, corners(mesh_, triangle));
+        if (!held_(triangle)) {
+            take_(triangle, corners(mesh_, triangle));
+        }
         return limit;
     }
     double operator()(const WideLeaf& leaf, std::size_t slot, double limit) const {
-        take_(leaf.triangle[slot], corners(mesh_, leaf, slot));
+        if (const std::uint32_t triangle = leaf.triangle[slot]; !held_(triangle)) {
+            take_(triangle, corners(mesh_, leaf, slot));
+        }
         return limit;
     }
 
 private:
     const TriangleMesh& mesh_;
+    const Held& held_;
     const Take& take_;
 };
 
@@ -57,15 +115,20 @@ Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, 
     : world_(&world), settings_(settings), filter_(filter), margin_(kFirstMargin) {}
 
 void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
-    if (!contains(covered_, box)) {
-        const Vec3 more(margin_, kUpright, margin_);
-        covered_ = {box.min - more, box.max + more};
-        gather(counters);
-        if (pieces_.size() < kFewPieces) {
-            margin_ = std::min(kMostMargin, 1.4 * margin_);
-        } else if (pieces_.size() > kManyPieces) {
-            margin_ = std::max(kLeastMargin, 0.5 * margin_);
-        }
+    if (contains(covered_, box)) {
+        return;
+    }
+    const Vec3 more(margin_, kUpright, margin_);
+    const Aabb before = covered_;
+    covered_ = {box.min - more, box.max + more};
+    near_count_ = 0;
+    drop_outside();
+    gather(before, counters);
+    restart_bounds();
+    if (pieces_.size() < kFewPieces) {
+        margin_ = std::min(kMostMargin, 1.4 * margin_);
+    } else if (pieces_.size() > kManyPieces) {
+        margin_ = std::max(kLeastMargin, 0.5 * margin_);
     }
 }
 
@@ -73,6 +136,9 @@ void Neighbourhood::forget() {
     covered_ = Aabb{};
     margin_ = kFirstMargin;
     pieces_.clear();
+    objects_.clear();
+    triangles_.clear();
+    kept_.clear();
     near_count_ = 0;
 }
 
@@ -81,17 +147,33 @@ void Neighbourhood::resize(double height) {
     forget();
 }
 
-void Neighbourhood::gather(QueryCounters& counters) {
-    pieces_.clear();
-    near_count_ = 0;
+void Neighbourhood::drop_outside() {
+    for (std::size_t i = 0; i < pieces_.size();) {
+        if (pieces_[i].box.overlaps(covered_)) {
+            ++i;
+            continue;
+        }
+        pieces_[i] = pieces_.back();
+        objects_[i] = objects_.back();
+        triangles_[i] = triangles_.back();
+        kept_[i] = kept_.back();
+        pieces_.pop_back();
+        objects_.pop_back();
+        triangles_.pop_back();
+        kept_.pop_back();
+    }
+}
+
+void Neighbourhood::gather(const Aabb& before, QueryCounters& counters) {
+    held_before_ = pieces_.size();
     world_->candidates(covered_, filter_, candidates_);
     for (const ObjectId id : candidates_) {
         const Object& object = world_->object(id);
         if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
-            gather_mesh(id, **mesh, counters);
+            gather_mesh(id, **mesh, before, counters);
         } else if (const auto* box = std::get_if<Box>(&object.shape)) {
             gather_box(id, *box);
-        } else {
+        } else if (!holds(id, 0)) {
             Obstacle solid;
             solid.object = id;
             solid.solid = &object;
@@ -99,17 +181,25 @@ void Neighbourhood::gather(QueryCounters& counters) {
             add(solid, world_->bounds(id));
         }
     }
-    start_bounds();
 }
 
-void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, QueryCounters& counters) {
+void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before,
+                                QueryCounters& counters) {
     const Pose& X = world_->object(id).X_world_shape;
-    const Pose X_mesh_box{X.rotation.transpose(), X.inverse_apply(0.5 * (covered_.min + covered_.max))};
-    const BoxVolume volume(Box{0.5 * (covered_.max - covered_.min)}, X_mesh_box);
+    const auto held = [&](std::uint32_t t) { return holds(id, t); };
     const auto take = [&](std::uint32_t t, const Triangle& c) {
         add_triangle(id, t, {X * c.a, X * c.b, X * c.c});
     };
-    descend(mesh, volume, 0.0, Gathering(mesh.mesh(), take), counters);
+    descend(mesh, Beyond(before, covered_, X), 0.0, Gathering(mesh.mesh(), held, take), counters);
+}
+
+/// Among the pieces of before.
+bool Neighbourhood::holds(ObjectId id, std::uint32_t triangle) const {
+    unsigned held = 0;
+    for (std::size_t i = 0; i < held_before_; ++i) {  // to the end: in vector instructions
+        held |= static_cast<unsigned>(objects_[i] == id) & static_cast<unsigned>(triangles_[i] == triangle);
+    }
+    return held != 0;
 }
 
 /// A box is its twelve triangles: whoever is outside can't get in.
@@ -121,10 +211,15 @@ void Neighbourhood::gather_box(ObjectId id, const Box& box) {
     };
     constexpr std::array<std::array<unsigned, 4>, 6> kFaces{
         {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    const auto add_face = [&](std::uint32_t index, unsigned a, unsigned b, unsigned c) {
+        if (!holds(id, index)) {
+            add_triangle(id, index, {corner(a), corner(b), corner(c)});
+        }
+    };
     std::uint32_t index = 0;
     for (const auto& f : kFaces) {
-        add_triangle(id, index++, {corner(f[0]), corner(f[1]), corner(f[2])});
-        add_triangle(id, index++, {corner(f[0]), corner(f[2]), corner(f[3])});
+        add_face(index++, f[0], f[1], f[2]);
+        add_face(index++, f[0], f[2], f[3]);
     }
 }
 
@@ -146,30 +241,40 @@ void Neighbourhood::add_triangle(ObjectId id, std::uint32_t index, const Triangl
 
 void Neighbourhood::add(const Obstacle& obstacle, const Aabb& box) {
     const bool walkable = obstacle.solid == nullptr && std::abs(obstacle.normal.y()) >= settings_.min_up;
+    reserve_for(pieces_.size() + 1);
     pieces_.push_back({obstacle, box, walkable});
+    objects_.push_back(obstacle.object);
+    triangles_.push_back(obstacle.triangle);
+    kept_.emplace_back();
 }
 
-void Neighbourhood::start_bounds() {
+/// About the new middle. The last place that a piece was looked at from tells more than its box.
+void Neighbourhood::restart_bounds() {
     origin_ = 0.5 * (covered_.min + covered_.max);
     // Of numbers up to the size of what is covered, some roundings of float32.
     slack_ = 1e-6 * (1.0 + (covered_.max - covered_.min).norm());
-    reserve_for(pieces_.size());
-    kept_.assign(pieces_.size(), Kept{});
     bounds_.assign((pieces_.size() + kLanes - 1) / kLanes, Bounds{});
     near_.resize(bounds_.size() * kLanes + 1);  // a place to write what is not kept
     if (!bounds_.empty()) {
         bounds_.back().rest.fill(std::numeric_limits<float>::infinity());
     }
     for (Index i = 0; i < pieces_.size(); ++i) {
-        bound_by_box(i);
+        if (const Separation& s = kept_[i].places[kept_[i].last]; s.distance > 0.0) {
+            set_bound(i, s.normal, s.bound(origin_));
+        } else {
+            bound_by_box(i);
+        }
     }
 }
 
-/// `assign` alone would take from the heap whenever there is one piece more than ever before.
+/// `push_back` alone would take from the heap whenever there is one piece more than ever before.
 void Neighbourhood::reserve_for(std::size_t count) {
     constexpr std::size_t kUsual = 256;
-    if (count > kept_.capacity() || kept_.capacity() == 0) {
+    if (count > pieces_.capacity()) {
         const std::size_t room = std::max(kUsual, 2 * count);
+        pieces_.reserve(room);
+        objects_.reserve(room);
+        triangles_.reserve(room);
         kept_.reserve(room);
         bounds_.reserve(room / kLanes + 1);
         near_.reserve(room + kLanes + 1);

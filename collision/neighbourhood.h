@@ -42,8 +42,8 @@ struct Separation {
 };
 
 /// The pieces of the solid world around a body: triangles and round solids; boxes come apart into
-/// triangles. They are gathered anew only when the body comes near the end of what was gathered. What else is
-/// kept from earlier ticks saves time and never changes an answer.
+/// triangles. When the body comes near the end of what was gathered, what lies beyond is gathered too, and
+/// what is far behind dropped. What is kept from earlier ticks saves time and never changes an answer.
 class Neighbourhood {
 public:
     using Index = std::uint32_t;
@@ -89,12 +89,14 @@ private:
         std::uint8_t last = 0;
     };
 
-    void gather(QueryCounters& counters);
-    void gather_mesh(ObjectId id, const MeshCollider& mesh, QueryCounters& counters);
+    void drop_outside();
+    void gather(const Aabb& before, QueryCounters& counters);
+    void gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before, QueryCounters& counters);
     void gather_box(ObjectId id, const Box& box);
+    bool holds(ObjectId id, std::uint32_t triangle) const;
     void add(const Obstacle& obstacle, const Aabb& box);
     void add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners);
-    void start_bounds();
+    void restart_bounds();
     void reserve_for(std::size_t count);
     void bound_by_box(Index i);
     void set_bound(Index i, const Vec3& normal, double at_origin);
@@ -104,10 +106,14 @@ private:
     QueryFilter filter_;
 
     Aabb covered_;
-    double margin_ = 0.5;         ///< of what is gathered next, metres
-    Vec3 origin_ = Vec3::Zero();  ///< of the bounds
-    double slack_ = 0.0;          ///< what float32 may be off within what is covered
+    std::size_t held_before_ = 0;  ///< pieces that were there before what is being gathered
+    double margin_ = 0.5;          ///< of what is gathered next, metres
+    Vec3 origin_ = Vec3::Zero();   ///< of the bounds
+    double slack_ = 0.0;           ///< what float32 may be off within what is covered
     std::vector<Piece> pieces_;
+    // Of the pieces once more, side by side: a refill asks for nearly all of them whether they are there.
+    std::vector<ObjectId> objects_;
+    std::vector<std::uint32_t> triangles_;
     std::vector<Kept> kept_;
     std::vector<Bounds> bounds_;
     std::vector<Index> near_;

@@ -94,6 +94,43 @@ TEST(Neighbourhood, ItHoldsEveryTriangleOfWhatItCovers) {
     }
 }
 
+/// What lies beyond is added to what is there already: nothing is lost by that, and nothing twice there.
+TEST(Neighbourhood, ItHoldsEveryTriangleOnceOnALongWay) {
+    const MoverSettings body;
+    int held_in_all = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
+        Dice dice(seed);
+        const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
+        Neighbourhood around(*world, body, {});
+        QueryCounters counters;
+        Vec3 foot(dice.between(-3, 3), dice.between(0, 1), dice.between(-3, 3));
+        Vec3 step = Vec3::Zero();
+        for (int i = 0; i < 200; ++i) {
+            if (i % 20 == 0) {
+                const double x = dice.between(-0.2, 0.2);
+                const double y = dice.between(-0.05, 0.05);
+                step = Vec3(x, y, dice.between(-0.2, 0.2));
+            }
+            foot += step;
+            around.cover({foot - Vec3(0.5, 0.3, 0.5), foot + Vec3(0.5, 2.1, 0.5)}, counters);
+            std::set<Name> held;
+            for (const Neighbourhood::Piece& piece : around.pieces()) {
+                ASSERT_TRUE(held.emplace(piece.obstacle.object, piece.obstacle.triangle).second)
+                    << "seed " << seed << ", step " << i;
+            }
+            std::vector<Obstacle> expected;
+            gather_obstacles(*world, {}, body.core(foot), 0.5, expected, counters);
+            for (const Obstacle& o : expected) {
+                const bool is_box = o.solid != nullptr && std::holds_alternative<Box>(o.solid->shape);
+                ASSERT_TRUE(is_box || held.contains({o.object, o.triangle}))
+                    << "seed " << seed << ", step " << i;
+                ++held_in_all;
+            }
+        }
+    }
+    EXPECT_GT(held_in_all, support::repeats(1000));
+}
+
 /// A mover that has just been made knows nothing from earlier ticks.
 TEST(Neighbourhood, WhatIsKeptNeverChangesAMove) {
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
