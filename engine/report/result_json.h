@@ -8,10 +8,12 @@
 namespace campuswalk::engine {
 
 /// A result as one line of JSON, without the line's end: what the jsonl report holds, what workers send and
-/// what merge-reports and --resume read. Doubles keep their bits.
+/// what merge-reports and --resume read. Always every field (see result_fields.h); numbers keep their bits.
+/// Bytes that are no UTF-8 can't be said in JSON and become U+FFFD.
 std::string to_json_line(const WalkResult& result);
 
-/// The inverse. Throws std::runtime_error, with what is wrong, when it is no such line.
+/// The inverse. Throws std::runtime_error, with what is wrong, when it is no such line: a field too few, one
+/// too many or twice, another type, a number that doesn't fit.
 WalkResult result_from_json_line(std::string_view line);
 
 }  // namespace campuswalk::engine

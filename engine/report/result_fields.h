@@ -1,0 +1,77 @@
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "engine/report/walk_result.h"
+
+namespace campuswalk::engine {
+
+template <typename Struct, typename Plain>
+concept MaybeConst = std::same_as<std::remove_const_t<Struct>, Plain>;
+
+/// Marks a number that is spelled as logs spell hashes.
+template <typename Number>
+struct Hash {
+    explicit Hash(Number& number) : value(number) {}
+    Number& value;
+};
+
+// What of a result stands in JSON, in this order and under which name. Writing and reading go through the
+// same lists, so that neither can forget a field. `Fields` is called as (name, member); angles say their
+// unit.
+
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<FailureScene> auto& scene) {
+    fields("tick", scene.tick);
+    fields("time", scene.time);
+    fields("position", scene.position);
+    fields("yaw_rad", scene.yaw);
+    fields("pitch_rad", scene.pitch);
+    fields("building", scene.building);
+    fields("nearest", scene.nearest);
+    fields("nearest_distance", scene.nearest_distance);
+    fields("last_events", scene.last_events);
+}
+
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<Failure> auto& failure) {
+    fields("code", failure.code);
+    fields("message", failure.message);
+    fields("file", failure.mark.file);
+    fields("line", failure.mark.line);
+    fields("column", failure.mark.column);
+    fields("scene", failure.scene);
+}
+
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<Artifact> auto& artifact) {
+    fields("name", artifact.name);
+    fields("path", artifact.path);
+    fields("media_type", artifact.media_type);
+}
+
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
+    fields("id", result.id);
+    fields("file", result.file);
+    fields("name", result.name);
+    fields("project", result.project);
+    fields("repetition", result.repetition);
+    fields("tags", result.tags);
+    fields("status_reason", result.status_reason);
+    fields("expected_to_fail", result.expected_to_fail);
+    fields("outcome", result.outcome);
+    fields("failures", result.failures);
+    fields("complaints", result.complaints);
+    fields("campus", result.campus);
+    fields("ticks_per_second", result.ticks_per_second);
+    fields("seed", result.seed);
+    fields("ticks", result.ticks);
+    fields("events", result.events);
+    fields("distance", result.distance);
+    fields("hash", Hash(result.hash));
+    fields("artifacts", result.artifacts);
+}
+
+}  // namespace campuswalk::engine

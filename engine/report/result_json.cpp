@@ -1,0 +1,266 @@
+#include "engine/report/result_json.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/report/outcome_names.h"
+#include "engine/report/result_fields.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no such numbers; a reader of reports must not stumble over a result because of them.
+constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{
+    {std::numeric_limits<double>::infinity(), "Infinity"},
+    {-std::numeric_limits<double>::infinity(), "-Infinity"},
+    {std::numeric_limits<double>::quiet_NaN(), "NaN"},
+}};
+
+constexpr std::size_t kHashDigits = 16;
+
+// ---- writing ------------------------------------------------------------------------------------------
+
+Json json_of(const std::string& value) {
+    return value;
+}
+Json json_of(bool value) {
+    return value;
+}
+template <std::integral Number>
+Json json_of(Number value) {
+    return value;
+}
+Json json_of(double value) {
+    if (std::isnan(value)) {
+        return std::string(kNotFinite.back().second);
+    }
+    for (const auto& [number, name] : kNotFinite) {
+        if (value == number) {
+            return std::string(name);
+        }
+    }
+    return value;
+}
+Json json_of(const Eigen::Vector3d& value) {
+    return {json_of(value.x()), json_of(value.y()), json_of(value.z())};
+}
+Json json_of(Outcome value) {
+    return std::string(name_of(value));
+}
+/// As logs have it: readers whose numbers are all doubles keep its bits too.
+Json json_of(const Hash<const std::uint64_t>& hash) {
+    std::array<char, kHashDigits> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash.value, 16).ptr;
+    const std::string text(digits.data(), end);
+    return std::string(kHashDigits - text.size(), '0') + text;
+}
+template <typename Item>
+Json json_of(const std::vector<Item>& list);
+template <typename Struct>
+requires std::is_class_v<Struct> Json json_of(const Struct& value);
+
+class FieldWriter {
+public:
+    template <typename Value>
+    void operator()(const char* name, const Value& value) {
+        json[name] = json_of(value);
+    }
+
+    Json json = Json::object();
+};
+
+template <typename Item>
+Json json_of(const std::vector<Item>& list) {
+    Json json = Json::array();
+    for (const Item& item : list) {
+        json.push_back(json_of(item));
+    }
+    return json;
+}
+
+template <typename Struct>
+requires std::is_class_v<Struct> Json json_of(const Struct& value) {
+    FieldWriter writer;
+    list_fields(writer, value);
+    return std::move(writer.json);
+}
+
+// ---- reading ------------------------------------------------------------------------------------------
+
+/// `where` is the way to the value: "failures[0].scene.tick".
+[[noreturn]] void refuse(const std::string& where, const std::string& expected, const Json& json) {
+    std::string found = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (found.size() > 40) {
+        found = found.substr(0, 40) + "…";
+    }
+    throw std::runtime_error("not a walk's result: " + where + " must be " + expected + ", not " + found);
+}
+
+void read(const Json& json, const std::string& where, std::string& value) {
+    if (!json.is_string()) {
+        refuse(where, "a text", json);
+    }
+    value = json.get<std::string>();
+}
+void read(const Json& json, const std::string& where, bool& value) {
+    if (!json.is_boolean()) {
+        refuse(where, "true or false", json);
+    }
+    value = json.get<bool>();
+}
+template <std::integral Number>
+void read(const Json& json, const std::string& where, Number& value) {
+    const bool fits = json.is_number_unsigned()
+                          ? std::in_range<Number>(json.get<std::uint64_t>())
+                          : json.is_number_integer() && std::in_range<Number>(json.get<std::int64_t>());
+    if (!fits) {
+        refuse(where, std::unsigned_integral<Number> ? "a whole number from 0 on" : "a whole number", json);
+    }
+    value = json.get<Number>();
+}
+void read(const Json& json, const std::string& where, double& value) {
+    for (const auto& [number, name] : kNotFinite) {
+        if (json == name) {
+            value = number;
+            return;
+        }
+    }
+    if (!json.is_number()) {
+        refuse(where, "a number", json);
+    }
+    value = json.get<double>();
+}
+void read(const Json& json, const std::string& where, Eigen::Vector3d& value) {
+    if (!json.is_array() || json.size() != 3) {
+        refuse(where, "three numbers", json);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        read(json[static_cast<std::size_t>(axis)], where, value[axis]);
+    }
+}
+void read(const Json& json, const std::string& where, Outcome& value) {
+    for (const auto& [outcome, name] : kOutcomeNames) {
+        if (json == name) {
+            value = outcome;
+            return;
+        }
+    }
+    refuse(where, "an outcome", json);
+}
+void read(const Json& json, const std::string& where, Hash<std::uint64_t> hash) {
+    std::string digits;
+    if (json.is_string()) {
+        digits = json.get<std::string>();
+    }
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), hash.value, 16);
+    if (digits.size() != kHashDigits || digits.starts_with('-') ||
+        parsed.ptr != digits.data() + digits.size()) {
+        refuse(where, "16 hexadecimal digits", json);
+    }
+}
+template <typename Item>
+void read(const Json& json, const std::string& where, std::vector<Item>& list);
+template <typename Struct>
+requires std::is_class_v<Struct>
+void read(const Json& json, const std::string& where, Struct& value);
+
+class FieldReader {
+public:
+    FieldReader(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
+        if (!json.is_object()) {
+            refuse(where_.empty() ? "a line" : where_, "an object", json);
+        }
+    }
+
+    template <typename Value>
+    void operator()(const char* name, Value&& value) {
+        const auto found = json_.find(name);
+        if (found == json_.end()) {
+            throw std::runtime_error("not a walk's result: " + path(name) + " is missing");
+        }
+        read(*found, path(name), value);
+        names_.emplace_back(name);
+    }
+
+    /// There must be nothing else.
+    void finish() const {
+        for (const auto& [name, value] : json_.items()) {
+            if (std::ranges::find(names_, name) == names_.end()) {
+                throw std::runtime_error("not a walk's result: nothing is known of " + path(name));
+            }
+        }
+    }
+
+private:
+    std::string path(const std::string& name) const { return where_.empty() ? name : where_ + "." + name; }
+
+    const Json& json_;
+    std::string where_;
+    std::vector<std::string> names_;
+};
+
+template <typename Item>
+void read(const Json& json, const std::string& where, std::vector<Item>& list) {
+    if (!json.is_array()) {
+        refuse(where, "a list", json);
+    }
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        read(json[i], where + "[" + std::to_string(i) + "]", list.emplace_back());
+    }
+}
+
+template <typename Struct>
+requires std::is_class_v<Struct>
+void read(const Json& json, const std::string& where, Struct& value) {
+    FieldReader reader(json, where);
+    list_fields(reader, value);
+    reader.finish();
+}
+
+/// The parser would take the last of two that are called the same.
+Json parsed_without_repetitions(std::string_view line) {
+    std::vector<std::vector<std::string>> keys;
+    return Json::parse(line, [&](int, Json::parse_event_t event, Json& json) {
+        if (event == Json::parse_event_t::object_start) {
+            keys.emplace_back();
+        } else if (event == Json::parse_event_t::object_end) {
+            keys.pop_back();
+        } else if (event == Json::parse_event_t::key) {
+            std::string key = json.get<std::string>();
+            if (std::ranges::find(keys.back(), key) != keys.back().end()) {
+                throw std::runtime_error("not a walk's result: " + key + " stands there twice");
+            }
+            keys.back().push_back(std::move(key));
+        }
+        return true;
+    });
+}
+
+}  // namespace
+
+std::string to_json_line(const WalkResult& result) {
+    return json_of(result).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+WalkResult result_from_json_line(std::string_view line) {
+    WalkResult result;
+    try {
+        read(parsed_without_repetitions(line), "", result);
+    } catch (const Json::parse_error& error) {
+        throw std::runtime_error(std::string("not a walk's result: no JSON: ") + error.what());
+    }
+    return result;
+}
+
+}  // namespace campuswalk::engine

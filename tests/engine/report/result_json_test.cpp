@@ -1,0 +1,213 @@
+#include "engine/report/result_json.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/report/some_results.h"
+#include "tests/support/dice.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+WalkResult there_and_back(const WalkResult& result) {
+    return result_from_json_line(to_json_line(result));
+}
+
+/// What is wrong with a line; empty when nothing is.
+std::string refusal(const std::string& line) {
+    try {
+        result_from_json_line(line);
+        return "";
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
+TEST(ResultJson, GivesBackEveryField) {
+    const WalkResult result = full_result();
+    const WalkResult back = there_and_back(result);
+    EXPECT_EQ(back.id, result.id);
+    EXPECT_EQ(back.file, result.file);
+    EXPECT_EQ(back.name, result.name);
+    EXPECT_EQ(back.project, result.project);
+    EXPECT_EQ(back.repetition, result.repetition);
+    EXPECT_EQ(back.tags, result.tags);
+    EXPECT_EQ(back.status_reason, result.status_reason);
+    EXPECT_EQ(back.expected_to_fail, result.expected_to_fail);
+    EXPECT_EQ(back.outcome, result.outcome);
+    EXPECT_EQ(back.complaints, result.complaints);
+    EXPECT_EQ(back.campus, result.campus);
+    EXPECT_EQ(back.ticks_per_second, result.ticks_per_second);
+    EXPECT_EQ(back.seed, result.seed);
+    EXPECT_EQ(back.ticks, result.ticks);
+    EXPECT_EQ(back.events, result.events);
+    EXPECT_EQ(back.distance, result.distance);
+    EXPECT_EQ(back.hash, result.hash);
+    ASSERT_EQ(back.artifacts.size(), 1U);
+    EXPECT_EQ(back.artifacts[0].name, result.artifacts[0].name);
+    EXPECT_EQ(back.artifacts[0].path, result.artifacts[0].path);
+    EXPECT_EQ(back.artifacts[0].media_type, result.artifacts[0].media_type);
+}
+
+TEST(ResultJson, GivesBackEveryFieldOfAFailure) {
+    const WalkResult result = full_result();
+    const WalkResult back = there_and_back(result);
+    ASSERT_EQ(back.failures.size(), 1U);
+    const Failure& was = result.failures[0];
+    const Failure& is = back.failures[0];
+    EXPECT_EQ(is.mark.file, was.mark.file);
+    EXPECT_EQ(is.mark.line, was.mark.line);
+    EXPECT_EQ(is.mark.column, was.mark.column);
+    EXPECT_EQ(is.code, was.code);
+    EXPECT_EQ(is.message, was.message);
+    EXPECT_EQ(is.scene.tick, was.scene.tick);
+    EXPECT_EQ(is.scene.time, was.scene.time);
+    EXPECT_EQ(is.scene.position, was.scene.position);
+    EXPECT_EQ(is.scene.yaw, was.scene.yaw);
+    EXPECT_EQ(is.scene.pitch, was.scene.pitch);
+    EXPECT_EQ(is.scene.building, was.scene.building);
+    EXPECT_EQ(is.scene.nearest, was.scene.nearest);
+    EXPECT_EQ(is.scene.nearest_distance, was.scene.nearest_distance);
+    EXPECT_EQ(is.scene.last_events, was.scene.last_events);
+}
+
+TEST(ResultJson, KeepsTheBitsOfEveryDouble) {
+    support::Dice dice(7);
+    std::vector<double> values = {0.0,
+                                  -0.0,
+                                  0.1,
+                                  1.0 / 3.0,
+                                  -1e308,
+                                  std::numeric_limits<double>::denorm_min(),
+                                  std::numeric_limits<double>::min(),
+                                  std::numeric_limits<double>::max(),
+                                  std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity()};
+    for (int i = 0; i < 2000; ++i) {
+        values.push_back(std::ldexp(dice.between(-1.0, 1.0), dice.below(400) - 200));
+    }
+    for (const double value : values) {
+        WalkResult result;
+        result.distance = value;
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(there_and_back(result).distance),
+                  std::bit_cast<std::uint64_t>(value))
+            << value;
+    }
+    WalkResult result;
+    result.distance = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(there_and_back(result).distance));
+}
+
+TEST(ResultJson, KeepsTheLargestAndSmallestWholeNumbers) {
+    WalkResult result;
+    result.seed = std::numeric_limits<std::uint64_t>::max();
+    result.hash = std::numeric_limits<std::uint64_t>::max();
+    result.ticks = std::numeric_limits<Tick>::max();
+    result.events = std::numeric_limits<std::int64_t>::min();
+    result.repetition = std::numeric_limits<int>::max();
+    const WalkResult back = there_and_back(result);
+    EXPECT_EQ(back.seed, result.seed);
+    EXPECT_EQ(back.hash, result.hash);
+    EXPECT_EQ(back.ticks, result.ticks);
+    EXPECT_EQ(back.events, result.events);
+    EXPECT_EQ(back.repetition, result.repetition);
+}
+
+TEST(ResultJson, IsOneLineWhateverIsInIt) {
+    WalkResult result;
+    for (int c = 0; c < 0x80; ++c) {
+        result.name += static_cast<char>(c);
+    }
+    result.name += "Überbau – 図書館 \u2028 \U0001F6B6";
+    const std::string line = to_json_line(result);
+    EXPECT_EQ(line.find_first_of("\n\r"), std::string::npos);
+    EXPECT_EQ(there_and_back(result).name, result.name);
+}
+
+TEST(ResultJson, MarksBytesThatAreNotUtf8) {
+    WalkResult result;
+    result.file = "caf\xe9/\xff.walk.yaml";
+    const WalkResult back = there_and_back(result);
+    EXPECT_EQ(back.file, "caf\xEF\xBF\xBD/\xEF\xBF\xBD.walk.yaml");
+    EXPECT_EQ(to_json_line(back), to_json_line(result));
+}
+
+TEST(ResultJson, SpellsEveryOutcome) {
+    for (const Outcome outcome : {Outcome::passed, Outcome::failed, Outcome::skipped, Outcome::bad_input,
+                                  Outcome::broken, Outcome::interrupted}) {
+        WalkResult result;
+        result.outcome = outcome;
+        EXPECT_EQ(there_and_back(result).outcome, outcome);
+    }
+}
+
+TEST(ResultJson, RefusesAFieldTooFewAndSaysWhich) {
+    const Json whole = Json::parse(to_json_line(full_result()));
+    for (const auto& [name, value] : whole.items()) {
+        Json less = whole;
+        less.erase(name);
+        EXPECT_EQ(refusal(less.dump()), "not a walk's result: " + name + " is missing");
+    }
+    Json less = whole;
+    less["failures"][0]["scene"].erase("tick");
+    EXPECT_EQ(refusal(less.dump()), "not a walk's result: failures[0].scene.tick is missing");
+}
+
+TEST(ResultJson, RefusesAFieldTooMany) {
+    Json more = Json::parse(to_json_line(full_result()));
+    more["artifacts"][0]["size"] = 3;
+    EXPECT_EQ(refusal(more.dump()), "not a walk's result: nothing is known of artifacts[0].size");
+    const std::string line = to_json_line(full_result());
+    EXPECT_EQ(refusal(R"({"name":"b",)" + line.substr(1)), "not a walk's result: name stands there twice");
+}
+
+TEST(ResultJson, RefusesEveryOtherType) {
+    const Json whole = Json::parse(to_json_line(full_result()));
+    for (const auto& [name, value] : whole.items()) {
+        for (const Json& other :
+             {Json(nullptr), Json(true), Json("x"), Json(1.5), Json::object(), Json(Json::array({Json()}))}) {
+            if (other.type() == value.type() && name != "hash" && name != "outcome" && !value.is_array()) {
+                continue;
+            }
+            Json wrong = whole;
+            wrong[name] = other;
+            EXPECT_NE(refusal(wrong.dump()).find(name), std::string::npos) << name << " " << other;
+        }
+    }
+}
+
+TEST(ResultJson, RefusesNumbersThatDoNotFit) {
+    const auto with = [](const char* name, const Json& value) {
+        Json json = Json::parse(to_json_line(full_result()));
+        json[name] = value;
+        return refusal(json.dump());
+    };
+    EXPECT_EQ(with("repetition", 2147483648),
+              "not a walk's result: repetition must be a whole number, not 2147483648");
+    EXPECT_EQ(with("ticks", 9223372036854775808U),
+              "not a walk's result: ticks must be a whole number, not 9223372036854775808");
+    EXPECT_EQ(with("seed", -1), "not a walk's result: seed must be a whole number from 0 on, not -1");
+    EXPECT_EQ(with("hash", "0x00000000000000"),
+              "not a walk's result: hash must be 16 hexadecimal digits, not \"0x00000000000000\"");
+    EXPECT_EQ(with("hash", "abc"), "not a walk's result: hash must be 16 hexadecimal digits, not \"abc\"");
+}
+
+TEST(ResultJson, RefusesWhatIsCutShort) {
+    const std::string line = to_json_line(full_result());
+    for (std::size_t length = 0; length < line.size(); ++length) {
+        ASSERT_NE(refusal(line.substr(0, length)), "") << length;
+    }
+    EXPECT_NE(refusal(line + "}"), "");
+    EXPECT_NE(refusal(std::string(100000, '[')), "");
+    EXPECT_EQ(refusal("[]"), "not a walk's result: a line must be an object, not []");
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
