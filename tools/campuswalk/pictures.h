@@ -2,9 +2,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "engine/expect/failure.h"
 #include "engine/observers/observer.h"
+#include "engine/report/walk_result.h"
 #include "engine/script/walk.h"
 #include "scene/campus.h"
 
@@ -18,6 +22,16 @@ bool can_draw();
 /// Writes the walk's snapshots to `FOLDER/WALK NAME/`. `campus` must outlive it.
 std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
                                                       const std::filesystem::path& folder);
+
+/// The moments of a walk's failures, each from the avatar's eyes and from above with the way walked so far:
+/// `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second moment on.
+/// Failures of one tick share their pictures, and later ones than the fourth moment get none. The walk is
+/// played again up to there. Returns what was written, paths relative to `output`. Throws
+/// std::runtime_error when it can't be drawn or written.
+std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
+                                            std::span<const engine::Failure> failures,
+                                            const std::filesystem::path& output,
+                                            const std::filesystem::path& folder);
 
 /// One picture of a campus: from above all of it, otherwise from `avatar`'s place.
 void draw_campus(const scene::Campus& campus, const engine::CameraSettings& camera,

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/expect/failure.h"
+
+namespace campuswalk::tools {
+
+/// Which of the files that runs are compared with are written (`--update-snapshots`).
+enum class UpdateSnapshots {
+    all,      ///< every one, anew
+    changed,  ///< missing ones, and those that differ
+    missing,  ///< those that aren't there yet
+    none,     ///< a missing one is a failure
+};
+
+/// What comparing a run with a golden log gave.
+struct GoldenCheck {
+    /// The log is another one, or is missing; code "log". Its mark is left to the caller.
+    std::optional<engine::Failure> failure;
+    /// The file that was written, as the walk file's path leads to it; empty when none was.
+    std::filesystem::path written;
+};
+
+/// `NAME.walk.yaml-snapshots/[PROJECT-]log.jsonl` beside the walk file.
+std::filesystem::path golden_log_file(const std::filesystem::path& walk_file, const std::string& project);
+
+/// Compares a run's log, as engine::JsonLines gives it, with the walk's golden one. Verdicts don't count:
+/// what is expected of a walk doesn't change where it goes. A file is written whole or not at all, and
+/// processes may do so at the same time. Throws std::runtime_error when it can't be read or written.
+GoldenCheck check_golden(const std::filesystem::path& walk_file, const std::string& project,
+                         std::span<const std::string> lines, UpdateSnapshots mode);
+
+}  // namespace campuswalk::tools
