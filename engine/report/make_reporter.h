@@ -15,9 +15,9 @@ using TextSink = std::function<void(std::string_view text)>;
 
 /// What the places that reports go to differ in. Only `list` and `dot`, which people read, heed it.
 struct ReportStyle {
-    bool color = false;  ///< ANSI colours, for a terminal
-    bool quiet = false;  ///< only what is not as it should be, and the last line
-    std::string folder;  ///< the run's output folder as the user named it, to find pictures in
+    bool color = false;       ///< ANSI colours, for a terminal
+    bool quiet = false;       ///< only what is not as it should be, and the last line
+    std::string folder = {};  ///< the run's output folder as the user named it, to find pictures in
 };
 
 /// `list`, `dot`, `junit`, `tap`, `json`, `jsonl` and `github`.

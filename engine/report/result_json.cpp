@@ -7,6 +7,7 @@
 #include <concepts>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -261,6 +262,19 @@ WalkResult result_from_json_line(std::string_view line) {
         throw std::runtime_error(std::string("not a walk's result: no JSON: ") + error.what());
     }
     return result;
+}
+
+std::string results_header(std::size_t cases) {
+    return Json{{"campuswalk_results", 1}, {"cases", cases}}.dump();
+}
+
+std::optional<std::size_t> cases_of_header(std::string_view line) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || json.size() != 2 || json.value("campuswalk_results", Json()) != 1 ||
+        !json.contains("cases") || !json["cases"].is_number_unsigned()) {
+        return std::nullopt;
+    }
+    return json["cases"].get<std::size_t>();
 }
 
 }  // namespace campuswalk::engine

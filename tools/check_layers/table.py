@@ -56,6 +56,7 @@ THIRD_PARTY = {
     "assimp/": ["scene/import"],
     "stb/": ["scene/import"],
     "nlohmann/": ["engine/observers", "engine/report", "tools/campuswalk", "tests"],
+    "pugixml": ["engine/report"],
     "GL/": ["engine/render", "tests/engine/render"],
     "EGL/": ["engine/render"],
     "KHR/": ["engine/render"],

@@ -40,4 +40,107 @@ WalkResult full_result() {
     return result;
 }
 
+WalkResult passed_result(const std::string& name) {
+    WalkResult result;
+    result.name = name;
+    result.file = "walks/" + name + ".walk.yaml";
+    result.id = result.file;
+    result.campus = "school";
+    result.ticks = 240;
+    result.events = 9;
+    result.distance = 5.0;
+    result.hash = 0xabcdefULL;
+    return result;
+}
+
+WalkResult failed_result(const std::string& name) {
+    WalkResult result = passed_result(name);
+    result.outcome = Outcome::failed;
+    result.failures = full_result().failures;
+    result.failures[0].mark.file = result.file;
+    result.artifacts = {{"failure from above", name + "/failure-above.png", "image/png"}};
+    return result;
+}
+
+WalkResult skipped_result(const std::string& name) {
+    WalkResult result = passed_result(name);
+    result.outcome = Outcome::skipped;
+    result.status_reason = "the lift is out of order";
+    result.ticks = 0;
+    result.distance = 0.0;
+    return result;
+}
+
+WalkResult xfail_result(const std::string& name) {
+    WalkResult result = failed_result(name);
+    result.outcome = Outcome::passed;
+    result.expected_to_fail = true;
+    result.status_reason = "the door is too narrow";
+    return result;
+}
+
+WalkResult bad_input_result(const std::string& name) {
+    WalkResult result = skipped_result(name);
+    result.outcome = Outcome::bad_input;
+    result.status_reason.clear();
+    result.complaints = {result.file + ":3:1: error bad-value: speed must be > 0"};
+    return result;
+}
+
+RunReport mixed_report() {
+    WalkResult wrong = passed_result("wrong");
+    wrong.outcome = Outcome::failed;
+    wrong.expected_to_fail = true;
+    wrong.status_reason = "the door is too narrow";
+    WalkResult broken = skipped_result("broken");
+    broken.outcome = Outcome::broken;
+    broken.status_reason.clear();
+    WalkResult stopped = broken;
+    stopped.outcome = Outcome::interrupted;
+    stopped.name = "stopped";
+    stopped.file = stopped.id = "walks/stopped.walk.yaml";
+    WalkResult kiosk = passed_result("arrive");
+    kiosk.project = "kiosk";
+    kiosk.id += " kiosk";
+    return {{passed_result("arrive"), kiosk, failed_result("visit"), skipped_result("lift"),
+             xfail_result("door"), wrong, bad_input_result("typo"), broken, stopped}};
+}
+
+RunReport hostile_report() {
+    std::string odd =
+        "]]> --> <b> & \" ' % # \\ :, ::error:: \r\n\t \x1b[31m \x7f caf\xe9 \xed\xa0\x80 "
+        "\xef\xbf\xbf \u2028 \u56f3";
+    odd.insert(0, std::string(1, '\0') + "\x01");
+    WalkResult result = failed_result("odd");
+    result.id = result.name = result.file = result.project = odd;
+    result.status_reason = result.campus = odd;
+    result.tags = {odd};
+    result.complaints = {odd, ": error : ", ": error x", "a:1: error y: z"};
+    Failure& failure = result.failures[0];
+    failure.code = failure.message = failure.mark.file = odd;
+    failure.scene.building = failure.scene.nearest = odd;
+    failure.scene.last_events = {odd};
+    result.artifacts = {{odd, odd, odd}};
+    WalkResult broken = result;
+    broken.outcome = Outcome::broken;
+    WalkResult xfail = result;
+    xfail.outcome = Outcome::passed;
+    xfail.expected_to_fail = true;
+    WalkResult skipped = result;
+    skipped.outcome = Outcome::skipped;
+    return {{result, broken, xfail, skipped}};
+}
+
+std::string written(std::string_view reporter, const RunReport& report, const ReportStyle& style) {
+    std::string text;
+    const auto made = make_reporter(
+        reporter, [&](std::string_view part) { text += part; }, style);
+    made->begin(report.results.size());
+    for (const WalkResult& result : report.results) {
+        made->result(result);
+    }
+    made->end(report);
+    return text;
+}
+
 }  // namespace campuswalk::engine

@@ -1,10 +1,32 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
+#include "engine/report/make_reporter.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {
 
 /// One with every field other than its default.
 WalkResult full_result();
+
+/// `walks/NAME.walk.yaml`, passed after 4 simulated seconds and 5 metres.
+WalkResult passed_result(const std::string& name);
+WalkResult failed_result(const std::string& name);
+WalkResult skipped_result(const std::string& name);
+/// Failed as it was expected to.
+WalkResult xfail_result(const std::string& name);
+WalkResult bad_input_result(const std::string& name);
+
+/// One of every outcome, an xfail that passed, and a project.
+RunReport mixed_report();
+
+/// With texts that could break out of any format: markup, quotes, ends of lines, escape sequences, bytes that
+/// are no UTF-8.
+RunReport hostile_report();
+
+/// What a reporter writes about a run.
+std::string written(std::string_view reporter, const RunReport& report, const ReportStyle& style = {});
 
 }  // namespace campuswalk::engine

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "engine/decimals.h"
+#include "engine/report/plain_text.h"
+#include "engine/report/reporters.h"
+#include "engine/report/result_text.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+class SinkWriter final : public pugi::xml_writer {
+public:
+    explicit SinkWriter(const TextSink& sink) : sink_(sink) {}
+    void write(const void* data, std::size_t size) override { sink_({static_cast<const char*>(data), size}); }
+
+private:
+    const TextSink& sink_;
+};
+
+void set(pugi::xml_node node, const char* name, std::string_view value) {
+    node.append_attribute(name).set_value(xml_characters(printable(value)).c_str());
+}
+
+void set_counts(pugi::xml_node node, std::size_t tests, const Tally& tally) {
+    set(node, "tests", std::to_string(tests));
+    set(node, "failures", std::to_string(tally.failed));
+    set(node, "errors", std::to_string(tally.bad_input + tally.broken + tally.interrupted));
+    set(node, "time", fixed(tally.seconds, 3));
+}
+
+void append_text(pugi::xml_node node, const char* name, const std::string& text) {
+    if (!text.empty()) {
+        node.append_child(name).append_child(pugi::node_pcdata).set_value(xml_characters(text).c_str());
+    }
+}
+
+/// Everything about a failure, a line each.
+std::string details_of(const Failure& failure) {
+    std::string text = headline_of(failure) + "\n";
+    if (const std::string place = place_of(failure.scene); !place.empty()) {
+        text += place + "\n";
+    }
+    for (const std::string& event : failure.scene.last_events) {
+        text += printable(event) + "\n";
+    }
+    return text;
+}
+
+void append_trouble(pugi::xml_node test, const char* kind, std::string_view type, std::string_view message,
+                    const std::string& details) {
+    pugi::xml_node node = test.append_child(kind);
+    set(node, "type", type);
+    set(node, "message", message);
+    node.append_child(pugi::node_pcdata).set_value(xml_characters(details).c_str());
+}
+
+/// Schemas allow several, most readers show the first: all that failed stands in it.
+void append_failures(pugi::xml_node test, const WalkResult& result) {
+    const std::string words = verdict_in_words(result);
+    std::string details = words.empty() ? "" : words + "\n";
+    for (const Failure& failure : result.failures) {
+        details += details_of(failure);
+    }
+    const bool own_words = !words.empty() || result.failures.empty();
+    append_trouble(test, "failure", own_words ? "status" : result.failures.front().code,
+                   own_words ? words : result.failures.front().message, details);
+}
+
+void append_error(pugi::xml_node test, const WalkResult& result) {
+    std::string details;
+    for (const std::string& complaint : result.complaints) {
+        details += printable(complaint) + "\n";
+    }
+    const std::string words = verdict_in_words(result);
+    append_trouble(test, "error", name_of(result.outcome),
+                   result.complaints.empty() ? words : result.complaints.front(), details + words);
+}
+
+/// What Jenkins and GitLab show beside a case.
+std::string attachments_of(const WalkResult& result) {
+    std::string text;
+    for (const Artifact& artifact : result.artifacts) {
+        text += "[[ATTACHMENT|" + printable(artifact.path) + "]]\n";
+    }
+    return text;
+}
+
+void append_case(pugi::xml_node suite, const WalkResult& result) {
+    pugi::xml_node test = suite.append_child("testcase");
+    std::string name = result.name;
+    name += result.project.empty() ? "" : " " + result.project;
+    name += result.repetition == 0 ? "" : " #" + std::to_string(result.repetition);
+    set(test, "name", name);
+    set(test, "classname", result.file);
+    set(test, "time", fixed(seconds_of(result), 3));
+    switch (result.outcome) {
+        case Outcome::passed:
+            break;
+        case Outcome::failed:
+            append_failures(test, result);
+            break;
+        case Outcome::skipped:
+            set(test.append_child("skipped"), "message", result.status_reason);
+            break;
+        default:
+            append_error(test, result);
+    }
+    append_text(test, "system-out", attachments_of(result));
+    if (failed_as_expected(result)) {
+        append_text(test, "system-err", "failed as expected: " + printable(result.status_reason));
+    }
+}
+
+class JunitReporter final : public Reporter {
+public:
+    explicit JunitReporter(TextSink sink) : sink_(std::move(sink)) {}
+
+    void result(const WalkResult&) override {}
+
+    void end(const RunReport& report) override {
+        pugi::xml_document document;
+        pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+        set(declaration, "version", "1.0");
+        set(declaration, "encoding", "UTF-8");
+        pugi::xml_node root = document.append_child("testsuites");
+        Tally all;
+        for (const WalkResult& result : report.results) {
+            all.add(result);
+        }
+        set(root, "name", "campuswalk");
+        set_counts(root, report.results.size(), all);
+        for (const auto& [file, results] : by_file(report)) {
+            append_suite(root, file, results);
+        }
+        SinkWriter writer(sink_);
+        document.save(writer, "  ", pugi::format_default, pugi::encoding_utf8);
+    }
+
+private:
+    using Suites = std::vector<std::pair<std::string, std::vector<const WalkResult*>>>;
+
+    /// In the order in which their first cases come.
+    static Suites by_file(const RunReport& report) {
+        Suites suites;
+        std::map<std::string, std::size_t> places;
+        for (const WalkResult& result : report.results) {
+            const auto [place, is_new] = places.try_emplace(result.file, suites.size());
+            if (is_new) {
+                suites.push_back({result.file, {}});
+            }
+            suites[place->second].second.push_back(&result);
+        }
+        return suites;
+    }
+
+    static void append_suite(pugi::xml_node root, const std::string& file,
+                             const std::vector<const WalkResult*>& results) {
+        pugi::xml_node suite = root.append_child("testsuite");
+        Tally tally;
+        for (const WalkResult* result : results) {
+            tally.add(*result);
+        }
+        set(suite, "name", file);
+        set_counts(suite, results.size(), tally);
+        set(suite, "skipped", std::to_string(tally.skipped));
+        for (const WalkResult* result : results) {
+            append_case(suite, *result);
+        }
+    }
+
+    TextSink sink_;
+};
+
+}  // namespace
+
+std::unique_ptr<Reporter> make_junit_reporter(TextSink sink) {
+    return std::make_unique<JunitReporter>(std::move(sink));
+}
+
+}  // namespace campuswalk::engine

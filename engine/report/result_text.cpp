@@ -1,0 +1,105 @@
+#include "engine/report/result_text.h"
+
+#include <array>
+#include <utility>
+
+#include "engine/decimals.h"
+#include "engine/report/plain_text.h"
+#include "scene/diagnostic.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+std::size_t& count_of(Tally& tally, Outcome outcome) {
+    switch (outcome) {
+        case Outcome::passed:
+            return tally.passed;
+        case Outcome::failed:
+            return tally.failed;
+        case Outcome::skipped:
+            return tally.skipped;
+        case Outcome::bad_input:
+            return tally.bad_input;
+        case Outcome::broken:
+            return tally.broken;
+        default:
+            return tally.interrupted;
+    }
+}
+
+}  // namespace
+
+double seconds_of(const WalkResult& result) {
+    return result.ticks_per_second > 0 ? static_cast<double>(result.ticks) / result.ticks_per_second : 0.0;
+}
+
+std::string verdict_in_words(const WalkResult& result) {
+    switch (result.outcome) {
+        case Outcome::failed:
+            if (!result.expected_to_fail) {
+                return "";
+            }
+            return result.failures.empty() ? "it passed, but its status says that it fails"
+                                           : "it failed, but not as its status says";
+        case Outcome::interrupted:
+            return "interrupted before it ended";
+        case Outcome::broken:
+            return result.complaints.empty() ? "it ended without a result" : "";
+        default:
+            return "";
+    }
+}
+
+std::string title_of(const WalkResult& result) {
+    return printable(result.id);
+}
+
+std::string headline_of(const Failure& failure) {
+    return printable(scene::to_string({scene::Severity::error, failure.mark, failure.code, failure.message}));
+}
+
+std::string place_of(const FailureScene& scene) {
+    if (scene.tick == 0 && scene.last_events.empty() && scene.nearest.empty()) {
+        return "";
+    }
+    std::string place = "at " + fixed(scene.time, 3) + " s, " + fixed(scene.position) + ", facing " +
+                        fixed(scene.yaw * kDegrees, 1) + " degrees";
+    if (!scene.building.empty()) {
+        place += "; building " + printable(scene.building);
+    }
+    if (!scene.nearest.empty()) {
+        place +=
+            "; nearest " + printable(scene.nearest) + ", " + fixed(scene.nearest_distance, 2) + " m away";
+    }
+    return place;
+}
+
+void Tally::add(const WalkResult& result) {
+    ++count_of(*this, result.outcome);
+    expected_failures += failed_as_expected(result) ? 1U : 0U;
+    seconds += seconds_of(result);
+    distance += result.distance;
+}
+
+std::string summary_of(const Tally& tally) {
+    std::string text = std::to_string(tally.passed) + " passed";
+    if (tally.expected_failures > 0) {
+        text += " (" + std::to_string(tally.expected_failures) + " by failing as expected)";
+    }
+    const std::array<std::pair<std::size_t, const char*>, 5> others = {{{tally.failed, " failed"},
+                                                                        {tally.skipped, " skipped"},
+                                                                        {tally.bad_input, " with bad input"},
+                                                                        {tally.broken, " broken"},
+                                                                        {tally.interrupted, " interrupted"}}};
+    for (const auto& [count, what] : others) {
+        if (count > 0) {
+            text += ", " + std::to_string(count) + what;
+        }
+    }
+    return text + ": " + fixed(tally.seconds, 1) + " simulated seconds, " + fixed(tally.distance, 1) + " m";
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/report/make_reporter.h"
+#include "engine/report/outcome_names.h"
+#include "engine/report/walk_result.h"
+
+namespace campuswalk::engine {
+
+/// An xfail that failed as it said.
+constexpr bool failed_as_expected(const WalkResult& result) {
+    return result.outcome == Outcome::passed && result.expected_to_fail;
+}
+
+/// Simulated seconds.
+double seconds_of(const WalkResult& result);
+
+/// What is wrong with a case, without the failures' own words: an xfail that passed, for instance. Empty
+/// where failures and complaints say it all.
+std::string verdict_in_words(const WalkResult& result);
+
+/// FILE[ PROJECT][ #REPETITION], printable.
+std::string title_of(const WalkResult& result);
+
+/// `file:line:col: error CODE: message`.
+std::string headline_of(const Failure& failure);
+
+/// When, where and what else: one line, empty when nothing is known.
+std::string place_of(const FailureScene& scene);
+
+/// Counts over a run.
+struct Tally {
+    std::size_t passed = 0;
+    std::size_t failed = 0;
+    std::size_t skipped = 0;
+    std::size_t expected_failures = 0;  ///< among the passed
+    std::size_t bad_input = 0;
+    std::size_t broken = 0;
+    std::size_t interrupted = 0;
+    double seconds = 0.0;   ///< simulated
+    double distance = 0.0;  ///< metres
+
+    void add(const WalkResult& result);
+};
+
+/// "12 passed (2 as expected failures), 1 failed: 135.2 simulated seconds, 180.4 m"
+std::string summary_of(const Tally& tally);
+
+}  // namespace campuswalk::engine

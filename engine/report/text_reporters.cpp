@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "engine/decimals.h"
+#include "engine/report/plain_text.h"
+#include "engine/report/reporters.h"
+#include "engine/report/result_text.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+enum class Color { none, green, red, yellow };
+
+/// How a case's end is shown.
+struct Mark {
+    const char* word;
+    char letter;
+    Color color;
+};
+
+Mark mark_of(const WalkResult& result) {
+    switch (result.outcome) {
+        case Outcome::passed:
+            return result.expected_to_fail ? Mark{"xfail", 'x', Color::green}
+                                           : Mark{"pass", '.', Color::green};
+        case Outcome::failed:
+            return {"FAIL", 'F', Color::red};
+        case Outcome::skipped:
+            return {"skip", 's', Color::yellow};
+        case Outcome::interrupted:
+            return {"STOP", 'I', Color::yellow};
+        default:
+            return {"ERROR", 'E', Color::red};
+    }
+}
+
+bool is_as_it_should_be(const WalkResult& result) {
+    return result.outcome == Outcome::passed || result.outcome == Outcome::skipped;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
+}
+
+/// What both tell people: troubles in full at the end, and the counts.
+class TextReporter : public Reporter {
+public:
+    TextReporter(TextSink sink, ReportStyle style) : sink_(std::move(sink)), style_(std::move(style)) {}
+
+    void result(const WalkResult& result) final {
+        tally_.add(result);
+        if (!style_.quiet) {
+            tell(result);
+        }
+        if (!is_as_it_should_be(result)) {
+            troubles_.push_back(result);
+        }
+    }
+
+    void end(const RunReport&) final {
+        finish_cases();
+        for (std::size_t i = 0; i < troubles_.size(); ++i) {
+            tell_trouble(troubles_[i], i + 1);
+        }
+        if (!style_.quiet || !troubles_.empty()) {
+            say("");
+        }
+        say(colored(summary_of(tally_), troubles_.empty() ? Color::green : Color::red));
+    }
+
+protected:
+    virtual void tell(const WalkResult& result) = 0;
+    virtual void finish_cases() {}
+
+    void say(const std::string& line) { sink_(line + "\n"); }
+    void write(const std::string& text) { sink_(text); }
+
+    std::string colored(const std::string& text, Color color) const {
+        if (!style_.color || color == Color::none) {
+            return text;
+        }
+        const char* code = color == Color::green ? "32" : color == Color::red ? "31" : "33";
+        return std::string("\x1b[") + code + "m" + text + "\x1b[0m";
+    }
+
+private:
+    void tell_trouble(const WalkResult& result, std::size_t number) {
+        say("");
+        say(colored(std::to_string(number) + ") " + title_of(result), Color::red));
+        if (const std::string words = verdict_in_words(result); !words.empty()) {
+            const std::string reason = printable(result.status_reason);
+            say("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
+        }
+        for (const std::string& complaint : result.complaints) {
+            say("   " + printable(complaint));
+        }
+        for (const Failure& failure : result.failures) {
+            tell_failure(failure);
+        }
+        for (const Artifact& artifact : result.artifacts) {
+            const std::string folder = style_.folder.empty() ? "" : printable(style_.folder) + "/";
+            say("   " + printable(artifact.name) + ": " + folder + printable(artifact.path));
+        }
+    }
+
+    void tell_failure(const Failure& failure) {
+        say("   " + headline_of(failure));
+        if (const std::string place = place_of(failure.scene); !place.empty()) {
+            say("     " + place);
+        }
+        if (!failure.scene.last_events.empty()) {
+            say("     the last events before it:");
+        }
+        for (const std::string& event : failure.scene.last_events) {
+            say("       " + printable(event));
+        }
+    }
+
+    TextSink sink_;
+    ReportStyle style_;
+    Tally tally_;
+    std::vector<WalkResult> troubles_;
+};
+
+class ListReporter final : public TextReporter {
+public:
+    using TextReporter::TextReporter;
+
+private:
+    void tell(const WalkResult& result) override {
+        // Most names fit; what is longer pushes the rest of its line to the right.
+        constexpr std::size_t kWordWidth = 6;
+        constexpr std::size_t kTitleWidth = 48;
+        const Mark mark = mark_of(result);
+        std::string line = colored(padded(mark.word, kWordWidth), mark.color) + title_of(result);
+        const std::string details = details_of(result);
+        if (!details.empty()) {
+            line += std::string(kTitleWidth - std::min(kTitleWidth, title_of(result).size()), ' ') + "  " +
+                    details;
+        }
+        say(line);
+    }
+
+    static std::string details_of(const WalkResult& result) {
+        const std::string reason = printable(result.status_reason);
+        switch (result.outcome) {
+            case Outcome::passed:
+            case Outcome::failed:
+                return fixed(seconds_of(result), 1) + " s  " + fixed(result.distance, 1) + " m" +
+                       (reason.empty() ? "" : "  " + reason);
+            default:
+                return reason;
+        }
+    }
+};
+
+class DotReporter final : public TextReporter {
+public:
+    using TextReporter::TextReporter;
+
+private:
+    static constexpr int kDotsALine = 80;
+
+    void tell(const WalkResult& result) override {
+        const Mark mark = mark_of(result);
+        write(colored(std::string(1, mark.letter), mark.color));
+        if (++dots_ == kDotsALine) {
+            finish_cases();
+        }
+    }
+
+    void finish_cases() override {
+        if (dots_ > 0) {
+            write("\n");
+        }
+        dots_ = 0;
+    }
+
+    int dots_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Reporter> make_list_reporter(TextSink sink, const ReportStyle& style) {
+    return std::make_unique<ListReporter>(std::move(sink), style);
+}
+
+std::unique_ptr<Reporter> make_dot_reporter(TextSink sink, const ReportStyle& style) {
+    return std::make_unique<DotReporter>(std::move(sink), style);
+}
+
+}  // namespace campuswalk::engine

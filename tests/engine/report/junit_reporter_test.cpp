@@ -1,0 +1,66 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/engine/report/some_results.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// That it is well-formed and as the schema has it is checked by tests/tools/reports_test.py.
+
+TEST(JunitReporter, HasASuiteAFileAndACaseAWalk) {
+    WalkResult kiosk = failed_result("visit");
+    kiosk.project = "kiosk";
+    kiosk.repetition = 1;
+    EXPECT_EQ(written("junit", {{passed_result("visit"), skipped_result("lift"), kiosk}}),
+              R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuites name="campuswalk" tests="3" failures="1" errors="0" time="8.000">
+  <testsuite name="walks/visit.walk.yaml" tests="2" failures="1" errors="0" time="8.000" skipped="0">
+    <testcase name="visit" classname="walks/visit.walk.yaml" time="4.000" />
+    <testcase name="visit kiosk #1" classname="walks/visit.walk.yaml" time="4.000">
+      <failure type="sequence" message="popup.open library never came; last was &quot;ray.exit library/walls&quot;">walks/visit.walk.yaml:12:5: error sequence: popup.open library never came; last was "ray.exit library/walls"
+at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, 0.42 m away
+000240    4.000000 ray.enter library/walls
+000243    4.050000 ray.exit library/walls
+</failure>
+      <system-out>[[ATTACHMENT|visit/failure-above.png]]
+</system-out>
+    </testcase>
+  </testsuite>
+  <testsuite name="walks/lift.walk.yaml" tests="1" failures="0" errors="0" time="0.000" skipped="1">
+    <testcase name="lift" classname="walks/lift.walk.yaml" time="0.000">
+      <skipped message="the lift is out of order" />
+    </testcase>
+  </testsuite>
+</testsuites>
+)");
+}
+
+TEST(JunitReporter, TellsErrorsFromFailures) {
+    const std::string text = written("junit", mixed_report());
+    EXPECT_THAT(text,
+                HasSubstr("<error type=\"bad_input\" message=\"walks/typo.walk.yaml:3:1: error bad-value: "
+                          "speed must be > 0\">"));
+    EXPECT_THAT(text, HasSubstr("<error type=\"broken\" message=\"it ended without a result\">"));
+    EXPECT_THAT(text, HasSubstr("<error type=\"interrupted\" message=\"interrupted before it ended\">"));
+    EXPECT_THAT(text,
+                HasSubstr("<failure type=\"status\" message=\"it passed, but its status says that it fails"));
+    EXPECT_THAT(text, HasSubstr("tests=\"9\" failures=\"2\" errors=\"3\""));
+}
+
+TEST(JunitReporter, HoldsNoCharacterThatXmlRefuses) {
+    const std::string text = written("junit", hostile_report());
+    for (const char c : text) {
+        EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') << static_cast<int>(c);
+    }
+    EXPECT_THAT(text, Not(HasSubstr("<b>")));
+    EXPECT_THAT(text, Not(HasSubstr("&#")));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
