@@ -1,0 +1,173 @@
+#include "tools/campuswalk/golden_log.h"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+using Lines = std::vector<std::string>;
+
+const std::string kHeader = R"({"walk_log":1,"walk":"visit","campus":"school","tps":60,"seed":0})";
+const std::string kStart =
+    R"({"tick":0,"time":0.0,"event":"walk.start","object":"visit","pos":[0.0,0.0,5.0]})";
+const std::string kEnter =
+    R"({"tick":60,"time":1.0,"event":"trigger.enter","object":"door","pos":[0.0,0.0,3.6],"at":0.25})";
+
+std::string end_line(const std::string& result, int events, const std::string& hash = "00000000000000ab") {
+    return R"({"tick":90,"time":1.5,"event":"walk.end","object":"visit","result":")" + result +
+           R"(","events":)" + std::to_string(events) + R"(,"dist":2.1,"hash":")" + hash + R"("})";
+}
+
+const Lines kLog = {kHeader, kStart, kEnter, end_line("pass", 1)};
+
+class GoldenLog : public testing::Test {
+protected:
+    GoldenCheck check(const Lines& lines, UpdateSnapshots mode, const std::string& project = "") const {
+        return check_golden(walk_, project, lines, mode);
+    }
+    std::string file(const std::string& name = "log.jsonl") const {
+        std::ifstream stream(folder_.path() / "visit.walk.yaml-snapshots" / name);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    /// What is wrong with these lines beside kLog.
+    std::string complaint(const Lines& lines) const {
+        check(kLog, UpdateSnapshots::all);
+        const GoldenCheck checked = check(lines, UpdateSnapshots::none);
+        return checked.failure ? checked.failure->message : "";
+    }
+
+    support::TemporaryFolder folder_;
+    fs::path walk_ = folder_.path() / "visit.walk.yaml";
+    const std::string text_ = kHeader + "\n" + kStart + "\n" + kEnter + "\n" + end_line("pass", 1) + "\n";
+    const Lines other_ = {kHeader, kStart, end_line("pass", 0)};
+};
+
+TEST_F(GoldenLog, IsWrittenWhereItIsMissing) {
+    const GoldenCheck checked = check(kLog, UpdateSnapshots::missing);
+    EXPECT_FALSE(checked.failure);
+    EXPECT_EQ(checked.written, golden_log_file(walk_, ""));
+    EXPECT_EQ(file(), text_);
+    EXPECT_TRUE(check(kLog, UpdateSnapshots::missing).written.empty());
+}
+
+TEST_F(GoldenLog, IsAFileAProject) {
+    check(kLog, UpdateSnapshots::missing);
+    check(other_, UpdateSnapshots::missing, "kiosk");
+    EXPECT_EQ(file(), text_);
+    EXPECT_FALSE(check(other_, UpdateSnapshots::none, "kiosk").failure);
+    EXPECT_TRUE(check(other_, UpdateSnapshots::none).failure);
+}
+
+TEST_F(GoldenLog, MissingIsAFailureWhereNoneMayBeWritten) {
+    const GoldenCheck checked = check(kLog, UpdateSnapshots::none);
+    ASSERT_TRUE(checked.failure);
+    EXPECT_EQ(checked.failure->code, "log");
+    EXPECT_THAT(checked.failure->message, HasSubstr("--update-snapshots=missing"));
+    EXPECT_FALSE(fs::exists(folder_.path() / "visit.walk.yaml-snapshots"));
+}
+
+TEST_F(GoldenLog, IsOnlyReplacedWhenAsked) {
+    check(kLog, UpdateSnapshots::missing);
+    for (const UpdateSnapshots mode : {UpdateSnapshots::missing, UpdateSnapshots::none}) {
+        const GoldenCheck checked = check(other_, mode);
+        EXPECT_TRUE(checked.failure);
+        EXPECT_TRUE(checked.written.empty());
+        EXPECT_EQ(file(), text_);
+    }
+    const GoldenCheck changed = check(other_, UpdateSnapshots::changed);
+    EXPECT_FALSE(changed.failure);
+    EXPECT_FALSE(changed.written.empty());
+    EXPECT_NE(file(), text_);
+    EXPECT_TRUE(check(other_, UpdateSnapshots::changed).written.empty());
+    EXPECT_FALSE(check(kLog, UpdateSnapshots::all).written.empty());
+    EXPECT_EQ(file(), text_);
+}
+
+TEST_F(GoldenLog, TakesNoNoticeOfVerdicts) {
+    const std::string fail =
+        R"({"tick":90,"time":1.5,"event":"expect.fail","object":"never","line":7,"message":"x"})";
+    EXPECT_EQ(complaint({kHeader, kStart, kEnter, fail, end_line("fail", 2)}), "");
+    EXPECT_THAT(complaint({kHeader, kStart, kEnter, fail, end_line("fail", 2, "00000000000000ac")}),
+                HasSubstr("hash is 00000000000000ac instead of 00000000000000ab"));
+}
+
+TEST_F(GoldenLog, SaysWhatIsDifferentAndWhere) {
+    std::string farther = kEnter;
+    farther.replace(farther.find("3.6"), 3, "3.7");
+    EXPECT_EQ(complaint({kHeader, kStart, farther, end_line("pass", 1)}),
+              "the log is not the golden one (log.jsonl, line 3): 1.000000 s trigger.enter door: pos is "
+              "0.000,0.000,3.700 instead of 0.000,0.000,3.600; if that is meant, run with "
+              "--update-snapshots=changed");
+    EXPECT_THAT(complaint(other_), HasSubstr("line 3): 1.500000 s walk.end visit instead of "
+                                             "1.000000 s trigger.enter door;"));
+    EXPECT_THAT(complaint({kHeader, kStart}),
+                HasSubstr("line 3): the run ends there, and the golden log goes on "
+                          "with 000060    1.000000 trigger.enter    door"));
+    Lines more = kLog;
+    more.push_back(kEnter);
+    EXPECT_THAT(complaint(more), HasSubstr("line 5): the golden log ends there, and the run goes on with"));
+    std::string faster = kHeader;
+    faster.replace(faster.find("60"), 2, "120");
+    EXPECT_THAT(complaint({faster, kStart, kEnter, end_line("pass", 1)}),
+                HasSubstr("line 1): what it ran with: tps is 120 instead of 60;"));
+}
+
+TEST_F(GoldenLog, ShowsTheMomentAndTheEventsBefore) {
+    check(kLog, UpdateSnapshots::missing);
+    const GoldenCheck checked =
+        check({kHeader, kStart, kEnter, end_line("pass", 1, "ff")}, UpdateSnapshots::none);
+    ASSERT_TRUE(checked.failure);
+    const engine::FailureScene& scene = checked.failure->scene;
+    EXPECT_EQ(scene.tick, 90);
+    EXPECT_EQ(scene.time, 1.5);
+    EXPECT_EQ(scene.position, Eigen::Vector3d(0.0, 0.0, 3.6));
+    EXPECT_THAT(
+        scene.last_events,
+        testing::ElementsAre("000000    0.000000 walk.start       visit             pos=0.000,0.000,5.000",
+                             "000060    1.000000 trigger.enter    door              "
+                             "pos=0.000,0.000,3.600 at=0.250"));
+}
+
+TEST_F(GoldenLog, MayBeSpelledInAnotherWay) {
+    folder_.write(
+        "visit.walk.yaml-snapshots/log.jsonl",
+        kHeader + "\n" +
+            R"({ "tick": 0, "time": 0, "event": "walk.start", "object": "visit", "pos": [0, 0, 5] })" + "\n" +
+            kEnter + "\n" + end_line("pass", 1));
+    EXPECT_FALSE(check(kLog, UpdateSnapshots::none).failure);
+}
+
+TEST_F(GoldenLog, ThatIsGarbageIsADifferenceAndNoCrash) {
+    for (const std::string& text :
+         {std::string(), std::string("\n"), std::string("{\"walk_log\":1"), std::string(5000, '['),
+          std::string(300, '\0'), kHeader + "\n[]\n",
+          kHeader + "\n{\"tick\":\"x\",\"time\":[],\"event\":3,\"object\":null}\n"}) {
+        folder_.write("visit.walk.yaml-snapshots/log.jsonl", text);
+        EXPECT_TRUE(check(kLog, UpdateSnapshots::none).failure);
+    }
+}
+
+TEST_F(GoldenLog, ThatCannotBeWrittenLeavesNothingBehind) {
+    folder_.write("visit.walk.yaml-snapshots/log.jsonl/in-the-way", "");
+    EXPECT_THROW(check(kLog, UpdateSnapshots::all), std::runtime_error);
+    EXPECT_THROW(check(kLog, UpdateSnapshots::none), std::runtime_error);
+    std::size_t entries = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path() / "visit.walk.yaml-snapshots")) {
+        entries += entry.exists() ? 1U : 0U;
+    }
+    EXPECT_EQ(entries, 1U);
+}
+
+}  // namespace
+}  // namespace campuswalk::tools
