@@ -20,16 +20,33 @@ bool can_run(Instructions instructions) {
     return false;
 }
 
-Instructions fastest_instructions() {
-    static const Instructions fastest = [] {
-        for (const Instructions best : {Instructions::avx2, Instructions::sse42}) {
-            if (can_run(best)) {
-                return best;
-            }
+namespace {
+
+Instructions fastest() {
+    for (const Instructions best : {Instructions::avx2, Instructions::sse42}) {
+        if (can_run(best)) {
+            return best;
         }
-        throw std::runtime_error("collision queries need a processor with SSE4.2");
-    }();
-    return fastest;
+    }
+    throw std::runtime_error("collision queries need a processor with SSE4.2");
+}
+
+Instructions& usual() {
+    static Instructions instructions = fastest();
+    return instructions;
+}
+
+}  // namespace
+
+Instructions usual_instructions() {
+    return usual();
+}
+
+void use_instructions(Instructions instructions) {
+    if (!can_run(instructions)) {
+        throw std::runtime_error("this processor hasn't got these instructions");
+    }
+    usual() = instructions;
 }
 
 }  // namespace campuswalk::collision

@@ -27,11 +27,11 @@ namespace campuswalk::collision {
 /// nu: pairs of nodes brought into one frame. On the paper's layout, see HybridContactCounters.
 void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                   std::vector<TrianglePair>& out, QueryCounters& counters,
-                  Instructions instructions = fastest_instructions());
+                  Instructions instructions = usual_instructions());
 
 /// The pair that all_contacts finds first; none if the surfaces are apart.
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                                           QueryCounters& counters,
-                                          Instructions instructions = fastest_instructions());
+                                          Instructions instructions = usual_instructions());
 
 }  // namespace campuswalk::collision

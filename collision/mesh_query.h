@@ -40,15 +40,15 @@ struct MeshHit {
 
 /// The first triangle on the ray; of several at one fraction, the lowest index.
 std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
-                                    Instructions instructions = fastest_instructions());
+                                    Instructions instructions = usual_instructions());
 
 /// Whether there is a triangle on the ray.
 bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
-                Instructions instructions = fastest_instructions());
+                Instructions instructions = usual_instructions());
 
 /// Replaces `out` by all triangles on the ray, ascending by fraction, then by index.
 void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
-                Instructions instructions = fastest_instructions());
+                Instructions instructions = usual_instructions());
 
 /// Replaces `out` by the triangles that have a point in the filled box (see triangle_box_overlap.h),
 /// ascending. X_mesh_box is a rotation and a shift.

@@ -182,7 +182,7 @@ private:
 
     const TriangleMesh& mesh_;
     WideTree& tree_;
-    const Instructions instructions_ = fastest_instructions();
+    const Instructions instructions_ = usual_instructions();
     std::vector<Lanes> points_;  ///< the mesh's positions
     std::vector<SplitItem> items_;
     std::vector<SplitItem> spare_;

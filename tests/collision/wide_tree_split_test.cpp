@@ -83,7 +83,7 @@ TEST(WideTreeSplit, PartsWhatLiesApart) {
     for (std::uint32_t i = 0; i < 40; ++i) {
         items.push_back(item(i, Vec3(0.1 * i, i % 3 == 0 ? 5.0 : -5.0, 0.0), Vec3(0.1, 0.1, 0.1)));
     }
-    const std::size_t left = split(items, fastest_instructions());
+    const std::size_t left = split(items, usual_instructions());
     EXPECT_EQ(left, 26U);
     expect_parted(items, left);
     EXPECT_LT(items[left - 1].center(1), 0.0F);
@@ -95,7 +95,7 @@ TEST(WideTreeSplit, HalvesWhatLiesAtOnePlace) {
     for (std::uint32_t i = 0; i < 101; ++i) {
         items.push_back(item(i, Vec3(1, 2, 3), Vec3(1, 1, 1)));
     }
-    EXPECT_EQ(split(items, fastest_instructions()), 50U);
+    EXPECT_EQ(split(items, usual_instructions()), 50U);
     expect_parted(items, 50);
 }
 
@@ -105,7 +105,7 @@ TEST(WideTreeSplit, HalvesWhereFewLieFarAway) {
         const double x = i == 40 ? 1e6 : 0.01 * (i * 37 % 100);
         items.push_back(item(i, Vec3(x, 0.0, 0.0), Vec3(0.1, 0.1, 0.1)));
     }
-    const std::size_t left = split(items, fastest_instructions());
+    const std::size_t left = split(items, usual_instructions());
     EXPECT_EQ(left, 50U) << "one in a hundred is less than a sixteenth";
     expect_parted(items, left);
     float most = items[0].center(0);

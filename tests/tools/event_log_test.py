@@ -2,6 +2,7 @@
 """The two logs: what stands in them, that they agree, and that they are the same every time."""
 
 import json
+import os
 import re
 import signal
 import subprocess
@@ -48,6 +49,23 @@ class EventLog(ProgramCase):
         text = self.read("a.log").decode()
         self.assertEqual(text, outcome.out)
         return text.splitlines(), self.read("a.jsonl").decode().splitlines()
+
+    def test_the_log_is_the_same_on_every_instruction_set(self):
+        usual = self.passes("run", "short.walk.yaml").out
+        for instructions in ("sse42", "avx2", "avx512"):
+            with self.subTest(instructions):
+                environment = dict(os.environ, CAMPUSWALK_INSTRUCTIONS=instructions)
+                outcome = self.run_program("run", "short.walk.yaml", env=environment)
+                if outcome.err == (f"CAMPUSWALK_INSTRUCTIONS: error bad-value: '{instructions}': "
+                                   "this processor can't\n"):
+                    self.skipTest(outcome.err)
+                self.assertEqual((outcome.code, outcome.out), (0, usual))
+
+    def test_an_unknown_instruction_set_is_refused(self):
+        outcome = self.run_program("run", "short.walk.yaml",
+                                   env=dict(os.environ, CAMPUSWALK_INSTRUCTIONS="mmx"))
+        self.assertEqual((outcome.code, outcome.out, outcome.complaints),
+                         (2, "", ["CAMPUSWALK_INSTRUCTIONS: error bad-value: 'mmx' is none of sse42, avx2, avx512"]))
 
     def test_both_logs_agree_event_by_event(self):
         text, jsonl = self.logs("short.walk.yaml", "fails.walk.yaml")

@@ -6,6 +6,7 @@
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/standard_streams.h"
+#include "tools/campuswalk/wanted_instructions.h"
 
 using namespace campuswalk;
 using namespace campuswalk::tools;
@@ -23,6 +24,7 @@ void add_commands(Command program, Chosen& chosen) {
 
 int guarded(const Chosen& command) {
     try {
+        use_wanted_instructions();
         const int exit_code = command();
         check_standard_output();
         return exit_code;
