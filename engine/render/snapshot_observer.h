@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "engine/observers/observer.h"
 #include "engine/render/snapshot_painter.h"
+#include "engine/render/walk_trail.h"
 #include "scene/campus.h"
 
 namespace campuswalk::engine::render {
@@ -31,19 +30,13 @@ public:
     const std::vector<std::filesystem::path>& files() const { return files_; }
 
 private:
-    void follow(const AvatarState& avatar);
-
     const scene::Campus& campus_;
     std::filesystem::path folder_;
     SnapshotSettings settings_;
     std::unique_ptr<SnapshotPainter> painter_;
     std::string walk_name_;
     AvatarProfile profile_;
-    std::vector<Eigen::Vector3d> path_;  // a point every half metre, then where the avatar is
-    Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
-    double walked_ = 0.0;  // metres, for the phase of the step
-    bool moving_ = false;
-    bool started_ = false;
+    WalkTrail trail_;
     std::vector<std::filesystem::path> files_;
 };
 

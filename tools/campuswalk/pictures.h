@@ -33,6 +33,11 @@ std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const e
                                             const std::filesystem::path& output,
                                             const std::filesystem::path& folder);
 
+/// The end of a way from above, with the way; the avatar looks where it leads. `way` has at least one point.
+void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
+              std::span<const Eigen::Vector3d> way, const std::string& caption,
+              const std::filesystem::path& file);
+
 /// One picture of a campus: from above all of it, otherwise from `avatar`'s place.
 void draw_campus(const scene::Campus& campus, const engine::CameraSettings& camera,
                  const engine::AvatarState& avatar, const std::filesystem::path& file);

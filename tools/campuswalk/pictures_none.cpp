@@ -13,6 +13,18 @@ std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus&, cons
     return nullptr;
 }
 
+std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
+                                            std::span<const engine::Failure>, const std::filesystem::path&,
+                                            const std::filesystem::path&) {
+    assert(false);
+    return {};
+}
+
+void draw_way(const scene::Campus&, const engine::AvatarProfile&, std::span<const Eigen::Vector3d>,
+              const std::string&, const std::filesystem::path&) {
+    assert(false);
+}
+
 void draw_campus(const scene::Campus&, const engine::CameraSettings&, const engine::AvatarState&,
                  const std::filesystem::path&) {
     assert(false);

@@ -1,14 +1,15 @@
+#include <cmath>
+
 #include "collision/cast.h"
 #include "engine/render/png.h"
 #include "engine/render/snapshot_observer.h"
-#include "engine/render/snapshot_painter.h"
+#include "tools/campuswalk/map_picture.h"
+#include "tools/campuswalk/picture_settings.h"
 #include "tools/campuswalk/pictures.h"
 
 namespace campuswalk::tools {
 
 using engine::render::SnapshotSettings;
-
-namespace {
 
 SnapshotSettings settings_for(const scene::Campus& campus) {
     SnapshotSettings settings;
@@ -21,8 +22,6 @@ SnapshotSettings settings_for(const scene::Campus& campus) {
     return settings;
 }
 
-}  // namespace
-
 bool can_draw() {
     return true;
 }
@@ -30,6 +29,26 @@ bool can_draw() {
 std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
                                                       const std::filesystem::path& folder) {
     return std::make_unique<engine::render::SnapshotObserver>(campus, folder, settings_for(campus));
+}
+
+void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
+              std::span<const Eigen::Vector3d> way, const std::string& caption,
+              const std::filesystem::path& file) {
+    constexpr double kStep = 0.05;  // metres: less has no direction
+    MapMoment moment;
+    moment.avatar.position = way.back();
+    moment.profile = avatar;
+    moment.path = way;
+    moment.caption = caption;
+    for (std::size_t i = way.size(); i > 0; --i) {
+        const Eigen::Vector3d along = way.back() - way[i - 1];
+        if (std::hypot(along.x(), along.z()) > kStep) {
+            moment.avatar.yaw = std::atan2(-along.x(), -along.z());
+            break;
+        }
+    }
+    engine::render::SnapshotPainter painter(campus, settings_for(campus));
+    engine::render::write_png(draw_map(campus, painter, moment, 1280, 720), file);
 }
 
 void draw_campus(const scene::Campus& campus, const engine::CameraSettings& camera,

@@ -1,0 +1,141 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/run_walk.h"
+#include "tests/engine/render/small_scenes.h"
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/campuswalk/map_picture.h"
+#include "tools/campuswalk/pictures.h"
+
+namespace campuswalk::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace engine::render::test;
+using engine::render::Picture;
+
+/// Grey ground with a red wall ahead of the origin; under a green roof, 3 m up, when asked.
+scene::Campus small_campus(bool roofed) {
+    SceneBuilder builder;
+    builder.paint(kGrey).ground(60.0).paint(kRed).box({-3, 0, -6}, {3, 2, -5});
+    scene::Campus campus = engine::level_campus(30.0);
+    engine::add_box(campus, "wall", {-3, 0, -6}, {3, 2, -5});
+    if (roofed) {
+        builder.paint(kGreen).box({-8, 3, -8}, {8, 3.2, 8});
+        engine::add_box(campus, "roof", {-8, 3, -8}, {8, 3.2, 8});
+    }
+    campus.models = {builder.model()};
+    return campus;
+}
+
+engine::render::SnapshotSettings quick() {
+    engine::render::SnapshotSettings settings;
+    settings.light = quick_settings();
+    return settings;
+}
+
+Picture map_of(const scene::Campus& campus, const std::vector<Eigen::Vector3d>& path) {
+    engine::render::SnapshotPainter painter(campus, quick());
+    return draw_map(campus, painter, {{}, {}, path, ""}, 320, 180);
+}
+
+template <typename Is>
+int count(const Picture& picture, const Is& is) {
+    int pixels = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const auto [r, g, b] = picture.pixel(x, y);
+            pixels += is(int{r}, int{g}, int{b}) ? 1 : 0;
+        }
+    }
+    return pixels;
+}
+
+bool is_green(int r, int g, int b) {
+    return g > 2 * r && g > 2 * b;
+}
+
+TEST(MapPicture, CutsAwayWhatIsOverTheAvatarsHead) {
+    EXPECT_EQ(count(map_of(small_campus(true), {}), is_green), 0);
+    // Beside the roof there is nothing to cut away.
+    const scene::Campus campus = small_campus(true);
+    engine::render::SnapshotPainter painter(campus, quick());
+    MapMoment beside;
+    beside.avatar.position = {12, 0, 0};
+    EXPECT_GT(count(draw_map(campus, painter, beside, 320, 180), is_green), 2000);
+}
+
+TEST(MapPicture, ShowsTheWayWalkedAndTheAvatarAtItsEnd) {
+    const auto yellow = [](int r, int g, int b) { return r > b + 50 && g > b + 25; };
+    const scene::Campus campus = small_campus(false);
+    EXPECT_EQ(count(map_of(campus, {}), yellow), 0);
+    EXPECT_GT(count(map_of(campus, {{-10, 0, 5}, {0, 0, 5}, {0, 0, 0}}), yellow), 60);
+    const auto [r, g, b] = map_of(campus, {}).pixel(160, 88);  // the arrow, a little before its place
+    EXPECT_TRUE(r > 2 * g && r > 2 * b) << int{r} << " " << int{g} << " " << int{b};
+}
+
+/// A walk into the wall, with what came of it.
+class FailurePictures : public testing::Test {
+protected:
+    FailurePictures() { failures_ = engine::run_walk(campus_, walk_, {}).failures; }
+
+    std::vector<std::string> drawn() const {
+        std::vector<std::string> paths;
+        for (const engine::Artifact& artifact :
+             draw_failures(campus_, walk_, failures_, folder_.path() / "out", "stroll")) {
+            EXPECT_TRUE(fs::is_regular_file(folder_.path() / "out" / artifact.path)) << artifact.path;
+            EXPECT_EQ(artifact.media_type, "image/png");
+            paths.push_back(artifact.name + ": " + artifact.path);
+        }
+        return paths;
+    }
+    void fail_at(engine::Tick tick) {
+        engine::Failure failure;
+        failure.code = "never";
+        failure.scene.tick = tick;
+        failures_.push_back(failure);
+    }
+
+    support::TemporaryFolder folder_;
+    scene::Campus campus_ = small_campus(false);
+    engine::Walk walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), engine::walk_to(0, -10)});
+    std::vector<engine::Failure> failures_;
+};
+
+TEST_F(FailurePictures, AreTwoAMoment) {
+    ASSERT_EQ(failures_.size(), 1U);
+    failures_.clear();
+    fail_at(30);
+    fail_at(30);
+    fail_at(60);
+    EXPECT_THAT(drawn(), testing::ElementsAre("failure at 0.50 s from the eyes: stroll/failure-eyes.png",
+                                              "failure at 0.50 s from above: stroll/failure-above.png",
+                                              "failure at 1.00 s from the eyes: stroll/failure-2-eyes.png",
+                                              "failure at 1.00 s from above: stroll/failure-2-above.png"));
+}
+
+TEST_F(FailurePictures, AreNoneWithoutAFailure) {
+    failures_.clear();
+    EXPECT_TRUE(drawn().empty());
+    EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+}
+
+TEST_F(FailurePictures, OfAMomentAfterTheLastTickAreThoseOfTheLast) {
+    failures_.clear();
+    fail_at(1000000);
+    const std::vector<std::string> last = drawn();
+    ASSERT_EQ(last.size(), 2U);
+    EXPECT_THAT(last[0], testing::EndsWith("stroll/failure-eyes.png"));
+}
+
+TEST_F(FailurePictures, ThatCannotBeWrittenSaySo) {
+    folder_.write("out/stroll", "in the way");
+    EXPECT_THROW(drawn(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace campuswalk::tools

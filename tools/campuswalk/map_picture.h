@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "engine/avatar.h"
+#include "engine/frame_record.h"
+#include "engine/render/picture.h"
+#include "engine/render/snapshot_painter.h"
+#include "scene/campus.h"
+
+namespace campuswalk::tools {
+
+/// A place on a walk, as it shall be drawn from above.
+struct MapMoment {
+    engine::AvatarState avatar;
+    engine::AvatarProfile profile;
+    std::span<const Eigen::Vector3d> path;  ///< walked so far
+    std::string caption;                    ///< in the upper left corner
+};
+
+/// The surroundings from above, north up, with the way walked and where the avatar looks. What is over the
+/// avatar's head is cut away where it stands under something solid.
+engine::render::Picture draw_map(const scene::Campus& campus, engine::render::SnapshotPainter& painter,
+                                 const MapMoment& moment, int width, int height);
+
+}  // namespace campuswalk::tools

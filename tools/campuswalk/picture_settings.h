@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/render/snapshot_painter.h"
+#include "scene/campus.h"
+
+namespace campuswalk::tools {
+
+/// How this program draws a campus: cameras stay out of its walls. `campus` must outlive what uses them.
+engine::render::SnapshotSettings settings_for(const scene::Campus& campus);
+
+}  // namespace campuswalk::tools
