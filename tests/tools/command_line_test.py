@@ -7,7 +7,7 @@ import subprocess
 
 from program import CAMPUS, ROOM, WALK, ProgramCase, main
 
-COMMANDS = ("run", "validate", "info", "snapshot", "bench")
+COMMANDS = ("run", "validate", "info", "snapshot", "diff", "replay", "bench")
 
 
 class Help(ProgramCase):
@@ -44,7 +44,7 @@ class Usage(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_commands(self):
-        self.refused([], "a command is needed: run, validate, info, collide, snapshot, bench")
+        self.refused([], "a command is needed: run, validate, info, collide, snapshot, diff, replay, bench")
         self.refused(["rum"], "there is no command 'rum' (did you mean 'run'?)")
         self.refused(["dance"], "there is no command 'dance'")
         self.refused(["--verbose"], "there is no option '--verbose'")

@@ -68,6 +68,9 @@ std::string right_aligned(const std::string& text, std::size_t width, char fill)
 
 /// When and what, without the details.
 std::string short_text(const Json& json) {
+    if (json.is_discarded()) {
+        return "a line that is no JSON";
+    }
     return is_event(json) ? shown("time", Json(json["time"].get<double>())) + " s " + text_in(json, "event") +
                                 " " + text_in(json, "object")
                           : json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -154,10 +157,7 @@ std::optional<std::string> difference(std::string_view expected, std::string_vie
     }
     const Json was = parsed(expected);
     const Json is = parsed(found);
-    if (was.is_discarded() || is.is_discarded()) {
-        return "one of them is no JSON";
-    }
-    if (was == is) {
+    if (!was.is_discarded() && was == is) {
         return std::nullopt;
     }
     if (is_header(was) && is_header(is)) {

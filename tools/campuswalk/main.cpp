@@ -19,6 +19,8 @@ void add_commands(Command program, Chosen& chosen) {
     add_info(program, chosen);
     add_collide(program, chosen);
     add_snapshot(program, chosen);
+    add_diff(program, chosen);
+    add_replay(program, chosen);
     add_bench(program, chosen);
 }
 

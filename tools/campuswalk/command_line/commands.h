@@ -11,6 +11,8 @@ void add_validate(Command program, Chosen& chosen);
 void add_info(Command program, Chosen& chosen);
 void add_collide(Command program, Chosen& chosen);
 void add_snapshot(Command program, Chosen& chosen);
+void add_diff(Command program, Chosen& chosen);
+void add_replay(Command program, Chosen& chosen);
 void add_bench(Command program, Chosen& chosen);
 
 }  // namespace campuswalk::tools

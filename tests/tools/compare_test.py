@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""`campuswalk diff` and `campuswalk replay` on logs of the small campus."""
+
+import json
+import os
+import sys
+
+from program import WALK, ProgramCase, main
+
+WITHOUT_RENDERING = "--without-rendering" in sys.argv
+
+
+class Compare(ProgramCase):
+    """a.jsonl is a log of short.walk.yaml, b.jsonl one of a walk of that name that ends 0.5 m beside."""
+
+    def setUp(self):
+        super().setUp()
+        self.passes("run", "short.walk.yaml", "--jsonl", "a.jsonl", "-q")
+        aside = WALK.replace("small.campus", "../small.campus").replace("walk_to: end", "walk_to: [0.5, -2]")
+        self.write("other/short.walk.yaml", aside)
+        self.passes("run", "other/short.walk.yaml", "--jsonl", "b.jsonl", "-q")
+
+    def lines(self, name):
+        return self.read(name).decode().splitlines()
+
+    def refused(self, arguments, complaint):
+        before = self.contents()
+        outcome = self.run_program(*arguments)
+        self.assertEqual((outcome.code, outcome.out, outcome.complaints), (2, "", [complaint]))
+        self.assertEqual(self.contents(), before)
+
+
+class Diff(Compare):
+    """Where two logs part."""
+
+    def test_equal_logs(self):
+        self.assertEqual(self.passes("diff", "a.jsonl", "a.jsonl").out, "a.jsonl and a.jsonl are the same: 16 lines\n")
+        respelled = "\n".join(json.dumps(json.loads(line)) for line in self.lines("a.jsonl"))
+        self.write("c.jsonl", respelled)
+        self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
+
+    def test_the_first_divergence_with_both_sides(self):
+        outcome = self.run_program("diff", "a.jsonl", "b.jsonl")
+        self.assertEqual((outcome.code, outcome.err), (1, ""))
+        pairs = zip(self.lines("a.jsonl"), self.lines("b.jsonl"))
+        first = next(i for i, (a, b) in enumerate(pairs, 1) if a != b)
+        self.assertIn(f"a.jsonl and b.jsonl part in line {first}, in the walk short: in B 1.000000 s ray.stay hut/wall: "
+                      "pos is 0.100,0.000,3.604 instead of 0.000,0.000,3.600", outcome.lines[0])
+        text = self.passes("run", "short.walk.yaml").lines
+        around = [f"  {i:6}  {text[i - 1]}" for i in range(first - 3, first)]
+        around += [f"A {i:6}  {text[i - 1]}" for i in range(first, first + 3)]
+        self.assertEqual(outcome.lines[2:8], around)
+        self.assertEqual([line[:9] for line in outcome.lines[8:]], [f"B {i:6} " for i in range(first, first + 3)])
+
+    def test_a_log_that_ends_earlier(self):
+        lines = self.lines("a.jsonl")
+        self.write("c.jsonl", "\n".join(lines[:5]) + "\n")
+        outcome = self.run_program("diff", "a.jsonl", "c.jsonl")
+        self.assertEqual(outcome.code, 1)
+        self.assertIn("part in line 6, in the walk short: B ends", outcome.lines[0])
+        self.assertEqual(outcome.lines[-1], "B      6  (the log ends)")
+        outcome = self.run_program("diff", "c.jsonl", "a.jsonl")
+        self.assertIn(": A ends", outcome.lines[0])
+        self.write("c.jsonl", "\n".join(lines[:5]) + "\n" + lines[5][:20])
+        outcome = self.run_program("diff", "a.jsonl", "c.jsonl")
+        self.assertEqual(outcome.code, 1)
+        self.assertIn("part in line 6, in the walk short: in B a line that is no JSON instead of", outcome.lines[0])
+
+    def test_names_the_walk_of_several(self):
+        self.write("late.walk.yaml", WALK)
+        self.passes("run", "short.walk.yaml", "late.walk.yaml", "--jsonl", "c.jsonl", "-q")
+        lines = self.lines("c.jsonl")
+        changed = lines[:-1] + [lines[-1].replace('"result":"pass"', '"result":"fail"')]
+        self.write("d.jsonl", "\n".join(changed) + "\n")
+        outcome = self.run_program("diff", "c.jsonl", "d.jsonl")
+        self.assertEqual(outcome.code, 1)
+        self.assertIn(f"part in line {len(lines)}, in the walk late: ", outcome.lines[0])
+        self.assertIn("result is fail instead of pass", outcome.lines[0])
+
+    def test_what_is_no_log(self):
+        no_log = ":1:1: error no-log: this is no event log as JSON lines; make one with campuswalk run --jsonl FILE"
+        for text in ("", "{}\n", "[" * 100000, b"\x00\xff\n", "# walk-log 1 walk=a\n"):
+            self.write("c.jsonl", text)
+            self.refused(("diff", "a.jsonl", "c.jsonl"), "c.jsonl" + no_log)
+            self.refused(("diff", "c.jsonl", "a.jsonl"), "c.jsonl" + no_log)
+        self.refused(("diff", "a.jsonl", "none.jsonl"), "none.jsonl: error unreadable: there is no such file")
+        self.refused(("diff", "a.jsonl", "other"), "other: error unreadable: the file can't be read")
+
+    def test_pictures_need_a_walk_and_a_place(self):
+        both = ("diff", "a.jsonl", "b.jsonl")
+        self.refused(both + ("--pictures", "p"),
+                     "--pictures: error bad-value: name the walk of these logs, for its campus: --walk FILE")
+        self.refused(both + ("--walk", "short.walk.yaml"),
+                     "--walk: error bad-value: it is for pictures: add --pictures DIR")
+        if WITHOUT_RENDERING:
+            self.refused(both + ("--pictures", "p", "--walk", "short.walk.yaml"),
+                         "--pictures: error bad-value: this build has no rendering")
+            return
+        self.refused(both + ("--pictures", "a.jsonl", "--walk", "short.walk.yaml"),
+                     "a.jsonl: error output-unwritable: pictures can't be saved here: 'a.jsonl' is not a folder")
+
+    def test_pictures_of_both_sides(self):
+        if WITHOUT_RENDERING:
+            self.skipTest("this build has no rendering")
+        outcome = self.run_program("diff", "a.jsonl", "b.jsonl", "--pictures", "p", "--walk", "short.walk.yaml")
+        self.assertEqual((outcome.code, outcome.err), (1, ""))
+        self.assertEqual(outcome.lines[-2:], ["p/a.png", "p/b.png"])
+        for name in ("p/a.png", "p/b.png"):
+            self.assertTrue(self.read(name).startswith(b"\x89PNG"))
+        self.assertNotEqual(self.read("p/a.png"), self.read("p/b.png"))
+        self.assertEqual(sorted(os.listdir(self.path("p"))), ["a.png", "b.png"])
+
+
+class Replay(Compare):
+    """Whether what was walked is walked again."""
+
+    def result(self, **changes):
+        """A line of a report about short.walk.yaml."""
+        end = json.loads(self.lines("a.jsonl")[-1])
+        return json.dumps({"id": "short.walk.yaml", "file": "short.walk.yaml", "name": "short", "project": "",
+                           "repetition": 0, "tags": [], "status_reason": "", "expected_to_fail": False,
+                           "outcome": "passed", "failures": [], "complaints": [], "campus": "small",
+                           "ticks_per_second": 60, "seed": 0, "ticks": end["tick"], "events": end["events"],
+                           "distance": end["dist"], "hash": end["hash"], "artifacts": [], **changes})
+
+    def report(self, *results):
+        self.write("r.jsonl", "\n".join((json.dumps({"campuswalk_results": 1, "cases": len(results)}), *results)))
+
+    def test_a_log_prints_again(self):
+        outcome = self.passes("replay", "a.jsonl", "--walk", "short.walk.yaml")
+        self.assertEqual(outcome.out, self.passes("run", "short.walk.yaml").out)
+
+    def test_a_log_is_verified(self):
+        verify = ("replay", "a.jsonl", "--verify", "--walk")
+        self.assertEqual(self.passes(*verify, "short.walk.yaml").lines,
+                         ["same    short.walk.yaml", "1 of 1 walks went the same again"])
+        outcome = self.run_program(*verify, "other/short.walk.yaml")
+        was = json.loads(self.lines("a.jsonl")[-1])["hash"]
+        now = json.loads(self.lines("b.jsonl")[-1])["hash"]
+        self.assertEqual((outcome.code, outcome.lines),
+                         (1, [f"DIFFERS other/short.walk.yaml: hash {now}, was {was}",
+                              "0 of 1 walks went the same again"]))
+
+    def test_a_report_is_verified(self):
+        self.report(self.result(), self.result(outcome="skipped", hash="0" * 16))
+        self.assertEqual(self.passes("replay", "r.jsonl", "--verify").lines,
+                         ["same    short.walk.yaml", "no hash short.walk.yaml: skipped",
+                          "1 of 2 walks went the same again"])
+        self.report(self.result(), self.result(hash="00000000000000ab"))
+        outcome = self.run_program("replay", "r.jsonl", "--verify")
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.lines[1], "^DIFFERS short.walk.yaml: hash [0-9a-f]{16}, was 00000000000000ab$")
+
+    def test_what_can_not_be_replayed(self):
+        self.refused(("replay", "a.jsonl", "--verify"), "a.jsonl:1:1: error unknown-walk: a log doesn't say where its "
+                     "walk is: add --walk .../short.walk.yaml")
+        self.refused(("replay", "short.walk.yaml", "--verify"), "short.walk.yaml:1:1: error no-log: this is neither a "
+                     "log (run --jsonl FILE) nor a report (run --reporter jsonl=FILE)")
+        self.refused(("replay", "a.jsonl", "--walk", "short.walk.yaml", "--walk", "other/short.walk.yaml"),
+                     "other/short.walk.yaml: error duplicate-name: two walks called short: give --walk one of them")
+        self.write("c.jsonl", self.lines("a.jsonl")[0] + "\n")
+        self.refused(("replay", "c.jsonl", "--verify", "--walk", "short.walk.yaml"),
+                     "c.jsonl: error nothing-to-replay: no walk in it has come to its end")
+        self.report(self.result(), self.result()[:40])
+        self.assertIn("r.jsonl:3:1: error no-result: not a walk's result: ",
+                      self.run_program("replay", "r.jsonl", "--verify").err)
+        self.report(self.result())
+        self.refused(("replay", "r.jsonl", "--verify", "--walk", "short.walk.yaml"),
+                     "--walk: error bad-value: a report names its walks itself")
+
+
+if __name__ == "__main__":
+    if WITHOUT_RENDERING:
+        sys.argv.remove("--without-rendering")
+    main()

@@ -1,0 +1,97 @@
+#include "tools/campuswalk/replay_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <string>
+
+#include "engine/observers/text_log.h"
+#include "engine/run_walk.h"
+#include "scene/diagnostic.h"
+#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/log_output.h"
+#include "tools/campuswalk/read_lines.h"
+#include "tools/campuswalk/recorded_walks.h"
+#include "tools/campuswalk/walk_loader.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+std::string title_of(const RecordedWalk& walk) {
+    return walk.file.generic_string() + (walk.project.empty() ? "" : " " + walk.project);
+}
+
+/// All of them, so that nothing is walked when one can't be.
+std::vector<LoadedWalk> load_all(const ReplayOptions& options, const std::vector<RecordedWalk>& recorded) {
+    WalkLoader loader;
+    std::vector<LoadedWalk> loaded;
+    for (const RecordedWalk& walk : recorded) {
+        if (!walk.hash && options.verify) {
+            loaded.emplace_back();
+            continue;
+        }
+        if (!walk.project.empty()) {
+            throw scene::InputError(
+                {options.run.string(), static_cast<int>(walk.line), 1}, "project",
+                "walks of a project can't be replayed yet; run them with --project " + walk.project);
+        }
+        loaded.push_back(loader.load_walk(walk.file));
+    }
+    return loaded;
+}
+
+int print_again(const std::vector<LoadedWalk>& walks) {
+    LogOutput output(true, std::nullopt);
+    for (const LoadedWalk& loaded : walks) {
+        engine::TextLog log([&](std::string_view line) { output.line(line); });
+        const std::array<engine::Observer*, 1> observers = {&log};
+        engine::run_walk(*loaded.campus, loaded.walk, observers);
+    }
+    output.flush();
+    return kPass;
+}
+
+/// Whether the walk went as it did then.
+bool went_the_same(const RecordedWalk& recorded, const LoadedWalk& loaded) {
+    const std::uint64_t hash = engine::run_walk(*loaded.campus, loaded.walk, {}).hash;
+    if (hash == *recorded.hash) {
+        std::printf("same    %s\n", title_of(recorded).c_str());
+        return true;
+    }
+    std::printf("DIFFERS %s: hash %016" PRIx64 ", was %016" PRIx64 "\n", title_of(recorded).c_str(), hash,
+                *recorded.hash);
+    return false;
+}
+
+int verify(const std::vector<RecordedWalk>& recorded, const std::vector<LoadedWalk>& loaded) {
+    std::size_t same = 0;
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < recorded.size(); ++i) {
+        if (!recorded[i].hash) {
+            std::printf("no hash %s: %s\n", title_of(recorded[i]).c_str(), recorded[i].why_none.c_str());
+        } else {
+            ++(went_the_same(recorded[i], loaded[i]) ? same : different);
+        }
+    }
+    std::printf("%zu of %zu walks went the same again\n", same, recorded.size());
+    return different == 0 ? kPass : kDifferent;
+}
+
+}  // namespace
+
+int replay_run(const ReplayOptions& options) {
+    const std::vector<RecordedWalk> recorded =
+        recorded_walks(options.run, read_lines(options.run), options.walks);
+    const bool some =
+        std::ranges::any_of(recorded, [](const RecordedWalk& walk) { return walk.hash.has_value(); });
+    if (recorded.empty() || (options.verify && !some)) {
+        throw scene::InputError({options.run.string(), 0, 0}, "nothing-to-replay",
+                                "no walk in it has come to its end");
+    }
+    const std::vector<LoadedWalk> loaded = load_all(options, recorded);
+    return options.verify ? verify(recorded, loaded) : print_again(loaded);
+}
+
+}  // namespace campuswalk::tools
