@@ -1,0 +1,29 @@
+// Writes what each reporter makes of some runs: report_samples FOLDER. Other languages' libraries check them
+// (tests/tools/reports_test.py).
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "tests/engine/report/some_results.h"
+
+int main(int argc, char** argv) {
+    using namespace campuswalk::engine;
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: report_samples FOLDER\n");
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    const std::map<std::string, RunReport> runs = {{"empty", {}},
+                                                   {"full", {{full_result()}}},
+                                                   {"hostile", hostile_report()},
+                                                   {"mixed", mixed_report()}};
+    for (const auto& [name, report] : runs) {
+        for (const std::string& reporter : reporter_names()) {
+            std::ofstream(folder / (name + "." + reporter), std::ios::binary) << written(reporter, report);
+        }
+    }
+    return 0;
+}
