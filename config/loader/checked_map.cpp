@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "config/loader/complaint_limit.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -98,10 +99,13 @@ void CheckedMap::angle(std::string_view key, const Range& degrees, double& targe
 
 void CheckedMap::refuse_other_keys() const {
     for (const CheckedNode::Entry& entry : entries_) {
+        if (is_full(node_.diagnostics())) {
+            return;
+        }
         if (std::ranges::find(asked_, entry.key) == asked_.end()) {
-            node_.diagnostics().error(entry.key_mark, "unknown-key",
-                                      "unknown key " + in_quotes(entry.key) + " in " + what_ +
-                                          suggestion_or_list(entry.key, asked_));
+            add_complaint(node_.diagnostics(), entry.key_mark, "unknown-key",
+                          "unknown key " + in_quotes(entry.key) + " in " + what_ +
+                              suggestion_or_list(entry.key, asked_));
         }
     }
 }

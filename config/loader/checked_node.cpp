@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "config/loader/complaint_limit.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -34,7 +35,7 @@ std::string_view kind_name(const YamlNode& node) {
 }  // namespace
 
 void CheckedNode::complain(std::string code, std::string message) const {
-    diagnostics_->error(mark(), std::move(code), std::move(message));
+    add_complaint(*diagnostics_, mark(), std::move(code), std::move(message));
 }
 
 bool CheckedNode::require_scalar(std::string_view wanted) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/loader/complaint_limit.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -47,9 +48,8 @@ std::optional<std::string> kebab_path(const CheckedNode& node) {
 
 void check_kebab_key(const CheckedNode::Entry& entry) {
     if (entry.key.size() > kLongestName || !is_kebab(entry.key)) {
-        entry.value.diagnostics().error(
-            entry.key_mark, "bad-value",
-            "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
+        add_complaint(entry.value.diagnostics(), entry.key_mark, "bad-value",
+                      "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/loader/checked_node.h"
+#include "config/loader/complaint_limit.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -42,9 +43,9 @@ std::optional<SingleKey<Meaning>> single_key(const CheckedNode& node, const std:
         }
         known.emplace_back(choice.name);
     }
-    node.diagnostics().error(entries.front().key_mark, "unknown-key",
-                             "unknown key " + in_quotes(entries.front().key) + " for " + what +
-                                 suggestion_or_list(entries.front().key, known));
+    add_complaint(node.diagnostics(), entries.front().key_mark, "unknown-key",
+                  "unknown key " + in_quotes(entries.front().key) + " for " + what +
+                      suggestion_or_list(entries.front().key, known));
     return std::nullopt;
 }
 

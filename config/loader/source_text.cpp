@@ -11,7 +11,7 @@ using scene::SourceMark;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 4'000'000;
+constexpr std::uintmax_t kMostBytes = 2'000'000;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// What is wrong with reading this path, empty when nothing is.

@@ -13,7 +13,7 @@ std::string shown_path(const std::filesystem::path& path);
 
 /// Reads a text file for the YAML parser: UTF-8, lines ended by `\n` (a byte order mark and `\r\n` are taken
 /// and dropped), no control characters, no tabs before a line's first character, no line that starts with
-/// '%' (a directive, which the parser would skip), at most 4 MB.
+/// '%' (a directive, which the parser would skip), at most 2 MB.
 /// Complains otherwise: missing-file at `asked_at` (where the file was named), too-large and yaml-syntax at
 /// the file itself.
 std::optional<std::string> read_source(const std::filesystem::path& path, const scene::SourceMark& asked_at,

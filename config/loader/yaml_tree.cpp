@@ -12,6 +12,7 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
+#include "config/loader/complaint_limit.h"
 #include "config/loader/text_positions.h"
 #include "config/loader/wording.h"
 #include "config/loader/yaml_syntax.h"
@@ -24,10 +25,11 @@ using scene::SourceMark;
 
 constexpr std::size_t kDeepest = 64;
 constexpr std::size_t kMostNodes = 1'000'000;
+constexpr std::size_t kMostAnchors = 10'000;
 
 /// Stops the parser at something that makes the rest of the file pointless.
 struct Refusal {
-    YAML::Mark mark;
+    YAML::Mark mark = {};
     const char* code = "";
     const char* message = "";
 };
@@ -118,8 +120,8 @@ private:
 
     void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
         if (tag != "?" && tag != "!" && !tag.empty()) {
-            diagnostics_.error(mark_at(positions_.of(mark.pos)), "wrong-type",
-                               "tags are not used here; remove the word with the '!'");
+            add_complaint(diagnostics_, mark_at(positions_.of(mark.pos)), "wrong-type",
+                          "tags are not used here; remove the word with the '!'");
         }
     }
 
@@ -134,15 +136,15 @@ private:
     void close() {
         Open done = std::move(open_.back());
         open_.pop_back();
-        if (done.node->size > kMostNodes) {
-            throw Refusal{done.mark, "too-large", "more than a million values (aliases count in full)"};
-        }
         add(done.node, done.anchor);
     }
 
     /// Puts a finished node where it belongs and lets aliases name it.
     void add(std::shared_ptr<const YamlNode> node, YAML::anchor_t anchor) {
         if (anchor != 0) {
+            if (anchors_.size() >= kMostAnchors) {
+                throw Refusal{{}, "too-large", "more than ten thousand names for references ('&')"};
+            }
             anchors_[anchor] = node;
         }
         const TextPosition at{node->line, node->column};
@@ -157,6 +159,12 @@ private:
         }
         Open& parent = open_.back();
         parent.node->size += std::min(node->size, kMostNodes);  // cannot overflow: the file is small
+        if (parent.node->size > kMostNodes) {
+            throw Refusal{parent.mark, "too-large", "more than a million values (aliases count in full)"};
+        }
+        if (is_full(diagnostics_)) {
+            throw Refusal{};
+        }
         if (parent.node->kind == YamlNode::Kind::sequence) {
             parent.node->items.push_back(std::move(node));
         } else if (!parent.key) {
@@ -168,14 +176,15 @@ private:
 
     Key as_key(Open& map, const YamlNode& node, const TextPosition& at) {
         if (node.kind != YamlNode::Kind::scalar) {
-            diagnostics_.error(mark_at(at), "wrong-type", "a key must be a word, as in 'title: Library'");
+            add_complaint(diagnostics_, mark_at(at), "wrong-type",
+                          "a key must be a word, as in 'title: Library'");
             return {"", at, false};
         }
         const auto [earlier, fresh] = map.lines.emplace(node.text, at.line);
         if (!fresh) {
-            diagnostics_.error(mark_at(at), "duplicate-key",
-                               "key " + in_quotes(node.text) + " was given on line " +
-                                   std::to_string(earlier->second) + " already; remove one of the two");
+            add_complaint(diagnostics_, mark_at(at), "duplicate-key",
+                          "key " + in_quotes(node.text) + " was given on line " +
+                              std::to_string(earlier->second) + " already; remove one of the two");
         }
         return {node.text, at, fresh};
     }
@@ -208,7 +217,7 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::s
     TreeBuilder builder(text, positions, file, diagnostics);
     const auto complain = [&](const YAML::Mark& mark, const char* code, const std::string& message) {
         const TextPosition at = mark.is_null() ? TextPosition{} : positions.of(mark.pos);
-        diagnostics.error({file, at.line, at.column}, code, message);
+        add_complaint(diagnostics, {file, at.line, at.column}, code, message);
         return nullptr;
     };
     try {
@@ -217,6 +226,9 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::s
         while (parser.HandleNextDocument(builder)) {
         }
     } catch (const Refusal& refusal) {
+        if (is_full(diagnostics)) {
+            return nullptr;
+        }
         return complain(refusal.mark, refusal.code, refusal.message);
     } catch (const YAML::Exception& error) {
         const bool bracket =

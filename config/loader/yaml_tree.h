@@ -35,7 +35,8 @@ struct YamlNode::Entry {
 ///   yaml-syntax    what the parser says; a second document; an alias inside what it names
 ///   duplicate-key  at the second of the two; the first is kept
 ///   wrong-type     a key that is no plain word, a tag such as `!!float`
-///   too-large      nested more than 64 deep, or more than a million nodes with aliases spelled out
+///   too-large      nested more than 64 deep, more than a million nodes with aliases spelled
+///                  out, or more than ten thousand anchors
 ///   empty-file     nothing but comments
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::string& file,
                                            scene::DiagnosticList& diagnostics);

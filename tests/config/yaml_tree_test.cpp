@@ -1,5 +1,7 @@
 #include "config/loader/yaml_tree.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace campuswalk::config {
@@ -138,6 +140,25 @@ TEST(YamlTree, RefusesAliasBombs) {
     }
     EXPECT_EQ(about(text),
               "a.yaml:6:5: error too-large: more than a million values (aliases count in full)\n");
+}
+
+TEST(YamlTree, RefusesAnchorsByTheThousand) {
+    std::string text;
+    for (int i = 0; i < 10'001; ++i) {
+        text += "a" + std::to_string(i) + ": &b" + std::to_string(i) + " 1\n";
+    }
+    EXPECT_NE(about(text).find("error too-large: more than ten thousand names"), std::string::npos);
+}
+
+TEST(YamlTree, StopsComplainingAfterTwoHundredMistakes) {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) {
+        text += "a: 1\n";
+    }
+    const std::string lines = about(text);
+    EXPECT_EQ(std::ranges::count(lines, '\n'), 201);
+    EXPECT_TRUE(
+        lines.ends_with("a.yaml: error too-many: there are more mistakes than 200; these are the first\n"));
 }
 
 TEST(YamlTree, RefusesDeepNesting) {
