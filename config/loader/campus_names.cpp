@@ -98,8 +98,8 @@ Standing CampusNames::standing(const CheckedNode& node) const {
         CheckedMap map(node, node.what());
         map.require("at");
         map.vector("at", kCoordinate, standing.position);
-        if (map.has("yaw_deg")) {
-            map.angle("yaw_deg", kYaw, standing.yaw.emplace(0.0));
+        if (const auto yaw = map.find("yaw_deg")) {
+            standing.yaw = radians(yaw->number(kYaw).value_or(0.0));
         }
         map.refuse_other_keys();
         standing.label = label_of({standing.position.data(), 3});

@@ -12,6 +12,7 @@
 #include "config/loader/names.h"
 #include "config/loader/read_avatar.h"
 #include "config/loader/read_campus.h"
+#include "config/loader/read_steps.h"
 #include "config/loader/read_walk.h"
 #include "config/loader/source_text.h"
 #include "config/loader/yaml_file.h"
@@ -172,6 +173,17 @@ CampusDescription load_campus_description(const fs::path& campus_file) {
     std::optional<CampusDescription> campus = open_campus(campus_file, mark, diagnostics);
     throw_in_order(diagnostics, mark);
     return std::move(*campus);
+}
+
+std::vector<engine::Step> load_steps(const fs::path& steps_file) {
+    DiagnosticList diagnostics;
+    std::vector<engine::Step> steps;
+    const SourceMark mark = whole_file(steps_file);
+    if (const auto file = YamlFile::open(steps_file, ".steps.yaml", mark, diagnostics)) {
+        steps = read_steps_alone(file->root(), steps_file);
+    }
+    throw_in_order(diagnostics, mark);
+    return steps;
 }
 
 AvatarProfile load_avatar(const fs::path& avatar_file) {

@@ -32,6 +32,9 @@ Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search);
 /// Reads `NAME.campus.yaml` alone.
 scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file);
 
+/// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
+std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file);
+
 /// Reads `NAME.avatar.yaml` alone.
 engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
 

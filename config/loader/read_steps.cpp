@@ -75,6 +75,14 @@ bool may_include(const CheckedNode& node, const fs::path& path, const StepContex
     return true;
 }
 
+void read_steps_file(const CheckedNode& root, StepContext& context, std::vector<Step>& out) {
+    CheckedMap map(root, "a steps file");
+    if (const auto steps = map.require("steps")) {
+        read_list(*steps, context, out);
+    }
+    map.refuse_other_keys();
+}
+
 void read_include(const CheckedNode& node, StepContext& context, std::vector<Step>& out) {
     const std::optional<std::string> written = node.line();
     if (!written) {
@@ -89,11 +97,7 @@ void read_include(const CheckedNode& node, StepContext& context, std::vector<Ste
         return;
     }
     context.files.push_back(path);
-    CheckedMap map(file->root(), "a steps file");
-    if (const auto steps = map.require("steps")) {
-        read_list(*steps, context, out);
-    }
-    map.refuse_other_keys();
+    read_steps_file(file->root(), context, out);
     context.files.pop_back();
 }
 
@@ -150,6 +154,16 @@ std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& name
     std::vector<Step> steps;
     StepContext context{names, walk.avatar, walk.camera, {walk_file}};
     read_list(section, context, steps);
+    return steps;
+}
+
+std::vector<Step> read_steps_alone(const CheckedNode& root, const fs::path& steps_file) {
+    const CampusNames unknown(nullptr);
+    const engine::Walk walk;
+    std::vector<Step> steps;
+    StepContext context{unknown, walk.avatar, walk.camera, {steps_file}};
+    context.first = false;
+    read_steps_file(root, context, steps);
     return steps;
 }
 

@@ -18,4 +18,8 @@ namespace campuswalk::config {
 std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
                                      const engine::Walk& walk, const std::filesystem::path& walk_file);
 
+/// Reads a `NAME.steps.yaml` that no walk is known of: an avatar like AvatarProfile's defaults, and names of
+/// places are taken as they are.
+std::vector<engine::Step> read_steps_alone(const CheckedNode& root, const std::filesystem::path& steps_file);
+
 }  // namespace campuswalk::config

@@ -44,14 +44,15 @@ class Usage(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_commands(self):
-        self.refused([], "a command is needed: run, validate, info, collide, snapshot, diff, replay, bench")
+        self.refused([], "a command is needed: run, validate, info, collide, snapshot, diff, replay, bench, init, "
+                          "completion, help")
         self.refused(["rum"], "there is no command 'rum' (did you mean 'run'?)")
         self.refused(["dance"], "there is no command 'dance'")
         self.refused(["--verbose"], "there is no option '--verbose'")
 
     def test_arguments(self):
         self.refused(["run"], "WALK is required", "run ")
-        self.refused(["validate"], "FILE is required", "validate ")
+        self.refused(["validate"], "PATH is required", "validate ")
         self.refused(["info"], "SCENE is required", "info ")
         self.refused(["snapshot", "-o", "a.png"], "CAMPUS is required", "snapshot ")
         self.refused(["snapshot", "a.campus.yaml"], "--output is required", "snapshot ")
@@ -161,8 +162,8 @@ class Validate(ProgramCase):
             "avatars/adult.avatar.yaml:1:1: error unknown-key: unknown key 'heigth' in an avatar (did you mean "
             "'height'?)",
             "small.campus.yaml:14:15: error wrong-type: 'at' must be three numbers, as in [0, 1.5, -2]",
-            "room.obj: error file-name: only NAME.walk.yaml, NAME.campus.yaml and NAME.avatar.yaml are checked; name "
-            "another file or rename this one",
+            "room.obj: error file-name: only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml and NAME.steps.yaml "
+            "are checked; name another file or rename this one",
             "none: error missing-file: no such file; check the path"])
 
     def test_the_others_are_still_checked(self):

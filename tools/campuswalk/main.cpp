@@ -22,6 +22,9 @@ void add_commands(Command program, Chosen& chosen) {
     add_diff(program, chosen);
     add_replay(program, chosen);
     add_bench(program, chosen);
+    add_init(program, chosen);
+    add_completion(program, chosen);
+    add_help(program, chosen);
 }
 
 int guarded(const Chosen& command) {

@@ -4,7 +4,6 @@
 
 #include "collision/bullet_broad_phase.h"
 #include "engine/check_walk.h"
-#include "tools/campuswalk/complaints.h"
 
 namespace campuswalk::tools {
 
@@ -23,7 +22,7 @@ LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
     LoadedWalk loaded;
     loaded.campus = build(run.walk.campus, std::move(run.campus), warnings);
     loaded.walk = std::move(run.walk);
-    complain(warnings);
+    warn_(warnings);
     if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(*loaded.campus, loaded.walk);
         !mistakes.empty()) {
         throw scene::InputError(std::move(mistakes));
@@ -35,7 +34,7 @@ std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& cam
     std::vector<scene::Diagnostic> warnings;
     scene::CampusDescription description = config::load_campus_description(campus_file);
     std::shared_ptr<const scene::Campus> campus = build(campus_file, std::move(description), warnings);
-    complain(warnings);
+    warn_(warnings);
     return campus;
 }
 

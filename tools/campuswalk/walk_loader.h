@@ -1,13 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "config/loader/load_run.h"
 #include "engine/script/walk.h"
 #include "scene/campus.h"
+#include "tools/campuswalk/complaints.h"
 
 namespace campuswalk::tools {
 
@@ -17,10 +20,13 @@ struct LoadedWalk {
     std::shared_ptr<const scene::Campus> campus;
 };
 
-/// Reads walks; those on one campus share it. Warnings are printed as they come; mistakes are thrown as
+/// Reads walks; those on one campus share it. Warnings are told as they come; mistakes are thrown as
 /// scene::InputError, all of a file together.
 class WalkLoader {
 public:
+    using Told = std::function<void(const std::vector<scene::Diagnostic>&)>;
+    explicit WalkLoader(Told warn = complain) : warn_(std::move(warn)) {}
+
     LoadedWalk load_walk(const std::filesystem::path& walk_file);
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
 
@@ -29,6 +35,7 @@ private:
                                                scene::CampusDescription description,
                                                std::vector<scene::Diagnostic>& warnings);
 
+    Told warn_;
     std::map<std::filesystem::path, std::shared_ptr<const scene::Campus>> campuses_;
 };
 

@@ -7,6 +7,7 @@ from .vegetation import SPECIES, TREE_COLLIDER_HEIGHT
 
 MODEL_FOLDER = "../campus_assets/demo"
 HEADER = """\
+# yaml-language-server: $schema=schema/campus.schema.json
 # The demo campus: a gate, an avenue, a square, thirteen buildings and a pond.
 # Written by tools/make-demo-campus together with the models, so that the numbers agree;
 # change tools/demo_campus/ and run it again.

@@ -1,5 +1,7 @@
 #include "tools/campuswalk/command_line/command.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "scene/diagnostic.h"
@@ -39,7 +41,53 @@ std::string explanation(const CLI::App* app, const CLI::Error& error) {
            " --help\n";
 }
 
+/// `choice` shows its words as "a|b|c"; nothing else has a '|' in what is shown for its value.
+std::vector<std::string> words_of(const std::string& value) {
+    std::vector<std::string> words;
+    std::size_t start = 0;
+    while (value.find('|') != std::string::npos && start <= value.size()) {
+        const std::size_t end = std::min(value.find('|', start), value.size());
+        words.push_back(value.substr(start, end - start));
+        start = end + 1;
+    }
+    return words;
+}
+
+KnownOption known_option(const CLI::Option& option) {
+    KnownOption known;
+    for (const std::string& name : option.get_snames()) {
+        known.spellings.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+        known.spellings.push_back("--" + name);
+    }
+    if (option.get_positional()) {
+        known.spellings.push_back(option.get_name());
+    }
+    known.help = option.get_description();
+    const bool takes_value = option.get_items_expected_max() > 0;
+    known.value = takes_value ? option.get_type_name() : "";
+    known.choices = words_of(known.value);
+    known.repeats = option.get_items_expected_max() > 1;
+    return known;
+}
+
+KnownCommand known_command(const CLI::App& app) {
+    KnownCommand known{app.get_name(), app.get_description(), {}, {}};
+    for (const CLI::Option* option : app.get_options()) {
+        known.options.push_back(known_option(*option));
+    }
+    for (const CLI::App* command : app.get_subcommands({})) {
+        known.commands.push_back(known_command(*command));
+    }
+    return known;
+}
+
 }  // namespace
+
+KnownCommand Command::known() const {
+    return known_command(*app_);
+}
 
 Command Command::add(const std::string& name, const std::string& description) {
     CLI::App* command = app_->add_subcommand(name, description);

@@ -36,6 +36,23 @@ struct Limits {
     Number most{};
 };
 
+/// An option, a flag or a positional argument as the user may type it.
+struct KnownOption {
+    std::vector<std::string> spellings;  ///< "-o", "--output"; one word without dashes: a positional argument
+    std::string help;
+    std::string value;                 ///< what the help shows for its value; empty: a flag
+    std::vector<std::string> choices;  ///< the words it takes; empty: anything
+    bool repeats = false;              ///< takes several values
+};
+
+/// A command, its options and the commands below it, in the help's order.
+struct KnownCommand {
+    std::string name;
+    std::string description;
+    std::vector<KnownOption> options;
+    std::vector<KnownCommand> commands;
+};
+
 /// A command and its options. CLI11 stays behind it: that takes longer to compile than all of ours.
 /// Targets must live until the command line has been read.
 class Command {
@@ -49,6 +66,8 @@ public:
     void choose(Chosen& chosen, Chosen action);
     /// What the help says below the options.
     void footer(const std::string& text);
+    /// Everything that has been added to it so far.
+    KnownCommand known() const;
 
     void option(const Spelling& spelling, std::string& target);
     void option(const Spelling& spelling, std::filesystem::path& target);

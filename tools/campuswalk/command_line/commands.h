@@ -14,5 +14,8 @@ void add_snapshot(Command program, Chosen& chosen);
 void add_diff(Command program, Chosen& chosen);
 void add_replay(Command program, Chosen& chosen);
 void add_bench(Command program, Chosen& chosen);
+void add_init(Command program, Chosen& chosen);
+void add_completion(Command program, Chosen& chosen);
+void add_help(Command program, Chosen& chosen);
 
 }  // namespace campuswalk::tools

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""`help TOPIC`: every topic says something, and names all that there is."""
+
+import re
+
+import schema_documents
+from program import ProgramCase, main
+
+SCHEMAS = schema_documents.load_all()
+
+
+class Help(ProgramCase):
+    def topics(self):
+        return re.findall(r"(?m)^  ([a-z-]+)  +\S", self.passes("help").out)
+
+    def test_list(self):
+        self.assertLessEqual({"walks", "steps", "expectations", "events", "campus", "avatars", "exit-codes"},
+                             set(self.topics()))
+
+    def test_every_topic_fits_a_terminal(self):
+        for topic in self.topics():
+            text = self.passes("help", topic).out
+            self.assertGreater(len(text.splitlines()), 4, topic)
+            self.assertEqual([line for line in text.splitlines() if len(line) > 110], [], topic)
+
+    def keys(self, name, *path):
+        schema = SCHEMAS[name]
+        for part in path:
+            schema = schema[part]
+        return set(schema["properties"])
+
+    def test_topics_name_every_key(self):
+        for topic, keys in (("walks", self.keys("walk.schema.json")),
+                            ("steps", self.keys("walk.schema.json", "definitions", "step")),
+                            ("expectations", self.keys("walk.schema.json", "definitions", "expectation")),
+                            ("campus", self.keys("campus.schema.json")),
+                            ("avatars", self.keys("avatar.schema.json"))):
+            named = set(re.findall(r"(?m)^  ([a-z_]+)  ", self.passes("help", topic).out))
+            self.assertEqual(keys - named, set(), topic)
+
+    def test_events_that_the_log_has(self):
+        """The loader lists its kinds of events when it meets one that it doesn't know."""
+        self.write("short.walk.yaml", "campus: small.campus.yaml\nsteps: [{spawn: start}]\nexpect: [{never: qqqq}]\n")
+        known = self.run_program("validate", "short.walk.yaml").err.partition("known here: ")[2].strip().split(", ")
+        self.assertGreater(len(known), 15)
+        text = self.passes("help", "events").out
+        named = set()
+        for line in re.findall(r"(?m)^  (\w+\.\w+(?: \.\w+)*)  ", text):
+            first, *others = line.split()
+            named |= {first} | {first.split(".")[0] + other for other in others}
+        self.assertEqual(set(known) - {"…"} - named, set())
+
+    def test_unknown_topic(self):
+        outcome = self.run_program("help", "stesp")
+        self.assertEqual((outcome.code, outcome.out, outcome.err), (
+            2, "", "error: there is no topic 'stesp' (did you mean 'steps'?)\nsee campuswalk help\n"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""The JSON Schemas in config/schema and the loader say the same of every key.
+
+The loader tells which keys it knows when it meets one that it doesn't; the schemas are judged by jsonschema.
+A key that was added to the loader alone, or to a schema alone, is named by what fails here.
+"""
+
+import glob
+import json
+import os
+import re
+import warnings
+
+import jsonschema
+import yaml
+
+import schema_documents
+from program import ProgramCase, main
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+ADDRESS = "https://campuswalk.invalid/"
+SCHEMAS = schema_documents.load_all()
+
+CAMPUS = {
+    "scenes": [{"file": "none.glb"}],
+    "layers": ["trees"],
+    "buildings": [{"id": "library", "title": "Library"}],
+    "colliders": [{"id": "ground", "shape": "mesh", "mode": "solid"}],
+    "spawns": {"gate": {"at": [0, 0, 5]}},
+    "places": {"desk": [0, 0, -2]},
+}
+WALK = {"campus": "a.campus.yaml", "avatar": "adult", "steps": [{"spawn": "gate"}]}
+STEPS = {"steps": [{"wait": 1}]}
+AVATAR = {"height": 1.8}
+# Schema, ending of the files it is for, a document that is right.
+KINDS = [
+    ("campus.schema.json", ".campus.yaml", CAMPUS),
+    ("walk.schema.json", ".walk.yaml", WALK),
+    ("steps.schema.json", ".steps.yaml", STEPS),
+    ("avatar.schema.json", ".avatar.yaml", AVATAR),
+]
+# What the loader says of a file's form; what comes after it, of models and places, is no matter of keys.
+FORM = {"unknown-key", "missing-key", "duplicate-key", "wrong-type", "bad-value", "unknown-name", "duplicate-name",
+        "yaml-syntax", "empty-file"}
+COMPLAINT = re.compile(r"(?P<file>[^:]+)(:\d+:\d+)?: error (?P<code>\S+): (?P<message>.*)")
+
+
+class Yaml12(yaml.SafeLoader):
+    """`on` and `off` are words."""
+
+
+Yaml12.yaml_implicit_resolvers = {
+    first: [(tag, pattern) for tag, pattern in entries if tag != "tag:yaml.org,2002:bool"]
+    for first, entries in yaml.SafeLoader.yaml_implicit_resolvers.items()}
+Yaml12.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile("^(true|false)$"), "tf")
+
+
+def validator(name):
+    store = {ADDRESS + each: schema for each, schema in SCHEMAS.items()}
+    warnings.simplefilter("ignore", DeprecationWarning)  # later versions than Debian's have another resolver
+    resolver = jsonschema.RefResolver(ADDRESS + name, SCHEMAS[name], store)
+    return jsonschema.Draft7Validator(SCHEMAS[name], resolver=resolver)
+
+
+class Schemas(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        self.write("a.campus.yaml", json.dumps(CAMPUS))
+        self.write("lap.steps.yaml", json.dumps(STEPS))
+
+    def complaints_about(self, documents, suffix):
+        """The loader's (code, message) pairs for each document; all are read in one run of the program."""
+        names = ["d%d%s" % (i, suffix) for i in range(len(documents))]
+        for name, document in zip(names, documents):
+            self.write(name, json.dumps(document))
+        found = {name: [] for name in names}
+        outcome = self.run_program("validate", *names)
+        for line in outcome.complaints:
+            complaint = COMPLAINT.fullmatch(line)
+            if complaint and complaint["code"] in FORM and complaint["file"] in found:
+                found[complaint["file"]].append((complaint["code"], complaint["message"]))
+        self.assertIn(outcome.code, (0, 2), outcome.err)
+        return [found[name] for name in names]
+
+    def for_every_kind(self, look):
+        for name, suffix, base in KINDS:
+            documents = schema_documents.Documents(SCHEMAS, name, base)
+            with self.subTest(schema=name):
+                look(documents, suffix, validator(name))
+
+    # ---- the schemas by themselves
+
+    def test_every_schema_is_one_and_is_looked_at(self):
+        for name, schema in SCHEMAS.items():
+            jsonschema.Draft7Validator.check_schema(schema)
+            self.assertIn("description", schema, name)
+        self.assertLessEqual({name for name, _, _ in KINDS}, set(SCHEMAS))
+
+    def test_every_key_has_a_description(self):
+        def look(documents, _suffix, _judge):
+            bare = [node.trail for node in documents.nodes() if node.is_property and "description" not in node.schema]
+            self.assertEqual(bare, [])
+        self.for_every_kind(look)
+
+    def test_every_key_stands_in_the_readme(self):
+        with open(os.path.join(ROOT, "config", "README.md"), encoding="utf-8") as file:
+            words = set(re.findall(r"[a-z_]+", " ".join(re.findall(r"`([^`]*)`", file.read())) + " center size base"))
+
+        def look(documents, _suffix, _judge):
+            keys = {node.trail.split("/")[-1] for node in documents.nodes() if node.is_property}
+            self.assertEqual(keys - words, set(), "keys that config/README.md doesn't name")
+        self.for_every_kind(look)
+
+    # ---- schema and loader
+
+    def test_loader_and_schema_know_the_same_keys(self):
+        def look(documents, suffix, _judge):
+            nodes = [node for node in documents.nodes()
+                     if node.schema.get("type") == "object" and "properties" in node.schema]
+            said = self.complaints_about([documents.with_stranger(node) for node in nodes], suffix)
+            for node, complaints in zip(nodes, said):
+                with self.subTest(map=node.trail):
+                    told = [text for code, text in complaints
+                            if code == "unknown-key" and schema_documents.STRANGER in text]
+                    self.assertEqual(len(told), 1, complaints)
+                    known = told[0].partition("; known here: ")[2].split(", ")
+                    self.assertNotIn("…", known, "the loader doesn't list all; see kMostListed in wording.cpp")
+                    in_schema = set(node.schema["properties"])
+                    self.assertEqual((set(known) - in_schema, in_schema - set(known)), (set(), set()),
+                                     "keys that only the loader knows, keys that only the schema knows")
+        self.for_every_kind(look)
+
+    def test_what_the_schema_shows_is_taken_by_both(self):
+        def look(documents, suffix, judge):
+            shown = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
+                     if not is_late_spawn(node, suffix) for value in schema_documents.accepted(node.schema)]
+            self.assertGreater(len(shown), 8)
+            said = self.complaints_about([document for _, _, document in shown], suffix)
+            for (trail, value, document), complaints in zip(shown, said):
+                with self.subTest(key=trail, value=value):
+                    self.assertEqual([error.message for error in judge.iter_errors(document)], [])
+                    self.assertEqual(complaints, [])
+        self.for_every_kind(look)
+
+    def test_limits_are_the_same(self):
+        def look(documents, suffix, judge):
+            shown = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
+                     for value in schema_documents.limits(node.schema) if "items" not in node.schema]
+            said = self.complaints_about([document for _, _, document in shown], suffix)
+            for (trail, value, document), complaints in zip(shown, said):
+                with self.subTest(key=trail, value=value):
+                    self.assertEqual([error.message for error in judge.iter_errors(document)], [])
+                    out_of_range = [text for _, text in complaints
+                                    if re.search(r" must be (from|more than|a whole|a number)", text)]
+                    self.assertEqual(out_of_range, [])
+        self.for_every_kind(look)
+
+    def test_what_the_schema_refuses_the_loader_refuses(self):
+        def look(documents, suffix, judge):
+            refused = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
+                       if node.is_property or node.trail.endswith("-") for value in suspects_of(documents, node)
+                       if not judge.is_valid(node.wrap(value))]
+            said = self.complaints_about([document for _, _, document in refused], suffix)
+            for (trail, value, document), complaints in zip(refused, said):
+                with self.subTest(key=trail, value=value):
+                    self.assertNotEqual(complaints, [], document)
+            keys = {node.trail for node in documents.nodes() if node.is_property}
+            self.assertEqual(keys - {trail for trail, _, _ in refused}, set(), "keys that nothing was wrong for")
+        self.for_every_kind(look)
+
+    # ---- files that the repository ships
+
+    def test_shipped_files_hold_and_name_their_schema(self):
+        files = glob.glob(os.path.join(ROOT, "config", "**", "*.yaml"), recursive=True)
+        self.assertGreater(len(files), 8)
+        for path in files:
+            with self.subTest(file=os.path.relpath(path, ROOT)), open(path, encoding="utf-8") as file:
+                text = file.read()
+                modeline = re.match(r"# yaml-language-server: \$schema=(\S+)\n", text)
+                self.assertTrue(modeline, "the first line names no schema")
+                named = os.path.normpath(os.path.join(os.path.dirname(path), modeline[1]))
+                self.assertEqual(os.path.dirname(named), os.path.normpath(schema_documents.FOLDER))
+                judge = validator(os.path.basename(named))
+                self.assertEqual([error.message for error in judge.iter_errors(yaml.load(text, Yaml12))], [])
+
+
+def is_late_spawn(node, suffix):
+    """A steps file never comes first, and schema and list of steps are a walk's."""
+    return suffix == ".steps.yaml" and node.trail.startswith("steps/-/spawn")
+
+
+def alternatives(documents, file, schema):
+    """The schema and everything that it may be instead."""
+    found = [schema]
+    for key in ("anyOf", "oneOf"):
+        for each in schema.get(key, []):
+            if "properties" not in schema:
+                found += alternatives(documents, *documents.resolve(file, each))
+    return found
+
+
+def suspects_of(documents, node):
+    """Values to be refused. In YAML any scalar is a text, and an empty section an empty list or map."""
+    forms = alternatives(documents, node.file, node.schema)
+    types = {kind for form in forms for kind in ([form["type"]] if isinstance(form.get("type"), str)
+                                                 else form.get("type", []))}
+    values = [value for form in forms for value in schema_documents.suspects(form)]
+    if "string" in types:
+        values = [value for value in values if value is None or isinstance(value, (dict, list))]
+    if types & {"array", "object"}:
+        values = [value for value in values if value is not None]
+    return values
+
+
+if __name__ == "__main__":
+    main()

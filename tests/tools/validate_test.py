@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""`validate`: folders, steps files, and its findings as JSON, SARIF and GitHub's workflow commands."""
+
+import json
+import re
+
+import jsonschema
+
+from program import CAMPUS, WALK, ProgramCase, main
+
+# What the SARIF 2.1.0 standard demands of what we write (sections 3.13 to 3.30), in the schema language.
+SARIF = {
+    "type": "object",
+    "required": ["$schema", "version", "runs"],
+    "properties": {
+        "version": {"const": "2.1.0"},
+        "runs": {"type": "array", "minItems": 1, "maxItems": 1, "items": {
+            "type": "object",
+            "required": ["tool", "results"],
+            "additionalProperties": False,
+            "properties": {
+                "columnKind": {"enum": ["utf16CodeUnits", "unicodeCodePoints"]},
+                "tool": {"type": "object", "required": ["driver"], "properties": {"driver": {
+                    "type": "object",
+                    "required": ["name", "version", "rules"],
+                    "additionalProperties": False,
+                    "properties": {
+                        "name": {"const": "campuswalk"},
+                        "version": {"type": "string", "pattern": r"^\d+\.\d+\.\d+$"},
+                        "rules": {"type": "array", "uniqueItems": True, "items": {
+                            "type": "object", "required": ["id"], "properties": {"id": {"type": "string"}}}}}}}},
+                "results": {"type": "array", "items": {
+                    "type": "object",
+                    "required": ["ruleId", "ruleIndex", "level", "message", "locations"],
+                    "additionalProperties": False,
+                    "properties": {
+                        "ruleId": {"type": "string"},
+                        "ruleIndex": {"type": "integer", "minimum": 0},
+                        "level": {"enum": ["none", "note", "warning", "error"]},
+                        "message": {"type": "object", "required": ["text"],
+                                    "properties": {"text": {"type": "string", "minLength": 1}}},
+                        "locations": {"type": "array", "minItems": 1, "items": {
+                            "type": "object",
+                            "required": ["physicalLocation"],
+                            "properties": {"physicalLocation": {
+                                "type": "object",
+                                "required": ["artifactLocation"],
+                                "additionalProperties": False,
+                                "properties": {
+                                    "artifactLocation": {"type": "object", "required": ["uri"], "properties": {
+                                        "uri": {"type": "string", "pattern": r"^([A-Za-z0-9._~/-]|%[0-9A-F]{2})+$"}}},
+                                    "region": {"type": "object", "required": ["startLine"], "properties": {
+                                        "startLine": {"type": "integer", "minimum": 1},
+                                        "startColumn": {"type": "integer", "minimum": 1}}}}}}}}}}}}}}},
+}
+
+MISTAKES = [
+    ("broken.walk.yaml", 5, 5, "unknown-key", "unknown key 'walkto' for a step (did you mean 'walk_to'?)"),
+    ("broken.walk.yaml", 6, 11, "wrong-type", "'turn' must be a number, not '50%'"),
+]
+
+
+class Validate(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        self.write("broken.walk.yaml", WALK.replace("walk_to:", "walkto:").replace("turn: 180", "turn: 50%"))
+
+    def test_folder(self):
+        self.write("parts/lap.steps.yaml", "steps: [{wait: 1}, {walk_to: somewhere}]\n")
+        self.write(".hidden/bad.walk.yaml", "steps: 1\n")
+        self.write("notes.yaml", "a: 1\n")
+        outcome = self.run_program("validate", ".")
+        self.assertEqual(outcome.lines, [
+            "avatars/adult.avatar.yaml: ok: an avatar",
+            "parts/lap.steps.yaml: ok: 2 steps",
+            "short.walk.yaml: ok: 3 steps, 2 expectations, on small (1 building, 3 objects, 1 spawn, 1 place)",
+            "small.campus.yaml: ok: 1 building, 3 objects, 1 spawn, 1 place"])
+        self.assertEqual([line.split(":")[0] for line in outcome.complaints], ["broken.walk.yaml"] * 2)
+        self.assertEqual(outcome.code, 2)
+
+    def test_folder_without_any(self):
+        self.write("empty/notes.txt", "")
+        outcome = self.run_program("validate", "empty")
+        self.assertEqual((outcome.code, outcome.err), (
+            2, "empty: error no-files: there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml or .steps.yaml in this "
+               "folder\n"))
+
+    def test_steps_file(self):
+        self.write("lap.steps.yaml", "steps:\n  - spawn: gate\n  - include: lap.steps.yaml\n")
+        outcome = self.run_program("validate", "lap.steps.yaml")
+        self.assertEqual(outcome.complaints, [
+            "lap.steps.yaml:2:12: error bad-value: 'spawn' can only be the first step; later it is 'teleport'",
+            "lap.steps.yaml:3:14: error include-cycle: lap.steps.yaml includes itself, by way of this line"])
+
+    def test_a_mistake_that_files_share_is_told_once(self):
+        self.write("small.campus.yaml", CAMPUS.replace("[0, 0, 5]", "[0, 0]"))
+        self.write("other.walk.yaml", WALK)
+        outcome = self.run_program("validate", "short.walk.yaml", "other.walk.yaml", "small.campus.yaml")
+        self.assertEqual((outcome.code, outcome.out, len(outcome.complaints)), (2, "", 1))
+
+    def test_json(self):
+        outcome = self.run_program("validate", "--format", "json", "short.walk.yaml", "broken.walk.yaml", "none")
+        self.assertEqual((outcome.code, outcome.err), (2, ""))
+        report = json.loads(outcome.out)
+        self.assertEqual([(file["file"], file["valid"]) for file in report["files"]],
+                         [("short.walk.yaml", True), ("broken.walk.yaml", False), ("none", False)])
+        found = report["diagnostics"]
+        self.assertEqual([tuple(each[key] for key in ("file", "line", "column", "code", "message"))
+                          for each in found[:2]], MISTAKES)
+        self.assertEqual(found[2], {"file": "none", "severity": "error", "code": "missing-file",
+                                    "message": "no such file; check the path"})
+
+    def test_sarif(self):
+        self.write("a folder/ü.walk.yaml", self.read("broken.walk.yaml"))
+        outcome = self.run_program("validate", "--format", "sarif", "broken.walk.yaml", "a folder", "none")
+        self.assertEqual((outcome.code, outcome.err), (2, ""))
+        log = json.loads(outcome.out)
+        jsonschema.Draft7Validator.check_schema(SARIF)
+        jsonschema.validate(log, SARIF)
+        run = log["runs"][0]
+        ids = [rule["id"] for rule in run["tool"]["driver"]["rules"]]
+        self.assertEqual(ids, sorted(set(ids)))
+        for result in run["results"]:
+            self.assertEqual(ids[result["ruleIndex"]], result["ruleId"])
+        places = [result["locations"][0]["physicalLocation"] for result in run["results"]]
+        self.assertEqual([(place["artifactLocation"]["uri"], place["region"]["startLine"],
+                           place["region"]["startColumn"], result["ruleId"], result["message"]["text"])
+                          for place, result in zip(places[:2], run["results"])], MISTAKES)
+        self.assertEqual({place["artifactLocation"]["uri"] for place in places},
+                         {"broken.walk.yaml", "a%20folder/%C3%BC.walk.yaml", "none"})
+        self.assertNotIn("region", places[-1])
+
+    def test_sarif_without_findings(self):
+        log = json.loads(self.passes("validate", "--format", "sarif", "short.walk.yaml").out)
+        jsonschema.validate(log, SARIF)
+        self.assertEqual(log["runs"][0]["results"], [])
+
+    def test_github(self):
+        self.write("a,b:c.walk.yaml", self.read("broken.walk.yaml"))
+        outcome = self.run_program("validate", "--format", "github", "broken.walk.yaml", "a,b:c.walk.yaml")
+        self.assertEqual((outcome.code, outcome.err), (2, ""))
+        self.assertEqual(outcome.lines[:2], [
+            "::error file=broken.walk.yaml,line=5,col=5,title=unknown-key::unknown key 'walkto' for a step (did you "
+            "mean 'walk_to'?)",
+            "::error file=broken.walk.yaml,line=6,col=11,title=wrong-type::'turn' must be a number, not '50%25'"])
+        for line in outcome.lines[2:]:
+            properties = re.fullmatch(r"::error ([^:]*)::.*", line)[1].split(",")
+            self.assertEqual(properties[0], "file=a%2Cb%3Ac.walk.yaml")
+
+    def test_unknown_format(self):
+        outcome = self.run_program("validate", "--format", "xml", "short.walk.yaml")
+        self.assertEqual(outcome.complaints, ["error: --format: 'xml' is none of github|json|sarif|text",
+                                              "see campuswalk validate --help"])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,72 @@
+#include "tools/campuswalk/completion/scripts.h"
+
+#include <algorithm>
+
+namespace campuswalk::tools::completion {
+
+Offer offer_for(const KnownOption& option) {
+    if (!option.choices.empty()) {
+        return Offer::words;
+    }
+    return option.value == "FILE" ? Offer::files : option.value == "DIR" ? Offer::folders : Offer::nothing;
+}
+
+bool is_positional(const KnownOption& option) {
+    return !option.spellings.empty() && !option.spellings.front().starts_with('-');
+}
+
+namespace {
+
+void add_places(const std::string& path, const KnownCommand& command, std::vector<Place>& places) {
+    places.push_back({path, &command});
+    for (const KnownCommand& below : command.commands) {
+        add_places(path + "/" + below.name, below, places);
+    }
+}
+
+}  // namespace
+
+std::vector<Place> places_of(const KnownCommand& program) {
+    std::vector<Place> places;
+    add_places("", program, places);
+    return places;
+}
+
+std::string all_paths(const std::vector<Place>& places, std::string_view between) {
+    std::vector<std::string> paths;
+    for (const Place& place : places) {
+        if (!place.path.empty()) {
+            paths.push_back(place.path);
+        }
+    }
+    return joined(paths, between);
+}
+
+std::vector<std::string> plain_words(const KnownCommand& command) {
+    std::vector<std::string> words;
+    for (const KnownCommand& below : command.commands) {
+        words.push_back(below.name);
+    }
+    for (const KnownOption& option : command.options) {
+        if (is_positional(option)) {
+            words.insert(words.end(), option.choices.begin(), option.choices.end());
+        }
+    }
+    return words;
+}
+
+bool takes_files(const KnownCommand& command) {
+    return std::ranges::any_of(command.options, [](const KnownOption& option) {
+        return is_positional(option) && offer_for(option) == Offer::files;
+    });
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : std::string(between)) + word;
+    }
+    return text;
+}
+
+}  // namespace campuswalk::tools::completion

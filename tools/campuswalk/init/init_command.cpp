@@ -1,0 +1,112 @@
+#include "tools/campuswalk/init/init_command.h"
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "scene/diagnostic.h"
+#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/init/templates.h"
+#include "tools/campuswalk/writable_path.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+scene::InputError about(const fs::path& folder, const char* code, const std::string& message) {
+    return scene::InputError(scene::SourceMark{folder.string(), 0, 0}, code, message);
+}
+
+/// A repository that was just made holds nothing but its own folder.
+bool may_stand_there(const fs::path& file) {
+    return file.filename() == ".git";
+}
+
+void check_folder(const fs::path& folder) {
+    std::error_code none;
+    if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
+        throw about(folder, "not-a-folder", "there is a file of this name; name another folder");
+    }
+    std::error_code error;
+    if (fs::is_directory(folder, none)) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+            if (!may_stand_there(entry.path())) {
+                throw about(folder, "not-empty",
+                            "there are files in this folder ('" + entry.path().filename().string() +
+                                "'), and none shall be overwritten; name a new folder");
+            }
+        }
+    }
+    if (error) {
+        throw about(folder, "not-a-folder", "the folder can't be read: " + error.message());
+    }
+    if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
+        throw about(folder, "output-unwritable", "nothing can be written here: " + why);
+    }
+}
+
+/// Files and folders made so far; what isn't finished is taken away again.
+class Undo {
+public:
+    Undo() = default;
+    Undo(const Undo&) = delete;
+    Undo& operator=(const Undo&) = delete;
+    ~Undo() {
+        std::error_code none;
+        for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
+            fs::remove(*path, none);
+        }
+    }
+    void add(const fs::path& path) { made_.push_back(path); }
+    void finish() { made_.clear(); }
+
+private:
+    std::vector<fs::path> made_;
+};
+
+void make_folders(const fs::path& folder, Undo& undo) {
+    if (folder.empty() || fs::is_directory(folder)) {
+        return;
+    }
+    make_folders(folder.parent_path(), undo);
+    if (fs::create_directory(folder)) {
+        undo.add(folder);
+    }
+}
+
+void write(const fs::path& path, const std::string& text, Undo& undo) {
+    make_folders(path.parent_path(), undo);
+    std::ofstream out(path, std::ios::binary);
+    undo.add(path);
+    out << text;
+    out.close();
+    if (!out) {
+        throw std::runtime_error("'" + path.string() + "' can't be written");
+    }
+}
+
+}  // namespace
+
+int make_project(const InitOptions& options) {
+    check_folder(options.folder);
+    const std::vector<init::NewFile> files = init::files_of(options.which);
+    Undo undo;
+    for (const init::NewFile& file : files) {
+        write(options.folder / file.path, file.text, undo);
+    }
+    undo.finish();
+    for (const init::NewFile& file : files) {
+        std::printf("%s\n", (options.folder / file.path).lexically_normal().generic_string().c_str());
+    }
+    const std::string folder = options.folder.lexically_normal().generic_string();
+    std::fprintf(stderr, "now: %scampuswalk run walks\n",
+                 folder == "." ? "" : ("cd " + folder + " && ").c_str());
+    return kPass;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,77 @@
+#include "tools/campuswalk/init/school.h"
+
+#include <string>
+
+#include "scene/procedural/mesh_parts.h"
+
+namespace campuswalk::tools::init {
+
+using collision::Pose;
+using collision::Vec3;
+using scene::MeshParts;
+
+namespace {
+
+/// Adds boxes by their corners to one mesh.
+class Masonry {
+public:
+    Masonry& box(const Vec3& low, const Vec3& high) {
+        MeshParts(mesh_).add_box(Pose{}, 0.5 * (low + high), 0.5 * (high - low));
+        return *this;
+    }
+    NamedMesh named(const std::string& name) const { return {name, mesh_}; }
+
+private:
+    collision::TriangleMesh mesh_;
+};
+
+/// Walls around 10 m by 8 m; the doorway is in the middle of the wall at `z`, the rest to the north of it.
+NamedMesh hall(const std::string& name, double x, double z) {
+    constexpr double kThick = 0.3;
+    constexpr double kHigh = 3.0;
+    const double west = x - 5.0;
+    const double east = x + 5.0;
+    const double north = z - 8.0;
+    return Masonry()
+        .box({west, 0, z - kThick}, {x - 1.0, kHigh, z})
+        .box({x + 1.0, 0, z - kThick}, {east, kHigh, z})
+        .box({west, 0, north}, {west + kThick, kHigh, z - kThick})
+        .box({east - kThick, 0, north}, {east, kHigh, z - kThick})
+        .box({west + kThick, 0, north}, {east - kThick, kHigh, north + kThick})
+        .named(name);
+}
+
+/// Ten treads of 0.3 m to the north, each 0.17 m higher, from z = 4 to the landing at z = 1.
+NamedMesh flight() {
+    Masonry masonry;
+    for (int tread = 0; tread < 10; ++tread) {
+        masonry.box({10, 0, 4 - 0.3 * (tread + 1)}, {12, 0.17 * (tread + 1), 4 - 0.3 * tread});
+    }
+    return masonry.named("stairs");
+}
+
+NamedMesh bench(const std::string& name, double x, double z) {
+    return Masonry().box({x - 0.9, 0, z - 0.25}, {x + 0.9, 0.45, z + 0.25}).named(name);
+}
+
+}  // namespace
+
+std::vector<NamedMesh> school(Template which) {
+    std::vector<NamedMesh> meshes;
+    meshes.push_back(Masonry().box({-25, -1, -20}, {25, 0, 20}).named("terrain"));
+    meshes.push_back(hall("library_walls", 0, -6));
+    meshes.push_back(Masonry().box({-1, 0, -12}, {1, 0.75, -11.2}).named("library_desk"));
+    if (which != Template::minimal) {
+        meshes.push_back(flight());
+        meshes.push_back(Masonry().box({10, 0, -3}, {12, 1.7, 1}).named("gallery"));
+    }
+    if (which == Template::campus) {
+        meshes.push_back(hall("cafeteria_walls", -16, -4));
+        meshes.push_back(hall("gym_walls", 18, -8));
+        meshes.push_back(bench("bench_west", -3, 6));
+        meshes.push_back(bench("bench_east", 3, 6));
+    }
+    return meshes;
+}
+
+}  // namespace campuswalk::tools::init

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/campuswalk/init/init_command.h"
+
+namespace campuswalk::tools::init {
+
+struct NewFile {
+    std::string path;  ///< below the new folder
+    std::string text;
+};
+
+std::vector<NewFile> files_of(Template which);
+
+}  // namespace campuswalk::tools::init

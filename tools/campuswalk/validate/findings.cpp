@@ -1,0 +1,152 @@
+#include "tools/campuswalk/validate/findings.h"
+
+#include <algorithm>
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+namespace campuswalk::tools {
+
+using Json = nlohmann::ordered_json;
+using scene::Diagnostic;
+using scene::Severity;
+
+namespace {
+
+const char* level_of(const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error ? "error" : "warning";
+}
+
+/// A file's name may be no UTF-8.
+std::string dumped(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool may_stand_in_uri(char c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    return letter || std::string_view("-._~/").find(c) != std::string_view::npos;
+}
+
+std::string uri_of(std::string_view path) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string uri = path.starts_with('/') ? "file://" : "";
+    for (const char c : path) {
+        if (may_stand_in_uri(c)) {
+            uri += c;
+        } else {
+            const auto byte = static_cast<unsigned char>(c);
+            uri += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
+        }
+    }
+    return uri;
+}
+
+Json sarif_result(const Diagnostic& diagnostic, const std::vector<std::string>& codes) {
+    Json place = {{"artifactLocation", {{"uri", uri_of(diagnostic.mark.file)}}}};
+    if (diagnostic.mark.line > 0) {
+        place["region"] = {{"startLine", diagnostic.mark.line},
+                           {"startColumn", std::max(1, diagnostic.mark.column)}};
+    }
+    return {{"ruleId", diagnostic.code},
+            {"ruleIndex", std::ranges::find(codes, diagnostic.code) - codes.begin()},
+            {"level", level_of(diagnostic)},
+            {"message", {{"text", diagnostic.message}}},
+            {"locations", Json::array({{{"physicalLocation", std::move(place)}}})}};
+}
+
+std::vector<std::string> codes_of(const Findings& findings) {
+    std::vector<std::string> codes;
+    for (const Diagnostic& diagnostic : findings.diagnostics) {
+        codes.push_back(diagnostic.code);
+    }
+    std::ranges::sort(codes);
+    const auto repeated = std::ranges::unique(codes);
+    codes.erase(repeated.begin(), repeated.end());
+    return codes;
+}
+
+/// GitHub's escapes for a command's message, and for its properties two more.
+std::string escaped(std::string_view text, bool property) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '%':
+                result += "%25";
+                break;
+            case '\r':
+                result += "%0D";
+                break;
+            case '\n':
+                result += "%0A";
+                break;
+            case ':':
+                result += property ? "%3A" : ":";
+                break;
+            case ',':
+                result += property ? "%2C" : ",";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string as_json(const Findings& findings) {
+    Json files = Json::array();
+    for (const CheckedFile& file : findings.files) {
+        files.push_back({{"file", file.file}, {"valid", file.holds}});
+        if (file.holds) {
+            files.back()["summary"] = file.summary;
+        }
+    }
+    Json diagnostics = Json::array();
+    for (const Diagnostic& diagnostic : findings.diagnostics) {
+        Json entry = {{"file", diagnostic.mark.file}};
+        if (diagnostic.mark.line > 0) {
+            entry["line"] = diagnostic.mark.line;
+            entry["column"] = diagnostic.mark.column;
+        }
+        entry["severity"] = level_of(diagnostic);
+        entry["code"] = diagnostic.code;
+        entry["message"] = diagnostic.message;
+        diagnostics.push_back(std::move(entry));
+    }
+    return dumped({{"version", 1}, {"files", std::move(files)}, {"diagnostics", std::move(diagnostics)}});
+}
+
+std::string as_sarif(const Findings& findings, std::string_view version) {
+    const std::vector<std::string> codes = codes_of(findings);
+    Json rules = Json::array();
+    for (const std::string& code : codes) {
+        rules.push_back({{"id", code}});
+    }
+    Json results = Json::array();
+    for (const Diagnostic& diagnostic : findings.diagnostics) {
+        results.push_back(sarif_result(diagnostic, codes));
+    }
+    const Json driver = {{"name", "campuswalk"}, {"version", version}, {"rules", std::move(rules)}};
+    const Json run = {
+        {"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", std::move(results)}};
+    return dumped({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                   {"version", "2.1.0"},
+                   {"runs", Json::array({run})}});
+}
+
+std::string as_github(const Findings& findings) {
+    std::string lines;
+    for (const Diagnostic& diagnostic : findings.diagnostics) {
+        lines += std::string("::") + level_of(diagnostic) + " file=" + escaped(diagnostic.mark.file, true);
+        if (diagnostic.mark.line > 0) {
+            lines += ",line=" + std::to_string(diagnostic.mark.line) +
+                     ",col=" + std::to_string(diagnostic.mark.column);
+        }
+        lines +=
+            ",title=" + escaped(diagnostic.code, true) + "::" + escaped(diagnostic.message, false) + "\n";
+    }
+    return lines;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/diagnostic.h"
+
+namespace campuswalk::tools {
+
+/// A file that was checked; paths are as the user gave them.
+struct CheckedFile {
+    std::string file;
+    bool holds = false;
+    std::string summary;  ///< what is in it, when it holds
+};
+
+/// What `validate` found. A mistake in a file that several others use is told once.
+struct Findings {
+    std::vector<CheckedFile> files;
+    std::vector<scene::Diagnostic> diagnostics;
+};
+
+// The same findings for different readers; a text each, with the last line's end.
+
+std::string as_json(const Findings& findings);
+/// The Static Analysis Results Interchange Format, 2.1.0: what code scanning services read.
+std::string as_sarif(const Findings& findings, std::string_view version);
+/// Workflow commands: GitHub shows each beside its line.
+std::string as_github(const Findings& findings);
+
+}  // namespace campuswalk::tools
