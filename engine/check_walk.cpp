@@ -1,14 +1,12 @@
 #include "engine/check_walk.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "collision/placement.h"
 #include "engine/decimals.h"
-#include "engine/events/event.h"
-#include "engine/expect/event_subjects.h"
+#include "engine/expect/name_check.h"
 #include "engine/simulation.h"
 #include "scene/glob.h"
 
@@ -38,7 +36,7 @@ public:
         } else if (const auto* crouch = std::get_if<CrouchStep>(&step)) {
             height_ = crouch->height;
         } else if (const auto* enable = std::get_if<EnableStep>(&step)) {
-            for (const EnableStep::ObjectPattern& pattern : enable->objects) {
+            for (const NamePattern& pattern : enable->objects) {
                 switch_objects(pattern, enable->enabled, complaints);
             }
         }
@@ -61,8 +59,7 @@ private:
                                   " m height fits"});
     }
 
-    void switch_objects(const EnableStep::ObjectPattern& pattern, bool enabled,
-                        std::vector<Diagnostic>& complaints) {
+    void switch_objects(const NamePattern& pattern, bool enabled, std::vector<Diagnostic>& complaints) {
         bool known = false;
         for (std::size_t i = 0; i < campus_.objects.size(); ++i) {
             if (scene::glob_matches(pattern.glob, campus_.objects[i].id)) {
@@ -109,53 +106,21 @@ void drop_repeated(std::vector<Diagnostic>& complaints) {
     complaints = std::move(kept);
 }
 
-std::vector<const EventPattern*> patterns_of(const Expectation& expectation) {
-    std::vector<const EventPattern*> patterns;
-    if (const auto* sequence = std::get_if<ExpectSequence>(&expectation)) {
-        for (const EventPattern& event : sequence->events) {
-            patterns.push_back(&event);
-        }
-    } else if (const auto* never = std::get_if<ExpectNever>(&expectation)) {
-        patterns.push_back(&never->event);
-    } else if (const auto* count = std::get_if<ExpectCount>(&expectation)) {
-        patterns.push_back(&count->event);
-    }
-    return patterns;
-}
-
-/// A `never` on a mistyped name would pass for ever.
-std::optional<Diagnostic> check_pattern(const EventSubjects& subjects, const EventPattern& pattern) {
-    if (subjects.can_happen(pattern)) {
-        return std::nullopt;
-    }
-    return Diagnostic{scene::Severity::error, pattern.mark, "unknown-name",
-                      "'" + pattern.kind + " " + pattern.object +
-                          "' can't happen: nothing of that name has such events" +
-                          scene::did_you_mean(pattern.object, subjects.names(pattern))};
-}
-
 }  // namespace
 
 std::vector<Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk) {
     std::vector<Diagnostic> complaints;
-    const EventSubjects subjects(campus, walk);
-    const auto check = [&](const EventPattern& pattern) {
-        if (auto complaint = check_pattern(subjects, pattern)) {
-            complaints.push_back(std::move(*complaint));
-        }
-    };
+    const NameCheck names(campus, walk);
     StepCheck steps(campus, walk);
     for (const Step& step : walk.steps) {
         steps.see(step, complaints);
         if (const auto* wait = std::get_if<WaitUntilStep>(&step)) {
-            check(wait->event);
+            names.check(wait->event, complaints);
+        } else if (const auto* expect = std::get_if<ExpectStep>(&step)) {
+            names.check(expect->expectations, complaints);
         }
     }
-    for (const Expectation& expectation : walk.expectations) {
-        for (const EventPattern* pattern : patterns_of(expectation)) {
-            check(*pattern);
-        }
-    }
+    names.check(walk.expectations, complaints);
     drop_repeated(complaints);
     return complaints;
 }

@@ -12,7 +12,8 @@ namespace campuswalk::engine {
 ///   spawn-blocked   a spawn or teleport where the avatar's capsule, as tall as it is by then, doesn't fit
 ///                   between what isn't disabled by then (see collision::standing_place)
 ///   unknown-name    an event that is expected or waited for and can't happen on this campus, whatever the
-///                   avatar does; an object to enable or disable that isn't there
+///                   avatar does; an object or building in an expectation, or an object to enable or disable,
+///                   that isn't there
 std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk);
 
 }  // namespace campuswalk::engine

@@ -22,14 +22,23 @@ struct AvatarState {
     double stature = 1.0;  ///< height over the profile's: less than 1 while it crouches
 };
 
+/// A building's information window as it has opened.
+struct OpenPopup {
+    std::size_t building = 0;  ///< index into the campus' buildings
+    std::string title;         ///< with its variables filled in
+    std::string text;
+};
+
 /// What one tick did, as plain data that observers read after it. Spans stay valid until the next tick.
 struct FrameRecord {
     Tick tick = 0;
     double time = 0.0;  ///< seconds: tick / ticks_per_second, never a running sum
     AvatarState avatar;
+    double distance = 0.0;                           ///< metres so far, along the path of the foot point
     std::span<const Event> events;                   ///< in log order
     std::span<const SnapshotStep* const> snapshots;  ///< pictures the script asks for at this moment
-    std::span<const std::size_t> open_popups;        ///< indices into the campus' buildings, oldest first
+    std::span<const OpenPopup> open_popups;          ///< oldest first
+    const std::vector<bool>* disabled = nullptr;     ///< by object; null: none is
 };
 
 }  // namespace campuswalk::engine

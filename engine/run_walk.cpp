@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/expect/expectation_judge.h"
+#include "engine/expect/failure_scene.h"
+#include "engine/expect/jury.h"
 #include "engine/simulation.h"
 
 namespace campuswalk::engine {
@@ -58,7 +59,7 @@ void add_verdict(const WalkSummary& summary, const Walk& walk, std::vector<Event
 
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
     Simulation simulation(campus, walk);
-    Jury jury(walk);
+    Jury jury(campus, walk);
     WalkSummary summary;
     const auto show = [&](const FrameRecord& record) {
         for (Observer* observer : observers) {
@@ -83,9 +84,10 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
     summary.events += static_cast<std::int64_t>(closing.size()) - 1;
     closing.push_back(event_at(last.tick, EventKind::walk_end, walk.name));
     last.events = closing;
-    jury.see(last);
+    jury.see_closing(last);
     if (const auto& stop = simulation.stop()) {
-        summary.failures.push_back({stop->mark, stop->code, stop->message});
+        summary.failures.push_back({stop->mark, stop->code, stop->message,
+                                    stop->scene ? *stop->scene : scene_of(jury.now(), campus, walk.avatar)});
     }
     for (Failure& failure : jury.verdicts()) {
         summary.failures.push_back(std::move(failure));

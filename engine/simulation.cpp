@@ -7,6 +7,7 @@
 
 #include "collision/placement.h"
 #include "collision/trigonometry.h"
+#include "engine/decimals.h"
 
 namespace campuswalk::engine {
 
@@ -42,14 +43,6 @@ KindsOf kinds_of(Strategy strategy) {
 /// At least one.
 Tick ticks_of(double seconds, const SimSettings& sim) {
     return std::max<Tick>(1, static_cast<Tick>(std::floor(seconds * sim.ticks_per_second + 0.5)));
-}
-
-std::string popup_body(const scene::Building& building) {
-    std::string body = building.hours.empty() ? "" : "Open " + building.hours + ".";
-    if (!building.text.empty()) {
-        body += (body.empty() ? "" : " ") + building.text;
-    }
-    return body;
 }
 
 void add_value(StateHash& hash, std::int64_t value) {
@@ -109,6 +102,7 @@ Simulation::Simulation(const scene::Campus& campus, const Walk& walk)
       senses_(campus, walk.avatar, solids_.ignored_layers, ticks_of(walk.sim.stay_every, walk.sim),
               ticks_of(walk.sim.gaze_hold, walk.sim), &disabled_),
       popups_(campus.description.buildings.size()),
+      juries_(campus, walk),
       stuck_(walk.sim.ticks_per_second) {}
 
 const FrameRecord& Simulation::step() {
@@ -126,9 +120,11 @@ const FrameRecord& Simulation::step() {
     report_placement(intent);
     senses_.sense(tick_, avatar_, trace_, transitions_, counters_);
     report_transitions(placed_);
+    report_dwelling();
     report_fall();
     report_stuck(intent);
     report_step_end();
+    report_timeout();
     return finish_record();
 }
 
@@ -215,8 +211,8 @@ void Simulation::report_transition(const SensedTransition& sensed, const char* c
     const KindsOf kinds = kinds_of(sensed.strategy);
     const bool shows = object.popup && object.building;
 
-    if (t.phase == Phase::exit && shows && popups_.leave(*object.building)) {
-        add(EventKind::popup_close, campus_.description.buildings[*object.building].id, t.at);
+    if (t.phase == Phase::exit && shows) {
+        leave_popup(sensed);
     }
     const EventKind kind = t.phase == Phase::enter  ? kinds.enter
                            : t.phase == Phase::stay ? kinds.stay
@@ -235,10 +231,8 @@ void Simulation::report_transition(const SensedTransition& sensed, const char* c
     if (cause != nullptr && t.phase != Phase::stay) {
         event.fields.push_back({"cause", std::string(cause)});
     }
-    if (t.phase == Phase::enter && shows && popups_.meet(*object.building)) {
-        const scene::Building& building = campus_.description.buildings[*object.building];
-        add(EventKind::popup_open, building.id, t.at).fields = {{"title", Text{building.title}},
-                                                                {"body", Text{popup_body(building)}}};
+    if (t.phase == Phase::enter && shows) {
+        meet_popup(sensed);
     }
 }
 
@@ -299,18 +293,36 @@ void Simulation::report_step_end() {
     finished_ = finished_ || script_.finished();
 }
 
+/// However the walk is going: a time-out is none of the script's steps.
+void Simulation::report_timeout() {
+    constexpr double kRounding = 1e-9;  // ticks
+    const bool over = walk_.timeout &&
+                      static_cast<double>(tick_) >= *walk_.timeout * walk_.sim.ticks_per_second - kRounding;
+    if (over && !finished_) {
+        end_walk(script_.mark(), "timeout",
+                 "the walk was still in this step after " + fixed(*walk_.timeout, 3) + " s, its time-out");
+    }
+}
+
 const FrameRecord& Simulation::finish_record() {
     hash_.add(avatar_.position);
     for (const Event& event : events_) {
         add_event(hash_, event);
     }
+    fill_record();
+    juries_.see(record_);
+    return record_;
+}
+
+void Simulation::fill_record() {
     record_.tick = tick_;
     record_.time = static_cast<double>(tick_) / walk_.sim.ticks_per_second;
     record_.avatar = avatar_;
     record_.events = events_;
     record_.snapshots = snapshots_;
-    record_.open_popups = popups_.open();
-    return record_;
+    record_.distance = distance_;
+    record_.open_popups = windows_;
+    record_.disabled = &disabled_;
 }
 
 /// On the polyline that the tick went along.
@@ -336,7 +348,7 @@ Event& Simulation::add(EventKind kind, std::string object, double at) {
 }
 
 void Simulation::end_walk(const SourceMark& mark, std::string code, std::string message) {
-    stop_ = Stop{mark, std::move(code), std::move(message)};
+    stop_ = Stop{mark, std::move(code), std::move(message), std::nullopt};
     finished_ = true;
     script_.abandon();
 }

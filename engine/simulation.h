@@ -8,6 +8,7 @@
 #include "collision/counters.h"
 #include "collision/mover.h"
 #include "engine/events/popups.h"
+#include "engine/expect/jury.h"
 #include "engine/frame_record.h"
 #include "engine/script/player.h"
 #include "engine/script/walk.h"
@@ -21,8 +22,9 @@ namespace campuswalk::engine {
 /// The step that ended a walk early.
 struct Stop {
     SourceMark mark;
-    std::string code;  ///< "blocked", "enclosed", "fell" or "timeout"
+    std::string code;  ///< "blocked", "enclosed", "fell" or "timeout", or that of what was expected there
     std::string message;
+    std::optional<FailureScene> scene = {};  ///< none: where the walk ended
 };
 
 /// The frame loop: script, mover, senses, events, pop-ups, one after the other, a tick at a time. It knows no
@@ -57,13 +59,21 @@ private:
     void report_fall();
     void report_stuck(const Intent& intent);
     void report_step_end();
+    void report_timeout();
     std::string obstacle() const;
+
+    // Information windows (simulation_popups.cpp): of what is met and left, and what has lasted long enough.
+    void meet_popup(const SensedTransition& sensed);
+    void leave_popup(const SensedTransition& sensed);
+    void report_dwelling();
+    void open_popup(std::size_t index, double at);
 
     // What steps do that take no time (simulation_effects.cpp).
     void apply(const Step& step);
     void carry_out(const SnapshotStep& step);
     void carry_out(const CrouchStep& step);
     void carry_out(const EnableStep& step);
+    void carry_out(const ExpectStep& step);
     template <typename Other>
     void carry_out(const Other&) {}
     bool switch_objects(const EnableStep& step);
@@ -71,6 +81,7 @@ private:
     void drop_without_ground();
     void report_push();
 
+    void fill_record();
     const FrameRecord& finish_record();
 
     Eigen::Vector3d position_at(double fraction) const;
@@ -86,6 +97,8 @@ private:
     ScriptPlayer script_;
     Senses senses_;
     Popups popups_;
+    std::vector<OpenPopup> windows_;  ///< those that are open, oldest first
+    StepJuries juries_;
 
     Tick tick_ = -1;
     AvatarState avatar_;

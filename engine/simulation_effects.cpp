@@ -57,6 +57,15 @@ void Simulation::carry_out(const EnableStep& step) {
     report_transitions(step.enabled ? "enable" : "disabled");
 }
 
+/// The expectations have seen the ticks before; they are shown this one as far as it goes.
+void Simulation::carry_out(const ExpectStep& step) {
+    fill_record();
+    if (auto failure = juries_.failure(step, record_)) {
+        end_walk(failure->mark, std::move(failure->code), std::move(failure->message));
+        stop_->scene = std::move(failure->scene);
+    }
+}
+
 /// A body at rest doesn't look for its ground again by itself.
 void Simulation::drop_without_ground() {
     collision::MoverState probe;

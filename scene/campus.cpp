@@ -136,7 +136,8 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     }
     campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
                        campus_.layer_index(collider.layer)});
-    campus_.objects.push_back({id, collider.mark, building_index(collider), collider.popup});
+    campus_.objects.push_back(
+        {id, collider.mark, building_index(collider), collider.popup, collider.popup_rule});
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct CampusObject {
     SourceMark mark;                      ///< the collider it came from
     std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
     bool popup = false;
+    PopupRule popup_rule = {};
 };
 
 /// A campus ready to walk in: what the user described, the models to draw, the world to collide with.

@@ -33,7 +33,21 @@ struct NodeGlob {
     std::string pattern;
 };
 
-/// The information record that a pop-up shows.
+/// When what opens a building's pop-up does so.
+struct PopupRule {
+    bool once = false;      ///< not if it has been open before
+    double cooldown = 0.0;  ///< seconds after it closed in which it stays closed
+    double dwell = 0.0;     ///< seconds that the contact must last
+};
+
+/// Something else to say of a building, by the name of a variable.
+struct InfoField {
+    std::string name;  ///< kebab-case
+    std::string value;
+};
+
+/// The information record that a pop-up shows. `title` and `text` may hold variables (see
+/// engine/events/popup_text.h).
 struct Building {
     SourceMark mark;
     std::string id;  ///< stable, kebab-case
@@ -43,6 +57,9 @@ struct Building {
     std::string text;
     std::string hours;
     int floors = 0;
+    std::vector<InfoField> info;
+    bool popup = true;     ///< for colliders that don't say otherwise
+    PopupRule popup_rule;  ///< likewise
 };
 
 // Shapes. With nodes, numbers that are left out come from the nodes' geometry, and `center` and `base` are
@@ -95,6 +112,7 @@ struct ColliderDescription {
     DetectionModes modes;
     std::string layer;   ///< empty or one of CampusDescription::layers
     bool popup = false;  ///< its events open the building's pop-up
+    PopupRule popup_rule;
 };
 
 struct Spawn {

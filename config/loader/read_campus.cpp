@@ -6,6 +6,7 @@
 #include "config/loader/names.h"
 #include "config/loader/ranges.h"
 #include "config/loader/read_collider.h"
+#include "config/loader/read_popup.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -52,13 +53,27 @@ Building read_building(const CheckedNode& node, UniqueNames& ids) {
     if (const auto nodes = map.find("nodes")) {
         building.nodes = node_globs(*nodes);
     }
-    if (const auto title = map.require("title")) {
+    const auto title = map.require("title");
+    if (title) {
         building.title = title->line().value_or("");
     }
     map.text("kind", building.kind);
-    map.text("text", building.text);
+    const auto text = map.find("text");
+    if (text) {
+        building.text = text->text().value_or("");
+    }
     map.text("hours", building.hours);
     map.whole_number("floors", 0, 1000, building.floors);
+    if (const auto info = map.find("info")) {
+        building.info = read_info(*info);
+    }
+    if (title) {
+        check_popup_title(*title, building);  // after the fields that it may name
+    }
+    if (text) {
+        check_popup_text(*text, building);
+    }
+    read_popup_rule(map, building.popup, building.popup_rule);
     map.refuse_other_keys();
     return building;
 }

@@ -5,6 +5,7 @@
 
 #include "config/loader/checked_map.h"
 #include "config/loader/ranges.h"
+#include "config/loader/read_popup.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -129,6 +130,17 @@ std::vector<std::string> building_ids(const CampusDescription& campus) {
     return ids;
 }
 
+/// What a collider does that says nothing of pop-ups itself.
+void take_popup_of(const CheckedNode& id, const CampusDescription& campus, ColliderDescription& collider) {
+    collider.building = known_name(id, building_ids(campus), "buildings");
+    collider.popup = true;
+    const auto building = std::ranges::find(campus.buildings, collider.building, &scene::Building::id);
+    if (building != campus.buildings.end()) {
+        collider.popup = building->popup;
+        collider.popup_rule = building->popup_rule;
+    }
+}
+
 }  // namespace
 
 ColliderDescription read_collider(const CheckedNode& node, const CampusDescription& campus,
@@ -141,10 +153,9 @@ ColliderDescription read_collider(const CheckedNode& node, const CampusDescripti
         ids.add(collider.id, *id);
     }
     if (const auto building = map.find("building")) {
-        collider.building = known_name(*building, building_ids(campus), "buildings");
-        collider.popup = true;
+        take_popup_of(*building, campus, collider);
     }
-    map.truth("popup", collider.popup);
+    read_popup_rule(map, collider.popup, collider.popup_rule);
     if (collider.popup && !map.has("building")) {
         map.complain_at("popup", "missing-key", "a collider with a pop-up needs the key 'building'");
     }

@@ -4,11 +4,14 @@
 
 #include "config/loader/campus_names.h"
 #include "config/loader/checked_node.h"
-#include "engine/script/walk.h"
+#include "engine/script/expectation.h"
 
 namespace campuswalk::config {
 
-/// Reads `expect`: a list of maps with one key each.
+/// Reads `expect` of a walk: a list of maps with one key each, or of words that need no value.
 std::vector<engine::Expectation> read_expectations(const CheckedNode& section, const CampusNames& names);
+
+/// Reads `expect` of a step: one, or a list. What can only be judged after the run is refused.
+std::vector<engine::Expectation> read_step_expectations(const CheckedNode& node, const CampusNames& names);
 
 }  // namespace campuswalk::config

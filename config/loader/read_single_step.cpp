@@ -8,6 +8,7 @@
 #include "config/loader/checked_map.h"
 #include "config/loader/ranges.h"
 #include "config/loader/read_camera.h"
+#include "config/loader/read_expectations.h"
 #include "config/loader/read_pattern.h"
 #include "config/loader/wording.h"
 
@@ -214,7 +215,12 @@ Step read_speed(const CheckedNode& node, StepContext& context) {
     return SpeedStep{node.mark(), node.number(kPace).value_or(context.avatar.speed)};
 }
 
-// ---- waiting and changing the campus --------------------------------------------------------------------
+// ---- expecting, waiting and changing the campus
+// --------------------------------------------------------------------
+
+Step read_expect(const CheckedNode& node, StepContext& context) {
+    return ExpectStep{node.mark(), read_step_expectations(node, context.names)};
+}
 
 Step read_wait(const CheckedNode& node, StepContext& /*context*/) {
     return WaitStep{node.mark(), node.number(kSeconds).value_or(0.0)};

@@ -18,6 +18,7 @@ engine::Step read_jump(const CheckedNode& node, StepContext& context);
 engine::Step read_crouch(const CheckedNode& node, StepContext& context);
 engine::Step read_run(const CheckedNode& node, StepContext& context);
 engine::Step read_speed(const CheckedNode& node, StepContext& context);
+engine::Step read_expect(const CheckedNode& node, StepContext& context);
 engine::Step read_wait(const CheckedNode& node, StepContext& context);
 engine::Step read_wait_until(const CheckedNode& node, StepContext& context);
 engine::Step read_enable(const CheckedNode& node, StepContext& context);

@@ -114,6 +114,7 @@ constexpr std::array kSteps = {Choice<StepReader>{"spawn", read_one<read_spawn>}
                                Choice<StepReader>{"speed", read_one<read_speed>},
                                Choice<StepReader>{"jump", read_one<read_jump>},
                                Choice<StepReader>{"crouch", read_one<read_crouch>},
+                               Choice<StepReader>{"expect", read_one<read_expect>},
                                Choice<StepReader>{"wait", read_one<read_wait>},
                                Choice<StepReader>{"wait_until", read_one<read_wait_until>},
                                Choice<StepReader>{"turn", read_one<read_turn>},

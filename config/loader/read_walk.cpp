@@ -3,6 +3,7 @@
 #include "config/loader/ranges.h"
 #include "config/loader/read_camera.h"
 #include "config/loader/read_expectations.h"
+#include "config/loader/read_status.h"
 #include "config/loader/read_steps.h"
 
 namespace campuswalk::config {
@@ -38,6 +39,13 @@ void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem:
     if (const auto sim = map.find("sim")) {
         walk.sim = read_sim(*sim);
     }
+    if (const auto status = map.find("status")) {
+        walk.status = read_status(*status);
+    }
+    if (const auto tags = map.find("tags")) {
+        walk.tags = read_tags(*tags);
+    }
+    map.number("timeout", kTimeout, walk.timeout);
     if (const auto camera = map.find("camera")) {
         walk.camera = read_camera(*camera);
     }

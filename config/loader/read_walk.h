@@ -8,8 +8,7 @@
 
 namespace campuswalk::config {
 
-/// Reads what a walk file says by itself, once its campus and its avatar are known: sim, camera, steps,
-/// expect.
+/// Reads what a walk file says by itself, once its campus and its avatar are known: all but these two.
 void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
                engine::Walk& walk);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/loader/checked_node.h"
@@ -14,6 +15,7 @@ namespace campuswalk::config {
 /// A list's entry that says by its only key what it is, as in `- wait: 2`: the key's meaning and its value.
 template <typename Meaning>
 struct SingleKey {
+    std::string_view key;  ///< as in the choices
     Meaning meaning{};
     CheckedNode value;
 };
@@ -39,7 +41,7 @@ std::optional<SingleKey<Meaning>> single_key(const CheckedNode& node, const std:
     std::vector<std::string> known;
     for (const Choice<Meaning>& choice : choices) {
         if (choice.name == entries.front().key) {
-            return SingleKey<Meaning>{choice.value, entries.front().value};
+            return SingleKey<Meaning>{choice.name, choice.value, entries.front().value};
         }
         known.emplace_back(choice.name);
     }

@@ -23,8 +23,8 @@ struct FailureScene {
 
 /// Why a walk did not pass: a step that gave up or an expectation that was not met.
 struct Failure {
-    SourceMark mark;   ///< the step or expectation in the walk file
-    std::string code;  ///< "blocked", "enclosed", "fell", "timeout", "sequence", "never", "count", "reaches"
+    SourceMark mark;      ///< the step or expectation in the walk file
+    std::string code;     ///< one of failure_codes(), or "xfail": should have failed and did not
     std::string message;  ///< what was expected and what came instead, on a line
     FailureScene scene = {};
 };

@@ -7,9 +7,6 @@
 
 namespace campuswalk::engine {
 
-/// The event as one line in fixed columns: tick, seconds, kind, object, then `name=value`s.
-std::string text_line(const Event& event, double time);
-
 /// The log that people read and diff: a line an event, after a header line with what the walk ran with.
 class TextLog final : public Observer {
 public:

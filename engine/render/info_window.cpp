@@ -202,11 +202,11 @@ std::string readable_hours(const std::string& hours) {
     return from.empty() || to.empty() ? hours : from + " \u2013 " + to;
 }
 
-InfoWindow info_window_of(const scene::Building& building) {
-    return {building.title.empty() ? building.id : building.title,
+InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popup) {
+    return {popup.title.empty() ? building.id : popup.title,
             building.kind,
             building.hours,
-            building.text,
+            popup.text,
             building.floors,
             std::nullopt};
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "engine/frame_record.h"
 #include "engine/render/canvas.h"
 #include "scene/campus_description.h"
 
@@ -22,7 +23,8 @@ struct InfoWindow {
         anchor;  ///< where the building is in the picture, pixels: a line leads there
 };
 
-InfoWindow info_window_of(const scene::Building& building);
+/// As it has opened: `title` and `text` with their variables filled in. The id stands in for no title.
+InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popup);
 
 /// "08-22" and "8:30-22" become "08:00 – 22:00" and "08:30 – 22:00"; anything else stays as it is.
 std::string readable_hours(const std::string& hours);

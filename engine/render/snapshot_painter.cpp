@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/events/popup_text.h"
 #include "engine/render/building_bounds.h"
 
 namespace campuswalk::engine::render {
@@ -89,8 +90,8 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
 std::vector<InfoWindow> SnapshotPainter::windows(const Shot& shot, const Viewpoint& view) const {
     std::vector<InfoWindow> all;
     for (auto i = shot.open_popups.rbegin(); i != shot.open_popups.rend(); ++i) {
-        all.push_back(info_window_of(campus_.description.buildings[*i]));
-        all.back().anchor = anchor(*i, shot, view);
+        all.push_back(info_window_of(campus_.description.buildings[i->building], *i));
+        all.back().anchor = anchor(i->building, shot, view);
     }
     return all;
 }
@@ -114,8 +115,9 @@ std::vector<MapLabel> SnapshotPainter::labels() const {
     for (std::size_t i = 0; i < building_bounds_.size(); ++i) {
         const scene::Bounds& box = building_bounds_[i];
         if (!box.empty()) {
-            all.push_back(
-                {info_window_of(campus_.description.buildings[i]).title, 0.5 * (box.min + box.max)});
+            const scene::Building& building = campus_.description.buildings[i];
+            const std::string title = popup_title(building, {});
+            all.push_back({title.empty() ? building.id : title, 0.5 * (box.min + box.max)});
         }
     }
     return all;

@@ -40,10 +40,10 @@ struct Shot {
     CameraSettings camera;
     AvatarState avatar;
     AvatarProfile profile;
-    double stride = 0.0;                       ///< phase of the avatar's step, radians
-    std::span<const std::size_t> open_popups;  ///< building indices, oldest first
-    std::span<const Eigen::Vector3d> path;     ///< walked so far, shown in View::top
-    std::string caption;                       ///< shown when SnapshotSettings::caption
+    double stride = 0.0;                     ///< phase of the avatar's step, radians
+    std::span<const OpenPopup> open_popups;  ///< oldest first
+    std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in View::top
+    std::string caption;                     ///< shown when SnapshotSettings::caption
 };
 
 /// Draws finished snapshots of one campus: the picture, and over it windows, minimap and map marks. Holds the

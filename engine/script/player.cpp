@@ -40,7 +40,8 @@ bool has_arrived(const Target& target, double within, const AvatarState& avatar)
 /// Steps that take no time.
 bool is_effect(const Step& step) {
     return std::holds_alternative<SnapshotStep>(step) || std::holds_alternative<CrouchStep>(step) ||
-           std::holds_alternative<SpeedStep>(step) || std::holds_alternative<EnableStep>(step);
+           std::holds_alternative<SpeedStep>(step) || std::holds_alternative<EnableStep>(step) ||
+           std::holds_alternative<ExpectStep>(step);
 }
 
 }  // namespace
@@ -92,6 +93,10 @@ std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vect
         }
     }
     return end;
+}
+
+const SourceMark& ScriptPlayer::mark() const {
+    return std::visit([](const auto& step) -> const SourceMark& { return step.mark; }, walk_.steps[current_]);
 }
 
 std::optional<StepEnd> ScriptPlayer::end_of(const Step& step, Outcome result,

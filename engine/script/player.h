@@ -50,6 +50,8 @@ public:
     /// caller carries out in their order. The end of a walk_to or a follow is reported, and what ends the
     /// walk.
     std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& effects);
+    /// Of the step that is being played; call before it is finished.
+    const SourceMark& mark() const;
     /// No further step is played.
     void abandon() { current_ = walk_.steps.size(); }
 

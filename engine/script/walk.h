@@ -10,11 +10,11 @@
 #include <Eigen/Core>
 
 #include "engine/avatar.h"
+#include "engine/script/expectation.h"
+#include "engine/script/mentions.h"
 #include "scene/diagnostic.h"
 
 namespace campuswalk::engine {
-
-using scene::SourceMark;
 
 // ---- camera -------------------------------------------------------------------------------------------
 
@@ -29,26 +29,9 @@ struct CameraSettings {
     double distance = 4.0;            ///< metres behind the avatar, for View::third_person
 };
 
-// ---- events -------------------------------------------------------------------------------------------
-
-/// `KIND OBJECT` with globs in both, as in "popup.open library" or "collision.* bench/*".
-/// A pattern without an object matches any.
-struct EventPattern {
-    SourceMark mark;
-    std::string kind;
-    std::string object = "*";
-};
-
 // ---- steps --------------------------------------------------------------------------------------------
 // `repeat` and `include` are unrolled by the loader: what is played is one plain list.
 // Names are resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
-
-/// A point to go to. Without a height of its own (`[x, z]`) only the horizontal distance counts.
-struct Target {
-    std::string label;
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    bool has_height = false;
-};
 
 /// Puts the avatar down; the first step of every walk. The place must be free: it is checked before the run.
 struct SpawnStep {
@@ -139,45 +122,19 @@ struct SpeedStep {
 
 /// Objects that can be met from now on, or no longer.
 struct EnableStep {
-    struct ObjectPattern {
-        SourceMark mark;
-        std::string glob;
-    };
     SourceMark mark;
-    std::vector<ObjectPattern> objects;
+    std::vector<NamePattern> objects;
     bool enabled = true;
 };
 
+/// Ends the walk unless all has been as expected so far.
+struct ExpectStep {
+    SourceMark mark;
+    std::vector<Expectation> expectations;  ///< at least one, no ExpectLog
+};
+
 using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
-                          FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep>;
-
-// ---- expectations -------------------------------------------------------------------------------------
-
-struct ExpectSequence {
-    SourceMark mark;
-    std::vector<EventPattern> events;  ///< in this order, others may come between
-};
-
-struct ExpectNever {
-    SourceMark mark;
-    EventPattern event;
-};
-
-struct ExpectCount {
-    SourceMark mark;
-    EventPattern event;
-    std::optional<int> equals;
-    std::optional<int> at_least;
-    std::optional<int> at_most;
-};
-
-struct ExpectReaches {
-    SourceMark mark;
-    Target target;
-    double within = 0.5;  ///< metres; in three dimensions when the target has a height
-};
-
-using Expectation = std::variant<ExpectSequence, ExpectNever, ExpectCount, ExpectReaches>;
+                          FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep, ExpectStep>;
 
 // ---- the walk -----------------------------------------------------------------------------------------
 

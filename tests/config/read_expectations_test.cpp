@@ -11,6 +11,11 @@ namespace {
 using namespace engine;
 using testing::ElementsAre;
 
+template <typename Expected>
+Expected plain(const std::vector<Expectation>& all, std::size_t index) {
+    return std::get<Expected>(std::get<PlainExpectation>(all.at(index)));
+}
+
 class ReadExpectations : public testing::Test {
 protected:
     std::vector<Expectation> read(const std::string& text) {
@@ -24,7 +29,7 @@ protected:
 TEST_F(ReadExpectations, ReadsEventPatterns) {
     const auto all =
         read("  - sequence: [\"trigger.enter hut/door\", popup.open]\n  - never: collision.* pond*\n");
-    const auto& sequence = std::get<ExpectSequence>(all.at(0));
+    const auto sequence = plain<ExpectSequence>(all, 0);
     ASSERT_EQ(sequence.events.size(), 2U);
     EXPECT_EQ(sequence.events[0].kind, "trigger.enter");
     EXPECT_EQ(sequence.events[0].object, "hut/door");
@@ -32,7 +37,7 @@ TEST_F(ReadExpectations, ReadsEventPatterns) {
     EXPECT_EQ(sequence.events[1].object, "*");
     EXPECT_EQ(sequence.mark.line, 4);
     EXPECT_EQ(sequence.mark.column, 15);
-    const auto& never = std::get<ExpectNever>(all.at(1));
+    const auto never = plain<ExpectNever>(all, 1);
     EXPECT_EQ(never.event.kind, "collision.*");
     EXPECT_EQ(never.event.object, "pond*");
 }
@@ -43,14 +48,14 @@ TEST_F(ReadExpectations, ReadsCountsAndGoals) {
         "  - count: {event: popup.open, at_least: 1, at_most: 4}\n"
         "  - reaches: square\n"
         "  - reaches: {place: [1, 2], within: 2}\n");
-    EXPECT_EQ(std::get<ExpectCount>(all.at(0)).equals, 0);
-    EXPECT_FALSE(std::get<ExpectCount>(all.at(0)).at_least);
-    EXPECT_EQ(std::get<ExpectCount>(all.at(1)).at_least, 1);
-    EXPECT_EQ(std::get<ExpectCount>(all.at(1)).at_most, 4);
-    EXPECT_EQ(std::get<ExpectReaches>(all.at(2)).target.point, Eigen::Vector3d(2, 0, -3));
-    EXPECT_EQ(std::get<ExpectReaches>(all.at(2)).within, 0.5);
-    EXPECT_FALSE(std::get<ExpectReaches>(all.at(3)).target.has_height);
-    EXPECT_EQ(std::get<ExpectReaches>(all.at(3)).within, 2.0);
+    EXPECT_EQ(plain<ExpectCount>(all, 0).times.equals, 0);
+    EXPECT_FALSE(plain<ExpectCount>(all, 0).times.at_least);
+    EXPECT_EQ(plain<ExpectCount>(all, 1).times.at_least, 1);
+    EXPECT_EQ(plain<ExpectCount>(all, 1).times.at_most, 4);
+    EXPECT_EQ(plain<ExpectReaches>(all, 2).target.point, Eigen::Vector3d(2, 0, -3));
+    EXPECT_EQ(plain<ExpectReaches>(all, 2).within, 0.5);
+    EXPECT_FALSE(plain<ExpectReaches>(all, 3).target.has_height);
+    EXPECT_EQ(plain<ExpectReaches>(all, 3).within, 2.0);
 }
 
 TEST_F(ReadExpectations, WantsOneKeyEach) {
@@ -95,6 +100,153 @@ TEST_F(ReadExpectations, ComplainsOfCountsAndGoals) {
                             "a.walk.yaml:5:14: error missing-key: 'reaches' needs the key 'place'",
                             "a.walk.yaml:5:23: error bad-value: 'within' must be more than 0 and at most "
                             "1000000 m, not '0'"));
+}
+
+TEST_F(ReadExpectations, ReadsWhatFollowsWhat) {
+    const auto within = plain<ExpectWithin>(
+        read("  - within: {after: trigger.enter hut, event: popup.open hut, seconds: 2}\n"), 0);
+    EXPECT_EQ(within.after.object, "hut");
+    EXPECT_EQ(within.event.kind, "popup.open");
+    EXPECT_EQ(within.seconds, 2.0);
+    EXPECT_THAT(folder_.about_expectations("  - within: {after: popup.open}\n"),
+                ElementsAre("a.walk.yaml:4:13: error missing-key: 'within' needs the key 'event'",
+                            "a.walk.yaml:4:13: error missing-key: 'within' needs the key 'seconds'"));
+}
+
+TEST_F(ReadExpectations, ReadsPopups) {
+    const auto all = read(
+        "  - popup: hut\n"
+        "  - popup: {building: \"h*\", title: \"H*\", body: \"*books*\", times: 2}\n"
+        "  - popup: {building: hut, times: {at_most: 3}}\n");
+    EXPECT_EQ(plain<ExpectPopup>(all, 0).building.glob, "hut");
+    EXPECT_EQ(plain<ExpectPopup>(all, 0).times.at_least, 1);
+    EXPECT_EQ(plain<ExpectPopup>(all, 1).title, "H*");
+    EXPECT_EQ(plain<ExpectPopup>(all, 1).body, "*books*");
+    EXPECT_EQ(plain<ExpectPopup>(all, 1).times.equals, 2);
+    EXPECT_FALSE(plain<ExpectPopup>(all, 2).times.at_least) << "it need not open";
+    EXPECT_EQ(plain<ExpectPopup>(all, 2).times.at_most, 3);
+    EXPECT_THAT(folder_.about_expectations("  - popup: {title: a, times: {}}\n"),
+                ElementsAre("a.walk.yaml:4:12: error missing-key: 'popup' needs the key 'building'",
+                            "a.walk.yaml:4:30: error missing-key: 'times' needs one of equals, at_least, "
+                            "at_most"));
+}
+
+TEST_F(ReadExpectations, ReadsVisits) {
+    const auto all = read(
+        "  - visits: hut\n  - visits: [hut, \"l*\"]\n  - visits: {ratio: 0.8}\n"
+        "  - visits: {buildings: [hut], ratio: 0.5}\n");
+    EXPECT_EQ(plain<ExpectVisits>(all, 0).buildings.at(0).glob, "hut");
+    EXPECT_EQ(plain<ExpectVisits>(all, 0).ratio, 1.0);
+    EXPECT_EQ(plain<ExpectVisits>(all, 1).buildings.size(), 2U);
+    EXPECT_EQ(plain<ExpectVisits>(all, 2).buildings.at(0).glob, "*");
+    EXPECT_EQ(plain<ExpectVisits>(all, 2).ratio, 0.8);
+    EXPECT_EQ(plain<ExpectVisits>(all, 3).buildings.at(0).glob, "hut");
+    EXPECT_THAT(folder_.about_expectations("  - visits: {}\n  - visits: []\n  - visits: {ratio: 80}\n"),
+                ElementsAre("a.walk.yaml:4:13: error missing-key: 'visits' needs buildings, a ratio, or both",
+                            "a.walk.yaml:5:13: error bad-value: 'visits' needs at least one building",
+                            "a.walk.yaml:6:21: error bad-value: 'ratio' must be from 0 to 1, not '80'"));
+}
+
+TEST_F(ReadExpectations, ReadsWhereTheAvatarIs) {
+    const auto all = read(
+        "  - near: square\n  - near: {place: square, within: 2, at: end}\n"
+        "  - near: {place: [1, 2], at: avatar.stuck}\n");
+    EXPECT_EQ(plain<ExpectNear>(all, 0).target.point, Eigen::Vector3d(2, 0, -3));
+    EXPECT_EQ(plain<ExpectNear>(all, 0).within, 0.5);
+    EXPECT_FALSE(plain<ExpectNear>(all, 1).at);
+    EXPECT_EQ(plain<ExpectNear>(all, 1).within, 2.0);
+    EXPECT_EQ(plain<ExpectNear>(all, 2).at->kind, "avatar.stuck");
+    EXPECT_THAT(folder_.about_expectations("  - near: squre\n  - near: {place: gate, at: ende}\n"),
+                ElementsAre("a.walk.yaml:4:11: error unknown-name: the campus has no place or spawn 'squre' "
+                            "(did you mean 'square'?)",
+                            testing::StartsWith("a.walk.yaml:5:29: error unknown-name: no event is called "
+                                                "'ende'")));
+}
+
+TEST_F(ReadExpectations, ReadsTimesAndWays) {
+    const auto all =
+        read("  - duration: 12.5\n  - duration: {at_least: 1, at_most: 2}\n  - distance: {at_most: 9}\n");
+    EXPECT_EQ(plain<ExpectDuration>(all, 0).seconds.equals, 12.5);
+    EXPECT_EQ(plain<ExpectDuration>(all, 1).seconds.at_least, 1.0);
+    EXPECT_EQ(plain<ExpectDuration>(all, 1).seconds.at_most, 2.0);
+    EXPECT_EQ(plain<ExpectDistance>(all, 2).metres.at_most, 9.0);
+    EXPECT_THAT(
+        folder_.about_expectations("  - duration: {}\n  - distance: far\n  - duration: {at_lest: 1}\n"),
+        ElementsAre("a.walk.yaml:4:15: error missing-key: 'duration' needs one of equals, at_least, "
+                    "at_most",
+                    "a.walk.yaml:5:15: error wrong-type: 'distance' must be a number, not 'far'",
+                    "a.walk.yaml:6:15: error missing-key: 'duration' needs one of equals, at_least, "
+                    "at_most",
+                    "a.walk.yaml:6:16: error unknown-key: unknown key 'at_lest' in 'duration' (did you "
+                    "mean 'at_least'?)"));
+}
+
+TEST_F(ReadExpectations, ReadsWordsWithAndWithoutAValue) {
+    const auto all = read(
+        "  - stuck\n  - stuck: {by: \"bench/*\"}\n  - fell\n  - fell:\n  - grounded\n  - grounded: always\n"
+        "  - grounded: {ratio: 0.9}\n  - no_penetration\n  - no_penetration: {tolerance: 0.01}\n"
+        "  - blocked_by: wall\n");
+    EXPECT_EQ(plain<ExpectStuck>(all, 0).by.glob, "*");
+    EXPECT_EQ(plain<ExpectStuck>(all, 0).mark.line, 4);
+    EXPECT_EQ(plain<ExpectStuck>(all, 0).mark.column, 5);
+    EXPECT_EQ(plain<ExpectStuck>(all, 1).by.glob, "bench/*");
+    EXPECT_EQ(plain<ExpectFell>(all, 2).mark.line, 6);
+    EXPECT_EQ(plain<ExpectFell>(all, 3).mark.line, 7);
+    EXPECT_EQ(plain<ExpectGrounded>(all, 4).ratio, 1.0);
+    EXPECT_EQ(plain<ExpectGrounded>(all, 5).ratio, 1.0);
+    EXPECT_EQ(plain<ExpectGrounded>(all, 6).ratio, 0.9);
+    EXPECT_EQ(plain<ExpectNoPenetration>(all, 7).tolerance, 1e-4);
+    EXPECT_EQ(plain<ExpectNoPenetration>(all, 8).tolerance, 0.01);
+    EXPECT_EQ(plain<ExpectBlockedBy>(all, 9).object.glob, "wall");
+}
+
+TEST_F(ReadExpectations, ComplainsOfWords) {
+    EXPECT_THAT(
+        folder_.about_expectations("  - reaches\n  - grounded: never\n  - fell: far\n  - stuck: hut\n"),
+        ElementsAre("a.walk.yaml:4:5: error wrong-type: an expectation must be a key with a value, as in "
+                    "'sequence: …'",
+                    "a.walk.yaml:5:15: error bad-value: 'grounded' must be one of always, not 'never'",
+                    "a.walk.yaml:6:11: error wrong-type: 'fell' takes no value",
+                    "a.walk.yaml:7:12: error wrong-type: 'stuck' must be a map of keys, as in {key: "
+                    "value}"));
+}
+
+TEST_F(ReadExpectations, ReadsWhatIsNotExpected) {
+    const auto all = read("  - not: fell\n  - not: {stuck: {by: hut}}\n  - not: {reaches: square}\n");
+    EXPECT_TRUE(std::holds_alternative<ExpectFell>(std::get<ExpectNot>(all.at(0)).what));
+    EXPECT_EQ(std::get<ExpectStuck>(std::get<ExpectNot>(all.at(1)).what).by.glob, "hut");
+    EXPECT_TRUE(std::holds_alternative<ExpectReaches>(std::get<ExpectNot>(all.at(2)).what));
+    EXPECT_THAT(
+        folder_.about_expectations("  - not: {not: fell}\n  - not: stcuk\n"),
+        ElementsAre(testing::StartsWith("a.walk.yaml:4:11: error unknown-key: unknown key 'not' for what "
+                                        "is not expected; known here: sequence, "),
+                    testing::StartsWith("a.walk.yaml:5:10: error wrong-type: what is not expected must "
+                                        "be a key")));
+}
+
+TEST_F(ReadExpectations, ReadsAGoldenLog) {
+    EXPECT_TRUE(std::get<ExpectLog>(read("  - log: {golden: true}\n").at(0)).golden);
+    EXPECT_FALSE(std::get<ExpectLog>(read("  - log: {golden: false}\n").at(0)).golden);
+    EXPECT_THAT(
+        folder_.about_expectations("  - log: golden\n  - log: {}\n"),
+        ElementsAre("a.walk.yaml:4:10: error wrong-type: 'log' must be a map of keys, as in {key: value}",
+                    "a.walk.yaml:5:10: error missing-key: 'log' needs the key 'golden'"));
+}
+
+TEST_F(ReadExpectations, StandInStepsToo) {
+    EXPECT_THAT(folder_.about_steps("  - spawn: gate\n  - expect: stuck\n  - expect: {never: popup.open}\n"
+                                    "  - expect:\n      - fell\n      - not: grounded\n"),
+                ElementsAre());
+    const std::vector<Step> steps = folder_.run().walk.steps;
+    EXPECT_TRUE(std::holds_alternative<ExpectStuck>(
+        std::get<PlainExpectation>(std::get<ExpectStep>(steps.at(1)).expectations.at(0))));
+    EXPECT_EQ(std::get<ExpectStep>(steps.at(2)).mark.line, 5);
+    EXPECT_EQ(std::get<ExpectStep>(steps.at(3)).expectations.size(), 2U);
+    EXPECT_THAT(
+        folder_.about_steps("  - spawn: gate\n  - expect: []\n  - expect: {log: {golden: true}}\n"),
+        ElementsAre("a.walk.yaml:4:13: error bad-value: 'expect' needs at least one expectation",
+                    "a.walk.yaml:5:19: error bad-value: 'log' can only be judged after the walk: put it "
+                    "below its 'expect'"));
 }
 
 }  // namespace

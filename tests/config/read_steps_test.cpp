@@ -120,8 +120,8 @@ TEST_F(ReadSteps, WantsOneKeyAStep) {
             "a.walk.yaml:6:5: error wrong-type: a step must be a key with a value, as in 'spawn: …'",
             "a.walk.yaml:7:5: error unknown-key: unknown key 'wiat' for a step (did you mean 'wait'?)",
             "a.walk.yaml:8:5: error unknown-key: unknown key 'fly' for a step; known here: spawn, walk_to, "
-            "follow, run, speed, jump, crouch, wait, wait_until, turn, look_at, teleport, enable, disable, "
-            "snapshot, repeat, include"));
+            "follow, run, speed, jump, crouch, expect, wait, wait_until, turn, look_at, teleport, enable, "
+            "disable, snapshot, repeat, include"));
 }
 
 TEST_F(ReadSteps, ComplainsOfTargets) {

@@ -127,6 +127,35 @@ TEST(CheckWalk, ReportsEverythingAtOnce) {
               Complaints({"spawn-blocked", "spawn-blocked", "unknown-name", "unknown-name", "unknown-name"}));
 }
 
+TEST(CheckWalk, LooksUpBuildingsAndObjectsOfExpectations) {
+    const SourceMark mark = {"a.walk.yaml", 21, 5};
+    const auto about = [&](const Expectation& expectation) {
+        Walk walk = walk_of({spawn_at({0, 0, 0})});
+        walk.expectations = {expectation};
+        return complaints(walk);
+    };
+    const std::string place = "a.walk.yaml:21:5: error unknown-name: ";
+    EXPECT_EQ(about(ExpectPopup{mark, {mark, "library"}}), Complaints());
+    EXPECT_EQ(about(ExpectPopup{mark, {mark, "libary"}}),
+              Complaints({place + "no building 'libary' has a pop-up (did you mean 'library'?)"}));
+    EXPECT_EQ(about(ExpectVisits{mark, {{mark, "l*"}, {mark, "lab"}}, 1.0}),
+              Complaints({place + "no building 'lab' has a pop-up"}));
+    EXPECT_EQ(about(ExpectBlockedBy{mark, {mark, "tabel"}}),
+              Complaints({place + "the campus has no solid object 'tabel' (did you mean 'table'?)"}));
+    EXPECT_EQ(about(ExpectStuck{mark, {mark, "*"}}), Complaints());
+    EXPECT_EQ(about(ExpectNot{mark, ExpectStuck{mark, {mark, "library/door"}}}),
+              Complaints({place + "the campus has no solid object 'library/door'"}))
+        << "a trigger is in nobody's way";
+    EXPECT_EQ(about(ExpectNear{mark, {}, 1.0, EventPattern{mark, "trigger.enter", "table"}}).size(), 1U);
+    EXPECT_EQ(about(ExpectWithin{mark, {mark, "trigger.enter", "a"}, {mark, "popup.open", "b"}, 1.0}).size(),
+              2U);
+}
+
+TEST(CheckWalk, LooksAtExpectationsInSteps) {
+    const ExpectStep step = {{}, {expect_never("popup.open libary", 9)}};
+    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), step, step})).size(), 1U) << "once for all rounds";
+}
+
 TEST(CheckWalk, HasNothingAgainstReaches) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_reaches({"nowhere", {1e6, 0, 0}, false}, 0.1)};

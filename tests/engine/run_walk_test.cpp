@@ -236,5 +236,25 @@ TEST(WalkHash, IsAnotherForAnotherWalk) {
     EXPECT_EQ(add(hall_campus(), walk_of({spawn_at({0, 0, 0}), snapshot("x"), walk_to(0, -8)})), 8U);
 }
 
+// ---- the whole walk's time-out ---------------------------------------------------------------------------
+
+TEST(RunWalk, EndsAtItsTimeOut) {
+    Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(1.0), wait_for(60.0)});
+    std::get<WaitStep>(walk.steps[2]).mark = {"a.walk.yaml", 6, 5};
+    walk.timeout = 1.5;
+    const WalkSummary summary = run_walk(level_campus(), walk, {});
+    ASSERT_EQ(summary.failures.size(), 1U);
+    EXPECT_EQ(summary.failures[0].code, "timeout");
+    EXPECT_EQ(summary.failures[0].mark.line, 6);
+    EXPECT_EQ(summary.failures[0].message, "the walk was still in this step after 1.500 s, its time-out");
+    EXPECT_EQ(summary.ticks, 90);
+}
+
+TEST(RunWalk, MayEndInTheTickOfItsTimeOut) {
+    Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(1.0)});
+    walk.timeout = 1.0;
+    EXPECT_TRUE(run_walk(level_campus(), walk, {}).passed);
+}
+
 }  // namespace
 }  // namespace campuswalk::engine

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/expect/expectation_judge.h"
+#include "engine/event_pattern.h"
 
 namespace campuswalk::engine {
 
@@ -133,9 +133,7 @@ ExpectCount expect_count(const std::string& words, std::optional<int> equals, st
     ExpectCount expected;
     expected.event = pattern(words);
     expected.mark = expected.event.mark = mark_of(line);
-    expected.equals = equals;
-    expected.at_least = at_least;
-    expected.at_most = at_most;
+    expected.times = {equals, at_least, at_most};
     return expected;
 }
 
@@ -167,7 +165,9 @@ void Recorder::begin(const Walk&) {
 void Recorder::frame(const FrameRecord& record) {
     calls_.emplace_back("frame");
     Frame frame{record.tick, record.time, record.avatar, {}, {}};
-    frame.open_popups.assign(record.open_popups.begin(), record.open_popups.end());
+    for (const OpenPopup& popup : record.open_popups) {
+        frame.open_popups.push_back(popup.building);
+    }
     for (const SnapshotStep* step : record.snapshots) {
         frame.snapshots.push_back(step->name);
     }

@@ -101,7 +101,11 @@ public:
         }
         EXPECT_FALSE(opens_next_) << "an enter without its pop-up";
         EXPECT_FALSE(closed_) << "a pop-up that closed without an exit";
-        EXPECT_EQ(std::vector<std::size_t>(record.open_popups.begin(), record.open_popups.end()), open_);
+        std::vector<std::size_t> shown;
+        for (const OpenPopup& popup : record.open_popups) {
+            shown.push_back(popup.building);
+        }
+        EXPECT_EQ(shown, open_);
     }
     void end() override {
         EXPECT_TRUE(since_.empty()) << "a contact without an exit";

@@ -130,5 +130,57 @@ TEST(PopupEvents, ShowTheBuildingsRecord) {
     EXPECT_EQ(shown("", ""), "");
 }
 
+// ---- once, cooldown, dwell, variables -------------------------------------------------------------------
+
+/// Through a door twice: at 2.0 to 3.0 m there, and again on the way back.
+Outing there_and_back(const scene::PopupRule& rule, const std::string& text = "") {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall", "Hall", "", text);
+    add_box(campus, "hall/door", {-1, 0, -3}, {1, 2, -2}, trigger_of("hall"));
+    campus.objects.back().popup_rule = rule;
+    return run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -6), walk_to(0, 0)}));
+}
+
+std::vector<double> times_of(const Outing& outing, const std::string& words) {
+    std::vector<double> times;
+    for (const Event& event : outing.recorder.of(words)) {
+        times.push_back(static_cast<double>(event.tick) / 60.0);
+    }
+    return times;
+}
+
+TEST(PopupTimes, OnceIsOncePerWalk) {
+    EXPECT_EQ(there_and_back({}).recorder.of("popup.open").size(), 2U);
+    const Outing outing = there_and_back({true, 0.0, 0.0});
+    EXPECT_EQ(outing.recorder.of("popup.open").size(), 1U);
+    EXPECT_EQ(outing.recorder.of("popup.close").size(), 1U);
+    EXPECT_EQ(outing.recorder.of("trigger.enter").size(), 2U);
+}
+
+TEST(PopupTimes, CoolDownFromTheClosing) {
+    const Outing plain = there_and_back({});
+    const double pause = times_of(plain, "popup.open")[1] - times_of(plain, "popup.close")[0];
+    EXPECT_EQ(there_and_back({false, pause, 0.0}).recorder.of("popup.open").size(), 2U);
+    EXPECT_EQ(there_and_back({false, pause + 1.0 / 60.0, 0.0}).recorder.of("popup.open").size(), 1U);
+}
+
+TEST(PopupTimes, DwellOpensLaterOrNotAtAll) {
+    const Outing late = there_and_back({false, 0.0, 0.5});
+    const std::vector<double> opened = times_of(late, "popup.open");
+    const std::vector<double> entered = times_of(late, "trigger.enter");
+    ASSERT_EQ(opened.size(), 2U);
+    EXPECT_NEAR(opened[0], entered[0] + 0.5, 1e-9);
+    EXPECT_NEAR(opened[1], entered[1] + 0.5, 1e-9);
+    EXPECT_TRUE(there_and_back({false, 0.0, 5.0}).recorder.of("popup.*").empty()) << "it was left before";
+}
+
+TEST(PopupTexts, SayWhatTheWalkKnows) {
+    const Outing outing = there_and_back({}, "{title}: visit {visits} at {time}.");
+    const std::vector<Event> opened = outing.recorder.of("popup.open");
+    ASSERT_EQ(opened.size(), 2U);
+    EXPECT_EQ(field<Text>(opened[0], "body").value, "Hall: visit 1 at 00:01.") << "1.7 m at 1.4 m/s";
+    EXPECT_EQ(field<Text>(opened[1], "body").value, "Hall: visit 2 at 00:06.");
+}
+
 }  // namespace
 }  // namespace campuswalk::engine

@@ -1,5 +1,7 @@
 #include "engine/observers/text_log.h"
 
+#include "engine/events/event_text.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>

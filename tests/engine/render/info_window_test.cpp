@@ -77,10 +77,11 @@ TEST(InfoWindow, TakesTheBuildingsRecordAndFallsBackToItsId) {
     building.id = "clock-tower";
     building.kind = "landmark";
     building.floors = 5;
-    EXPECT_EQ(info_window_of(building).title, "clock-tower");
-    building.title = "Clock Tower";
-    const InfoWindow window = info_window_of(building);
-    EXPECT_EQ(window.title, "Clock Tower");
+    EXPECT_EQ(info_window_of(building, {}).title, "clock-tower");
+    building.title = "Clock Tower, visit {visits}";
+    const InfoWindow window = info_window_of(building, {0, "Clock Tower, visit 2", "At 01:30."});
+    EXPECT_EQ(window.title, "Clock Tower, visit 2");
+    EXPECT_EQ(window.text, "At 01:30.");
     EXPECT_EQ(window.kind, "landmark");
     EXPECT_EQ(window.floors, 5);
     EXPECT_FALSE(window.anchor);

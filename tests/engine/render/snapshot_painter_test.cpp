@@ -70,7 +70,7 @@ TEST(SnapshotPainter, DrawsTheOpenPopupOverThePicture) {
     SnapshotPainter painter(campus, settings());
     Shot open = shot(View::first_person, 640, 360);
     const Picture closed_picture = painter.draw(open);
-    const std::vector<std::size_t> popups = {0};
+    const std::vector<OpenPopup> popups = {{0, "Tower", "As it opened."}};
     open.open_popups = popups;
     const Picture open_picture = painter.draw(open);
     EXPECT_GT(differing_pixels(closed_picture, open_picture), 5000U);

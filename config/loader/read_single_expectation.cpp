@@ -1,0 +1,232 @@
+#include "config/loader/read_single_expectation.h"
+
+#include <array>
+
+#include "config/loader/checked_map.h"
+#include "config/loader/ranges.h"
+#include "config/loader/read_limits.h"
+#include "config/loader/read_pattern.h"
+
+namespace campuswalk::config {
+
+using namespace engine;
+
+namespace {
+
+constexpr Range kRatio{0.0, 1.0, false, ""};
+
+NamePattern read_name(const CheckedNode& node) {
+    return {node.mark(), node.line().value_or("*")};
+}
+
+void read_event(CheckedMap& map, std::string_view key, EventPattern& event) {
+    if (const auto node = map.require(key)) {
+        event = read_pattern(*node);
+    }
+}
+
+void read_glob(CheckedMap& map, std::string_view key, std::string& glob) {
+    if (const auto node = map.find(key)) {
+        glob = node->line().value_or("*");
+    }
+}
+
+}  // namespace
+
+// ---- events ---------------------------------------------------------------------------------------------
+
+PlainExpectation read_sequence(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectSequence sequence;
+    sequence.mark = node.mark();
+    for (const CheckedNode& item : node.items_or_one("an event")) {
+        sequence.events.push_back(read_pattern(item));
+    }
+    if (sequence.events.empty() && (node.is_sequence() || node.is_null())) {
+        node.complain("bad-value", "'sequence' needs at least one event");
+    }
+    return sequence;
+}
+
+PlainExpectation read_never(const CheckedNode& node, const CampusNames& /*names*/) {
+    return ExpectNever{node.mark(), read_pattern(node)};
+}
+
+PlainExpectation read_count(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectCount count;
+    count.mark = node.mark();
+    CheckedMap map(node, "'count'");
+    read_event(map, "event", count.event);
+    read_limits(map, "'count'", count.times);
+    map.refuse_other_keys();
+    return count;
+}
+
+PlainExpectation read_within(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectWithin within;
+    within.mark = node.mark();
+    CheckedMap map(node, "'within'");
+    read_event(map, "after", within.after);
+    read_event(map, "event", within.event);
+    map.require("seconds");
+    map.number("seconds", kSeconds, within.seconds);
+    map.refuse_other_keys();
+    return within;
+}
+
+// ---- pop-ups --------------------------------------------------------------------------------------------
+
+PlainExpectation read_popup(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectPopup popup;
+    popup.mark = node.mark();
+    if (!node.is_map()) {
+        popup.building = read_name(node);
+        return popup;
+    }
+    CheckedMap map(node, "'popup'");
+    popup.building.mark = node.mark();
+    if (const auto building = map.require("building")) {
+        popup.building = read_name(*building);
+    }
+    read_glob(map, "title", popup.title);
+    read_glob(map, "body", popup.body);
+    if (const auto times = map.find("times")) {
+        popup.times = read_limits(*times);
+    }
+    map.refuse_other_keys();
+    return popup;
+}
+
+PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectVisits visits;
+    visits.mark = node.mark();
+    const auto read_buildings = [&](const CheckedNode& list) {
+        for (const CheckedNode& item : list.items_or_one("a building")) {
+            visits.buildings.push_back(read_name(item));
+        }
+        if (visits.buildings.empty() && (list.is_sequence() || list.is_null())) {
+            list.complain("bad-value", list.what() + " needs at least one building");
+        }
+    };
+    if (!node.is_map()) {
+        read_buildings(node);
+        return visits;
+    }
+    CheckedMap map(node, "'visits'");
+    if (const auto buildings = map.find("buildings")) {
+        read_buildings(*buildings);
+    } else {
+        visits.buildings.push_back({node.mark(), "*"});
+    }
+    map.number("ratio", kRatio, visits.ratio);
+    if (!map.has("buildings") && !map.has("ratio")) {
+        map.complain("missing-key", "'visits' needs buildings, a ratio, or both");
+    }
+    map.refuse_other_keys();
+    return visits;
+}
+
+// ---- the way --------------------------------------------------------------------------------------------
+
+PlainExpectation read_reaches(const CheckedNode& node, const CampusNames& names) {
+    ExpectReaches reaches;
+    reaches.mark = node.mark();
+    if (!node.is_map()) {
+        reaches.target = names.target(node);
+        return reaches;
+    }
+    CheckedMap map(node, "'reaches'");
+    if (const auto place = map.require("place")) {
+        reaches.target = names.target(*place);
+    }
+    map.number("within", kLength, reaches.within);
+    map.refuse_other_keys();
+    return reaches;
+}
+
+PlainExpectation read_near(const CheckedNode& node, const CampusNames& names) {
+    ExpectNear near;
+    near.mark = node.mark();
+    if (!node.is_map()) {
+        near.target = names.target(node);
+        return near;
+    }
+    CheckedMap map(node, "'near'");
+    if (const auto place = map.require("place")) {
+        near.target = names.target(*place);
+    }
+    map.number("within", kLength, near.within);
+    const auto at = map.find("at");
+    if (at && !(at->is_scalar() && at->text() == "end")) {
+        near.at = read_pattern(*at);
+    }
+    map.refuse_other_keys();
+    return near;
+}
+
+PlainExpectation read_duration(const CheckedNode& node, const CampusNames& /*names*/) {
+    return ExpectDuration{node.mark(), read_limits(node, kSeconds)};
+}
+
+PlainExpectation read_distance(const CheckedNode& node, const CampusNames& /*names*/) {
+    return ExpectDistance{node.mark(), read_limits(node, kDistance)};
+}
+
+// ---- the body -------------------------------------------------------------------------------------------
+
+PlainExpectation read_no_penetration(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectNoPenetration expected;
+    expected.mark = node.mark();
+    if (node.is_null()) {
+        return expected;
+    }
+    CheckedMap map(node, "'no_penetration'");
+    map.require("tolerance");
+    map.number("tolerance", kDistance, expected.tolerance);
+    map.refuse_other_keys();
+    return expected;
+}
+
+PlainExpectation read_grounded(const CheckedNode& node, const CampusNames& /*names*/) {
+    constexpr std::array kAlways = {Choice<double>{"always", 1.0}};
+    ExpectGrounded grounded;
+    grounded.mark = node.mark();
+    if (node.is_null()) {
+        return grounded;
+    }
+    if (!node.is_map()) {
+        node.choice(kAlways);
+        return grounded;
+    }
+    CheckedMap map(node, "'grounded'");
+    map.require("ratio");
+    map.number("ratio", kRatio, grounded.ratio);
+    map.refuse_other_keys();
+    return grounded;
+}
+
+PlainExpectation read_blocked_by(const CheckedNode& node, const CampusNames& /*names*/) {
+    return ExpectBlockedBy{node.mark(), read_name(node)};
+}
+
+PlainExpectation read_stuck(const CheckedNode& node, const CampusNames& /*names*/) {
+    ExpectStuck stuck;
+    stuck.mark = stuck.by.mark = node.mark();
+    if (node.is_null()) {
+        return stuck;
+    }
+    CheckedMap map(node, "'stuck'");
+    if (const auto by = map.require("by")) {
+        stuck.by = read_name(*by);
+    }
+    map.refuse_other_keys();
+    return stuck;
+}
+
+PlainExpectation read_fell(const CheckedNode& node, const CampusNames& /*names*/) {
+    if (!node.is_null()) {
+        node.complain("wrong-type", "'fell' takes no value");
+    }
+    return ExpectFell{node.mark()};
+}
+
+}  // namespace campuswalk::config

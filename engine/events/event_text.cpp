@@ -1,0 +1,89 @@
+#include "engine/events/event_text.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "engine/decimals.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+// Widths hold the usual contents; what is longer pushes the rest of its line to the right.
+constexpr std::size_t kTickWidth = 6;
+constexpr std::size_t kTimeWidth = 11;
+constexpr std::size_t kKindWidth = 16;
+constexpr std::size_t kObjectWidth = 17;
+
+std::string right_aligned(const std::string& text, std::size_t width, char fill) {
+    return text.size() < width ? std::string(width - text.size(), fill) + text : text;
+}
+
+std::string left_aligned(std::string_view text, std::size_t width) {
+    std::string padded(text);
+    padded.resize(std::max(width, padded.size()), ' ');
+    return padded;
+}
+
+/// One line whatever is in it.
+std::string in_quotes(std::string_view text) {
+    constexpr std::string_view kHex = "0123456789abcdef";
+    std::string out = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += {'\\', c};
+        } else if (c == '\n') {
+            out += "\\n";
+        } else if (byte < 0x20 || byte == 0x7f) {
+            out += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+        } else {
+            out += c;
+        }
+    }
+    return out + '"';
+}
+
+std::string text_of(std::int64_t value) {
+    return std::to_string(value);
+}
+std::string text_of(const Decimal& value) {
+    return fixed(value.value, value.digits);
+}
+std::string text_of(const Eigen::Vector3d& value) {
+    return fixed(value);
+}
+std::string text_of(const std::string& value) {
+    return text_of_name(value);
+}
+std::string text_of(const Text& value) {
+    return in_quotes(value.value);
+}
+
+}  // namespace
+
+std::string text_of_name(const std::string& value) {
+    const auto breaks_columns = [](char c) {
+        return static_cast<unsigned char>(c) <= 0x20 || c == 0x7f || c == '"' || c == '\\' || c == '=';
+    };
+    return value.empty() || std::ranges::any_of(value, breaks_columns) ? in_quotes(value) : value;
+}
+
+std::string text_line(const Event& event, double time) {
+    std::string line = right_aligned(std::to_string(event.tick), kTickWidth, '0') + ' ' +
+                       right_aligned(fixed(time, 6), kTimeWidth, ' ') + ' ' +
+                       left_aligned(name_of(event.kind), kKindWidth) + ' ';
+    if (event.fields.empty()) {
+        return line + text_of(event.object);
+    }
+    line += left_aligned(text_of(event.object), kObjectWidth);
+    for (const Field& field : event.fields) {
+        line += ' ';
+        line += field.name;
+        line += '=';
+        line += std::visit([](const auto& value) { return text_of(value); }, field.value);
+    }
+    return line;
+}
+
+}  // namespace campuswalk::engine

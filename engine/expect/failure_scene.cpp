@@ -1,0 +1,101 @@
+#include "engine/expect/failure_scene.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "collision/closest.h"
+#include "collision/obstacle.h"
+#include "engine/events/event_text.h"
+#include "engine/simulation.h"
+
+namespace campuswalk::engine {
+
+using collision::Segment;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kReach = 10.0;  // metres
+/// What is met no higher than this above the feet is what the avatar walks on, metres.
+constexpr double kUnderfoot = 0.1;
+
+struct Nearest {
+    std::optional<std::size_t> object;
+    double distance = kReach;  ///< metres, from the body
+};
+
+Segment axis_of(const AvatarState& state, const AvatarProfile& avatar) {
+    const double height = state.stature * avatar.height;
+    return {state.position + Vector3d(0, avatar.radius, 0),
+            state.position + Vector3d(0, height - avatar.radius, 0)};
+}
+
+Nearest nearest_solid(const Moment& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
+    const Segment axis = axis_of(moment.avatar, avatar);
+    const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(campus, avatar),
+                                        moment.disabled.get()};
+    std::vector<collision::Obstacle> pieces;
+    collision::QueryCounters counters;
+    Nearest nearest;
+    // Most walks end near something: a small circle first.
+    for (const double reach : {0.5, 3.0, kReach}) {
+        collision::gather_obstacles(campus.world, filter, axis, avatar.radius + reach, pieces, counters);
+        for (const collision::Obstacle& piece : pieces) {
+            const collision::Closest closest = collision::closest(axis, piece);
+            const double distance = std::max(0.0, closest.distance - avatar.radius);
+            if (closest.on_shape.y() > moment.avatar.position.y() + kUnderfoot &&
+                distance < nearest.distance) {
+                nearest = {index_of(piece.object), distance};
+            }
+        }
+        if (nearest.object && nearest.distance <= reach) {
+            break;
+        }
+    }
+    return nearest;
+}
+
+/// By the boxes of the buildings' objects.
+std::optional<std::size_t> nearest_building(const Vector3d& point, const scene::Campus& campus) {
+    std::optional<std::size_t> nearest;
+    double least = 1e300;
+    for (std::size_t i = 0; i < campus.objects.size(); ++i) {
+        if (!campus.objects[i].building) {
+            continue;
+        }
+        const collision::Aabb& box = campus.world.bounds(static_cast<collision::ObjectId>(i));
+        const Vector3d inside = point.cwiseMax(box.min).cwiseMin(box.max);
+        if (const double distance = (inside - point).norm(); distance < least) {
+            least = distance;
+            nearest = campus.objects[i].building;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+FailureScene scene_of(const Moment& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
+    FailureScene scene;
+    scene.tick = moment.tick;
+    scene.time = moment.time;
+    scene.position = moment.avatar.position;
+    scene.yaw = moment.avatar.yaw;
+    scene.pitch = moment.avatar.pitch;
+    const auto building = moment.building ? moment.building : nearest_building(scene.position, campus);
+    if (building) {
+        scene.building = campus.description.buildings[*building].id;
+    }
+    if (const Nearest nearest = nearest_solid(moment, campus, avatar); nearest.object) {
+        scene.nearest = campus.objects[*nearest.object].id;
+        scene.nearest_distance = nearest.distance;
+    }
+    for (const auto& told : moment.events) {
+        if (told) {
+            scene.last_events.push_back(text_line(told->event, told->time));
+        }
+    }
+    return scene;
+}
+
+}  // namespace campuswalk::engine

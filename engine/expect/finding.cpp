@@ -1,0 +1,48 @@
+#include "engine/expect/finding.h"
+
+#include <cmath>
+
+#include "engine/decimals.h"
+
+namespace campuswalk::engine {
+
+std::string told(const Event& event, double time) {
+    return std::string(name_of(event.kind)) + " " + event.object + " " + at_time(time);
+}
+
+std::string at_time(double time) {
+    return "at " + fixed(time, 3) + " s";
+}
+
+std::string told_times(int count) {
+    return count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+std::string broken_limit(const Limits<int>& limits, int count) {
+    if (limits.equals && count != *limits.equals) {
+        return "exactly " + std::to_string(*limits.equals);
+    }
+    if (limits.at_least && count < *limits.at_least) {
+        return "at least " + std::to_string(*limits.at_least);
+    }
+    if (limits.at_most && count > *limits.at_most) {
+        return "at most " + std::to_string(*limits.at_most);
+    }
+    return "";
+}
+
+std::string broken_limit(const Limits<double>& limits, double value, const std::string& unit) {
+    constexpr double kHalfOfLastDigit = 0.0005;
+    if (limits.equals && std::abs(value - *limits.equals) > kHalfOfLastDigit) {
+        return "exactly " + fixed(*limits.equals, 3) + unit;
+    }
+    if (limits.at_least && value < *limits.at_least) {
+        return "at least " + fixed(*limits.at_least, 3) + unit;
+    }
+    if (limits.at_most && value > *limits.at_most) {
+        return "at most " + fixed(*limits.at_most, 3) + unit;
+    }
+    return "";
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/expect/event_subjects.h"
+#include "scene/diagnostic.h"
+
+namespace campuswalk::engine {
+
+/// Finds what expectations name and the campus doesn't have: a `never` on a mistyped name would pass for
+/// ever.
+class NameCheck {
+public:
+    /// Both must outlive it.
+    NameCheck(const scene::Campus& campus, const Walk& walk) : subjects_(campus, walk) {}
+
+    /// Appends a complaint (unknown-name) about an event that can't happen.
+    void check(const EventPattern& pattern, std::vector<scene::Diagnostic>& complaints) const;
+    /// Appends those about all that the expectations name.
+    void check(const std::vector<Expectation>& expectations,
+               std::vector<scene::Diagnostic>& complaints) const;
+
+private:
+    EventSubjects subjects_;
+};
+
+}  // namespace campuswalk::engine

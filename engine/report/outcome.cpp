@@ -1,0 +1,52 @@
+#include "engine/report/outcome.h"
+
+#include <set>
+#include <string>
+#include <utility>
+
+namespace campuswalk::engine {
+
+namespace {
+
+using Codes = std::set<std::string>;
+
+std::string listed(const Codes& codes) {
+    std::string list;
+    for (const std::string& code : codes) {
+        list += (list.empty() ? "" : ", ") + code;
+    }
+    return list;
+}
+
+/// What is wrong with the way the walk failed; empty when nothing is.
+std::string complaint(const Codes& failed, const WalkStatus& status) {
+    const Codes wanted(status.codes.begin(), status.codes.end());
+    if (!failed.empty() && (wanted.empty() || wanted == failed)) {
+        return "";
+    }
+    std::string message = "expected to fail";
+    message += wanted.empty() ? "" : " with " + listed(wanted);
+    message += status.reason.empty() ? "" : " because " + status.reason;
+    return message + (failed.empty() ? ", but passed" : ", but failed with " + listed(failed));
+}
+
+}  // namespace
+
+JudgedWalk judge_outcome(std::vector<Failure> failures, const WalkStatus& status) {
+    JudgedWalk judged{Outcome::passed, std::move(failures)};
+    if (status.kind != WalkStatus::Kind::xfail) {
+        judged.outcome = judged.failures.empty() ? Outcome::passed : Outcome::failed;
+        return judged;
+    }
+    Codes failed;
+    for (const Failure& failure : judged.failures) {
+        failed.insert(failure.code);
+    }
+    if (std::string message = complaint(failed, status); !message.empty()) {
+        judged.outcome = Outcome::failed;
+        judged.failures.push_back({status.mark, "xfail", std::move(message), {}});
+    }
+    return judged;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/script/mentions.h"
+
+// What a walk is to be like, as written below `expect` or in a step of that name. `kName` is the key in the
+// file and the code of the failure.
+
+namespace campuswalk::engine {
+
+/// All that are set hold.
+template <typename Number>
+struct Limits {
+    std::optional<Number> equals;
+    std::optional<Number> at_least;
+    std::optional<Number> at_most;
+};
+
+// ---- events -------------------------------------------------------------------------------------------
+
+struct ExpectSequence {
+    static constexpr std::string_view kName = "sequence";
+    SourceMark mark;
+    std::vector<EventPattern> events;  ///< in this order, others may come between
+};
+
+struct ExpectNever {
+    static constexpr std::string_view kName = "never";
+    SourceMark mark;
+    EventPattern event;
+};
+
+struct ExpectCount {
+    static constexpr std::string_view kName = "count";
+    SourceMark mark;
+    EventPattern event;
+    Limits<int> times;
+};
+
+/// `after` comes, and each time it does, `event` follows within so many seconds.
+struct ExpectWithin {
+    static constexpr std::string_view kName = "within";
+    SourceMark mark;
+    EventPattern after;
+    EventPattern event;
+    double seconds = 0.0;
+};
+
+// ---- pop-ups ------------------------------------------------------------------------------------------
+
+/// An information window opens.
+struct ExpectPopup {
+    static constexpr std::string_view kName = "popup";
+    SourceMark mark;
+    NamePattern building;
+    std::string title = "*";  ///< glob
+    std::string body = "*";   ///< glob, over the event's body: hours and text
+    Limits<int> times{std::nullopt, 1, std::nullopt};
+};
+
+/// The pop-ups of these buildings open, each once at least; of buildings that have one.
+struct ExpectVisits {
+    static constexpr std::string_view kName = "visits";
+    SourceMark mark;
+    std::vector<NamePattern> buildings;  ///< at least one
+    double ratio = 1.0;                  ///< of those that match, at least
+};
+
+// ---- the way ------------------------------------------------------------------------------------------
+
+/// The avatar is at a point at some time.
+struct ExpectReaches {
+    static constexpr std::string_view kName = "reaches";
+    SourceMark mark;
+    Target target;
+    double within = 0.5;  ///< metres; in three dimensions when the target has a height
+};
+
+/// The avatar is at a point in the end, or whenever an event comes, which must come.
+struct ExpectNear {
+    static constexpr std::string_view kName = "near";
+    SourceMark mark;
+    Target target;
+    double within = 0.5;  ///< metres, as in ExpectReaches
+    std::optional<EventPattern> at;
+};
+
+struct ExpectDuration {
+    static constexpr std::string_view kName = "duration";
+    SourceMark mark;
+    Limits<double> seconds;  ///< simulated; equal to the millisecond
+};
+
+struct ExpectDistance {
+    static constexpr std::string_view kName = "distance";
+    SourceMark mark;
+    Limits<double> metres;  ///< along the path of the foot point; equal to the millimetre
+};
+
+// ---- the body -----------------------------------------------------------------------------------------
+
+/// At the end of no tick is the body inside a solid that it can meet.
+struct ExpectNoPenetration {
+    static constexpr std::string_view kName = "no_penetration";
+    SourceMark mark;
+    double tolerance = 1e-4;  ///< metres
+};
+
+struct ExpectGrounded {
+    static constexpr std::string_view kName = "grounded";
+    SourceMark mark;
+    double ratio = 1.0;  ///< of the ticks, at least
+};
+
+/// Something is in the way: a way ends there, or the avatar is stuck.
+struct ExpectBlockedBy {
+    static constexpr std::string_view kName = "blocked_by";
+    SourceMark mark;
+    NamePattern object;
+};
+
+struct ExpectStuck {
+    static constexpr std::string_view kName = "stuck";
+    SourceMark mark;
+    NamePattern by;  ///< `*`: by anything, or by nothing that could be named
+};
+
+struct ExpectFell {
+    static constexpr std::string_view kName = "fell";
+    SourceMark mark;
+};
+
+// ---- all of them --------------------------------------------------------------------------------------
+
+using PlainExpectation =
+    std::variant<ExpectSequence, ExpectNever, ExpectCount, ExpectWithin, ExpectPopup, ExpectVisits,
+                 ExpectReaches, ExpectNear, ExpectDuration, ExpectDistance, ExpectNoPenetration,
+                 ExpectGrounded, ExpectBlockedBy, ExpectStuck, ExpectFell>;
+
+/// That something is not as said. The failure's code is `not-` and the name of what was not expected.
+struct ExpectNot {
+    static constexpr std::string_view kName = "not";
+    SourceMark mark;
+    PlainExpectation what;
+};
+
+/// The event log is, to the byte, the one that was kept beside the walk. Whoever runs the walk and has the
+/// files judges that; it can't stand in a step.
+struct ExpectLog {
+    static constexpr std::string_view kName = "log";
+    SourceMark mark;
+    bool golden = true;
+};
+
+using Expectation = std::variant<PlainExpectation, ExpectNot, ExpectLog>;
+
+/// What a failure's `code` can be: the names above, those with `not-` before, and what ends a walk early.
+/// `xfail` is that of a walk that should have failed.
+std::vector<std::string> failure_codes();
+
+}  // namespace campuswalk::engine

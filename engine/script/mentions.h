@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "scene/diagnostic.h"
+
+// What steps and expectations name: events, objects, places.
+
+namespace campuswalk::engine {
+
+using scene::SourceMark;
+
+/// `KIND OBJECT` with globs in both, as in "popup.open library" or "collision.* bench/*".
+/// A pattern without an object matches any.
+struct EventPattern {
+    SourceMark mark;
+    std::string kind;
+    std::string object = "*";
+};
+
+/// A glob over the names of objects or buildings.
+struct NamePattern {
+    SourceMark mark;
+    std::string glob = "*";
+};
+
+/// A point to go to. Without a height of its own (`[x, z]`) only the horizontal distance counts.
+/// Resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
+struct Target {
+    std::string label;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    bool has_height = false;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,94 @@
+#include "engine/expect/failure_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/expect/one_judge.h"
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+/// A floor with a post 2 m east of the origin, a hall 20 m north and a lab 40 m south.
+scene::Campus yard() {
+    scene::Campus campus = level_campus();
+    add_building(campus, "hall");
+    add_building(campus, "lab");
+    add_box(campus, "post", {1.9, 0, -0.1}, {2.1, 2, 0.1});
+    add_box(campus, "hall/door", {-1, 0, -21}, {1, 2, -20},
+            {collision::Detection::trigger, "hall", true, ""});
+    add_box(campus, "lab/door", {-1, 0, 40}, {1, 2, 41}, {collision::Detection::trigger, "lab", true, ""});
+    return campus;
+}
+
+FailureScene scene_at(const Eigen::Vector3d& position) {
+    Moment moment;
+    moment.avatar.position = position;
+    return scene_of(moment, yard(), {});
+}
+
+TEST(FailureScene, NamesTheNearestObjectButNotTheGround) {
+    const FailureScene scene = scene_at({0, 0.0, 0});
+    EXPECT_EQ(scene.nearest, "post");
+    EXPECT_NEAR(scene.nearest_distance, 1.9 - 0.3, 1e-9) << "from the body";
+    EXPECT_EQ(scene_at({2.0, 0.0, 0.0}).nearest_distance, 0.0) << "inside";
+}
+
+TEST(FailureScene, NamesNothingThatIsFarAway) {
+    const FailureScene scene = scene_at({-20, 0, 0});
+    EXPECT_EQ(scene.nearest, "");
+    EXPECT_EQ(scene.nearest_distance, 0.0);
+}
+
+TEST(FailureScene, NamesTheNearestBuilding) {
+    EXPECT_EQ(scene_at({0, 0, 9}).building, "hall") << "29 m against 31 m";
+    EXPECT_EQ(scene_at({0, 0, 11}).building, "lab");
+    Moment moment;
+    moment.building = 1;
+    EXPECT_EQ(scene_of(moment, yard(), {}).building, "lab") << "whose window is open goes first";
+    EXPECT_EQ(scene_of({}, level_campus(), {}).building, "");
+}
+
+TEST(FailureScene, TellsTheLastEventsAsTheLogDoes) {
+    Chronicle chronicle;
+    Frames(chronicle)
+        .tick({"walk.start me", "trigger.enter a"})
+        .tick({})
+        .tick({"popup.open a", "popup.close a", "trigger.exit a", "avatar.arrive goal"});
+    const FailureScene scene = scene_of(chronicle.now(), yard(), {});
+    EXPECT_EQ(scene.last_events,
+              std::vector<std::string>(
+                  {"000000    0.000000 trigger.enter    a", "000002    0.200000 popup.open       a",
+                   "000002    0.200000 popup.close      a", "000002    0.200000 trigger.exit     a",
+                   "000002    0.200000 avatar.arrive    goal"}));
+    EXPECT_EQ(scene.tick, 2);
+    EXPECT_EQ(scene.time, 0.2);
+}
+
+TEST(FailureScene, OfAStepThatGaveUpIsWhereTheWalkEnded) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "wall", {-5, 0, -3}, {5, 3, -2});
+    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)}));
+    ASSERT_EQ(outing.summary.failures.size(), 1U);
+    const FailureScene& scene = outing.summary.failures[0].scene;
+    EXPECT_EQ(scene.tick, outing.summary.ticks);
+    EXPECT_EQ(scene.nearest, "wall");
+    EXPECT_NEAR(scene.nearest_distance, 0.02, 1e-6) << "the skin";
+    EXPECT_NEAR(scene.position.z(), -1.68, 1e-6);
+    ASSERT_FALSE(scene.last_events.empty());
+    EXPECT_NE(scene.last_events.back().find("avatar.blocked   goal"), std::string::npos)
+        << "not what the walk's end brings";
+}
+
+TEST(FailureScene, DoesNotNameWhatWasDisabledThen) {
+    const Outing outing = [] {
+        Walk walk = walk_of({spawn_at({0, 0, 0}), disable("post"), wait_for(0.1),
+                             ExpectStep{{"a.walk.yaml", 4, 5}, {expect_never("object.disable")}}});
+        return run(yard(), walk);
+    }();
+    ASSERT_EQ(outing.summary.failures.size(), 1U);
+    EXPECT_EQ(outing.summary.failures[0].scene.nearest, "");
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

@@ -1,0 +1,81 @@
+#include "tests/engine/expect/one_judge.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+const scene::Campus& nowhere() {
+    static const scene::Campus campus = empty_campus();
+    return campus;
+}
+
+}  // namespace
+
+OneJudge::OneJudge(Expectation expected) : OneJudge(std::move(expected), nowhere()) {}
+
+OneJudge::OneJudge(Expectation expected, const scene::Campus& campus)
+    : expected_(std::move(expected)), judge_(Judge::of(expected_, campus, avatar_)) {}
+
+void OneJudge::see(const FrameRecord& record) {
+    chronicle_.see(record);
+    judge_->see(record, chronicle_.now());
+}
+
+Event made_event(const std::string& words, std::vector<Field> fields) {
+    const EventPattern made = pattern(words);
+    const std::vector<std::string> names = event_kind_names();
+    const auto kind = std::ranges::find(names, made.kind) - names.begin();
+    return {0, 1.0, static_cast<EventKind>(kind), made.object, std::move(fields)};
+}
+
+Frames& Frames::tick(const std::vector<std::string>& told_events, const Eigen::Vector3d& position) {
+    std::vector<Event> events;
+    for (const std::string& words : told_events) {
+        events.push_back(made_event(words));
+    }
+    return with(std::move(events), position);
+}
+
+Frames& Frames::with(std::vector<Event> events, const Eigen::Vector3d& position) {
+    for (Event& event : events) {
+        event.tick = tick_;
+    }
+    FrameRecord record;
+    record.tick = tick_;
+    record.time = static_cast<double>(tick_) / 10.0;
+    record.avatar.position = position;
+    record.avatar.grounded = grounded_;
+    record.distance = distance_;
+    record.events = events;
+    see_(record);
+    ++tick_;
+    return *this;
+}
+
+Frames& Frames::in_the_air(bool airborne) {
+    grounded_ = !airborne;
+    return *this;
+}
+
+Frames& Frames::after_metres(double distance) {
+    distance_ = distance;
+    return *this;
+}
+
+void expect_failure(const std::optional<Failure>& failure, int mark_line, const std::string& code,
+                    const std::string& message) {
+    ASSERT_TRUE(failure);
+    EXPECT_EQ(failure->mark.line, mark_line);
+    EXPECT_EQ(failure->code, code);
+    EXPECT_EQ(failure->message, message);
+}
+
+}  // namespace campuswalk::engine

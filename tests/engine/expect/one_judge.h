@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/expect/jury.h"
+
+namespace campuswalk::engine {
+
+/// Holds one expectation against frames made by hand.
+class OneJudge {
+public:
+    /// An avatar with the default profile; the campus must outlive the judge.
+    explicit OneJudge(Expectation expected);
+    OneJudge(Expectation expected, const scene::Campus& campus);
+
+    void see(const FrameRecord& record);
+
+    /// As at the walk's end.
+    std::optional<Failure> failure() const { return judge_->failure(true, chronicle_.now()); }
+    /// As in a step: more may come.
+    std::optional<Failure> failure_so_far() const { return judge_->failure(false, chronicle_.now()); }
+
+private:
+    Expectation expected_;
+    AvatarProfile avatar_;
+    std::optional<Judge> judge_;
+    Chronicle chronicle_;
+};
+
+/// "KIND OBJECT" as an event with fields.
+Event made_event(const std::string& words, std::vector<Field> fields = {});
+
+/// Frames, a tenth of a second apart, for a judge or a jury.
+class Frames {
+public:
+    template <typename Judge>
+    explicit Frames(Judge& judge) : see_([&judge](const FrameRecord& record) { judge.see(record); }) {}
+
+    Frames& tick(const std::vector<std::string>& told_events,
+                 const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
+    Frames& with(std::vector<Event> events, const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
+    /// For the frames that follow.
+    Frames& in_the_air(bool airborne);
+    Frames& after_metres(double distance);
+
+private:
+    std::function<void(const FrameRecord&)> see_;
+    Tick tick_ = 0;
+    bool grounded_ = true;
+    double distance_ = 0.0;
+};
+
+/// There is one, with all of these.
+void expect_failure(const std::optional<Failure>& failure, int mark_line, const std::string& code,
+                    const std::string& message);
+
+}  // namespace campuswalk::engine
