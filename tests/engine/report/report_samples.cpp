@@ -16,10 +16,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::filesystem::path folder = argv[1];
-    const std::map<std::string, RunReport> runs = {{"empty", {}},
-                                                   {"full", {{full_result()}}},
-                                                   {"hostile", hostile_report()},
-                                                   {"mixed", mixed_report()}};
+    const std::map<std::string, RunReport> runs = {
+        {"empty", {}}, {"full", {{full_result()}}}, {"hostile", hostile_report()}, {"mixed", mixed_report()}};
     for (const auto& [name, report] : runs) {
         for (const std::string& reporter : reporter_names()) {
             std::ofstream(folder / (name + "." + reporter), std::ios::binary) << written(reporter, report);
