@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "collision/counters.h"
 #include "engine/events/event.h"
 #include "engine/script/walk.h"
 
@@ -29,10 +30,17 @@ struct OpenPopup {
     std::string text;
 };
 
+/// The work of a tick's stages, in tests of pairs.
+struct TickCosts {
+    collision::QueryCounters move;   ///< putting down, sweeping, stepping and sliding
+    collision::QueryCounters sense;  ///< triggers and the look
+};
+
 /// What one tick did, as plain data that observers read after it. Spans stay valid until the next tick.
 struct FrameRecord {
     Tick tick = 0;
     double time = 0.0;  ///< seconds: tick / ticks_per_second, never a running sum
+    TickCosts costs;
     AvatarState avatar;
     double distance = 0.0;                           ///< metres so far, along the path of the foot point
     std::span<const Event> events;                   ///< in log order

@@ -71,6 +71,10 @@ void add_event(StateHash& hash, const Event& event) {
     }
 }
 
+collision::QueryCounters since(const collision::QueryCounters& before, const collision::QueryCounters& now) {
+    return {now.nv - before.nv, now.np - before.np, now.nu - before.nu};
+}
+
 }  // namespace
 
 collision::MoverSettings mover_settings(const AvatarProfile& avatar) {
@@ -112,13 +116,18 @@ const FrameRecord& Simulation::step() {
     placed_ = nullptr;
 
     const Intent intent = script_.intend(avatar_);
+    record_.costs = {};
+    const collision::QueryCounters before_move = counters_;
     move(intent);
+    record_.costs.move = since(before_move, counters_);
     if (tick_ == 0) {
         Event& start = add(EventKind::walk_start, walk_.name);
         start.fields = {{"pos", avatar_.position}, {"yaw", Decimal{avatar_.yaw * kDegrees, 1}}};
     }
     report_placement(intent);
+    const collision::QueryCounters before_sense = counters_;
     senses_.sense(tick_, avatar_, trace_, transitions_, counters_);
+    record_.costs.sense = since(before_sense, counters_);
     report_transitions(placed_);
     report_dwelling();
     report_fall();
@@ -131,6 +140,7 @@ const FrameRecord& Simulation::step() {
 const FrameRecord& Simulation::leave_everything() {
     events_.clear();
     snapshots_.clear();
+    record_.costs = {};
     senses_.leave_all(tick_, transitions_);
     report_transitions("end");
     return finish_record();

@@ -1,0 +1,85 @@
+#include "engine/observers/cost_trace.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/decimals.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+constexpr int kCostTrack = 1;
+constexpr int kClockTrack = 2;
+
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string track_name(int track, const std::string& name) {
+    return R"({"ph":"M","pid":1,"tid":)" + std::to_string(track) +
+           R"(,"name":"thread_name","args":{"name":)" + quoted(name) + "}}";
+}
+
+double tests(const collision::QueryCounters& cost) {
+    return static_cast<double>(cost.nv + cost.np);
+}
+
+std::string counts(const collision::QueryCounters& cost) {
+    return R"("node_tests":)" + std::to_string(cost.nv) + R"(,"triangle_tests":)" + std::to_string(cost.np);
+}
+
+}  // namespace
+
+void CostTrace::begin(const Walk& walk) {
+    cost_so_far_ = 0.0;
+    next_ = 0;
+    began_ = last_ = clock_ ? clock_() : 0.0;
+    sink_(R"({"displayTimeUnit":"ms","traceEvents":[)");
+    sink_(track_name(kCostTrack, walk.name + ": tests of pairs, 1 us each"));
+    if (clock_) {
+        sink_("," + track_name(kClockTrack, walk.name + ": wall time"));
+    }
+}
+
+void CostTrace::slice(const std::string& name, int track, double start, double duration,
+                      const std::string& details) {
+    sink_(R"(,{"ph":"X","pid":1,"tid":)" + std::to_string(track) + R"(,"name":)" + quoted(name) +
+          R"(,"ts":)" + fixed(start, 3) + R"(,"dur":)" + fixed(duration, 3) + R"(,"args":{)" + details +
+          "}}");
+}
+
+/// Where the next one begins.
+double CostTrace::stage(const char* name, double start, const collision::QueryCounters& cost) {
+    slice(name, kCostTrack, start, tests(cost), counts(cost));
+    return start + tests(cost);
+}
+
+void CostTrace::frame(const FrameRecord& record) {
+    const double start = cost_so_far_;
+    if (record.tick >= next_) {  // a walk's closing frame repeats its last tick
+        next_ = record.tick + 1;
+        collision::QueryCounters all = record.costs.move;
+        all += record.costs.sense;
+        const std::string when =
+            R"("tick":)" + std::to_string(record.tick) + R"(,"time":)" + fixed(record.time, 6);
+        cost_so_far_ += tests(all) + 1.0;
+        slice("tick", kCostTrack, start, cost_so_far_ - start, when + "," + counts(all));
+        stage("sense", stage("move", start, record.costs.move), record.costs.sense);
+        if (clock_) {
+            const double now = clock_();
+            slice("tick", kClockTrack, last_ - began_, now - last_, when);
+            last_ = now;
+        }
+    }
+    for (const Event& event : record.events) {
+        sink_(R"(,{"ph":"i","s":"t","pid":1,"tid":1,"name":)" +
+              quoted(std::string(name_of(event.kind)) + " " + event.object) + R"(,"ts":)" + fixed(start, 3) +
+              "}");
+    }
+}
+
+void CostTrace::end() {
+    sink_("]}");
+}
+
+}  // namespace campuswalk::engine

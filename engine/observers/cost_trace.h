@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "engine/observers/line_sink.h"
+#include "engine/observers/observer.h"
+
+namespace campuswalk::engine {
+
+/// What every tick cost, as Chrome's trace viewer and Perfetto read it: a slice a tick, in it one for moving
+/// and one for sensing, and the walk's events as marks. A slice is as long as the tests of pairs it took, one
+/// a microsecond, so that the same walk gives the same bytes; a tick is one longer than its stages.
+class CostTrace final : public Observer {
+public:
+    /// Microseconds since some moment. Not the walk's: whoever wants wall time brings the clock.
+    using Clock = std::function<double()>;
+
+    /// With a clock, a second track shows the wall time of each tick; its bytes differ from run to run.
+    explicit CostTrace(LineSink sink, Clock clock = {}) : sink_(std::move(sink)), clock_(std::move(clock)) {}
+
+    void begin(const Walk& walk) override;
+    void frame(const FrameRecord& record) override;
+    void end() override;
+
+private:
+    void slice(const std::string& name, int track, double start, double duration, const std::string& details);
+    double stage(const char* name, double start, const collision::QueryCounters& cost);
+
+    LineSink sink_;
+    Clock clock_;
+    double cost_so_far_ = 0.0;
+    double began_ = 0.0;  // by the clock
+    double last_ = 0.0;
+    Tick next_ = 0;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,68 @@
+#include "engine/observers/trajectory.h"
+
+#include <string>
+
+#include "collision/trigonometry.h"
+#include "engine/decimals.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr int kDigits = 9;
+
+std::string number(double value) {
+    return fixed(value, kDigits);
+}
+
+/// A walk's closing frame repeats its last tick.
+bool is_new(const FrameRecord& record, Tick& next) {
+    if (record.tick < next) {
+        return false;
+    }
+    next = record.tick + 1;
+    return true;
+}
+
+}  // namespace
+
+void TrajectoryCsv::begin(const Walk& walk) {
+    height_ = walk.avatar.height;
+    next_ = 0;
+    sink_("t,x,y,z,yaw_deg,pitch_deg,grounded,height");
+}
+
+void TrajectoryCsv::frame(const FrameRecord& record) {
+    if (!is_new(record, next_)) {
+        return;
+    }
+    const AvatarState& avatar = record.avatar;
+    std::string line = number(record.time);
+    for (const double value : {avatar.position.x(), avatar.position.y(), avatar.position.z(),
+                               avatar.yaw * kDegrees, avatar.pitch * kDegrees}) {
+        line += "," + number(value);
+    }
+    sink_(line + (avatar.grounded ? ",1," : ",0,") + number(avatar.stature * height_));
+}
+
+void TrajectoryTum::frame(const FrameRecord& record) {
+    if (!is_new(record, next_)) {
+        return;
+    }
+    // Yaw about +Y, then pitch about the x axis that it has turned.
+    const AvatarState& avatar = record.avatar;
+    const collision::SinCos yaw = collision::sin_cos(0.5 * avatar.yaw);
+    const collision::SinCos pitch = collision::sin_cos(0.5 * avatar.pitch);
+    const double qw = yaw.cos * pitch.cos;
+    const double sign = qw < 0.0 ? -1.0 : 1.0;
+    std::string line = number(record.time);
+    for (const double value :
+         {avatar.position.x(), avatar.position.y(), avatar.position.z(), sign * yaw.cos * pitch.sin,
+          sign * yaw.sin * pitch.cos, -sign * yaw.sin * pitch.sin, sign * qw}) {
+        line += " " + number(value);
+    }
+    sink_(line);
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/observers/line_sink.h"
+#include "engine/observers/observer.h"
+
+namespace campuswalk::engine {
+
+/// Where the avatar is at the end of every tick, for spreadsheets and plots: a header, then
+/// `t,x,y,z,yaw_deg,pitch_deg,grounded,height` a tick. Seconds, metres and degrees; the body's foot point;
+/// its height is less than the profile's while it crouches. Nine decimals: a nanometre, the noise behind them
+/// left out.
+class TrajectoryCsv final : public Observer {
+public:
+    explicit TrajectoryCsv(LineSink sink) : sink_(std::move(sink)) {}
+
+    void begin(const Walk& walk) override;
+    void frame(const FrameRecord& record) override;
+
+private:
+    LineSink sink_;
+    double height_ = 0.0;
+    Tick next_ = 0;
+};
+
+/// The same for tools that compare trajectories (the TUM format): `t tx ty tz qx qy qz qw` a tick. The pose
+/// of the eyes' frame about the foot point, x right, y up, -z ahead; qw is never negative.
+class TrajectoryTum final : public Observer {
+public:
+    explicit TrajectoryTum(LineSink sink) : sink_(std::move(sink)) {}
+
+    void begin(const Walk&) override { next_ = 0; }
+    void frame(const FrameRecord& record) override;
+
+private:
+    LineSink sink_;
+    Tick next_ = 0;
+};
+
+}  // namespace campuswalk::engine
