@@ -13,6 +13,7 @@ import sys
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+WALKS = os.path.join(HERE, "walks")
 OUTPUT = ["ground 0 meets sail 0", "ground 1 meets sail 0", "a ray down meets ground 1 after 0.8 of its way"]
 
 
@@ -79,6 +80,33 @@ class Package(unittest.TestCase):
                 text = self.text_of(name)
                 self.assertNotIn(os.path.dirname(os.path.dirname(HERE)), text, name)
                 self.assertNotIn("campuswalk_flags", text, name)
+
+
+class WalksPackage(unittest.TestCase):
+    """The component that runs walks: doctest, its matchers, and a folder that `campuswalk init` made."""
+
+    def test_the_example_builds_and_passes(self):
+        installed = os.path.join(Package.work, "installed-engine")
+        built = os.path.join(Package.work, "built-walks")
+        school = os.path.join(Package.work, "school")
+        for folder in (installed, built, school):
+            shutil.rmtree(folder, ignore_errors=True)
+        for component in ("collision", "engine"):
+            install = [Package.cmake, "--install", Package.build, "--prefix", installed, "--component", component]
+            Package.run_command(*install, *(["--config", Package.configuration] if Package.configuration else []))
+        Package.run_command(os.path.join(Package.build, "campuswalk"), "init", school)
+        Package.run_command(Package.cmake, "-S", WALKS, "-B", built, "-G", Package.generator,
+                            "-DCMAKE_CXX_COMPILER=" + Package.compiler, "-DCMAKE_BUILD_TYPE=" + Package.configuration,
+                            "-DCMAKE_PREFIX_PATH=" + installed)
+        Package.run_command(Package.cmake, "--build", built)
+        os.environ["SCHOOL"] = school
+        said = Package.run_command(os.path.join(built, "school_walks"))
+        self.assertIn("2 passed | 0 failed", said)
+        with open(os.path.join(school, "walks", "visit.walk.yaml"), "a", encoding="utf-8") as walk:
+            walk.write("  - never: popup.open\n")
+        failed = subprocess.run([os.path.join(built, "school_walks")], stdout=subprocess.PIPE, check=False, timeout=60)
+        self.assertIn(b"1 passed | 1 failed", failed.stdout)
+        self.assertEqual(failed.returncode, 1)
 
 
 if __name__ == "__main__":

@@ -35,3 +35,35 @@ function(campuswalk_package layer)
         DESTINATION ${folder}
         COMPONENT ${layer})
 endfunction()
+
+# campuswalk_engine_package(DOORS headers…)
+# What `--component engine` adds to it: the layers that run walks, and the headers `DOORS` with all they include.
+function(campuswalk_engine_package)
+    cmake_parse_arguments(arg "" "" "DOORS" ${ARGN})
+    set(targets "")
+    foreach(layer model import scene broadphase engine loader)
+        set_target_properties(campuswalk_${layer} PROPERTIES EXPORT_NAME ${layer})
+        target_compile_features(campuswalk_${layer} PUBLIC cxx_std_20)
+        target_include_directories(campuswalk_${layer}
+                                   PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/campuswalk>)
+        list(APPEND targets campuswalk_${layer})
+    endforeach()
+    install(
+        TARGETS ${targets}
+        EXPORT campuswalkEngine
+        COMPONENT engine
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(
+        EXPORT campuswalkEngine
+        FILE campuswalkEngineTargets.cmake
+        NAMESPACE campuswalk::
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/campuswalk
+        COMPONENT engine)
+    install(
+        CODE "set(root \"${PROJECT_SOURCE_DIR}\")
+              set(doors \"${arg_DOORS}\")
+              set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/campuswalk\")
+              include(\"${PROJECT_SOURCE_DIR}/tools/cmake/InstallHeaders.cmake\")"
+        COMPONENT engine)
+endfunction()

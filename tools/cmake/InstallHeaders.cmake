@@ -1,0 +1,18 @@
+# At install time: the headers `doors` and whatever of ours they include, below `destination`, under their names
+# from `root`, the repository.
+set(open ${doors})
+set(found "")
+while(open)
+    list(POP_FRONT open header)
+    if(header IN_LIST found)
+        continue()
+    endif()
+    list(APPEND found ${header})
+    get_filename_component(folder ${header} DIRECTORY)
+    file(INSTALL ${root}/${header} DESTINATION ${destination}/${folder})
+    file(STRINGS ${root}/${header} includes REGEX "^#include \"")
+    foreach(line IN LISTS includes)
+        string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${line}")
+        list(APPEND open ${included})
+    endforeach()
+endwhile()
