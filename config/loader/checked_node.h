@@ -34,6 +34,8 @@ public:
         : node_(&node), what_(std::move(what)), file_(&file), diagnostics_(&diagnostics) {}
 
     const std::string& what() const { return what_; }
+    const YamlNode& node() const { return *node_; }
+    const std::string& file() const { return *file_; }
     scene::SourceMark mark() const { return {*file_, node_->line, node_->column}; }
     void complain(std::string code, std::string message) const;
     scene::DiagnosticList& diagnostics() const { return *diagnostics_; }

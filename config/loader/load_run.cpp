@@ -1,14 +1,13 @@
 #include "config/loader/load_run.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
-#include <set>
-#include <tuple>
+#include <utility>
 
 #include "config/loader/avatar_search.h"
 #include "config/loader/campus_names.h"
 #include "config/loader/checked_map.h"
+#include "config/loader/complaint_order.h"
 #include "config/loader/names.h"
 #include "config/loader/read_avatar.h"
 #include "config/loader/read_campus.h"
@@ -23,7 +22,6 @@ namespace fs = std::filesystem;
 
 using engine::AvatarProfile;
 using scene::CampusDescription;
-using scene::Diagnostic;
 using scene::DiagnosticList;
 using scene::SourceMark;
 
@@ -31,32 +29,6 @@ namespace {
 
 SourceMark whole_file(const fs::path& file) {
     return {shown_path(file), 0, 0};
-}
-
-/// A file that is included twice is read twice; its mistakes are told once.
-void drop_repeated(std::vector<Diagnostic>& diagnostics) {
-    std::set<std::string> told;
-    std::erase_if(diagnostics, [&](const Diagnostic& d) { return !told.insert(scene::to_string(d)).second; });
-}
-
-/// `first`, then the files it names as they were read; the complaints of each from top to bottom.
-void throw_in_order(const DiagnosticList& diagnostics, const SourceMark& first) {
-    if (!diagnostics.has_errors()) {
-        return;
-    }
-    std::vector<Diagnostic> sorted = diagnostics.all();
-    std::vector<std::string> files = {first.file};
-    for (const Diagnostic& diagnostic : sorted) {
-        if (std::ranges::find(files, diagnostic.mark.file) == files.end()) {
-            files.push_back(diagnostic.mark.file);
-        }
-    }
-    std::ranges::stable_sort(sorted, {}, [&](const Diagnostic& diagnostic) {
-        const SourceMark& mark = diagnostic.mark;
-        return std::tuple(std::ranges::find(files, mark.file) - files.begin(), mark.line, mark.column);
-    });
-    drop_repeated(sorted);
-    throw scene::InputError(std::move(sorted));
 }
 
 /// `asked_at` is where the file is named: another file, or itself when the user named it.
@@ -85,45 +57,81 @@ AvatarProfile open_avatar(const fs::path& path, const SourceMark& asked_at, Diag
 /// Follows the names that a walk file gives of others.
 class RunReader {
 public:
-    RunReader(const fs::path& walk_file, const SearchPaths& search, DiagnosticList& diagnostics)
+    RunReader(const fs::path& walk_file, const SearchPaths& search, const Overrides& overrides,
+              CampusDescriptions& campuses, DiagnosticList& diagnostics)
         : walk_file_(walk_file),
           folder_(walk_file.parent_path()),
           search_(search),
+          overrides_(overrides),
+          campuses_(campuses),
           diagnostics_(diagnostics) {}
 
-    Run read(const YamlFile& file) {
+    SharedRun read(const YamlFile& file) {
         CheckedMap map(file.root(), "a walk");
-        Run run;
-        std::optional<CampusDescription> campus = read_campus_of(map, run.walk);
-        const CampusNames names(campus ? &*campus : nullptr);
-        if (const auto avatar = map.find("avatar")) {
-            run.walk.avatar = read_avatar_of(*avatar, names);
+        SharedRun run;
+        run.campus = read_campus_of(map, run.walk);
+        const CampusNames names(run.campus.get());
+        const auto avatar = map.find("avatar");
+        if (overrides_.avatar) {
+            run.walk.avatar =
+                read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, names);
+        } else if (avatar) {
+            run.walk.avatar = read_avatar_of(*avatar, folder_, names);
         }
         read_walk(map, names, walk_file_, run.walk);
         map.refuse_other_keys();
-        if (campus) {
-            run.campus = std::move(*campus);
-        }
+        replace_spawn(names, run.walk);
         return run;
     }
 
 private:
-    std::optional<CampusDescription> read_campus_of(CheckedMap& map, engine::Walk& walk) {
-        const auto node = map.require("campus");
-        const auto written = node ? node->line() : std::nullopt;
-        if (!written) {
-            return std::nullopt;
+    CheckedNode node_of(const Override& override_value, std::string what) {
+        return {*override_value.node, std::move(what), override_value.file, diagnostics_};
+    }
+
+    std::shared_ptr<const CampusDescription> read_campus_of(CheckedMap& map, engine::Walk& walk) {
+        const auto own = map.require("campus");
+        auto written = own ? own->line() : std::nullopt;
+        SourceMark asked_at = own ? own->mark() : SourceMark();
+        fs::path folder = folder_;
+        if (overrides_.campus) {
+            const CheckedNode node = node_of(overrides_.campus, "'campus'");
+            written = node.line();
+            asked_at = node.mark();
+            folder = overrides_.campus.folder;
         }
-        walk.campus = folder_ / *written;
-        std::optional<CampusDescription> campus = open_campus(walk.campus, node->mark(), diagnostics_);
+        if (!written) {
+            return nullptr;
+        }
+        walk.campus = folder / *written;
+        std::shared_ptr<const CampusDescription> campus = described(walk.campus, asked_at);
         walk.campus_name = campus ? campus->name : "";
         return campus;
     }
 
+    /// Only campuses without mistakes are remembered: the others are to be complained of again.
+    std::shared_ptr<const CampusDescription> described(const fs::path& path, const SourceMark& asked_at) {
+        const std::string key = shown_path(path);
+        if (const auto known = campuses_.find(key); known != campuses_.end()) {
+            return known->second;
+        }
+        DiagnosticList mistakes;
+        std::optional<CampusDescription> campus = open_campus(path, asked_at, mistakes);
+        diagnostics_.append(mistakes.all());
+        if (!campus) {
+            return nullptr;
+        }
+        auto shared = std::make_shared<const CampusDescription>(std::move(*campus));
+        if (!mistakes.has_errors()) {
+            campuses_.emplace(key, shared);
+        }
+        return shared;
+    }
+
     /// A profile's name, or a map with the profile and the fields that differ.
-    AvatarProfile read_avatar_of(const CheckedNode& node, const CampusNames& names) {
+    AvatarProfile read_avatar_of(const CheckedNode& node, const fs::path& folder, const CampusNames& names) {
         if (node.is_scalar()) {
-            return named_avatar(node);
+            return named_avatar(node, folder);
         }
         if (!node.is_map()) {
             node.complain("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
@@ -131,7 +139,7 @@ private:
         }
         CheckedMap map(node, "'avatar'");
         const auto name = map.require("profile");
-        AvatarProfile profile = name ? named_avatar(*name) : AvatarProfile{};
+        AvatarProfile profile = name ? named_avatar(*name, folder) : AvatarProfile{};
         for (const CheckedNode& layer : read_avatar_fields(map, profile)) {
             names.check_layer(layer, layer.text().value_or(""));
         }
@@ -139,32 +147,49 @@ private:
         return profile;
     }
 
-    AvatarProfile named_avatar(const CheckedNode& node) {
+    AvatarProfile named_avatar(const CheckedNode& node, const fs::path& folder) {
         const std::optional<std::string> name = kebab_name(node);
         const auto file =
-            name ? find_avatar(node, *name, avatar_folders(folder_, search_.avatars)) : std::nullopt;
+            name ? find_avatar(node, *name, avatar_folders(folder, search_.avatars)) : std::nullopt;
         return file ? open_avatar(*file, node.mark(), diagnostics_) : AvatarProfile{};
+    }
+
+    void replace_spawn(const CampusNames& names, engine::Walk& walk) {
+        auto* spawn = walk.steps.empty() ? nullptr : std::get_if<engine::SpawnStep>(&walk.steps.front());
+        if (!overrides_.spawn || spawn == nullptr) {
+            return;
+        }
+        const CheckedNode node = node_of(overrides_.spawn, "'spawn'");
+        Standing standing = names.standing(node);
+        *spawn = {node.mark(), std::move(standing.label), standing.position, standing.yaw.value_or(0.0)};
     }
 
     fs::path walk_file_;
     fs::path folder_;
     const SearchPaths& search_;
+    const Overrides& overrides_;
+    CampusDescriptions& campuses_;
     DiagnosticList& diagnostics_;
 };
 
 }  // namespace
 
-Run load_run(const fs::path& walk_file, const SearchPaths& search) {
+SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides) {
     DiagnosticList diagnostics;
-    Run run;
+    SharedRun run;
     const SourceMark mark = whole_file(walk_file);
     if (const auto file = YamlFile::open(walk_file, ".walk.yaml", mark, diagnostics)) {
-        run = RunReader(walk_file, search, diagnostics).read(*file);
+        run = RunReader(walk_file, search_, overrides, campuses_, diagnostics).read(*file);
         run.walk.name = file->name();
     }
     run.walk.mark = mark;
     throw_in_order(diagnostics, mark);
     return run;
+}
+
+Run load_run(const fs::path& walk_file, const SearchPaths& search) {
+    SharedRun run = RunLoader(search).load(walk_file);
+    return {std::move(run.walk), *run.campus};
 }
 
 CampusDescription load_campus_description(const fs::path& campus_file) {

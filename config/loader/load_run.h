@@ -1,8 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "config/loader/overrides.h"
 #include "engine/script/walk.h"
 #include "scene/campus_description.h"
 
@@ -19,6 +24,14 @@ struct Run {
     scene::CampusDescription campus;
 };
 
+/// The same, the campus shared with other walks.
+struct SharedRun {
+    engine::Walk walk;
+    std::shared_ptr<const scene::CampusDescription> campus;
+};
+
+using CampusDescriptions = std::map<std::string, std::shared_ptr<const scene::CampusDescription>>;
+
 // All throw scene::InputError with every mistake of the file, and of the files it names, at once. Codes:
 //   missing-file, file-name, too-large, empty-file, yaml-syntax   the file as such
 //   unknown-key, missing-key, duplicate-key                       keys
@@ -28,6 +41,19 @@ struct Run {
 
 /// Reads `NAME.walk.yaml`, the campus it names and its avatar profile; resolves places and spawns.
 Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search);
+
+/// Reads many walks, and every campus they name once.
+class RunLoader {
+public:
+    explicit RunLoader(SearchPaths search) : search_(std::move(search)) {}
+
+    /// As load_run, with some of the walk's values replaced.
+    SharedRun load(const std::filesystem::path& walk_file, const Overrides& overrides = {});
+
+private:
+    SearchPaths search_;
+    CampusDescriptions campuses_;  ///< by path as complaints show it
+};
 
 /// Reads `NAME.campus.yaml` alone.
 scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file);

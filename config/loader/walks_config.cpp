@@ -1,0 +1,154 @@
+#include "config/loader/walks_config.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "config/loader/checked_map.h"
+#include "config/loader/complaint_order.h"
+#include "config/loader/names.h"
+#include "config/loader/ranges.h"
+#include "config/loader/source_text.h"
+#include "config/loader/yaml_file.h"
+
+namespace campuswalk::config {
+
+namespace fs = std::filesystem;
+
+using scene::DiagnosticList;
+using scene::SourceMark;
+
+namespace {
+
+constexpr const char* kFileName = "walks.config.yaml";
+constexpr int kMostWorkers = 1024;
+constexpr int kMostFailures = 1'000'000;
+
+class WalksConfigReader {
+public:
+    explicit WalksConfigReader(fs::path folder) : folder_(std::move(folder)) {}
+
+    void read(CheckedMap& map, WalksConfig& config) const {
+        if (const auto walks = map.find("walks")) {
+            for (const CheckedNode& entry : walks->items_or_one("an entry of 'walks'")) {
+                config.walks.push_back(path(entry).value_or(fs::path()));
+            }
+        }
+        if (const auto output = map.find("output")) {
+            config.output = path(*output);
+        }
+        if (const auto reporters = map.find("reporters")) {
+            for (const CheckedNode& entry : reporters->items("a reporter")) {
+                read_reporter(entry, config.reporters);
+            }
+        }
+        if (const auto workers = map.find("workers")) {
+            config.workers = workers->whole_number(1, kMostWorkers);
+        }
+        if (const auto most = map.find("max_failures")) {
+            config.max_failures = most->whole_number(1, kMostFailures);
+        }
+        map.number("timeout", kTimeout, config.timeout);
+        map.number("kill_after", kTimeout, config.kill_after);
+        map.truth("forbid_only", config.forbid_only);
+        if (const auto projects = map.find("projects")) {
+            for (const CheckedNode::Entry& entry : projects->entries()) {
+                config.projects.push_back(read_project(entry));
+            }
+        }
+        std::ranges::stable_sort(config.projects, {}, &ProjectConfig::name);
+    }
+
+private:
+    std::optional<fs::path> path(const CheckedNode& node) const {
+        const std::optional<std::string> written = node.line();
+        return written ? std::optional(folder_ / *written) : std::nullopt;
+    }
+
+    /// `list`, or `junit: FILE`.
+    void read_reporter(const CheckedNode& node, std::vector<ConfiguredReporter>& reporters) const {
+        if (node.is_scalar()) {
+            reporters.push_back({node.mark(), node.line().value_or(""), std::nullopt});
+            return;
+        }
+        const std::vector<CheckedNode::Entry> entries =
+            node.is_map() ? node.entries() : std::vector<CheckedNode::Entry>();
+        if (entries.size() != 1) {
+            node.complain("wrong-type", "a reporter must be a name or {NAME: FILE}");
+            return;
+        }
+        reporters.push_back({entries.front().key_mark, entries.front().key, path(entries.front().value)});
+    }
+
+    Override value_of(CheckedMap& map, const char* key) const {
+        const auto node = map.find(key);
+        if (!node) {
+            return {};
+        }
+        return {std::make_shared<const YamlNode>(node->node()), node->file(), folder_};
+    }
+
+    ProjectConfig read_project(const CheckedNode::Entry& entry) const {
+        check_kebab_key(entry);
+        ProjectConfig project;
+        project.mark = entry.key_mark;
+        project.name = entry.key;
+        if (entry.value.is_null()) {
+            return project;  // the walks as they are
+        }
+        CheckedMap map(entry.value, "a project");
+        project.overrides.campus = value_of(map, "campus");
+        project.overrides.avatar = value_of(map, "avatar");
+        project.overrides.spawn = value_of(map, "spawn");
+        project.grep = marked(map, "grep");
+        project.grep_invert = marked(map, "grep_invert");
+        if (const auto tags = map.find("tags")) {
+            for (const CheckedNode& tag : tags->items_or_one("a tag")) {
+                project.tags.push_back(kebab_name(tag).value_or(""));
+            }
+        }
+        map.number("timeout", kTimeout, project.timeout);
+        map.refuse_other_keys();
+        return project;
+    }
+
+    static std::optional<MarkedText> marked(CheckedMap& map, const char* key) {
+        const auto node = map.find(key);
+        const auto text = node ? node->line() : std::nullopt;
+        return text ? std::optional(MarkedText{node->mark(), *text}) : std::nullopt;
+    }
+
+    fs::path folder_;
+};
+
+}  // namespace
+
+WalksConfig load_walks_config(const fs::path& file) {
+    DiagnosticList diagnostics;
+    const SourceMark mark{shown_path(file), 0, 0};
+    WalksConfig config;
+    config.file = file;
+    if (const auto yaml = YamlFile::open(file, ".config.yaml", mark, diagnostics)) {
+        CheckedMap map(yaml->root(), "a walks.config.yaml");
+        WalksConfigReader(file.parent_path()).read(map, config);
+        map.refuse_other_keys();
+    }
+    throw_in_order(diagnostics, mark);
+    return config;
+}
+
+std::optional<fs::path> find_walks_config(const fs::path& folder) {
+    std::error_code none;
+    fs::path at = folder.empty() ? fs::path(".") : folder;
+    for (fs::path whole = fs::absolute(at, none);; whole = whole.parent_path()) {
+        if (fs::is_regular_file(at / kFileName, none)) {
+            return (at / kFileName).lexically_normal();
+        }
+        if (whole == whole.parent_path()) {
+            return std::nullopt;
+        }
+        at /= "..";
+    }
+}
+
+}  // namespace campuswalk::config
