@@ -47,7 +47,7 @@ void SnapshotObserver::frame(const FrameRecord& record) {
         shot.open_popups = record.open_popups;
         shot.path = path;
         shot.caption = caption_of(walk_name_, record);
-        const std::filesystem::path file = folder_ / walk_name_ / (step->name + ".png");
+        const std::filesystem::path file = folder_ / (step->name + ".png");
         write_png(painter_->draw(shot), file);
         files_.push_back(file);
     }

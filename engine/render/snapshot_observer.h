@@ -12,7 +12,7 @@
 
 namespace campuswalk::engine::render {
 
-/// Writes `FOLDER/WALK NAME/SNAPSHOT NAME.png` for every snapshot step, with the pop-ups that are open then.
+/// Writes `FOLDER/SNAPSHOT NAME.png` for every snapshot step, with the pop-ups that are open then.
 /// A walk without snapshots opens no GL library and makes no folder.
 class SnapshotObserver final : public Observer {
 public:

@@ -86,15 +86,17 @@ TEST_F(ReadWalksConfig, ReadsProjectsInTheOrderOfTheirNames) {
 }
 
 TEST_F(ReadWalksConfig, EveryMistakeHasItsPlace) {
-    EXPECT_THAT(about("workers: 0\nproject: {}\n"),
-                ElementsAre(":1:10: error bad-value: 'workers' must be from 1 to 1024, not '0'",
-                            ":2:1: error unknown-key: unknown key 'project' in a walks.config.yaml (did you mean "
-                            "'projects'?)"));
+    EXPECT_THAT(
+        about("workers: 0\nproject: {}\n"),
+        ElementsAre(":1:10: error bad-value: 'workers' must be from 1 to 1024, not '0'",
+                    ":2:1: error unknown-key: unknown key 'project' in a walks.config.yaml (did you mean "
+                    "'projects'?)"));
     EXPECT_THAT(about("reporters: [{junit: a, tap: b}]\n"),
                 ElementsAre(":1:13: error wrong-type: a reporter must be a name or {NAME: FILE}"));
     EXPECT_THAT(about("projects: {Big One: {avatr: adult}}\n").size(), 2U);
-    EXPECT_THAT(about("timeout: 0\n"),
-                ElementsAre(":1:10: error bad-value: 'timeout' must be more than 0 and at most 86400 s, not '0'"));
+    EXPECT_THAT(
+        about("timeout: 0\n"),
+        ElementsAre(":1:10: error bad-value: 'timeout' must be more than 0 and at most 86400 s, not '0'"));
 }
 
 TEST_F(ReadWalksConfig, ReplacesAWalksAvatarAndSpawn) {
@@ -126,7 +128,8 @@ TEST_F(ReadWalksConfig, ComplainsOfAProjectsValuesWhereTheyStand) {
 TEST_F(ReadWalksConfig, ReadsAWalkAgainstAnotherCampus) {
     // Everything of the other campus lies 100 m to the east.
     folder_.write("b.campus.yaml",
-                  "scenes: [{file: a.obj}]\ncolliders: [{id: g, nodes: f, shape: mesh, mode: solid}]\nspawns: {gate: {at: [100, 0, 0]}}\nplaces: {hall: [101, 0, 0]}\n");
+                  "scenes: [{file: a.obj}]\ncolliders: [{id: g, nodes: f, shape: mesh, mode: "
+                  "solid}]\nspawns: {gate: {at: [100, 0, 0]}}\nplaces: {hall: [101, 0, 0]}\n");
     const WalksConfig read = config("projects: {east: {campus: b.campus.yaml}}\n");
     RunLoader loader({});
     folder_.write("a.walk.yaml", "campus: a.campus.yaml\nsteps: [{spawn: gate}]\n");

@@ -222,7 +222,8 @@ class BrokenInput(ProgramCase):
                      arguments=("run", "--log", "other.walk.yaml", "short.walk.yaml"))
 
     def test_one_file_for_both_logs(self):
-        self.refused("./a.log: error log-unwritable: --log and --jsonl need a file each",
+        self.refused("./a.log: error log-unwritable: another log or report goes here already; each needs a file of its "
+                     "own",
                      arguments=("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "./a.log"))
 
     def test_log_on_a_full_disk(self):

@@ -44,7 +44,7 @@ class EventLog(ProgramCase):
 
     def logs(self, *walks):
         """The lines of the text log and of the JSON lines."""
-        outcome = self.run_program("run", *walks, "--log", "a.log", "--jsonl", "a.jsonl")
+        outcome = self.run_program("run", *walks, "--reporter", "log", "--log", "a.log", "--jsonl", "a.jsonl")
         self.assertIn(outcome.code, (0, 1))
         text = self.read("a.log").decode()
         self.assertEqual(text, outcome.out)

@@ -6,8 +6,12 @@ namespace campuswalk::tools {
 
 void complain(const std::vector<scene::Diagnostic>& diagnostics) {
     for (const scene::Diagnostic& diagnostic : diagnostics) {
-        std::fprintf(stderr, "%s\n", scene::to_string(diagnostic).c_str());
+        complain_line(scene::to_string(diagnostic));
     }
+}
+
+void complain_line(const std::string& line) {
+    std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 }  // namespace campuswalk::tools

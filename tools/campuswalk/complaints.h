@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/diagnostic.h"
@@ -8,5 +9,6 @@ namespace campuswalk::tools {
 
 /// A line each to standard error.
 void complain(const std::vector<scene::Diagnostic>& diagnostics);
+void complain_line(const std::string& line);
 
 }  // namespace campuswalk::tools

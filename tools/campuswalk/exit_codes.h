@@ -8,6 +8,7 @@ constexpr int kOverlapping = 1;  ///< of a command that compares; 0 is apart
 constexpr int kDifferent = 1;    ///< of a command that compares; 0 is the same
 constexpr int kBadInput = 2;     ///< usage or input, seen before anything ran
 constexpr int kRunFailed = 3;    ///< something went wrong while running: disk full, no GL
+constexpr int kNothingSelected = 5;
 constexpr int kInterrupted = 130;
 
 }  // namespace campuswalk::tools

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <spdlog/logger.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
@@ -22,12 +23,13 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
         sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_st>(file->string(), true));
     }
     logger_ = std::make_shared<spdlog::logger>("walk", sinks.begin(), sinks.end());
-    logger_->set_pattern("%v");
+    logger_->set_formatter(
+        std::make_unique<spdlog::pattern_formatter>("%v", spdlog::pattern_time_type::local, ""));
     // spdlog would print the failure and go on.
     logger_->set_error_handler([](const std::string& reason) { throw std::runtime_error(reason); });
 }
 
-void LogOutput::line(std::string_view text) {
+void LogOutput::write(std::string_view text) {
     logger_->info(text);
     if (to_terminal_) {
         check_standard_output();  // spdlog's terminal sink doesn't look at what its writes return

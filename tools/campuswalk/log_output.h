@@ -11,15 +11,15 @@ class logger;
 
 namespace campuswalk::tools {
 
-/// Lines to the terminal, to a file, or to both, through spdlog. The program's only use of it.
+/// Text to the terminal, to a file, or to both, through spdlog. The program's only use of it.
 class LogOutput {
 public:
     /// Truncates `file`. Throws std::runtime_error when it can't be opened.
     LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file);
 
-    /// Throws std::runtime_error when the line can't be written; for a file that may show at `flush` only.
-    void line(std::string_view text);
-    /// Everything is written when this returns; throws like `line`.
+    /// Throws std::runtime_error when the text can't be written; for a file that may show at `flush` only.
+    void write(std::string_view text);
+    /// Everything is written when this returns; throws like `write`.
     void flush();
 
 private:

@@ -15,6 +15,7 @@ namespace {
 
 void add_commands(Command program, Chosen& chosen) {
     add_run(program, chosen);
+    add_merge_reports(program, chosen);
     add_validate(program, chosen);
     add_info(program, chosen);
     add_collide(program, chosen);

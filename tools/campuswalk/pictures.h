@@ -19,7 +19,7 @@ namespace campuswalk::tools {
 
 bool can_draw();
 
-/// Writes the walk's snapshots to `FOLDER/WALK NAME/`. `campus` must outlive it.
+/// Writes the walk's snapshots to `FOLDER/`. `campus` must outlive it.
 std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
                                                       const std::filesystem::path& folder);
 

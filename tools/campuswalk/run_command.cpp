@@ -1,23 +1,26 @@
 #include "tools/campuswalk/run_command.h"
 
+#include <unistd.h>
+
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <set>
 #include <string>
-#include <system_error>
+#include <utility>
 
-#include "engine/decimals.h"
-#include "engine/observers/json_lines.h"
-#include "engine/observers/text_log.h"
-#include "engine/run_walk.h"
+#include "scene/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/log_output.h"
 #include "tools/campuswalk/pictures.h"
-#include "tools/campuswalk/walk_loader.h"
+#include "tools/campuswalk/run/last_run.h"
+#include "tools/campuswalk/run/list_cases.h"
+#include "tools/campuswalk/run/plan.h"
+#include "tools/campuswalk/run/reports.h"
+#include "tools/campuswalk/run/run_settings.h"
+#include "tools/campuswalk/run/session.h"
+#include "tools/campuswalk/run/watch.h"
 #include "tools/campuswalk/writable_path.h"
 
 namespace campuswalk::tools {
@@ -26,158 +29,220 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::atomic<bool> interrupted{false};
-
-struct Interrupted {};
-
-/// Ends a walk between two ticks, so that logs and pictures stay whole.
-class InterruptWatch final : public engine::Observer {
-public:
-    void frame(const engine::FrameRecord&) override {
-        if (interrupted) {
-            throw Interrupted{};
-        }
-    }
-};
-
-scene::InputError about_file(const fs::path& file, const char* code, const std::string& message) {
-    return scene::InputError(scene::SourceMark{file.string(), 0, 0}, code, message);
-}
-
-bool takes_pictures(const engine::Walk& walk) {
-    return std::ranges::any_of(walk.steps, [](const engine::Step& step) {
-        return std::holds_alternative<engine::SnapshotStep>(step);
-    });
-}
-
-/// The walks that may be run; complaints about the others are printed.
-std::vector<LoadedWalk> load_all(const std::vector<fs::path>& files, bool& all_good) {
-    WalkLoader loader;
-    std::vector<LoadedWalk> walks;
-    std::set<std::string> names;
-    for (const fs::path& file : files) {
-        try {
-            LoadedWalk loaded = loader.load_walk(file);
-            if (!names.insert(loaded.walk.name).second) {
-                throw about_file(file, "duplicate-name",
-                                 "another walk of this run is called " + loaded.walk.name +
-                                     " too, and their pictures would overwrite each other: rename one");
-            }
-            walks.push_back(std::move(loaded));
-        } catch (const scene::InputError& error) {
-            complain(error.diagnostics());
-            all_good = false;
-        }
-    }
-    return walks;
-}
-
-void check_log_file(const std::optional<fs::path>& file) {
-    if (!file) {
-        return;
-    }
-    if (file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
-        throw about_file(*file, "log-unwritable", "a log would overwrite this YAML file; name another");
-    }
-    if (const std::string why = why_file_unwritable(*file); !why.empty()) {
-        throw about_file(*file, "log-unwritable", "the log can't be written here: " + why);
-    }
-}
-
-/// What can't be written is seen before the walk, not after its first minute, and before anything is
-/// overwritten.
-void check_outputs(const RunOptions& options, bool pictures, const std::vector<LoadedWalk>& walks) {
-    check_log_file(options.log);
-    check_log_file(options.jsonl);
-    const auto same_for_all = [](const fs::path& file) {
-        std::error_code none;
-        return fs::weakly_canonical(fs::absolute(file, none), none);
-    };
-    if (options.log && options.jsonl && same_for_all(*options.log) == same_for_all(*options.jsonl)) {
-        throw about_file(*options.jsonl, "log-unwritable", "--log and --jsonl need a file each");
-    }
-    for (const LoadedWalk& loaded : walks) {
-        const fs::path folder = options.output / loaded.walk.name;
-        if (!pictures || !takes_pictures(loaded.walk)) {
-            continue;
-        }
-        if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
-            throw about_file(folder, "output-unwritable", "pictures can't be saved here: " + why);
-        }
-    }
+scene::InputError about(const fs::path& what, const char* code, const std::string& message) {
+    return scene::InputError(scene::SourceMark{what.string(), 0, 0}, code, message);
 }
 
 bool wants_pictures(Backend backend) {
     if (backend == Backend::osmesa && !can_draw()) {
-        throw about_file("--rendering-backend", "bad-value", "this build has no rendering: use none");
+        throw about("--rendering-backend", "bad-value", "this build has no rendering: use none");
     }
     return backend != Backend::none && can_draw();
 }
 
-void print_outcome(const engine::Walk& walk, const engine::WalkSummary& summary) {
-    for (const engine::Failure& failure : summary.failures) {
-        complain({{scene::Severity::error, failure.mark, failure.code, failure.message}});
-    }
-    const double seconds = static_cast<double>(summary.ticks) / walk.sim.ticks_per_second;
-    std::fprintf(stderr, "%s: %s after %s s and %s m\n", walk.name.c_str(), summary.passed ? "pass" : "FAIL",
-                 engine::fixed(seconds, 1).c_str(), engine::fixed(summary.distance, 1).c_str());
+bool takes_pictures(const Case& each) {
+    return each.walk && std::ranges::any_of(each.walk->walk.steps, [](const engine::Step& step) {
+               return std::holds_alternative<engine::SnapshotStep>(step);
+           });
 }
 
-/// Where everything that is said about the walks goes.
-struct Outputs {
-    LogOutput text;
-    LogOutput json;
-    bool pictures = false;
-    fs::path folder;
+Selector selector_for(const RunOptions& options) {
+    Selector selector;
+    if (options.grep) {
+        selector.require(*options.grep, {"--grep", 0, 0});
+    }
+    if (options.grep_invert) {
+        selector.refuse(*options.grep_invert, {"--grep-invert", 0, 0});
+    }
+    selector.require_tag(options.tags);
+    return selector;
+}
+
+/// A run of one command line, from what is wanted to the exit code.
+class Run {
+public:
+    Run(const RunOptions& options, RunSettings settings)
+        : options_(options), settings_(std::move(settings)), keeps_results_(!settings_.single) {}
+
+    int run() {
+        pictures_ = wants_pictures(options_.backend);
+        read_last_run_if_wanted();
+        Plan plan =
+            make_plan(settings_, {selector_for(options_), wanted_ids(), options_.repeat_each, options_.seed});
+        note_shard();
+        if (plan.selected == 0) {
+            return nothing_selected(plan);
+        }
+        if (options_.list) {
+            list_cases(plan);
+            return exit_code_of_list(plan);
+        }
+        plays_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
+        if (!plays_ && settings_.single) {
+            return plan.cases.front().result.outcome == engine::Outcome::skipped ? play(std::move(plan))
+                                                                                 : kBadInput;
+        }
+        check_outputs(plan);
+        return play(std::move(plan));
+    }
+
+private:
+    void read_last_run_if_wanted() {
+        if (!options_.last_failed && !options_.resume) {
+            return;
+        }
+        const fs::path file = last_run_file(settings_.output);
+        last_run_ = read_last_run(file);
+        if (!last_run_) {
+            throw about(file, "missing-file",
+                        "nothing is known of a last run; run without --last-failed and --resume first");
+        }
+        if (options_.resume && (options_.log || options_.jsonl)) {
+            throw about("--resume", "bad-value",
+                        "logs of walks that have been played aren't kept; leave out "
+                        "--log and --jsonl");
+        }
+    }
+
+    std::optional<std::set<std::string>> wanted_ids() const {
+        return options_.last_failed ? std::optional(failed_ids(*last_run_)) : std::nullopt;
+    }
+
+    void note_shard() const {
+        if (!settings_.shard) {
+            return;
+        }
+        const Shard& shard = *settings_.shard;
+        if (!shard.status_file.empty()) {
+            const std::ofstream touched(shard.status_file, std::ios::app);
+        }
+        if (shard.from != "--shard") {
+            complain_line("shard " + std::to_string(shard.index + 1) + " of " + std::to_string(shard.count) +
+                     " (" + shard.from + ")");
+        }
+    }
+
+    int nothing_selected(const Plan& plan) const {
+        if (options_.pass_with_no_tests) {
+            return kPass;
+        }
+        complain_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
+                                 : "none of the walks found, " + std::to_string(plan.files) +
+                                       ", is selected; see --list");
+        return kNothingSelected;
+    }
+
+    static int exit_code_of_list(const Plan& plan) {
+        const auto bad = [](const Case& each) { return each.result.outcome == engine::Outcome::bad_input; };
+        return std::ranges::any_of(plan.cases, bad) ? kBadInput : kPass;
+    }
+
+    /// What can't be written is seen before the walks, not after their first minute, and before anything is
+    /// overwritten.
+    void check_outputs(const Plan& plan) const {
+        std::vector<ReportTarget> targets = settings_.reports;
+        if (options_.jsonl) {
+            targets.push_back({"jsonl-log", options_.jsonl});
+        }
+        check_targets(targets);
+        for (const Case& each : plan.cases) {
+            if (!pictures_ || !takes_pictures(each)) {
+                continue;
+            }
+            const fs::path folder = settings_.output / each.folder;
+            if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
+                throw about(folder, "output-unwritable", "pictures can't be saved here: " + why);
+            }
+        }
+        if (!keeps_results_) {
+            return;
+        }
+        const fs::path file = last_run_file(settings_.output);
+        if (const std::string why = why_file_unwritable(file); !why.empty()) {
+            throw about(file, "output-unwritable", "results can't be kept here: " + why);
+        }
+    }
+
+    std::unique_ptr<LastRunWriter> open_last_run(const Plan& plan) const {
+        if (!keeps_results_) {
+            return nullptr;
+        }
+        const fs::path file = last_run_file(settings_.output);
+        const std::string print = fingerprint(plan);
+        if (!options_.resume) {
+            return std::make_unique<LastRunWriter>(file, print);
+        }
+        if (last_run_->plan != print) {
+            throw about(
+                file, "other-run",
+                "the last run had other walks, files or options than this one, so it can't be gone on "
+                "with; run without --resume");
+        }
+        return std::make_unique<LastRunWriter>(file, *last_run_);
+    }
+
+    int play(Plan plan) {
+        if (!pictures_ && options_.backend == Backend::automatic &&
+            std::ranges::any_of(plan.cases, takes_pictures)) {
+            complain_line("this build has no rendering: snapshots are logged but not drawn");
+        }
+        const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
+        Reports reports(settings_.reports,
+                        {settings_.color, options_.quiet, settings_.output.generic_string()}, plays_);
+        std::unique_ptr<LogOutput> events;
+        if (options_.jsonl && plays_) {
+            events = std::make_unique<LogOutput>(false, options_.jsonl);
+        }
+        Session session(std::move(plan), session_settings(reports, events != nullptr), reports, events.get(),
+                        last_run.get());
+        if (options_.resume) {
+            session.take_over(last_run_->results);
+        }
+        return session.run();
+    }
+
+    SessionSettings session_settings(const Reports& reports, bool events) const {
+        SessionSettings session;
+        session.play.output = settings_.output;
+        session.play.pictures = pictures_;
+        session.play.log = reports.wants_log();
+        session.play.events = events;
+        session.play.update = settings_.update;
+        session.pool.workers = static_cast<std::size_t>(settings_.workers);
+        session.pool.kill_after = settings_.kill_after;
+        session.max_failures = settings_.max_failures;
+        session.require_identical = options_.require_identical;
+        session.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
+        session.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
+        return session;
+    }
+
+    const RunOptions& options_;
+    RunSettings settings_;
+    bool keeps_results_;
+    bool pictures_ = false;
+    bool plays_ = false;
+    std::optional<LastRun> last_run_;
 };
-
-bool run_one(const LoadedWalk& loaded, Outputs& outputs) {
-    engine::TextLog text([&](std::string_view line) { outputs.text.line(line); });
-    engine::JsonLines json([&](std::string_view line) { outputs.json.line(line); });
-    InterruptWatch interrupt;
-    std::vector<engine::Observer*> observers = {&text, &json, &interrupt};
-    std::unique_ptr<engine::Observer> pictures;
-    if (outputs.pictures) {
-        pictures = make_snapshot_taker(*loaded.campus, outputs.folder);
-        observers.push_back(pictures.get());
-    }
-    const engine::WalkSummary summary = engine::run_walk(*loaded.campus, loaded.walk, observers);
-    outputs.text.flush();
-    outputs.json.flush();
-    print_outcome(loaded.walk, summary);
-    return summary.passed;
-}
 
 }  // namespace
 
 int run_walks(const RunOptions& options) {
-    bool all_good = true;
-    const bool pictures = wants_pictures(options.backend);
-    const std::vector<LoadedWalk> walks = load_all(options.walks, all_good);
-    if (walks.empty()) {
-        return kBadInput;
+    RunSettings settings = settle(options, environment_variable);
+    if (options.print_config) {
+        std::printf("%s\n", to_json(settings, options).c_str());
+        return kPass;
     }
-    check_outputs(options, pictures, walks);
-    const auto wants_some = [](const LoadedWalk& loaded) { return takes_pictures(loaded.walk); };
-    if (!pictures && options.backend == Backend::automatic && std::ranges::any_of(walks, wants_some)) {
-        std::fprintf(stderr, "this build has no rendering: snapshots are logged but not drawn\n");
+    if (options.watch) {
+        return watch_and_run(settings, [&](const std::vector<fs::path>& changed) {
+            RunSettings again = settle(options, environment_variable);
+            if (!changed.empty()) {
+                again.paths = changed;
+            }
+            return Run(options, std::move(again)).run();
+        });
     }
-    Outputs outputs{LogOutput(!options.quiet, options.log), LogOutput(false, options.jsonl), pictures,
-                    options.output};
-
-    std::signal(SIGINT, [](int) { interrupted = true; });
-    bool all_passed = true;
-    try {
-        for (const LoadedWalk& loaded : walks) {
-            all_passed = run_one(loaded, outputs) && all_passed;
-        }
-    } catch (const Interrupted&) {
-        outputs.text.flush();
-        outputs.json.flush();
-        std::fprintf(stderr, "interrupted\n");
-        return kInterrupted;
-    }
-    return !all_good ? kBadInput : all_passed ? kPass : kExpectationFailed;
+    return Run(options, std::move(settings)).run();
 }
 
 }  // namespace campuswalk::tools

@@ -16,11 +16,20 @@ config::SearchPaths search_paths() {
              folder.parent_path() / "share" / "campuswalk" / "config" / "avatars"}};
 }
 
+WalkLoader::WalkLoader(Told warn) : warn_(std::move(warn)), loader_(search_paths()) {}
+
 LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
+    return ready(read(walk_file));
+}
+
+config::SharedRun WalkLoader::read(const fs::path& walk_file, const config::Overrides& overrides) {
+    return loader_.load(walk_file, overrides);
+}
+
+LoadedWalk WalkLoader::ready(config::SharedRun run) {
     std::vector<scene::Diagnostic> warnings;
-    config::Run run = config::load_run(walk_file, search_paths());
     LoadedWalk loaded;
-    loaded.campus = build(run.walk.campus, std::move(run.campus), warnings);
+    loaded.campus = build(run.walk.campus, *run.campus, warnings);
     loaded.walk = std::move(run.walk);
     warn_(warnings);
     if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(*loaded.campus, loaded.walk);
@@ -32,20 +41,20 @@ LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
 
 std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {
     std::vector<scene::Diagnostic> warnings;
-    scene::CampusDescription description = config::load_campus_description(campus_file);
-    std::shared_ptr<const scene::Campus> campus = build(campus_file, std::move(description), warnings);
+    const scene::CampusDescription description = config::load_campus_description(campus_file);
+    std::shared_ptr<const scene::Campus> campus = build(campus_file, description, warnings);
     warn_(warnings);
     return campus;
 }
 
 std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
-                                                       scene::CampusDescription description,
+                                                       const scene::CampusDescription& description,
                                                        std::vector<scene::Diagnostic>& warnings) {
     std::error_code none;
     std::shared_ptr<const scene::Campus>& campus = campuses_[fs::weakly_canonical(file, none)];
     if (!campus) {
         campus = std::make_shared<scene::Campus>(
-            scene::load_campus(std::move(description), collision::make_bullet_broad_phase(), warnings));
+            scene::load_campus(description, collision::make_bullet_broad_phase(), warnings));
     }
     return campus;
 }

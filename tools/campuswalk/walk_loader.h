@@ -25,17 +25,25 @@ struct LoadedWalk {
 class WalkLoader {
 public:
     using Told = std::function<void(const std::vector<scene::Diagnostic>&)>;
-    explicit WalkLoader(Told warn = complain) : warn_(std::move(warn)) {}
+    explicit WalkLoader(Told warn = complain);
 
+    /// The same as `read`, then `ready`.
     LoadedWalk load_walk(const std::filesystem::path& walk_file);
+
+    /// What is written; the campus' models aren't looked at.
+    config::SharedRun read(const std::filesystem::path& walk_file, const config::Overrides& overrides = {});
+    /// Builds the campus if it isn't yet, and checks the walk against it.
+    LoadedWalk ready(config::SharedRun run);
+
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
 
 private:
     std::shared_ptr<const scene::Campus> build(const std::filesystem::path& file,
-                                               scene::CampusDescription description,
+                                               const scene::CampusDescription& description,
                                                std::vector<scene::Diagnostic>& warnings);
 
     Told warn_;
+    config::RunLoader loader_;
     std::map<std::filesystem::path, std::shared_ptr<const scene::Campus>> campuses_;
 };
 

@@ -73,6 +73,8 @@ THIRD_PARTY = {
     "CLI/": ["tools/campuswalk/command_line"],
     "fmt/": ["tools/campuswalk"],
     "spdlog/": ["tools/campuswalk"],
+    "re2/": ["tools/campuswalk/run"],
+    "poll.h": ["tools/campuswalk/run"],
     "unistd.h": ["scene/import", "tools/campuswalk", "tests"],
     "fcntl.h": ["scene/import", "tools/campuswalk", "tests"],
     "sys/mman.h": ["collision/large_pages.cpp"],

@@ -49,10 +49,10 @@ protected:
     ScratchFolder folder_;
 };
 
-TEST_F(SnapshotObserverTest, WritesAPictureNamedByWalkAndStep) {
+TEST_F(SnapshotObserverTest, WritesAPictureNamedByItsStep) {
     SnapshotObserver observer(campus_, folder_.path() / "out", settings_);
     walk(observer, 5);
-    const std::filesystem::path file = folder_.path() / "out" / "stroll" / "gate.png";
+    const std::filesystem::path file = folder_.path() / "out" / "gate.png";
     EXPECT_EQ(observer.files(), std::vector<std::filesystem::path>{file});
     EXPECT_EQ(bytes(file).substr(1, 3), "PNG");
 }

@@ -151,12 +151,16 @@ void Command::option(const Spelling& spelling, std::optional<std::filesystem::pa
     add_option(spelling, target);
 }
 void Command::option(const Spelling& spelling, std::vector<std::string>& target) {
-    add_option(spelling, target);
+    // One value each time it is named: what follows belongs to the command.
+    add_option(spelling, target).allow_extra_args(!spelling.names.starts_with('-'));
 }
 void Command::option(const Spelling& spelling, std::vector<std::filesystem::path>& target) {
     add_option(spelling, target);
 }
 void Command::option(const Spelling& spelling, int& target, const Limits<int>& limits) {
+    add_number(spelling, target, limits);
+}
+void Command::option(const Spelling& spelling, std::optional<int>& target, const Limits<int>& limits) {
     add_number(spelling, target, limits);
 }
 void Command::option(const Spelling& spelling, double& target, const Limits<double>& limits) {
@@ -176,6 +180,18 @@ void Command::flag(const Spelling& spelling, bool& target) {
 
 void Command::flag(const Spelling& spelling, std::function<void()> take) {
     finish(*app_->add_flag_callback(spelling.names, std::move(take), spelling.help), spelling);
+}
+
+void Command::worded_flag(const Spelling& spelling, const std::string& alone,
+                          std::function<bool(const std::string&)> take) {
+    // CLI11 gives a flag the value "true" unless one is written after '='.
+    const CLI::callback_t callback = [take = std::move(take), alone](const CLI::results_t& words) {
+        return take(words.back() == "true" ? alone : words.back());
+    };
+    CLI::Option* flag = app_->add_option(spelling.names, callback, spelling.help)
+                            ->expected(0)
+                            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    finish(*flag, spelling);
 }
 
 int read_command_line(int argc, char** argv, const std::function<void(Command, Chosen&)>& add_commands,

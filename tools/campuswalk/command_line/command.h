@@ -76,6 +76,7 @@ public:
     void option(const Spelling& spelling, std::vector<std::string>& target);
     void option(const Spelling& spelling, std::vector<std::filesystem::path>& target);
     void option(const Spelling& spelling, int& target, const Limits<int>& limits);
+    void option(const Spelling& spelling, std::optional<int>& target, const Limits<int>& limits);
     void option(const Spelling& spelling, double& target, const Limits<double>& limits);
     void option(const Spelling& spelling, std::optional<double>& target, const Limits<double>& limits);
     /// `take` is called with the value as it was written, once it has passed the check.
@@ -97,7 +98,27 @@ public:
         option(spelling, [choices, &target](const std::string& word) { target = choices.at(word); });
     }
 
+    /// A flag that takes one of a few words too, as in `--update=all`; `alone` is what it means without one.
+    template <typename Value>
+    void choice_flag(Spelling spelling, const std::string& alone, const std::map<std::string, Value>& choices,
+                     std::optional<Value>& target) {
+        for (const auto& [word, value] : choices) {
+            spelling.value += (spelling.value.empty() ? "[=" : "|") + word;
+        }
+        spelling.value += "]";
+        worded_flag(spelling, alone, [choices, &target](const std::string& word) {
+            const auto found = choices.find(word);
+            if (found != choices.end()) {
+                target = found->second;
+            }
+            return found != choices.end();
+        });
+    }
+
 private:
+    /// `take` says whether it knows the word.
+    void worded_flag(const Spelling& spelling, const std::string& alone,
+                     std::function<bool(const std::string&)> take);
     template <typename Value>
     CLI::Option& add_option(const Spelling& spelling, Value& target);
     template <typename Value, typename Number>

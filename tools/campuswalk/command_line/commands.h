@@ -7,6 +7,7 @@ namespace campuswalk::tools {
 // Each adds a command and its options, a file each; the one the user names sets `chosen`.
 
 void add_run(Command program, Chosen& chosen);
+void add_merge_reports(Command program, Chosen& chosen);
 void add_validate(Command program, Chosen& chosen);
 void add_info(Command program, Chosen& chosen);
 void add_collide(Command program, Chosen& chosen);

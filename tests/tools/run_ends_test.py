@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""How a run of many walks ends: in order, stopped, killed, gone on with."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+
+from program import WALK, ProgramCase, main
+
+FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
+ENDLESS = WALK.replace("turn: 180", "wait: 86400").replace("steps:", "sim: {ticks_per_second: 10000}\nsteps:")
+
+
+class ManyWalks(ProgramCase):
+    """Six walks, c among them failing."""
+
+    def setUp(self):
+        super().setUp()
+        os.remove(self.path("short.walk.yaml"))
+        for name in "abcdef":
+            self.write(f"{name}.walk.yaml", FAILING if name == "c" else WALK)
+
+    def run_walks(self, *arguments, **options):
+        return self.run_program("run", "--rendering-backend", "none", *arguments, **options)
+
+    def results(self, name):
+        """The results of a jsonl report, without its first line."""
+        return [json.loads(line) for line in self.read(name).splitlines()[1:]]
+
+    def start(self, *arguments):
+        process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", *arguments], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait_for(self, condition):
+        end = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), end, "waited in vain")
+            time.sleep(0.01)
+
+    def kept(self):
+        try:
+            return self.read("out/last-run.jsonl").count(b"\n")
+        except FileNotFoundError:
+            return 0
+
+
+class Order(ManyWalks):
+    def test_same_bytes_whatever_the_number_of_workers(self):
+        told = []
+        for workers in ("1", "2", "5"):
+            outcome = self.run_walks("-j", workers, "--log", "all.log", "--jsonl", "all.jsonl", "--reporter", "list",
+                                     "--reporter", "jsonl=r.jsonl", "--reporter", "junit=r.xml", "--reporter", "tap=r.tap",
+                                     "--reporter", "json=r.json")
+            self.assertEqual((outcome.code, outcome.err), (1, ""))
+            files = ("all.log", "all.jsonl", "r.jsonl", "r.xml", "r.tap", "r.json")
+            told.append((outcome.out, [self.read(file) for file in files]))
+        self.assertEqual(told[1], told[0])
+        self.assertEqual(told[2], told[0])
+        self.assertEqual([result["name"] for result in self.results("r.jsonl")], list("abcdef"))
+        self.assertEqual(told[0][1][0].count(b"walk.end"), 6)
+
+    def test_stops_after_failures(self):
+        for arguments in (("-x",), ("--max-failures", "1")):
+            for workers in ("1", "4"):
+                outcome = self.run_walks("-j", workers, "--reporter", "jsonl=r.jsonl", *arguments)
+                self.assertEqual((outcome.code, outcome.err.count("3 not run")), (1, 1))
+                self.assertEqual([result["name"] for result in self.results("r.jsonl")], list("abc"))
+
+    def test_quiet_and_verbose(self):
+        self.assertEqual(self.run_walks("-q").out, "")
+        self.assertIn("a: pass after ", self.run_walks("-q").err)
+        self.assertEqual(self.run_walks().err, "")
+        self.assertIn("c: FAIL after ", self.run_walks("--verbose").err)
+
+    def test_colors(self):
+        plain = self.run_walks("--color", "never").out
+        self.assertNotIn("\x1b", plain)
+        self.assertEqual(self.run_walks().out, plain)  # a pipe is no terminal
+        self.assertIn("\x1b[", self.run_walks("--color=always").out)
+
+    def test_repetitions(self):
+        outcome = self.run_walks("a.walk.yaml", "--repeat-each", "3", "--require-identical", "--reporter",
+                                 "jsonl=r.jsonl")
+        self.assertEqual(outcome.code, 0)
+        self.assertEqual([result["id"] for result in self.results("r.jsonl")],
+                         ["a.walk.yaml #1", "a.walk.yaml #2", "a.walk.yaml #3"])
+        self.assertEqual(len({result["hash"] for result in self.results("r.jsonl")}), 1)
+
+    def test_seed(self):
+        outcome = self.run_walks("a.walk.yaml", "--seed", "18446744073709551615")
+        self.assertTrue(outcome.lines[0].endswith(" seed=18446744073709551615"))
+        self.assertEqual(self.run_walks("a.walk.yaml", "--seed", "-1").code, 2)
+
+    def test_reports_that_cannot_be_written(self):
+        before = self.contents()
+        for target, code in (("avatars", "report-unwritable"), ("room.obj/a.xml", "report-unwritable"),
+                             ("a.walk.yaml", "report-unwritable")):
+            outcome = self.run_walks("--reporter", "junit=" + target)
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertIn(f"{target}: error {code}: ", outcome.err)
+        outcome = self.run_walks("--output", "room.obj")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertIn("room.obj/last-run.jsonl: error output-unwritable: ", outcome.err)
+        outcome = self.run_walks("--reporter", "dot", "--reporter", "tap")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertEqual(self.contents(), before)
+
+    def test_report_on_a_full_disk(self):
+        outcome = self.run_walks("--reporter", "junit=/dev/full")
+        self.assertEqual(outcome.code, 3)
+        self.assertIn("/dev/full: No space left on device", outcome.err)
+
+    def test_unknown_reporter(self):
+        outcome = self.run_walks("--reporter", "junti=a.xml")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertIn("(did you mean 'junit'?)", outcome.err)
+
+
+class Again(ManyWalks):
+    def test_last_failed(self):
+        self.run_walks()
+        outcome = self.run_walks("--last-failed", "--list")
+        self.assertEqual(outcome.lines, ["c.walk.yaml"])
+        self.write("c.walk.yaml", WALK)
+        self.assertEqual(self.run_walks("--last-failed").code, 0)
+        self.assertEqual(self.run_walks("--last-failed").code, 5)
+
+    def test_nothing_known_of_a_last_run(self):
+        for option in ("--last-failed", "--resume"):
+            outcome = self.run_walks(option)
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertIn("out/last-run.jsonl: error missing-file: ", outcome.err)
+
+    def test_resumes_a_run_that_was_killed(self):
+        whole = self.run_walks("--reporter", "jsonl=whole.jsonl")
+        self.write("e.walk.yaml", ENDLESS)
+        running = self.start("-j", "1")
+        self.wait_for(lambda: self.kept() == 5)  # what it is, then a to d
+        running.kill()
+        running.wait(timeout=60)
+        with open(self.path("out/last-run.jsonl"), "ab") as file:
+            file.write(b'{"id":"e.walk.ya')  # as if it had been killed while writing
+        self.write("e.walk.yaml", WALK)
+        changed = self.run_walks("--resume")  # it would be another run
+        self.assertEqual((changed.code, changed.out), (2, ""))
+        self.assertIn("out/last-run.jsonl: error other-run: ", changed.err)
+        self.run_walks("-x", "-j", "1")
+        self.assertGreaterEqual(self.kept(), 4)  # what it is, then a to c
+        with open(self.path("out/last-run.jsonl"), "ab") as file:
+            file.write(b'{"id":"d.walk.ya')
+        before = self.read("out/last-run.jsonl")
+        resumed = self.run_walks("--resume", "--reporter", "jsonl=resumed.jsonl", "-v")
+        self.assertEqual(resumed.code, whole.code)
+        self.assertEqual(self.read("resumed.jsonl"), self.read("whole.jsonl"))
+        after = self.read("out/last-run.jsonl")
+        self.assertTrue(after.startswith(before[:before.rindex(b"\n") + 1]))
+        self.assertEqual(len(after.splitlines()), 7)  # none was played twice
+
+    def test_watch(self):
+        watching = self.start("--watch", "--reporter", "dot")
+        lines = []
+
+        def told(count):
+            while len(lines) < count:
+                lines.append(watching.stderr.readline())
+        told(1)
+        self.assertEqual(lines[0], b"watching; Ctrl-C ends it\n")
+        self.write("c.walk.yaml", WALK)
+        told(2)
+        watching.send_signal(signal.SIGINT)
+        out = watching.stdout.read().decode()
+        self.assertEqual(watching.wait(timeout=60), 130)
+        self.assertIn("5 passed, 1 failed", out)
+        self.assertIn("\n1 passed", out)  # the one that changed
+
+
+class CutShort(ManyWalks):
+    def test_interrupt_keeps_what_is_finished(self):
+        self.write("e.walk.yaml", ENDLESS)
+        running = self.start("-j", "2", "--reporter", "dot", "--reporter", "jsonl=r.jsonl")
+        self.wait_for(lambda: self.kept() == 6)  # all but e
+        running.send_signal(signal.SIGINT)
+        _, err = running.communicate(timeout=60)
+        self.assertEqual((running.returncode, err), (130, b"interrupted\n"))
+        self.assertEqual([(result["name"], result["outcome"]) for result in self.results("r.jsonl")],
+                         [("a", "passed"), ("b", "passed"), ("c", "failed"), ("d", "passed"), ("e", "interrupted"),
+                          ("f", "passed")])
+
+    def test_a_process_that_dies_takes_one_walk_along(self):
+        self.write("b.walk.yaml", ENDLESS)
+        running = self.start("-j", "1", "--reporter", "jsonl=r.jsonl")
+        self.wait_for(lambda: self.kept() == 2)  # a
+        with open(f"/proc/{running.pid}/task/{running.pid}/children", encoding="ascii") as file:
+            os.kill(int(file.read().split()[0]), signal.SIGKILL)
+        _, err = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 3)
+        self.assertIn(b"b.walk.yaml: the process that played the walk is gone: it was ended by signal 9 (Killed)", err)
+        self.assertEqual([result["outcome"] for result in self.results("r.jsonl")],
+                         ["passed", "broken", "failed", "passed", "passed", "passed"])
+
+    def test_a_walk_that_takes_too_long(self):
+        self.write("b.walk.yaml", ENDLESS)
+        outcome = self.run_walks("--kill-after", "0.5", "--reporter", "jsonl=r.jsonl", "a.walk.yaml", "b.walk.yaml")
+        self.assertEqual(outcome.code, 3)
+        self.assertIn("it took more than 0.5 s of wall clock", outcome.err)
+        self.assertEqual([result["outcome"] for result in self.results("r.jsonl")], ["passed", "broken"])
+
+
+if __name__ == "__main__":
+    main()

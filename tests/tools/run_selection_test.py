@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Which walks `run` plays: paths, expressions, projects, walks.config.yaml."""
+
+import json
+import os
+
+from program import CAMPUS, WALK, ProgramCase, main
+
+NESTED = WALK.replace("campus: small", "campus: ../small")
+
+
+class Selection(ProgramCase):
+    """`run --list`, which plays nothing."""
+
+    def setUp(self):
+        super().setUp()
+        os.remove(self.path("short.walk.yaml"))
+        for name in ("stairs", "ramp", "lift"):
+            self.write(f"walks/{name}.walk.yaml", NESTED)
+
+    def listed(self, *arguments, **options):
+        return self.passes("run", "--list", *arguments, **options).lines
+
+    def test_every_walk_below_the_current_folder(self):
+        self.write("other/more.walk.yaml", NESTED)
+        self.write(".cache/hidden.walk.yaml", NESTED)
+        everything = ["other/more.walk.yaml", "walks/lift.walk.yaml", "walks/ramp.walk.yaml",
+                      "walks/stairs.walk.yaml"]
+        self.assertEqual(self.listed(), everything)
+        self.assertEqual(self.listed("walks", "other", "walks/ramp.walk.yaml"), everything)
+        self.assertEqual(self.listed("other"), everything[:1])
+
+    def test_paths_are_told_from_where_one_stands(self):
+        self.assertEqual(self.listed(self.path("walks/lift.walk.yaml")), ["walks/lift.walk.yaml"])
+        self.assertEqual(self.listed("..", cwd=self.path("avatars"))[0], "../walks/lift.walk.yaml")
+
+    def test_expressions(self):
+        self.assertEqual(self.listed("-g", "lift|ramp"), ["walks/lift.walk.yaml", "walks/ramp.walk.yaml"])
+        self.assertEqual(self.listed("--grep", "walks", "--grep-invert", "(st|r)a"), ["walks/lift.walk.yaml"])
+        self.assertEqual(self.listed("-G", "walks/[^s]"), ["walks/stairs.walk.yaml"])
+
+    def test_an_expression_that_is_none(self):
+        outcome = self.run_program("run", "-g", "lift(")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertRegex(outcome.err, r"^--grep: error bad-regex: 'lift\(' is no regular expression: ")
+
+    def test_nothing_selected(self):
+        for arguments in (("-g", "none"), ("--tag", "none"), ("avatars",)):
+            outcome = self.run_program("run", *arguments)
+            self.assertEqual((outcome.code, outcome.out), (5, ""), arguments)
+            self.assertEqual(len(outcome.complaints), 1)
+            self.passes("run", "--pass-with-no-tests", *arguments)
+
+    def test_listing_plays_and_writes_nothing(self):
+        before = self.contents()
+        self.listed()
+        self.assertEqual(self.contents(), before)
+
+    def test_a_walk_with_mistakes_is_among_them(self):
+        self.write("walks/lift.walk.yaml", NESTED.replace("walk_to: end", "walk_to: nowhere"))
+        outcome = self.run_program("run", "--list")
+        self.assertEqual((outcome.code, outcome.lines[0]), (2, "walks/lift.walk.yaml (has mistakes)"))
+        self.assertEqual(self.listed("-G", "lift"), ["walks/ramp.walk.yaml", "walks/stairs.walk.yaml"])
+
+    def test_shard_of_the_environment(self):
+        def shard(**variables):
+            return self.listed(env={**os.environ, **variables})
+        parts = [shard(CAMPUSWALK_SHARD_INDEX=str(i), CAMPUSWALK_SHARD_COUNT="2") for i in range(2)]
+        self.assertEqual(parts[0] + parts[1], self.listed())
+        bazel = shard(TEST_SHARD_INDEX="1", TEST_TOTAL_SHARDS="2", TEST_SHARD_STATUS_FILE=self.path("touched"))
+        self.assertEqual(bazel, parts[1])
+        self.assertEqual(self.read("touched"), b"")
+        self.assertEqual(self.listed("--shard=2/2"), parts[1])
+        self.assertEqual(self.listed("--shard", "4/4"), ["walks/stairs.walk.yaml"])
+
+    def test_bad_shards(self):
+        for arguments, variables in ((("--shard=3/2",), {}), ((), {"CAMPUSWALK_SHARD_INDEX": "1"})):
+            outcome = self.run_program("run", *arguments, env={**os.environ, **variables})
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertIn(" error bad-shard: ", outcome.err)
+
+
+class Config(ProgramCase):
+    """walks.config.yaml and its projects."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("walks/one.walk.yaml", NESTED)
+        self.write("walks/two.walk.yaml", NESTED)
+        self.write("avatars/child.avatar.yaml", "height: 1.2\nradius: 0.2\neye_height: 1.1\nspeed: 0.9\n")
+        self.write("east.campus.yaml", CAMPUS.replace("[0, 0, 5]", "[3, 0, 5]").replace("[0, 0, -2]", "[3, 0, -2]"))
+        self.write("walks.config.yaml", "walks: walks\nreporters: [tap]\nprojects:\n  young: {avatar: child, grep: one}\n"
+                                        "  east: {campus: east.campus.yaml}\n  near: {spawn: {at: [0, 0, 3]}}\n")
+
+    def test_every_walk_in_every_project(self):
+        expected = [f"walks/{walk}.walk.yaml {project}" for walk, projects in
+                    (("one", ("east", "near", "young")), ("two", ("east", "near"))) for project in projects]
+        self.assertEqual(self.passes("run", "--list").lines, expected)
+        self.assertEqual(self.passes("run", "--list", cwd=self.path("avatars")).lines,
+                         ["../" + line for line in expected])
+        self.assertEqual(self.passes("run", "--list", "--project", "young").lines, ["walks/one.walk.yaml young"])
+
+    def test_what_a_project_changes_is_played(self):
+        def log(project):
+            return self.run_program("run", "--reporter", "log", "--project", project, "walks/one.walk.yaml").lines
+        self.assertIn(" pos=3.000,0.000,5.000 ", log("east")[1])
+        self.assertIn(" pos=0.000,0.000,3.000 ", log("near")[1])
+        self.assertIn(" campus=east ", log("east")[0])
+        self.assertGreater(int(log("young")[-1].split()[0]), int(log("near")[-1].split()[0]))  # a slow one
+
+    def test_reporters_of_the_file_and_of_the_command_line(self):
+        self.assertEqual(self.run_program("run").lines[0], "TAP version 14")
+        self.assertNotIn("TAP", self.run_program("run", "--reporter", "dot").out)
+
+    def test_another_file(self):
+        self.write("ci/walks.config.yaml", "walks: ../walks\nworkers: 3\noutput: ../results\n")
+        outcome = self.passes("run", "--config", "ci/walks.config.yaml", "--print-config", "-j", "1")
+        found = json.loads(outcome.out)
+        self.assertEqual((found["walks"], found["workers"], found["output"]), (["walks"], 1, "results"))
+
+    def test_mistakes_are_told_at_their_place(self):
+        self.write("walks.config.yaml", "projects:\n  young: {avatar: chidl}\n")
+        outcome = self.run_program("run")
+        self.assertEqual(outcome.code, 2)
+        self.assertEqual(len(outcome.complaints), 1)  # once for all walks
+        self.assertRegex(outcome.err, r"^walks.config.yaml:2:19: error unknown-name: ")
+        outcome = self.run_program("run", "--project", "yuong")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertIn("did you mean 'young'?", outcome.err)
+        self.write("walks.config.yaml", "reporters: [junti]\n")
+        outcome = self.run_program("run")
+        self.assertRegex(outcome.err, r"^walks.config.yaml:1:13: error unknown-name: .*did you mean 'junit'")
+        self.assertEqual(outcome.code, 2)
+
+
+if __name__ == "__main__":
+    main()

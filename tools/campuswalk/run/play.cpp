@@ -1,0 +1,208 @@
+#include "tools/campuswalk/run/play.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/observers/json_lines.h"
+#include "engine/observers/text_log.h"
+#include "engine/report/outcome.h"
+#include "engine/run_walk.h"
+#include "tools/campuswalk/complaints.h"
+#include "tools/campuswalk/pictures.h"
+#include "tools/campuswalk/run/interrupt.h"
+
+namespace campuswalk::tools {
+
+using engine::Outcome;
+using engine::WalkResult;
+
+namespace {
+
+/// Lines on their way to the parent, some at a time: a message for each would cost more than the walk.
+class LinesSaid {
+public:
+    LinesSaid(const Say& say, Topic topic) : say_(say), topic_(topic) {}
+
+    void add(std::string_view line) {
+        lines_.append(line);
+        lines_ += '\n';
+        if (lines_.size() >= kEnough) {
+            flush();
+        }
+    }
+
+    /// Whoever watches a slow walk wants to see where it is.
+    void flush_if_old(std::chrono::steady_clock::time_point now) {
+        if (!lines_.empty() && now - last_ > std::chrono::milliseconds(100)) {
+            flush();
+            last_ = now;
+        }
+    }
+
+    void flush() {
+        if (!lines_.empty()) {
+            say_(topic_, lines_);
+            lines_.clear();
+        }
+    }
+
+private:
+    static constexpr std::size_t kEnough = std::size_t{1} << 14U;
+
+    const Say& say_;
+    Topic topic_;
+    std::string lines_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// What is said of a walk while it is played, and which pictures it takes.
+class Listener final : public engine::Observer {
+public:
+    /// `golden` keeps the log as JSON, to be compared.
+    Listener(const Say& say, const PlaySettings& settings, bool golden)
+        : settings_(settings),
+          golden_(golden),
+          log_(say, Topic::log),
+          events_(say, Topic::events),
+          text_([this](std::string_view line) { log_.add(line); }),
+          json_([this](std::string_view line) { add_event(line); }) {}
+
+    void begin(const engine::Walk& walk) override {
+        if (settings_.log) {
+            text_.begin(walk);
+        }
+        if (settings_.events || golden_) {
+            json_.begin(walk);
+        }
+    }
+
+    void frame(const engine::FrameRecord& record) override {
+        if (settings_.log) {
+            text_.frame(record);
+        }
+        if (settings_.events || golden_) {
+            json_.frame(record);
+        }
+        for (const engine::SnapshotStep* step : record.snapshots) {
+            pictures_.push_back(step->name);
+        }
+        const auto now = std::chrono::steady_clock::now();
+        log_.flush_if_old(now);
+        events_.flush_if_old(now);
+    }
+
+    void flush() {
+        log_.flush();
+        events_.flush();
+    }
+
+    const std::vector<std::string>& pictures() const { return pictures_; }
+    const std::vector<std::string>& kept() const { return kept_; }
+
+private:
+    void add_event(std::string_view line) {
+        if (settings_.events) {
+            events_.add(line);
+        }
+        if (golden_) {
+            kept_.emplace_back(line);
+        }
+    }
+
+    const PlaySettings& settings_;
+    bool golden_;
+    LinesSaid log_;
+    LinesSaid events_;
+    engine::TextLog text_;
+    engine::JsonLines json_;
+    std::vector<std::string> pictures_;
+    std::vector<std::string> kept_;
+};
+
+/// The expectation that the log is the one that was kept; null without one.
+const engine::ExpectLog* golden_log_of(const engine::Walk& walk) {
+    for (const engine::Expectation& expectation : walk.expectations) {
+        const auto* log = std::get_if<engine::ExpectLog>(&expectation);
+        if (log != nullptr && log->golden) {
+            return log;
+        }
+    }
+    return nullptr;
+}
+
+void add_golden_failure(const Case& played, const PlaySettings& settings, const Listener& listener,
+                        std::vector<engine::Failure>& failures) {
+    const engine::ExpectLog* expected = golden_log_of(played.walk->walk);
+    if (expected == nullptr) {
+        return;
+    }
+    GoldenCheck check =
+        check_golden(played.result.file, played.result.project, listener.kept(), settings.update);
+    if (check.failure) {
+        check.failure->mark = expected->mark;
+        failures.push_back(std::move(*check.failure));
+    }
+    if (!check.written.empty()) {
+        complain_line("wrote " + check.written.generic_string());
+    }
+}
+
+void fill(WalkResult& result, const engine::WalkSummary& summary) {
+    result.ticks = summary.ticks;
+    result.events = summary.events;
+    result.distance = summary.distance;
+    result.hash = summary.hash;
+}
+
+void play_into(WalkResult& result, const Case& played, const PlaySettings& settings, Listener& listener) {
+    const LoadedWalk& loaded = *played.walk;
+    InterruptWatch interrupt;
+    std::vector<engine::Observer*> observers = {&listener, &interrupt};
+    std::unique_ptr<engine::Observer> pictures;
+    if (settings.pictures) {
+        pictures = make_snapshot_taker(*loaded.campus, settings.output / played.folder);
+        observers.push_back(pictures.get());
+    }
+    engine::WalkSummary summary = engine::run_walk(*loaded.campus, loaded.walk, observers);
+    fill(result, summary);
+    add_golden_failure(played, settings, listener, summary.failures);
+    engine::JudgedWalk judged = engine::judge_outcome(std::move(summary.failures), loaded.walk.status);
+    result.outcome = judged.outcome;
+    result.failures = std::move(judged.failures);
+    if (!settings.pictures) {
+        return;
+    }
+    for (const std::string& name : listener.pictures()) {
+        result.artifacts.push_back({name, played.folder + "/" + name + ".png", "image/png"});
+    }
+    if (result.outcome == Outcome::failed && !result.failures.empty()) {
+        std::vector<engine::Artifact> drawn =
+            draw_failures(*loaded.campus, loaded.walk, result.failures, settings.output, played.folder);
+        std::ranges::move(drawn, std::back_inserter(result.artifacts));
+    }
+}
+
+}  // namespace
+
+WalkResult play(const Case& played, const PlaySettings& settings, const Say& say) {
+    WalkResult result = played.result;
+    Listener listener(say, settings, golden_log_of(played.walk->walk) != nullptr);
+    try {
+        play_into(result, played, settings, listener);
+    } catch (const Interrupted&) {
+        result.outcome = Outcome::interrupted;
+    } catch (const std::exception& error) {
+        result.outcome = Outcome::broken;
+        result.complaints = {std::string("error: ") + error.what()};
+    }
+    listener.flush();
+    return result;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "engine/report/walk_result.h"
+#include "tools/campuswalk/golden_log.h"
+#include "tools/campuswalk/run/plan.h"
+#include "tools/campuswalk/run/worker.h"
+
+namespace campuswalk::tools {
+
+struct PlaySettings {
+    std::filesystem::path output;
+    bool pictures = false;
+    bool log = false;     ///< say the text log as it comes
+    bool events = false;  ///< say the log as JSON
+    UpdateSnapshots update = UpdateSnapshots::missing;
+};
+
+/// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole
+/// lines.
+engine::WalkResult play(const Case& played, const PlaySettings& settings, const Say& say);
+
+}  // namespace campuswalk::tools

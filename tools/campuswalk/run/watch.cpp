@@ -1,0 +1,221 @@
+#include "tools/campuswalk/run/watch.h"
+
+#include <poll.h>
+#include <sys/inotify.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <variant>
+
+#include "scene/diagnostic.h"
+#include "tools/campuswalk/complaints.h"
+#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/run/find_walks.h"
+#include "tools/campuswalk/run/interrupt.h"
+#include "tools/campuswalk/run/worker.h"
+#include "tools/campuswalk/walk_loader.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPatience = 100;  // milliseconds; editors write a file in several goes
+constexpr std::uint32_t kChanges = IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE | IN_CREATE;
+
+bool matters(const std::string& name) {
+    static constexpr std::array kExtensions = {".yaml", ".obj", ".mtl", ".glb", ".gltf", ".bin",
+                                               ".fbx",  ".dae", ".png", ".jpg", ".jpeg", ".ifc"};
+    const std::string extension = fs::path(name).extension().string();
+    return std::ranges::find(kExtensions, extension) != kExtensions.end();
+}
+
+/// The folders with files that the walks depend on.
+class Folders {
+public:
+    explicit Folders(const RunSettings& settings) : output_(fs::absolute(settings.output, none_)) {
+        for (const fs::path& path : settings.paths) {
+            fs::is_directory(path, none_) ? add_below(path) : add(path.parent_path());
+        }
+        if (!settings.config.empty()) {
+            add(settings.config.parent_path());
+        }
+        WalkLoader loader;
+        for (const fs::path& file : find_walks(settings.paths)) {
+            for (const char* avatars : {"avatars", "config/avatars"}) {
+                add(file.parent_path() / avatars);
+            }
+            for (const config::ProjectConfig& project : settings.projects) {
+                add_what_it_names(loader, file, project.overrides);
+            }
+        }
+    }
+
+    const std::set<fs::path>& all() const { return folders_; }
+
+private:
+    void add(const fs::path& folder) {
+        const fs::path there = folder.empty() ? fs::path(".") : folder.lexically_normal();
+        if (fs::is_directory(there, none_)) {
+            folders_.insert(there);
+        }
+    }
+
+    void add_below(const fs::path& folder) {
+        add(folder);
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, none_)) {
+            const std::string name = entry.path().filename().string();
+            const bool ours = name.ends_with("-snapshots") || fs::absolute(entry.path(), none_) == output_;
+            if (entry.is_directory(none_) && !entry.is_symlink(none_) && name.front() != '.' && !ours) {
+                add_below(entry.path());
+            }
+        }
+    }
+
+    void add_what_it_names(WalkLoader& loader, const fs::path& file, const config::Overrides& overrides) {
+        try {
+            const config::SharedRun run = loader.read(file, overrides);
+            add(run.walk.campus.parent_path());
+            for (const scene::SceneFile& scene : run.campus->scenes) {
+                add(scene.path.parent_path());
+            }
+            for (const engine::Step& step : run.walk.steps) {
+                add(std::visit([](const auto& any) { return fs::path(any.mark.file).parent_path(); }, step));
+            }
+        } catch (const scene::InputError&) {
+            add(file.parent_path());  // the run tells of its mistakes
+        }
+    }
+
+    std::error_code none_;
+    fs::path output_;
+    std::set<fs::path> folders_;
+};
+
+class FileWatch {
+public:
+    explicit FileWatch(const std::set<fs::path>& folders)
+        : changes_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+        if (changes_.number() < 0) {
+            throw std::runtime_error("files can't be watched: " + std::generic_category().message(errno));
+        }
+        for (const fs::path& folder : folders) {
+            const int watch = inotify_add_watch(changes_.number(), folder.c_str(), kChanges);
+            if (watch < 0) {
+                throw std::runtime_error("'" + folder.string() +
+                                         "' can't be watched: " + std::generic_category().message(errno));
+            }
+            folders_[watch] = folder;
+        }
+    }
+
+    /// Files that changed, once no more come; nullopt when interrupted.
+    std::optional<std::set<fs::path>> wait() {
+        std::set<fs::path> changed;
+        while (!interrupted()) {
+            pollfd pipe{changes_.number(), POLLIN, 0};
+            if (poll(&pipe, 1, kPatience) > 0) {
+                read_events(changed);
+            } else if (!changed.empty()) {
+                return changed;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    void read_events(std::set<fs::path>& changed) {
+        alignas(inotify_event) std::array<char, 1 << 14> bytes{};
+        const ssize_t got = read(changes_.number(), bytes.data(), bytes.size());
+        for (ssize_t at = 0; at < got;) {
+            inotify_event event{};
+            std::memcpy(&event, bytes.data() + at, sizeof(event));
+            const char* name = bytes.data() + at + static_cast<ssize_t>(sizeof(event));
+            if (event.len > 0 && matters(name)) {
+                changed.insert((folders_[event.wd] / name).lexically_normal());
+            }
+            at += static_cast<ssize_t>(sizeof(event) + event.len);
+        }
+    }
+
+    Descriptor changes_;
+    std::map<int, fs::path> folders_;
+};
+
+/// Walks alone can be run alone.
+std::vector<fs::path> walks_among(const std::set<fs::path>& changed) {
+    std::vector<fs::path> walks;
+    std::error_code none;
+    for (const fs::path& file : changed) {
+        if (!file.string().ends_with(".walk.yaml") || !fs::exists(file, none)) {
+            return {};
+        }
+        walks.push_back(file);
+    }
+    return walks;
+}
+
+void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
+               const std::vector<fs::path>& changed) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child < 0) {
+        throw std::runtime_error("no process can be started: " + std::generic_category().message(errno));
+    }
+    if (child == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        try {
+            run(changed);
+        } catch (const scene::InputError& error) {
+            complain(error.diagnostics());
+        } catch (const std::exception& error) {
+            complain_line(std::string("error: ") + error.what());
+        }
+        std::fflush(stdout);
+        _exit(0);
+    }
+    bool passed_on = false;
+    int status = 0;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (interrupted() && !passed_on) {
+            kill(child, SIGINT);
+            passed_on = true;
+        }
+        poll(nullptr, 0, kPatience / 5);
+    }
+}
+
+}  // namespace
+
+int watch_and_run(const RunSettings& settings, const std::function<int(const std::vector<fs::path>&)>& run) {
+    watch_for_interrupts();
+    std::vector<fs::path> changed;
+    while (true) {
+        FileWatch watch(Folders(settings).all());  // before the run: what changes during it counts
+        run_apart(run, changed);
+        if (!interrupted()) {
+            complain_line("watching; Ctrl-C ends it");
+        }
+        const auto files = watch.wait();
+        if (!files) {
+            return kInterrupted;
+        }
+        changed = walks_among(*files);
+    }
+}
+
+}  // namespace campuswalk::tools
