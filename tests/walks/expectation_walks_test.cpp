@@ -1,0 +1,201 @@
+// The folder that teaches the language: every walk in it ends as its status says, and together they show
+// every expectation that holds and every one that doesn't.
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "collision/bullet_broad_phase.h"
+#include "config/loader/load_run.h"
+#include "engine/check_walk.h"
+#include "engine/observers/json_lines.h"
+#include "engine/report/outcome.h"
+#include "engine/run_walk.h"
+
+namespace campuswalk::support {
+namespace {
+
+namespace fs = std::filesystem;
+
+using namespace engine;
+
+const fs::path& folder() {
+    static const fs::path path = fs::path(CAMPUSWALK_SOURCE_DIR) / "config" / "walks" / "expectations";
+    return path;
+}
+
+std::vector<fs::path> files_in_folder() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
+        if (entry.path().string().ends_with(".walk.yaml")) {
+            files.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+struct Lesson {
+    fs::path file;
+    Walk walk;
+    scene::CampusDescription campus;
+};
+
+/// All of them, read once: the campus that they name takes longest.
+const std::vector<Lesson>& lessons() {
+    static const std::vector<Lesson> all = [] {
+        std::vector<Lesson> read;
+        for (const fs::path& file : files_in_folder()) {
+            config::Run run = config::load_run(file, {});
+            read.push_back({file, std::move(run.walk), std::move(run.campus)});
+        }
+        return read;
+    }();
+    return all;
+}
+
+struct Played {
+    WalkSummary summary;
+    std::string log;  ///< JSON lines
+};
+
+/// Each campus is built once.
+Played play(const Lesson& lesson) {
+    static std::map<std::string, std::unique_ptr<scene::Campus>> campuses;
+    std::unique_ptr<scene::Campus>& campus = campuses[lesson.campus.name];
+    if (!campus) {
+        std::vector<scene::Diagnostic> warnings;
+        campus = std::make_unique<scene::Campus>(
+            scene::load_campus(lesson.campus, collision::make_bullet_broad_phase(), warnings));
+    }
+    Played played;
+    for (const scene::Diagnostic& mistake : check_walk(*campus, lesson.walk)) {
+        ADD_FAILURE() << scene::to_string(mistake);
+    }
+    JsonLines log([&](std::string_view line) { played.log.append(line) += '\n'; });
+    const std::array<Observer*, 1> observers = {&log};
+    played.summary = run_walk(*campus, lesson.walk, observers);
+    return played;
+}
+
+std::string contents(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Up to the walk's end, which holds the verdict.
+std::string without_end(const std::string& log) {
+    return log.substr(0, log.rfind("\"event\":\"walk.end\""));
+}
+
+/// All failures, those of a golden log too, which is held against the file here.
+std::vector<Failure> failures_of(const Played& played, const Lesson& lesson) {
+    const fs::path kept = fs::path(lesson.file.string() + "-snapshots") / "log.jsonl";
+    std::vector<Failure> failures = played.summary.failures;
+    for (const Expectation& expectation : lesson.walk.expectations) {
+        const auto* log = std::get_if<ExpectLog>(&expectation);
+        if (log != nullptr && without_end(contents(kept)) != without_end(played.log)) {
+            failures.push_back({log->mark, "log", "not the log that was kept", {}});
+        }
+    }
+    return failures;
+}
+
+std::string name_of_plain(const PlainExpectation& plain) {
+    return std::visit([](const auto& expected) { return std::string(expected.kName); }, plain);
+}
+
+/// Names of what is expected below `expect` and in steps, with `not-` where it is not.
+std::set<std::string> names_in(const Walk& walk) {
+    std::vector<Expectation> all = walk.expectations;
+    for (const Step& step : walk.steps) {
+        if (const auto* expect = std::get_if<ExpectStep>(&step)) {
+            all.insert(all.end(), expect->expectations.begin(), expect->expectations.end());
+        }
+    }
+    std::set<std::string> names;
+    for (const Expectation& expectation : all) {
+        if (const auto* plain = std::get_if<PlainExpectation>(&expectation)) {
+            names.insert(name_of_plain(*plain));
+        } else if (const auto* negation = std::get_if<ExpectNot>(&expectation)) {
+            names.insert("not-" + name_of_plain(negation->what));
+        } else {
+            names.emplace("log");
+        }
+    }
+    return names;
+}
+
+TEST(ExpectationWalks, EndAsTheirStatusSays) {
+    EXPECT_GE(lessons().size(), 60U);
+    for (const Lesson& lesson : lessons()) {
+        SCOPED_TRACE(lesson.file.filename().string());
+        const Played played = play(lesson);
+        if (lesson.walk.status.kind == WalkStatus::Kind::skip) {
+            continue;
+        }
+        const JudgedWalk judged = judge_outcome(failures_of(played, lesson), lesson.walk.status);
+        EXPECT_EQ(judged.outcome, Outcome::passed);
+        for (const Failure& failure : judged.failures) {
+            if (judged.outcome != Outcome::passed) {
+                ADD_FAILURE() << failure.mark.line << ": " << failure.code << ": " << failure.message;
+            }
+        }
+    }
+}
+
+TEST(ExpectationWalks, ShowEveryExpectationPassingAndFailing) {
+    std::set<std::string> passing;
+    std::set<std::string> failing;
+    std::set<WalkStatus::Kind> statuses;
+    for (const Lesson& lesson : lessons()) {
+        const Walk& walk = lesson.walk;
+        statuses.insert(walk.status.kind);
+        if (walk.status.kind == WalkStatus::Kind::xfail) {
+            failing.insert(walk.status.codes.begin(), walk.status.codes.end());
+        }
+        for (const std::string& name : names_in(walk)) {
+            const bool fails = std::ranges::find(walk.status.codes, name) != walk.status.codes.end();
+            if (walk.status.kind == WalkStatus::Kind::run && !fails) {
+                passing.insert(name);
+            }
+        }
+    }
+    // That an avatar fell ends its walk, so no walk where it did can pass.
+    passing.insert(std::string(ExpectFell::kName));
+    for (const std::string& code : failure_codes()) {
+        const bool ends_walks = code == "blocked" || code == "enclosed" || code == "timeout";
+        if (!code.starts_with("not-")) {
+            EXPECT_TRUE(ends_walks || passing.contains(code)) << code << " passes nowhere";
+            EXPECT_TRUE(failing.contains(code)) << code << " fails nowhere";
+        }
+    }
+    EXPECT_TRUE(std::ranges::any_of(passing, [](const auto& name) { return name.starts_with("not-"); }));
+    EXPECT_TRUE(std::ranges::any_of(failing, [](const auto& name) { return name.starts_with("not-"); }));
+    EXPECT_TRUE(statuses.contains(WalkStatus::Kind::skip));
+}
+
+/// A name that ends so is a promise.
+TEST(ExpectationWalks, AreNamedForHowTheyEnd) {
+    for (const Lesson& lesson : lessons()) {
+        const Walk& walk = lesson.walk;
+        if (walk.name.ends_with("-passes") && walk.name != "fell-passes") {
+            EXPECT_EQ(walk.status.kind, WalkStatus::Kind::run) << walk.name;
+        }
+        if (walk.name.find("-fails") != std::string::npos) {
+            EXPECT_EQ(walk.status.kind, WalkStatus::Kind::xfail) << walk.name;
+            EXPECT_FALSE(walk.status.codes.empty()) << walk.name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::support
