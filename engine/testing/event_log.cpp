@@ -21,8 +21,7 @@ EventPattern pattern_from(const std::string& text) {
 }
 
 std::string told(const Event& event) {
-    return std::string(name_of(event.kind)) + " " + event.object + " in tick " +
-           std::to_string(event.tick);
+    return std::string(name_of(event.kind)) + " " + event.object + " in tick " + std::to_string(event.tick);
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ private:
         }
         if (shard.from != "--shard") {
             complain_line("shard " + std::to_string(shard.index + 1) + " of " + std::to_string(shard.count) +
-                     " (" + shard.from + ")");
+                          " (" + shard.from + ")");
         }
     }
 
@@ -127,8 +127,8 @@ private:
             return kPass;
         }
         complain_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
-                                 : "none of the walks found, " + std::to_string(plan.files) +
-                                       ", is selected; see --list");
+                                      : "none of the walks found, " + std::to_string(plan.files) +
+                                            ", is selected; see --list");
         return kNothingSelected;
     }
 

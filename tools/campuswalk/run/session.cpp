@@ -167,7 +167,7 @@ int Session::finish(bool interrupted) {
     }
     if (const std::size_t left = over_.size() - told_; left > 0) {
         complain_line("stopped after " + std::to_string(failures_) +
-                 (failures_ == 1 ? " failure, " : " failures, ") + std::to_string(left) + " not run");
+                      (failures_ == 1 ? " failure, " : " failures, ") + std::to_string(left) + " not run");
     }
     return exit_code_for(report_.results);
 }
