@@ -81,6 +81,7 @@ THIRD_PARTY = {
     "sys/": ["scene/import", "tools/campuswalk", "tests"],
     "gtest/": ["tests"],
     "gmock/": ["tests", "engine/testing"],
+    "doctest/": ["tests"],
     "CGAL/": ["tests", "tools/campuswalk/bench/peers"],
     "fcl/": ["tools/campuswalk/bench/peers"],
     "embree3/": ["tools/campuswalk/bench/peers"],
