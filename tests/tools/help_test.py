@@ -34,6 +34,7 @@ class Help(ProgramCase):
                             ("steps", self.keys("walk.schema.json", "definitions", "step")),
                             ("expectations", self.keys("walk.schema.json", "definitions", "expectation")),
                             ("campus", self.keys("campus.schema.json")),
+                            ("projects", self.keys("walks-config.schema.json")),
                             ("avatars", self.keys("avatar.schema.json"))):
             named = set(re.findall(r"(?m)^  ([a-z_]+)  ", self.passes("help", topic).out))
             self.assertEqual(keys - named, set(), topic)

@@ -95,7 +95,21 @@ std::string exit_codes() {
 1    an expectation failed, or the visitor was blocked, fell or waited in vain; of 'collide': overlapping
 2    bad usage or input, told as FILE:LINE:COLUMN: error CODE: MESSAGE before that walk runs
 3    something failed while running: disk full, no OpenGL
+5    nothing was selected
 130  interrupted
+)";
+}
+
+std::string projects() {
+    return "walks.config.yaml says how 'campuswalk run' runs the walks of its folder and below; the command "
+           "line "
+           "goes\nfirst.\n\n" +
+           key_table("walks-config.schema.json") + R"(
+  projects:
+    adult: {}
+    robot: {avatar: robot, tags: [ramps]}
+
+plays every walk as an adult, and those with the tag 'ramps' as a robot, too; '--project robot' chooses.
 )";
 }
 
@@ -106,6 +120,7 @@ constexpr std::array kTopics = {
     Topic{"events", "What the log tells, and how expectations name it", events},
     Topic{"campus", "What NAME.campus.yaml may say", campus},
     Topic{"avatars", "Who walks: NAME.avatar.yaml", avatars},
+    Topic{"projects", "walks.config.yaml: one walk for several avatars, campuses or spawns", projects},
     Topic{"exit-codes", "What the program ends with", exit_codes},
 };
 

@@ -104,8 +104,7 @@ int make_project(const InitOptions& options) {
         std::printf("%s\n", (options.folder / file.path).lexically_normal().generic_string().c_str());
     }
     const std::string folder = options.folder.lexically_normal().generic_string();
-    std::fprintf(stderr, "now: %scampuswalk run walks\n",
-                 folder == "." ? "" : ("cd " + folder + " && ").c_str());
+    std::fprintf(stderr, "now: %scampuswalk run\n", folder == "." ? "" : ("cd " + folder + " && ").c_str());
     return kPass;
 }
 

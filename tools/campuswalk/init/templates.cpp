@@ -68,6 +68,56 @@ expect:
   - reaches: desk
 )";
 
+constexpr const char* kWall = R"(# yaml-language-server: $schema=../schema/walk.schema.json
+# Nobody walks through a wall. A walk that must fail is xfail, and may say with what.
+campus: ../school.campus.yaml
+avatar: adult
+status: {is: xfail, because: the wall is solid, failures: [blocked]}
+steps:
+  - spawn: gate
+  - walk_to: [3, -10]
+)";
+
+constexpr const char* kRobotUpstairs = R"(# yaml-language-server: $schema=../schema/walk.schema.json
+# The robot stays at the foot of the stairs.
+campus: ../school.campus.yaml
+avatar: robot
+steps:
+  - spawn: gate
+  - walk_to: stairs-foot
+  - walk_to: {to: gallery, if_blocked: continue}
+expect:
+  - blocked_by: stairs
+  - not: {reaches: gallery}
+)";
+
+// Where campuswalk comes from is up to the repository: its variable CAMPUSWALK names another, OWNER/NAME.
+constexpr const char* kWorkflow = R"(name: walks
+on: [push, pull_request]
+jobs:
+  walks:
+    runs-on: ubuntu-latest
+    container: debian:12
+    steps:
+      - run: apt-get update && apt-get install -y git
+      - uses: actions/checkout@v4
+      # Set the variable CAMPUSWALK in the repository's settings: OWNER/NAME of the campuswalk sources.
+      - uses: actions/checkout@v4
+        with:
+          repository: ${{ vars.CAMPUSWALK }}
+          path: .campuswalk
+      - name: Walk
+        run: .campuswalk/tools/run --reporter github --reporter junit=out/junit.xml
+      - name: Show mistakes beside their lines
+        if: failure()
+        run: .campuswalk/build/release/campuswalk validate --format github .
+      - uses: actions/upload-artifact@v4
+        if: always()
+        with:
+          name: results
+          path: out
+)";
+
 constexpr const char* kUpstairs = R"(# yaml-language-server: $schema=../schema/walk.schema.json
 # Up ten treads of 17 cm to the gallery.
 campus: ../school.campus.yaml
@@ -101,6 +151,12 @@ expect:
   - reaches: gym
 )";
 
+constexpr const char* kConfig = R"(# yaml-language-server: $schema=schema/walks-config.schema.json
+# What 'campuswalk run' does here without being told.
+walks: walks
+output: out
+)";
+
 constexpr const char* kAdult = R"(# yaml-language-server: $schema=../schema/avatar.schema.json
 height: 1.8
 radius: 0.3
@@ -129,13 +185,15 @@ std::string campus_yaml(Template which) {
 }  // namespace
 
 std::vector<NewFile> files_of(Template which) {
-    std::vector<NewFile> files = {{"school.obj", wavefront(school(which))},
-                                  {"school.campus.yaml", campus_yaml(which)},
-                                  {"avatars/adult.avatar.yaml", kAdult},
-                                  {"walks/visit.walk.yaml", kVisit}};
+    std::vector<NewFile> files = {
+        {"school.obj", wavefront(school(which))}, {"school.campus.yaml", campus_yaml(which)},
+        {"avatars/adult.avatar.yaml", kAdult},    {"walks/visit.walk.yaml", kVisit},
+        {"walks/wall.walk.yaml", kWall},          {"walks.config.yaml", kConfig},
+        {".gitignore", "out/\n.campuswalk/\n"},   {".github/workflows/walks.yml", kWorkflow}};
     if (which != Template::minimal) {
         files.push_back({"avatars/robot.avatar.yaml", kRobot});
         files.push_back({"walks/upstairs.walk.yaml", kUpstairs});
+        files.push_back({"walks/robot-upstairs.walk.yaml", kRobotUpstairs});
     }
     if (which == Template::campus) {
         files.push_back({"walks/round.walk.yaml", kRound});

@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "config/loader/walks_config.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/validate/findings.h"
@@ -52,6 +53,8 @@ std::string check(WalkLoader& loader, const fs::path& file) {
             return "an avatar";
         case FileKind::steps:
             return count(config::load_steps(file).size(), "step");
+        case FileKind::config:
+            return count(config::load_walks_config(file).projects.size(), "project");
         case FileKind::walk:
             break;
     }
