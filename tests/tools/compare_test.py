@@ -67,14 +67,14 @@ class Diff(Compare):
         self.assertIn("part in line 6, in the walk short: in B a line that is no JSON instead of", outcome.lines[0])
 
     def test_names_the_walk_of_several(self):
-        self.write("late.walk.yaml", WALK)
-        self.passes("run", "short.walk.yaml", "late.walk.yaml", "--jsonl", "c.jsonl", "-q")
+        self.write("tardy.walk.yaml", WALK)
+        self.passes("run", "short.walk.yaml", "tardy.walk.yaml", "--jsonl", "c.jsonl", "-q")
         lines = self.lines("c.jsonl")
         changed = lines[:-1] + [lines[-1].replace('"result":"pass"', '"result":"fail"')]
         self.write("d.jsonl", "\n".join(changed) + "\n")
         outcome = self.run_program("diff", "c.jsonl", "d.jsonl")
         self.assertEqual(outcome.code, 1)
-        self.assertIn(f"part in line {len(lines)}, in the walk late: ", outcome.lines[0])
+        self.assertIn(f"part in line {len(lines)}, in the walk tardy: ", outcome.lines[0])
         self.assertIn("result is fail instead of pass", outcome.lines[0])
 
     def test_what_is_no_log(self):

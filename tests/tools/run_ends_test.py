@@ -73,7 +73,7 @@ class Order(ManyWalks):
                 self.assertEqual([result["name"] for result in self.results("r.jsonl")], list("abc"))
 
     def test_quiet_and_verbose(self):
-        self.assertEqual(self.run_walks("-q").out, "")
+        self.assertEqual(self.run_walks("--quiet").out, "")
         self.assertIn("a: pass after ", self.run_walks("-q").err)
         self.assertEqual(self.run_walks().err, "")
         self.assertIn("c: FAIL after ", self.run_walks("--verbose").err)
@@ -116,6 +116,12 @@ class Order(ManyWalks):
         self.assertEqual(outcome.code, 3)
         self.assertIn("/dev/full: No space left on device", outcome.err)
 
+    def test_a_report_of_a_walk_with_mistakes(self):
+        self.write("a.walk.yaml", WALK.replace("walk_to: end", "walk_to: nowhere"))
+        outcome = self.run_walks("a.walk.yaml", "--reporter", "jsonl=r.jsonl")
+        self.assertEqual(outcome.code, 2)
+        self.assertEqual([result["outcome"] for result in self.results("r.jsonl")], ["bad_input"])
+
     def test_unknown_reporter(self):
         outcome = self.run_walks("--reporter", "junti=a.xml")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
@@ -136,6 +142,13 @@ class Again(ManyWalks):
             outcome = self.run_walks(option)
             self.assertEqual((outcome.code, outcome.out), (2, ""))
             self.assertIn("out/last-run.jsonl: error missing-file: ", outcome.err)
+
+    def test_logs_cannot_be_resumed(self):
+        self.run_walks()
+        for arguments in (("--log", "a.log"), ("--jsonl", "a.jsonl"), ("--reporter", "log"), ("a.walk.yaml",)):
+            outcome = self.run_walks("--resume", *arguments)
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertIn("--resume: error bad-value: ", outcome.err)
 
     def test_resumes_a_run_that_was_killed(self):
         whole = self.run_walks("--reporter", "jsonl=whole.jsonl")
@@ -203,6 +216,30 @@ class CutShort(ManyWalks):
         self.assertIn(b"b.walk.yaml: the process that played the walk is gone: it was ended by signal 9 (Killed)", err)
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")],
                          ["passed", "broken", "failed", "passed", "passed", "passed"])
+
+    def test_simulated_time_is_up(self):
+        self.write("b.walk.yaml", ENDLESS)
+        outcome = self.run_walks("--timeout", "2", "-q", "b.walk.yaml")
+        self.assertEqual(outcome.code, 1)
+        self.assertIn(" error timeout: ", outcome.err)
+        self.assertIn("b: FAIL after 2.0 s", outcome.err)
+
+    def test_progress_on_a_terminal(self):
+        mine, theirs = os.openpty()
+        self.addCleanup(os.close, mine)
+        self.write("b.walk.yaml", ENDLESS)
+        process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", "-j", "1"], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=theirs)
+        os.close(theirs)
+        self.addCleanup(process.stdout.close)
+        seen = b""
+        while b"1/6" not in seen:
+            seen += os.read(mine, 1000)
+        process.send_signal(signal.SIGINT)
+        while b"interrupted" not in seen:
+            seen += os.read(mine, 1000)
+        self.assertEqual(process.wait(timeout=60), 130)
+        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6\r\x1b\[K")
 
     def test_a_walk_that_takes_too_long(self):
         self.write("b.walk.yaml", ENDLESS)

@@ -80,6 +80,96 @@ class Selection(ProgramCase):
             self.assertIn(" error bad-shard: ", outcome.err)
 
 
+class Status(ProgramCase):
+    """What a walk says of itself: `status`, `tags`."""
+
+    FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
+
+    def run_walks(self, *arguments, **options):
+        return self.run_program("run", "--rendering-backend", "none", *arguments, **options)
+
+    def test_tags(self):
+        self.write("other.walk.yaml", WALK + "tags: [smoke, door]\n")
+        self.assertEqual(self.passes("run", "--list", "--tag", "door", "--tag", "none").lines,
+                         ["other.walk.yaml @smoke @door"])
+        self.assertEqual(self.passes("run", "--list", "-G", "smoke").lines, ["short.walk.yaml"])
+
+    def test_a_walk_with_mistakes_may_have_any_tag(self):
+        self.write("short.walk.yaml", WALK.replace("walk_to: end", "walk_to: nowhere"))
+        self.assertEqual(self.run_walks("--tag", "door").code, 2)
+
+    def test_skip(self):
+        self.write("short.walk.yaml", WALK + "status: {is: skip, because: the door is being painted}\n")
+        self.assertEqual(self.passes("run", "--list").lines, ["short.walk.yaml (skip: the door is being painted)"])
+        outcome = self.run_walks("short.walk.yaml")
+        self.assertEqual((outcome.code, outcome.out, outcome.err), (0, "", "short: skipped: the door is being painted\n"))
+
+    def test_only(self):
+        self.write("other.walk.yaml", WALK + "status: only\n")
+        self.assertEqual(self.passes("run", "--list").lines, ["other.walk.yaml"])
+        outcome = self.run_walks("--forbid-only")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertRegex(outcome.err, r"^other.walk.yaml:\d+:\d+: error only-forbidden: ")
+
+    def test_xfail(self):
+        self.write("short.walk.yaml", self.FAILING + "status: {is: xfail, because: the hut has a window, "
+                                                     "failures: [never]}\n")
+        outcome = self.run_walks("-q", "short.walk.yaml")
+        self.assertEqual(outcome.code, 0)
+        self.assertRegex(outcome.err, r"^short: fails as expected after .* m: the hut has a window\n$")
+        self.write("short.walk.yaml", WALK + "status: xfail\n")
+        self.assertEqual(self.run_walks("-q").code, 1)
+
+
+class GoldenLog(ProgramCase):
+    """`expect: log`, `-u` and CI."""
+
+    GOLDEN = "short.walk.yaml-snapshots/log.jsonl"
+
+    def setUp(self):
+        super().setUp()
+        self.write("short.walk.yaml", WALK + "  - log: {golden: true}\n")
+
+    def run_walk(self, *arguments, ci=""):
+        environment = {**os.environ, "CI": ci}
+        return self.run_program("run", "-q", "--rendering-backend", "none", *arguments, "short.walk.yaml", env=environment)
+
+    def test_is_written_once_and_compared_from_then_on(self):
+        first = self.run_walk()
+        self.assertEqual((first.code, first.complaints[0]), (0, "wrote " + self.GOLDEN))
+        golden = self.read(self.GOLDEN)
+        self.assertEqual(len(self.run_walk().complaints), 1)
+        self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"turn: 180", b"turn: 170"))
+        changed = self.run_walk()
+        self.assertEqual(changed.code, 1)
+        self.assertRegex(changed.complaints[0], r"^short.walk.yaml:10:\d+: error log: ")
+        self.assertEqual(self.read(self.GOLDEN), golden)
+        self.assertEqual(self.run_walk("--update-snapshots=none").code, 1)
+        self.assertEqual(self.run_walk("-u").code, 0)
+        self.assertNotEqual(self.read(self.GOLDEN), golden)
+        self.assertEqual(self.run_walk().code, 0)
+
+    def test_is_never_written_in_ci(self):
+        before = self.contents()
+        self.assertEqual(self.run_walk(ci="true").code, 1)
+        outcome = self.run_walk("--update-snapshots=all", ci="true")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertIn("--update-snapshots: error bad-value: ", outcome.err)
+        self.assertEqual(self.contents(), before)
+
+    def test_modes(self):
+        self.assertEqual(self.run_walk("--update-snapshots=sometimes").code, 2)
+        self.assertEqual(json.loads(self.passes("run", "-u", "--print-config", env={**os.environ, "CI": ""}).out)
+                         ["update_snapshots"], "changed")
+
+    def test_projects_have_one_each(self):
+        self.write("walks.config.yaml", "projects: {plain: , near: {spawn: {at: [0, 0, 3]}}}\n")
+        self.assertEqual(self.run_walk().code, 0)
+        self.assertEqual(self.run_walk("--workers", "2", ci="true").code, 0)
+        for name in ("plain", "near"):
+            self.assertIn(f"short.walk.yaml-snapshots/{name}-log.jsonl", self.contents())
+
+
 class Config(ProgramCase):
     """walks.config.yaml and its projects."""
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace spdlog {
@@ -19,6 +20,8 @@ public:
 
     /// Throws std::runtime_error when the text can't be written; for a file that may show at `flush` only.
     void write(std::string_view text);
+    /// The same, and the line's end.
+    void line(std::string_view text) { write(std::string(text) + "\n"); }
     /// Everything is written when this returns; throws like `write`.
     void flush();
 

@@ -46,6 +46,10 @@ bool takes_pictures(const Case& each) {
            });
 }
 
+bool is_bad(const Case& each) {
+    return each.result.outcome == engine::Outcome::bad_input;
+}
+
 Selector selector_for(const RunOptions& options) {
     Selector selector;
     if (options.grep) {
@@ -78,9 +82,9 @@ public:
             return exit_code_of_list(plan);
         }
         plays_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
-        if (!plays_ && settings_.single) {
-            return plan.cases.front().result.outcome == engine::Outcome::skipped ? play(std::move(plan))
-                                                                                 : kBadInput;
+        const bool bad = plan.cases.size() == 1 && is_bad(plan.cases.front());
+        if (settings_.single && bad && options_.reporters.empty()) {
+            return kBadInput;
         }
         check_outputs(plan);
         return play(std::move(plan));
@@ -97,10 +101,11 @@ private:
             throw about(file, "missing-file",
                         "nothing is known of a last run; run without --last-failed and --resume first");
         }
-        if (options_.resume && (options_.log || options_.jsonl)) {
+        const auto is_log = [](const ReportTarget& target) { return target.name == "log"; };
+        if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
             throw about("--resume", "bad-value",
-                        "logs of walks that have been played aren't kept; leave out "
-                        "--log and --jsonl");
+                        "logs of walks that have been played aren't kept; ask for reports alone, as in "
+                        "--reporter list");
         }
     }
 
@@ -133,8 +138,7 @@ private:
     }
 
     static int exit_code_of_list(const Plan& plan) {
-        const auto bad = [](const Case& each) { return each.result.outcome == engine::Outcome::bad_input; };
-        return std::ranges::any_of(plan.cases, bad) ? kBadInput : kPass;
+        return std::ranges::any_of(plan.cases, is_bad) ? kBadInput : kPass;
     }
 
     /// What can't be written is seen before the walks, not after their first minute, and before anything is
