@@ -14,8 +14,8 @@ def quoted_words():
     """Whatever stands between quotes in a test, in words: '--flag', '--flag=value', '-q'."""
     words = set()
     for path in glob.glob(os.path.join(TESTS, "**", "*_test.py"), recursive=True):
-        if os.path.samefile(path, __file__):
-            continue
+        if os.path.basename(path) in ("flags_test.py", "completion_test.py"):
+            continue  # they don't use the flags that they name
         with open(path, encoding="utf-8") as file:
             for text in re.findall(r"\"([^\"\n]*)\"|'([^'\n]*)'", file.read()):
                 words |= {word.partition("=")[0] for word in "".join(text).split()}

@@ -32,7 +32,7 @@ class Help(ProgramCase):
     def test_topics_name_every_key(self):
         for topic, keys in (("walks", self.keys("walk.schema.json")),
                             ("steps", self.keys("walk.schema.json", "definitions", "step")),
-                            ("expectations", self.keys("walk.schema.json", "definitions", "expectation")),
+                            ("expectations", self.keys("walk.schema.json", "definitions", "single_expectation")),
                             ("campus", self.keys("campus.schema.json")),
                             ("projects", self.keys("walks-config.schema.json")),
                             ("avatars", self.keys("avatar.schema.json"))):

@@ -21,6 +21,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 ADDRESS = "https://campuswalk.invalid/"
 SCHEMAS = schema_documents.load_all()
 
+# The loader is asked about keys and not about models: there is none.
 CAMPUS = {
     "scenes": [{"file": "none.glb"}],
     "layers": ["trees"],
@@ -134,7 +135,7 @@ class Schemas(ProgramCase):
     def test_what_the_schema_shows_is_taken_by_both(self):
         def look(documents, suffix, judge):
             shown = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
-                     if not is_late_spawn(node, suffix) for value in schema_documents.accepted(node.schema)]
+                     if not is_out_of_place(node, suffix) for value in schema_documents.accepted(node.schema)]
             self.assertGreater(len(shown), 8)
             said = self.complaints_about([document for _, _, document in shown], suffix)
             for (trail, value, document), complaints in zip(shown, said):
@@ -169,6 +170,21 @@ class Schemas(ProgramCase):
             self.assertEqual(keys - {trail for trail, _, _ in refused}, set(), "keys that nothing was wrong for")
         self.for_every_kind(look)
 
+    def test_words_are_the_same(self):
+        """The loader lists the words it takes in a key's place, where it is not told one of them."""
+        def look(documents, suffix, _judge):
+            nodes = [node for node in documents.nodes() if "enum" in node.schema]
+            said = self.complaints_about([node.wrap("no-such-word") for node in nodes], suffix)
+            for node, complaints in zip(nodes, said):
+                lists = [re.search(r" must be one of (.*), not 'no-such-word'", text) for _, text in complaints]
+                for words in filter(None, lists):
+                    with self.subTest(key=node.trail):
+                        listed = words[1].split(", ")
+                        cut = listed[-1] == "…"
+                        self.assertEqual(set(listed[:-1] if cut else listed) - set(node.schema["enum"]), set())
+                        self.assertTrue(cut or len(listed) == len(node.schema["enum"]), listed)
+        self.for_every_kind(look)
+
     # ---- files that the repository ships
 
     def test_shipped_files_hold_and_name_their_schema(self):
@@ -185,9 +201,10 @@ class Schemas(ProgramCase):
                 self.assertEqual([error.message for error in judge.iter_errors(yaml.load(text, Yaml12))], [])
 
 
-def is_late_spawn(node, suffix):
-    """A steps file never comes first, and schema and list of steps are a walk's."""
-    return suffix == ".steps.yaml" and node.trail.startswith("steps/-/spawn")
+def is_out_of_place(node, suffix):
+    """What a file may say elsewhere: a steps file never comes first, and a log is judged after the walk."""
+    late = suffix == ".steps.yaml" and node.trail.startswith("steps/-/spawn")
+    return late or (node.trail.startswith("steps/-/expect") and "/log" in node.trail)
 
 
 def is_read_later(node):

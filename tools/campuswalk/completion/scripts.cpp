@@ -57,7 +57,8 @@ std::vector<std::string> plain_words(const KnownCommand& command) {
 
 bool takes_files(const KnownCommand& command) {
     return std::ranges::any_of(command.options, [](const KnownOption& option) {
-        return is_positional(option) && offer_for(option) == Offer::files;
+        const Offer offer = offer_for(option);
+        return is_positional(option) && (offer == Offer::files || offer == Offer::folders);
     });
 }
 

@@ -27,7 +27,7 @@ std::vector<Place> places_of(const KnownCommand& program);
 std::string all_paths(const std::vector<Place>& places, std::string_view between);
 /// Commands' names, then words for positional arguments.
 std::vector<std::string> plain_words(const KnownCommand& command);
-/// Whether a positional argument of the command is a file.
+/// Whether a positional argument of the command is a file or a folder.
 bool takes_files(const KnownCommand& command);
 
 std::string joined(const std::vector<std::string>& words, std::string_view between);

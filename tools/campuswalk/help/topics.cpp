@@ -38,7 +38,13 @@ share go into a NAME.steps.yaml with the only key 'steps'.
 std::string expectations() {
     return "Entries of 'expect' have one key each. All are looked at when the walk has ended; one that "
            "doesn't hold\nmakes the exit code 1.\n\n" +
-           key_table("walk.schema.json#/definitions/expectation") + R"(
+           key_table("walk.schema.json#/definitions/single_expectation") + R"(
+Four of them can stand alone: '- grounded', '- no_penetration', '- stuck', '- fell'; so can what follows
+'not': '- not: fell'. As a step, 'expect' judges all that has been so far and ends the walk if it isn't so.
+
+  status: xfail                                      the walk must fail
+  status: {is: xfail, because: TEXT, failures: [blocked]}    and with just these failures
+
 Events are written KIND OBJECT, globs in both; an object that is left out is any: see campuswalk help
 events. An event that can't happen on the campus is an error (exit code 2), so that a slip of the pen in a
 'never' is told and not passed.
