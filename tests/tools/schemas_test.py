@@ -208,8 +208,8 @@ def is_out_of_place(node, suffix):
 
 
 def is_read_later(node):
-    """What a project gives in the place of a walk's own is read with each walk."""
-    return node.trail.startswith("projects/NAME") and node.trail.endswith(("/campus", "/avatar", "/spawn"))
+    """`run` reads what a project gives in the place of a walk's own, and knows the reporters."""
+    return node.trail == "reporters/-" or node.trail.startswith("projects/NAME") and node.trail.endswith(("/campus", "/avatar", "/spawn"))
 
 
 def alternatives(documents, file, schema):
