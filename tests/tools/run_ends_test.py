@@ -122,6 +122,26 @@ class Order(ManyWalks):
         self.assertEqual(outcome.code, 2)
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")], ["bad_input"])
 
+    def test_records(self):
+        outcome = self.run_walks("a.walk.yaml", "--record", "csv", "--record", "tum", "--record", "trace",
+                                 "--jsonl", "a.jsonl", "--reporter", "jsonl=r.jsonl")
+        self.assertEqual(outcome.code, 0)
+        result = self.results("r.jsonl")[0]
+        paths = {artifact["name"]: artifact["path"] for artifact in result["artifacts"]}
+        self.assertEqual(sorted(paths), ["csv", "trace", "tum"])
+        rows = self.read("out/" + paths["csv"]).decode().splitlines()
+        poses = self.read("out/" + paths["tum"]).decode().splitlines()
+        self.assertEqual((len(rows), len(poses)), (result["ticks"] + 2, result["ticks"] + 1))
+        end = json.loads(self.read("a.jsonl").decode().splitlines()[-2])
+        for shown, exact in zip(end["pos"], rows[-1].split(",")[1:4]):
+            self.assertAlmostEqual(shown, float(exact), delta=6e-4)
+        self.assertGreater(len(json.loads(self.read("out/" + paths["trace"]))), 0)
+
+    def test_an_unknown_record(self):
+        outcome = self.run_walks("--record", "video")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertIn("'video' is none of csv|tum|trace", outcome.err)
+
     def test_unknown_reporter(self):
         outcome = self.run_walks("--reporter", "junti=a.xml")
         self.assertEqual((outcome.code, outcome.out), (2, ""))

@@ -150,12 +150,14 @@ private:
         }
         check_targets(targets);
         for (const Case& each : plan.cases) {
-            if (!pictures_ || !takes_pictures(each)) {
+            const bool draws = pictures_ && takes_pictures(each);
+            if (!draws && options_.records.empty()) {
                 continue;
             }
             const fs::path folder = settings_.output / each.folder;
             if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
-                throw about(folder, "output-unwritable", "pictures can't be saved here: " + why);
+                throw about(folder, "output-unwritable",
+                            std::string(draws ? "pictures" : "records") + " can't be saved here: " + why);
             }
         }
         if (!keeps_results_) {
@@ -211,6 +213,7 @@ private:
         session.play.pictures = pictures_;
         session.play.log = reports.wants_log();
         session.play.events = events;
+        session.play.records = options_.records;
         session.play.update = settings_.update;
         session.pool.workers = static_cast<std::size_t>(settings_.workers);
         session.pool.kill_after = settings_.kill_after;

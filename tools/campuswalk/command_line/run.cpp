@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/campuswalk/command_line/commands.h"
+#include "tools/campuswalk/run/records.h"
 #include "tools/campuswalk/run_command.h"
 
 namespace campuswalk::tools {
@@ -85,6 +86,17 @@ void add_running(Command& command, const Options& options) {
     command.flag({.names = "--watch", .help = "Run again whenever a file changes"}, options->watch);
 }
 
+std::string why_no_record(const std::string& name) {
+    std::string names;
+    for (const RecordKind& kind : record_kinds()) {
+        if (name == kind.name) {
+            return "";
+        }
+        names += (names.empty() ? "" : "|") + std::string(kind.name);
+    }
+    return "'" + name + "' is none of " + names;
+}
+
 void add_output(Command& command, const Options& options) {
     command.option({.names = "--output",
                     .help = "Folder for pictures, DIR/WALK/SNAPSHOT.png, and for what --last-failed and "
@@ -100,6 +112,12 @@ void add_output(Command& command, const Options& options) {
                    options->log);
     command.option({.names = "--jsonl", .help = "Write the events as JSON lines", .value = "FILE"},
                    options->jsonl);
+    command.option({.names = "--record",
+                    .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
+                            "or .tum, its costs as trace.json, for Chrome's trace viewer; several times",
+                    .value = "csv|tum|trace",
+                    .check = why_no_record},
+                   options->records);
     const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
                                                           {"changed", UpdateSnapshots::changed},
                                                           {"missing", UpdateSnapshots::missing},

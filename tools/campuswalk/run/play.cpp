@@ -16,6 +16,7 @@
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/interrupt.h"
+#include "tools/campuswalk/run/records.h"
 
 namespace campuswalk::tools {
 
@@ -169,12 +170,15 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
         pictures = make_snapshot_taker(*loaded.campus, settings.output / played.folder);
         observers.push_back(pictures.get());
     }
+    const Records records(settings.records);
+    std::ranges::copy(records.observers(), std::back_inserter(observers));
     engine::WalkSummary summary = engine::run_walk(*loaded.campus, loaded.walk, observers);
     fill(result, summary);
     add_golden_failure(played, settings, listener, summary.failures);
     engine::JudgedWalk judged = engine::judge_outcome(std::move(summary.failures), loaded.walk.status);
     result.outcome = judged.outcome;
     result.failures = std::move(judged.failures);
+    std::ranges::move(records.write(settings.output, played.folder), std::back_inserter(result.artifacts));
     if (!settings.pictures) {
         return;
     }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "engine/report/walk_result.h"
 #include "tools/campuswalk/golden_log.h"
@@ -14,6 +16,7 @@ struct PlaySettings {
     bool pictures = false;
     bool log = false;     ///< say the text log as it comes
     bool events = false;  ///< say the log as JSON
+    std::vector<std::string> records;  ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
 };
 

@@ -1,0 +1,69 @@
+#include "tools/campuswalk/run/records.h"
+
+#include <algorithm>
+
+#include "engine/observers/cost_trace.h"
+#include "engine/observers/trajectory.h"
+#include "tools/campuswalk/whole_file.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+constexpr const char* kCsv = "csv";
+constexpr const char* kTum = "tum";
+
+std::unique_ptr<engine::Observer> observer_for(const std::string& name, const engine::LineSink& sink) {
+    if (name == kCsv) {
+        return std::make_unique<engine::TrajectoryCsv>(sink);
+    }
+    if (name == kTum) {
+        return std::make_unique<engine::TrajectoryTum>(sink);
+    }
+    return std::make_unique<engine::CostTrace>(sink);
+}
+
+}  // namespace
+
+const std::vector<RecordKind>& record_kinds() {
+    static const std::vector<RecordKind> kinds = {{kCsv, "trajectory.csv", "text/csv"},
+                                                  {kTum, "trajectory.tum", "text/plain"},
+                                                  {"trace", "trace.json", "application/json"}};
+    return kinds;
+}
+
+Records::Records(const std::vector<std::string>& names) {
+    for (const RecordKind& kind : record_kinds()) {
+        if (std::ranges::find(names, kind.name) == names.end()) {
+            continue;
+        }
+        auto record = std::make_unique<Record>();
+        record->kind = &kind;
+        record->observer = observer_for(kind.name, [&text = record->text](std::string_view line) {
+            text.append(line);
+            text += '\n';
+        });
+        records_.push_back(std::move(record));
+    }
+}
+
+std::vector<engine::Observer*> Records::observers() const {
+    std::vector<engine::Observer*> observers;
+    for (const auto& record : records_) {
+        observers.push_back(record->observer.get());
+    }
+    return observers;
+}
+
+std::vector<engine::Artifact> Records::write(const std::filesystem::path& output,
+                                             const std::string& folder) const {
+    std::vector<engine::Artifact> written;
+    for (const auto& record : records_) {
+        const std::string path = folder + "/" + record->kind->file;
+        write_whole_file(output / path, record->text);
+        written.push_back({record->kind->name, path, record->kind->media_type});
+    }
+    return written;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/observers/observer.h"
+#include "engine/report/walk_result.h"
+
+namespace campuswalk::tools {
+
+/// What can be kept of every tick of a walk, as a file in the walk's own folder.
+struct RecordKind {
+    const char* name = "";        ///< as `run --record` takes it
+    const char* file = "";        ///< in the folder
+    const char* media_type = "";
+};
+
+const std::vector<RecordKind>& record_kinds();
+
+/// The records of one walk. They are written whole, when the walk has ended.
+class Records {
+public:
+    /// `names` are of record_kinds().
+    explicit Records(const std::vector<std::string>& names);
+
+    /// Alive as long as this.
+    std::vector<engine::Observer*> observers() const;
+    /// Writes OUTPUT/FOLDER/FILE, and says which. Throws std::runtime_error.
+    std::vector<engine::Artifact> write(const std::filesystem::path& output, const std::string& folder) const;
+
+private:
+    struct Record {
+        const RecordKind* kind = nullptr;
+        std::string text;
+        std::unique_ptr<engine::Observer> observer;
+    };
+    std::vector<std::unique_ptr<Record>> records_;
+};
+
+}  // namespace campuswalk::tools
