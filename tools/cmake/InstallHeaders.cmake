@@ -1,5 +1,6 @@
 # At install time: the headers `doors` and whatever of ours they include, below `destination`, under their names
 # from `root`, the repository.
+cmake_policy(VERSION 3.25)
 set(open ${doors})
 set(found "")
 while(open)
