@@ -112,12 +112,13 @@ void add_output(Command& command, const Options& options) {
                    options->log);
     command.option({.names = "--jsonl", .help = "Write the events as JSON lines", .value = "FILE"},
                    options->jsonl);
-    command.option({.names = "--record",
-                    .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
-                            "or .tum, its costs as trace.json, for Chrome's trace viewer; several times",
-                    .value = "csv|tum|trace",
-                    .check = why_no_record},
-                   options->records);
+    command.option(
+        {.names = "--record",
+         .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
+                 "or .tum, its costs as trace.json, for Chrome's trace viewer; several times",
+         .value = "csv|tum|trace",
+         .check = why_no_record},
+        options->records);
     const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
                                                           {"changed", UpdateSnapshots::changed},
                                                           {"missing", UpdateSnapshots::missing},

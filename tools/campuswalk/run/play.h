@@ -14,8 +14,8 @@ namespace campuswalk::tools {
 struct PlaySettings {
     std::filesystem::path output;
     bool pictures = false;
-    bool log = false;     ///< say the text log as it comes
-    bool events = false;  ///< say the log as JSON
+    bool log = false;                  ///< say the text log as it comes
+    bool events = false;               ///< say the log as JSON
     std::vector<std::string> records;  ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
 };

@@ -12,8 +12,8 @@ namespace campuswalk::tools {
 
 /// What can be kept of every tick of a walk, as a file in the walk's own folder.
 struct RecordKind {
-    const char* name = "";        ///< as `run --record` takes it
-    const char* file = "";        ///< in the folder
+    const char* name = "";  ///< as `run --record` takes it
+    const char* file = "";  ///< in the folder
     const char* media_type = "";
 };
 
