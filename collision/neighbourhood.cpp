@@ -31,57 +31,6 @@ bool contains(const Aabb& outer, const Aabb& inner) {
     return (outer.min.array() <= inner.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
 }
 
-/// What of a box lies outside another one, in the frame of a mesh. Where the mesh or a node is turned, the
-/// other one doesn't matter: more is met than must be.
-class Beyond : public BoxVolume {
-public:
-    Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
-        : BoxVolume(Box{0.5 * (whole.max - whole.min)},
-                    {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(middle(whole))}),
-          holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()),
-          whole_{whole.min - X_world_mesh.translation, whole.max - X_world_mesh.translation},
-          hole_{hole.min - X_world_mesh.translation, hole.max - X_world_mesh.translation} {}
-
-    template <std::size_t N>
-    void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
-                std::array<float, N>& out) const {
-        if (!holed_ || frame.turned) {
-            BoxVolume::bounds(frame, center, half, out);
-            return;
-        }
-        // Roundings, of all that is measured: of the corners 3 with LeafBoxes, of a side 1.
-        const PaddedLine whole{whole_.min - frame.origin, whole_.max - frame.origin, Vec3::Zero()};
-        const PaddedLine hole{hole_.min - frame.origin, hole_.max - frame.origin, Vec3::Zero()};
-        const float slack = kGenerous<float> * static_cast<float>(whole.size(frame) + hole.size(frame));
-        std::array<float, N> inside;    // how far each box reaches in, along the axis where it is least
-        std::array<float, N> beyond{};  // how far what is inside reaches out of the hole
-        inside.fill(std::numeric_limits<float>::max());
-        for (int k = 0; k < 3; ++k) {
-            const auto axis = static_cast<std::size_t>(k);
-            const float low = static_cast<float>(whole.from[k]) - slack;
-            const float high = static_cast<float>(whole.to[k]) + slack;
-            const float hole_low = static_cast<float>(hole.from[k]) + slack;
-            const float hole_high = static_cast<float>(hole.to[k]) - slack;
-            for (std::size_t i = 0; i < N; ++i) {
-                const float from = std::max(low, center[axis][i] - half[axis][i]);
-                const float to = std::min(high, center[axis][i] + half[axis][i]);
-                inside[i] = std::min(inside[i], to - from);
-                beyond[i] = std::max(beyond[i], std::max(hole_low - from, to - hole_high));
-            }
-        }
-        for (std::size_t i = 0; i < N; ++i) {
-            out[i] = inside[i] >= 0.0F && beyond[i] > 0.0F ? 0.0F : kApart<float>;
-        }
-    }
-
-private:
-    static Vec3 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
-
-    bool holed_;
-    Aabb whole_;
-    Aabb hole_;
-};
-
 /// Hands over every triangle that a descent meets and that isn't held, with its corners from where they are
 /// at hand.
 template <typename Held, typename Take>
