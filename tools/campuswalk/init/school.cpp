@@ -12,6 +12,13 @@ using scene::MeshParts;
 
 namespace {
 
+const Eigen::Vector3f kGrass(0.42F, 0.55F, 0.33F);
+const Eigen::Vector3f kBrick(0.64F, 0.34F, 0.26F);
+const Eigen::Vector3f kPlaster(0.87F, 0.78F, 0.56F);
+const Eigen::Vector3f kSlate(0.42F, 0.52F, 0.66F);
+const Eigen::Vector3f kConcrete(0.72F, 0.71F, 0.68F);
+const Eigen::Vector3f kWood(0.55F, 0.38F, 0.22F);
+
 /// Adds boxes by their corners to one mesh.
 class Masonry {
 public:
@@ -19,14 +26,16 @@ public:
         MeshParts(mesh_).add_box(Pose{}, 0.5 * (low + high), 0.5 * (high - low));
         return *this;
     }
-    NamedMesh named(const std::string& name) const { return {name, mesh_}; }
+    NamedMesh named(const std::string& name, const Eigen::Vector3f& color) const {
+        return {name, mesh_, color};
+    }
 
 private:
     collision::TriangleMesh mesh_;
 };
 
 /// Walls around 10 m by 8 m; the doorway is in the middle of the wall at `z`, the rest to the north of it.
-NamedMesh hall(const std::string& name, double x, double z) {
+NamedMesh hall(const std::string& name, const Eigen::Vector3f& color, double x, double z) {
     constexpr double kThick = 0.3;
     constexpr double kHigh = 3.0;
     const double west = x - 5.0;
@@ -38,7 +47,7 @@ NamedMesh hall(const std::string& name, double x, double z) {
         .box({west, 0, north}, {west + kThick, kHigh, z - kThick})
         .box({east - kThick, 0, north}, {east, kHigh, z - kThick})
         .box({west + kThick, 0, north}, {east - kThick, kHigh, north + kThick})
-        .named(name);
+        .named(name, color);
 }
 
 /// Ten treads of 0.3 m to the north, each 0.17 m higher, from z = 4 to the landing at z = 1.
@@ -47,27 +56,27 @@ NamedMesh flight() {
     for (int tread = 0; tread < 10; ++tread) {
         masonry.box({10, 0, 4 - 0.3 * (tread + 1)}, {12, 0.17 * (tread + 1), 4 - 0.3 * tread});
     }
-    return masonry.named("stairs");
+    return masonry.named("stairs", kConcrete);
 }
 
 NamedMesh bench(const std::string& name, double x, double z) {
-    return Masonry().box({x - 0.9, 0, z - 0.25}, {x + 0.9, 0.45, z + 0.25}).named(name);
+    return Masonry().box({x - 0.9, 0, z - 0.25}, {x + 0.9, 0.45, z + 0.25}).named(name, kWood);
 }
 
 }  // namespace
 
 std::vector<NamedMesh> school(Template which) {
     std::vector<NamedMesh> meshes;
-    meshes.push_back(Masonry().box({-25, -1, -20}, {25, 0, 20}).named("terrain"));
-    meshes.push_back(hall("library_walls", 0, -6));
-    meshes.push_back(Masonry().box({-1, 0, -12}, {1, 0.75, -11.2}).named("library_desk"));
+    meshes.push_back(Masonry().box({-25, -1, -20}, {25, 0, 20}).named("terrain", kGrass));
+    meshes.push_back(hall("library_walls", kBrick, 0, -6));
+    meshes.push_back(Masonry().box({-1, 0, -12}, {1, 0.75, -11.2}).named("library_desk", kWood));
     if (which != Template::minimal) {
         meshes.push_back(flight());
-        meshes.push_back(Masonry().box({10, 0, -3}, {12, 1.7, 1}).named("gallery"));
+        meshes.push_back(Masonry().box({10, 0, -3}, {12, 1.7, 1}).named("gallery", kConcrete));
     }
     if (which == Template::campus) {
-        meshes.push_back(hall("cafeteria_walls", -16, -4));
-        meshes.push_back(hall("gym_walls", 18, -8));
+        meshes.push_back(hall("cafeteria_walls", kPlaster, -16, -4));
+        meshes.push_back(hall("gym_walls", kSlate, 18, -8));
         meshes.push_back(bench("bench_west", -3, 6));
         meshes.push_back(bench("bench_east", 3, 6));
     }

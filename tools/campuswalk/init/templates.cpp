@@ -185,11 +185,16 @@ std::string campus_yaml(Template which) {
 }  // namespace
 
 std::vector<NewFile> files_of(Template which) {
-    std::vector<NewFile> files = {
-        {"school.obj", wavefront(school(which))}, {"school.campus.yaml", campus_yaml(which)},
-        {"avatars/adult.avatar.yaml", kAdult},    {"walks/visit.walk.yaml", kVisit},
-        {"walks/wall.walk.yaml", kWall},          {"walks.config.yaml", kConfig},
-        {".gitignore", "out/\n.campuswalk/\n"},   {".github/workflows/walks.yml", kWorkflow}};
+    const std::vector<NamedMesh> meshes = school(which);
+    std::vector<NewFile> files = {{"school.obj", wavefront(meshes, "school.mtl")},
+                                  {"school.mtl", wavefront_materials(meshes)},
+                                  {"school.campus.yaml", campus_yaml(which)},
+                                  {"avatars/adult.avatar.yaml", kAdult},
+                                  {"walks/visit.walk.yaml", kVisit},
+                                  {"walks/wall.walk.yaml", kWall},
+                                  {"walks.config.yaml", kConfig},
+                                  {".gitignore", "out/\n.campuswalk/\n"},
+                                  {".github/workflows/walks.yml", kWorkflow}};
     if (which != Template::minimal) {
         files.push_back({"avatars/robot.avatar.yaml", kRobot});
         files.push_back({"walks/upstairs.walk.yaml", kUpstairs});
