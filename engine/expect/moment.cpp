@@ -24,7 +24,7 @@ void Chronicle::see(const FrameRecord& record) {
 }
 
 void Chronicle::keep(const Event& event, double time) {
-    std::ranges::rotate(now_.events, now_.events.begin() + 1);
+    std::rotate(now_.events.begin(), now_.events.begin() + 1, now_.events.end());
     now_.events.back() = std::make_shared<const TimedEvent>(TimedEvent{event, time});
 }
 

@@ -98,7 +98,7 @@ std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConf
                          "only one report can go to standard output; give the others a file, as in "
                          "junit=junit.xml");
     }
-    std::ranges::stable_partition(reports, printed);
+    std::stable_partition(reports.begin(), reports.end(), printed);
     return reports;
 }
 

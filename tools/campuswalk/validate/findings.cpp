@@ -60,8 +60,7 @@ std::vector<std::string> codes_of(const Findings& findings) {
         codes.push_back(diagnostic.code);
     }
     std::ranges::sort(codes);
-    const auto repeated = std::ranges::unique(codes);
-    codes.erase(repeated.begin(), repeated.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     return codes;
 }
 
