@@ -1,6 +1,7 @@
 #include "collision/neighbourhood.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -16,12 +17,27 @@ namespace {
 /// How much more than what is asked for is gathered to the sides, metres. Where little comes of it, more is
 /// gathered the next time: few pieces are soon gathered and surveyed, and a walker then seldom needs others.
 constexpr double kFirstMargin = 0.5;
-constexpr double kLeastMargin = 0.3;
+constexpr double kLeastMargin = 0.2;
 constexpr double kMostMargin = 2.0;
 constexpr std::size_t kFewPieces = 16;
 constexpr std::size_t kManyPieces = 40;
 /// Likewise above and below.
 constexpr double kUpright = 0.2;
+/// More is gathered when no more than this share of that is left.
+constexpr double kSoon = 0.4;
+
+/// Room that is there from the beginning, for so many pieces.
+constexpr std::size_t kUsual = 256;
+
+/// Never 0.
+std::uint64_t name_of(ObjectId id, std::uint32_t triangle) {
+    return (static_cast<std::uint64_t>(index_of(id)) + 1) << 32U | triangle;
+}
+
+/// Of `places`, a power of two.
+std::size_t place_of(std::uint64_t name, std::size_t places) {
+    return static_cast<std::size_t>((name * 0x9e3779b97f4a7c15ULL) >> 32U) & (places - 1);
+}
 
 Aabb bounds_of(const Triangle& t) {
     return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
@@ -64,12 +80,28 @@ Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, 
     : world_(&world), settings_(settings), filter_(filter), margin_(kFirstMargin) {}
 
 void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
-    if (contains(covered_, box)) {
+    const Vec3 more(margin_, kUpright, margin_);
+    const Aabb wanted{box.min - more, box.max + more};
+    if (!contains(covered_, box)) {
+        go_on_to(wanted, counters);
         return;
     }
-    const Vec3 more(margin_, kUpright, margin_);
+    // In time, and along one axis at a time: no tick has to gather on all sides.
+    for (int axis = 0; axis < 3; ++axis) {
+        const double left = std::min(box.min[axis] - covered_.min[axis], covered_.max[axis] - box.max[axis]);
+        if (left < kSoon * more[axis]) {
+            Aabb next = covered_;
+            next.min[axis] = wanted.min[axis];
+            next.max[axis] = wanted.max[axis];
+            go_on_to(next, counters);
+            return;
+        }
+    }
+}
+
+void Neighbourhood::go_on_to(const Aabb& box, QueryCounters& counters) {
     const Aabb before = covered_;
-    covered_ = {box.min - more, box.max + more};
+    covered_ = box;
     near_count_ = 0;
     drop_outside();
     gather(before, counters);
@@ -85,8 +117,6 @@ void Neighbourhood::forget() {
     covered_ = Aabb{};
     margin_ = kFirstMargin;
     pieces_.clear();
-    objects_.clear();
-    triangles_.clear();
     kept_.clear();
     near_count_ = 0;
 }
@@ -103,18 +133,14 @@ void Neighbourhood::drop_outside() {
             continue;
         }
         pieces_[i] = pieces_.back();
-        objects_[i] = objects_.back();
-        triangles_[i] = triangles_.back();
         kept_[i] = kept_.back();
         pieces_.pop_back();
-        objects_.pop_back();
-        triangles_.pop_back();
         kept_.pop_back();
     }
 }
 
 void Neighbourhood::gather(const Aabb& before, QueryCounters& counters) {
-    held_before_ = pieces_.size();
+    name_pieces();
     world_->candidates(covered_, filter_, candidates_);
     for (const ObjectId id : candidates_) {
         const Object& object = world_->object(id);
@@ -142,13 +168,27 @@ void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, const Aab
     descend(mesh, Beyond(before, covered_, X), 0.0, Gathering(mesh.mesh(), held, take), counters);
 }
 
-/// Among the pieces of before.
-bool Neighbourhood::holds(ObjectId id, std::uint32_t triangle) const {
-    unsigned held = 0;
-    for (std::size_t i = 0; i < held_before_; ++i) {  // to the end: in vector instructions
-        held |= static_cast<unsigned>(objects_[i] == id) & static_cast<unsigned>(triangles_[i] == triangle);
+/// Open addressing, at most a quarter full.
+void Neighbourhood::name_pieces() {
+    names_.assign(std::bit_ceil(std::max(kUsual, pieces_.size()) * 4), 0);
+    for (const Piece& piece : pieces_) {
+        const std::uint64_t name = name_of(piece.obstacle.object, piece.obstacle.triangle);
+        std::size_t at = place_of(name, names_.size());
+        while (names_[at] != 0) {
+            at = (at + 1) & (names_.size() - 1);
+        }
+        names_[at] = name;
     }
-    return held != 0;
+}
+
+/// Among the pieces that have been named.
+bool Neighbourhood::holds(ObjectId id, std::uint32_t triangle) const {
+    const std::uint64_t name = name_of(id, triangle);
+    std::size_t at = place_of(name, names_.size());
+    while (names_[at] != 0 && names_[at] != name) {
+        at = (at + 1) & (names_.size() - 1);
+    }
+    return names_[at] == name;
 }
 
 /// A box is its twelve triangles: whoever is outside can't get in.
@@ -192,8 +232,6 @@ void Neighbourhood::add(const Obstacle& obstacle, const Aabb& box) {
     const bool walkable = obstacle.solid == nullptr && std::abs(obstacle.normal.y()) >= settings_.min_up;
     reserve_for(pieces_.size() + 1);
     pieces_.push_back({obstacle, box, walkable});
-    objects_.push_back(obstacle.object);
-    triangles_.push_back(obstacle.triangle);
     kept_.emplace_back();
 }
 
@@ -218,12 +256,9 @@ void Neighbourhood::restart_bounds() {
 
 /// `push_back` alone would take from the heap whenever there is one piece more than ever before.
 void Neighbourhood::reserve_for(std::size_t count) {
-    constexpr std::size_t kUsual = 256;
     if (count > pieces_.capacity()) {
         const std::size_t room = std::max(kUsual, 2 * count);
         pieces_.reserve(room);
-        objects_.reserve(room);
-        triangles_.reserve(room);
         kept_.reserve(room);
         bounds_.reserve(room / kLanes + 1);
         near_.reserve(room + kLanes + 1);

@@ -89,10 +89,12 @@ private:
         std::uint8_t last = 0;
     };
 
+    void go_on_to(const Aabb& box, QueryCounters& counters);
     void drop_outside();
     void gather(const Aabb& before, QueryCounters& counters);
     void gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before, QueryCounters& counters);
     void gather_box(ObjectId id, const Box& box);
+    void name_pieces();
     bool holds(ObjectId id, std::uint32_t triangle) const;
     void add(const Obstacle& obstacle, const Aabb& box);
     void add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners);
@@ -106,14 +108,13 @@ private:
     QueryFilter filter_;
 
     Aabb covered_;
-    std::size_t held_before_ = 0;  ///< pieces that were there before what is being gathered
-    double margin_ = 0.5;          ///< of what is gathered next, metres
-    Vec3 origin_ = Vec3::Zero();   ///< of the bounds
-    double slack_ = 0.0;           ///< what float32 may be off within what is covered
+    double margin_ = 0.5;         ///< of what is gathered next, metres
+    Vec3 origin_ = Vec3::Zero();  ///< of the bounds
+    double slack_ = 0.0;          ///< what float32 may be off within what is covered
     std::vector<Piece> pieces_;
-    // Of the pieces once more, side by side: a refill asks for nearly all of them whether they are there.
-    std::vector<ObjectId> objects_;
-    std::vector<std::uint32_t> triangles_;
+    /// The pieces by object and triangle, hashed: a refill asks for nearly all of them whether they are
+    /// there.
+    std::vector<std::uint64_t> names_;
     std::vector<Kept> kept_;
     std::vector<Bounds> bounds_;
     std::vector<Index> near_;

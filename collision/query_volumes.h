@@ -72,9 +72,13 @@ public:
     Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
         : BoxVolume(Box{0.5 * (whole.max - whole.min)},
                     {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(middle(whole))}),
-          holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()),
-          whole_{whole.min - X_world_mesh.translation, whole.max - X_world_mesh.translation},
-          hole_{hole.min - X_world_mesh.translation, hole.max - X_world_mesh.translation} {}
+          holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()) {
+        for (int k = 0; k < 3; ++k) {
+            const double origin = X_world_mesh.translation[k];
+            sides_[static_cast<std::size_t>(k)] = {whole.min[k] - origin, whole.max[k] - origin,
+                                                   hole.min[k] - origin, hole.max[k] - origin};
+        }
+    }
 
     template <std::size_t N>
     void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
@@ -83,25 +87,28 @@ public:
             BoxVolume::bounds(frame, center, half, out);
             return;
         }
+        std::array<std::array<float, 4>, 3> sides{};  // by axis: low and high of the whole, then of the hole
+        float size = static_cast<float>(frame.radius);
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t side = 0; side < 4; ++side) {
+                sides[k][side] = static_cast<float>(sides_[k][side] - frame.origin[static_cast<int>(k)]);
+                size += std::abs(sides[k][side]);
+            }
+        }
         // Roundings, of all that is measured: of the corners 3 with LeafBoxes, of a side 1.
-        const PaddedLine whole{whole_.min - frame.origin, whole_.max - frame.origin, Vec3::Zero()};
-        const PaddedLine hole{hole_.min - frame.origin, hole_.max - frame.origin, Vec3::Zero()};
-        const float slack = kGenerous<float> * static_cast<float>(whole.size(frame) + hole.size(frame));
+        const float slack = kGenerous<float> * size;
         std::array<float, N> inside;    // how far each box reaches in, along the axis where it is least
         std::array<float, N> beyond{};  // how far what is inside reaches out of the hole
         inside.fill(kFar);
-        for (int k = 0; k < 3; ++k) {
-            const auto axis = static_cast<std::size_t>(k);
-            const float low = static_cast<float>(whole.from[k]) - slack;
-            const float high = static_cast<float>(whole.to[k]) + slack;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float low = sides[k][0] - slack;
+            const float high = sides[k][1] + slack;
             // Where the hole goes on beyond the whole, nothing can be on its other side.
-            const float hole_low =
-                whole_.min[k] < hole_.min[k] ? static_cast<float>(hole.from[k]) + slack : -kFar;
-            const float hole_high =
-                whole_.max[k] > hole_.max[k] ? static_cast<float>(hole.to[k]) - slack : kFar;
+            const float hole_low = sides[k][0] < sides[k][2] ? sides[k][2] + slack : -kFar;
+            const float hole_high = sides[k][1] > sides[k][3] ? sides[k][3] - slack : kFar;
             for (std::size_t i = 0; i < N; ++i) {
-                const float from = std::max(low, center[axis][i] - half[axis][i]);
-                const float to = std::min(high, center[axis][i] + half[axis][i]);
+                const float from = std::max(low, center[k][i] - half[k][i]);
+                const float to = std::min(high, center[k][i] + half[k][i]);
                 inside[i] = std::min(inside[i], to - from);
                 beyond[i] = std::max(beyond[i], std::max(hole_low - from, to - hole_high));
             }
@@ -116,8 +123,7 @@ private:
     static Vec3 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
 
     bool holed_;
-    Aabb whole_;
-    Aabb hole_;
+    std::array<std::array<double, 4>, 3> sides_{};
 };
 
 /// The surroundings of a point. Bounds squared distances.

@@ -48,10 +48,13 @@ bool Way::is_free_over(const Vec3& from, const Vec3& to) const {
     const Vec3 above_to(to.x(), over, to.z());
     const auto near = around_.near();
     return std::all_of(near.begin(), near.end(), [&](Neighbourhood::Index i) {
-        const double keep = settings_.radius + kSure;
-        const auto clear = [&](const Vec3& a, const Vec3& b) {
-            return around_.known_apart(i, a, b, keep) || !blocked(i, a, b);
+        const auto known = [&](const Vec3& a, const Vec3& b) {
+            return around_.known_apart(i, a, b, settings_.radius + kSure);
         };
+        const auto clear = [&](const Vec3& a, const Vec3& b) { return known(a, b) || !blocked(i, a, b); };
+        if (known(from, above_from) && known(above_from, above_to) && known(above_to, to)) {
+            return true;
+        }
         around_.separation(i, from);
         around_.separation(i, to);
         return clear(from, above_from) && clear(above_from, above_to) && clear(above_to, to);
