@@ -14,16 +14,16 @@ using namespace campuswalk::tools;
 namespace {
 
 void add_commands(Command program, Chosen& chosen) {
+    add_init(program, chosen);
+    add_validate(program, chosen);
     add_run(program, chosen);
     add_merge_reports(program, chosen);
-    add_validate(program, chosen);
-    add_info(program, chosen);
-    add_collide(program, chosen);
-    add_snapshot(program, chosen);
     add_diff(program, chosen);
     add_replay(program, chosen);
+    add_info(program, chosen);
+    add_snapshot(program, chosen);
+    add_collide(program, chosen);
     add_bench(program, chosen);
-    add_init(program, chosen);
     add_completion(program, chosen);
     add_help(program, chosen);
 }
