@@ -39,22 +39,6 @@ std::string reply(const KnownOption& option) {
     return "COMPREPLY=(); return ;;\n";
 }
 
-/// After an option that takes a value.
-std::string value_cases(const Place& place) {
-    std::string text;
-    for (const KnownOption& option : place.command->options) {
-        if (is_positional(option) || option.value.empty()) {
-            continue;
-        }
-        std::vector<std::string> patterns;
-        for (const std::string& spelling : option.spellings) {
-            patterns.push_back("'" + place.path + " " + spelling + "'");
-        }
-        text += "        " + joined(patterns, " | ") + ") " + reply(option);
-    }
-    return text;
-}
-
 std::string words_case(const Place& place) {
     std::vector<std::string> words = plain_words(*place.command);
     for (const KnownOption& option : place.command->options) {
@@ -73,7 +57,7 @@ std::string bash_script(const std::vector<Place>& places) {
     text += "            " + all_paths(places, " | ") + ") place=$place/${COMP_WORDS[i]} ;;\n";
     text += "        esac\n    done\n    case \"$place $previous\" in\n";
     for (const Place& place : places) {
-        text += value_cases(place);
+        text += value_cases(place, reply);
     }
     text += "    esac\n    case \"$place\" in\n";
     for (const Place& place : places) {

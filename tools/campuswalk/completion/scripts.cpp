@@ -62,6 +62,21 @@ bool takes_files(const KnownCommand& command) {
     });
 }
 
+std::string value_cases(const Place& place, const std::function<std::string(const KnownOption&)>& reply) {
+    std::string text;
+    for (const KnownOption& option : place.command->options) {
+        if (is_positional(option) || option.value.empty()) {
+            continue;
+        }
+        std::vector<std::string> patterns;
+        for (const std::string& spelling : option.spellings) {
+            patterns.push_back("'" + place.path + " " + spelling + "'");
+        }
+        text += "        (" + joined(patterns, "|") + ") " + reply(option);
+    }
+    return text;
+}
+
 std::string joined(const std::vector<std::string>& words, std::string_view between) {
     std::string text;
     for (const std::string& word : words) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,10 @@ std::string all_paths(const std::vector<Place>& places, std::string_view between
 std::vector<std::string> plain_words(const KnownCommand& command);
 /// Whether a positional argument of the command is a file or a folder.
 bool takes_files(const KnownCommand& command);
+
+/// The lines of a `case` of bash and zsh on "PLACE OPTION": what is done where an option's value is due.
+/// `reply` gives it, with the end of its line.
+std::string value_cases(const Place& place, const std::function<std::string(const KnownOption&)>& reply);
 
 std::string joined(const std::vector<std::string>& words, std::string_view between);
 

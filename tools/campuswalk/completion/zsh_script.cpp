@@ -46,21 +46,6 @@ std::string reply(const KnownOption& option) {
     return "return ;;\n";
 }
 
-std::string value_cases(const Place& place) {
-    std::string text;
-    for (const KnownOption& option : place.command->options) {
-        if (is_positional(option) || option.value.empty()) {
-            continue;
-        }
-        std::vector<std::string> patterns;
-        for (const std::string& spelling : option.spellings) {
-            patterns.push_back("'" + place.path + " " + spelling + "'");
-        }
-        text += "        (" + joined(patterns, "|") + ") " + reply(option);
-    }
-    return text;
-}
-
 std::string words_case(const Place& place) {
     std::string plain;
     for (const KnownCommand& below : place.command->commands) {
@@ -83,7 +68,7 @@ std::string zsh_script(const std::vector<Place>& places) {
     text += "            (" + all_paths(places, "|") + ") place=$place/${words[i]} ;;\n";
     text += "        esac\n    done\n    case \"$place ${words[CURRENT-1]}\" in\n";
     for (const Place& place : places) {
-        text += value_cases(place);
+        text += value_cases(place, reply);
     }
     text += "    esac\n    case \"$place\" in\n";
     for (const Place& place : places) {
