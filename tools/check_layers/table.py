@@ -58,6 +58,7 @@ THIRD_PARTY = {
     "btBulletDynamicsCommon.h": ["tests"],
     "assimp/": ["scene/import"],
     "stb/": ["scene/import"],
+    "xxhash.h": ["scene/content_hash.cpp"],
     "nlohmann/": ["engine/observers", "engine/report", "tools/campuswalk", "tests"],
     "pugixml": ["engine/report"],
     "GL/": ["engine/render", "tests/engine/render"],

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace campuswalk::scene {
+
+/// The frame of our binary files. 64 bytes first: eight that name the kind, a number that shows the byte
+/// order, the kind's version, the payload's size and its checksum, zeros; then the payload. Numbers are as
+/// this machine has them: a file is for the machine that wrote it and those like it.
+
+struct FileKind {
+    std::array<char, 8> magic{};
+    std::uint32_t version = 0;
+};
+
+/// A file that isn't what it must be: damaged, foreign, of another version, or forged. `what()` says how, in
+/// words for the user ("it is cut short").
+class DamagedFile : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+inline constexpr std::size_t kSealBytes = 64;
+
+/// What is copied as it lies in memory.
+template <typename T>
+concept Plain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+
+class SealedWriter {
+public:
+    explicit SealedWriter(const FileKind& kind);
+
+    template <Plain T>
+    void put(T value) {
+        put_bytes(&value, sizeof value);
+    }
+    void put_text(std::string_view text);
+    /// The elements alone; their number is put before, wherever the reader can't know it.
+    template <typename Element>
+    void put_all(std::span<const Element> elements) {
+        put_bytes(elements.data(), elements.size_bytes());
+    }
+    /// Zeros up to the next multiple of `alignment`, counted from the file's start.
+    void align(std::size_t alignment);
+
+    /// The whole file; the writer is done with.
+    std::vector<std::byte> seal() &&;
+
+private:
+    void put_bytes(const void* from, std::size_t count);
+
+    std::vector<std::byte> bytes_;
+};
+
+/// Reads what may be anything: throws DamagedFile before it would read, or make room for, what isn't there.
+class SealedReader {
+public:
+    /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader.
+    SealedReader(std::span<const std::byte> bytes, const FileKind& kind);
+
+    template <Plain T>
+    T take() {
+        T value;
+        std::memcpy(&value, take_bytes(sizeof value).data(), sizeof value);
+        return value;
+    }
+    /// 0 or 1.
+    bool take_flag();
+    /// A number below `end`, such as an index; `what` names it when it isn't.
+    std::uint32_t take_below(std::uint64_t end, const char* what);
+    /// How many elements follow, each of which takes up no fewer than `least_bytes`.
+    std::size_t take_count(std::size_t least_bytes);
+    std::string take_text();
+    /// As many elements as `put_all` put. The memory of Element is taken as it is: check what it holds.
+    template <typename Element>
+    std::vector<Element> take_all(std::size_t count) {
+        const std::span<const std::byte> from = take_bytes_of(count, sizeof(Element));
+        std::vector<Element> elements(count);
+        if (count > 0) {
+            std::memcpy(static_cast<void*>(elements.data()), from.data(), from.size());
+        }
+        return elements;
+    }
+    /// Skips to the next multiple of `alignment`, counted from the file's start.
+    void align(std::size_t alignment);
+    std::span<const std::byte> take_bytes(std::size_t count);
+    /// Throws if anything is left.
+    void finish() const;
+
+private:
+    std::span<const std::byte> take_bytes_of(std::size_t count, std::size_t size);
+
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = kSealBytes;
+};
+
+}  // namespace campuswalk::scene
