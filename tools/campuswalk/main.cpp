@@ -19,6 +19,7 @@ void add_commands(Command program, Chosen& chosen) {
     add_run(program, chosen);
     add_merge_reports(program, chosen);
     add_diff(program, chosen);
+    add_imgdiff(program, chosen);
     add_replay(program, chosen);
     add_info(program, chosen);
     add_snapshot(program, chosen);

@@ -11,6 +11,7 @@ void add_validate(Command program, Chosen& chosen);
 void add_run(Command program, Chosen& chosen);
 void add_merge_reports(Command program, Chosen& chosen);
 void add_diff(Command program, Chosen& chosen);
+void add_imgdiff(Command program, Chosen& chosen);
 void add_replay(Command program, Chosen& chosen);
 void add_info(Command program, Chosen& chosen);
 void add_snapshot(Command program, Chosen& chosen);

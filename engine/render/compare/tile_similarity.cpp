@@ -1,0 +1,156 @@
+#include "engine/render/compare/tile_similarity.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace campuswalk::engine::render {
+namespace {
+
+constexpr int kBlock = 4;         ///< pixels a side; a window is 2 x 2 blocks
+constexpr int kTileWindows = 16;  ///< a side
+constexpr double kC1 = 0.01 * 255 * 0.01 * 255;
+constexpr double kC2 = 0.03 * 255 * 0.03 * 255;
+
+/// Whole numbers, so that windows can be put together from blocks in any order without rounding.
+struct Sums {
+    std::uint32_t pixels = 0;
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t squares = 0;  ///< of both
+    std::uint32_t products = 0;
+
+    void add(std::uint32_t value_a, std::uint32_t value_b) {
+        ++pixels;
+        a += value_a;
+        b += value_b;
+        squares += value_a * value_a + value_b * value_b;
+        products += value_a * value_b;
+    }
+    Sums& operator+=(const Sums& other) {
+        pixels += other.pixels;
+        a += other.a;
+        b += other.b;
+        squares += other.squares;
+        products += other.products;
+        return *this;
+    }
+};
+
+std::uint32_t brightness(const std::uint8_t* rgb) {
+    return (77U * rgb[0] + 150U * rgb[1] + 29U * rgb[2] + 128U) >> 8U;
+}
+
+double ssim(const Sums& window) {
+    const double n = window.pixels;
+    const double mean_a = window.a / n;
+    const double mean_b = window.b / n;
+    const double squared_means = mean_a * mean_a + mean_b * mean_b;
+    const double variances = window.squares / n - squared_means;
+    const double covariance = window.products / n - mean_a * mean_b;
+    // For equal pictures each left factor is its right one to the last bit.
+    return (2 * mean_a * mean_b + kC1) * (2 * covariance + kC2) / ((squared_means + kC1) * (variances + kC2));
+}
+
+/// The sums of all blocks, row by row; those at the right and lower border may be smaller.
+class Blocks {
+public:
+    Blocks(const Picture& a, const Picture& b, const PictureMask& mask)
+        : columns_(blocks_along(a.width)), rows_(blocks_along(a.height)) {
+        sums_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+        for (int y = 0; y < a.height; ++y) {
+            add_row(a, b, mask, y);
+        }
+    }
+
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+
+    /// The window that begins with this block.
+    Sums window(int column, int row) const {
+        Sums sums;
+        for (int y = row; y < std::min(row + 2, rows_); ++y) {
+            for (int x = column; x < std::min(column + 2, columns_); ++x) {
+                sums += sums_[index(x, y)];
+            }
+        }
+        return sums;
+    }
+
+private:
+    static int blocks_along(int pixels) { return (pixels + kBlock - 1) / kBlock; }
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
+
+    void add_row(const Picture& a, const Picture& b, const PictureMask& mask, int y) {
+        const std::uint8_t* from_a = &a.rgba[a.offset(0, y)];
+        const std::uint8_t* from_b = &b.rgba[b.offset(0, y)];
+        for (int column = 0; column < columns_; ++column) {
+            Sums sums = sums_[index(column, y / kBlock)];
+            for (int x = column * kBlock; x < std::min((column + 1) * kBlock, a.width); ++x) {
+                if (!mask.hides(x, y)) {
+                    sums.add(brightness(from_a + 4 * x), brightness(from_b + 4 * x));
+                }
+            }
+            sums_[index(column, y / kBlock)] = sums;
+        }
+    }
+
+    int columns_;
+    int rows_;
+    std::vector<Sums> sums_;
+};
+
+/// Where tiles begin in a row of so many windows.
+std::vector<int> tile_starts(int windows) {
+    std::vector<int> starts;
+    for (int at = 0; at < windows; at += kTileWindows) {
+        starts.push_back(std::max(0, std::min(at, windows - kTileWindows)));
+    }
+    return starts;
+}
+
+/// The pixels of a window that is whole: what it would weigh without masks.
+int whole(int first_block, int pixels) {
+    return std::min(2 * kBlock, pixels - first_block * kBlock);
+}
+
+struct Windows {
+    int columns = 0;
+    int rows = 0;
+};
+
+double tile_ssim(const Blocks& blocks, const Windows& windows, const Picture& picture, int column, int row) {
+    double lost = 0.0;
+    double weight = 0.0;
+    for (int y = row; y < std::min(row + kTileWindows, windows.rows); ++y) {
+        for (int x = column; x < std::min(column + kTileWindows, windows.columns); ++x) {
+            const Sums sums = blocks.window(x, y);
+            weight += whole(x, picture.width) * whole(y, picture.height);
+            lost += sums.pixels > 0 ? sums.pixels * (1.0 - ssim(sums)) : 0.0;
+        }
+    }
+    return 1.0 - lost / weight;
+}
+
+}  // namespace
+
+std::vector<TileSimilarity> tile_similarities(const Picture& a, const Picture& b, const PictureMask& mask) {
+    const Blocks blocks(a, b, mask);
+    const Windows windows{std::max(1, blocks.columns() - 1), std::max(1, blocks.rows() - 1)};
+    std::vector<TileSimilarity> tiles;
+    for (const int row : tile_starts(windows.rows)) {
+        for (const int column : tile_starts(windows.columns)) {
+            const int x = column * kBlock;
+            const int y = row * kBlock;
+            const int side = kTileWindows * kBlock;
+            tiles.push_back({{x, y, std::min(side, a.width - x), std::min(side, a.height - y)},
+                             tile_ssim(blocks, windows, a, column, row)});
+        }
+    }
+    return tiles;
+}
+
+}  // namespace campuswalk::engine::render

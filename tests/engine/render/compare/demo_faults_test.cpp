@@ -1,0 +1,165 @@
+// What the defaults of the comparison forgive and what they find, on the demo campus at 1280x720.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "engine/render/compare/compare_pictures.h"
+#include "engine/render/read_png.h"
+#include "engine/render/renderer.h"
+#include "tests/engine/render/campus_view.h"
+#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/scratch_folder.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+constexpr const char* kViews[] = {"avenue", "square", "lobby"};
+
+/// Models and their pictures, made once for all tests.
+class DemoFaults : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        models_ = std::make_unique<std::vector<scene::Model>>(demo_models());
+        pictures_ = std::make_unique<std::map<std::string, Picture>>();
+        renderer_ = std::make_unique<Renderer>(*models_);
+        for (const char* view : kViews) {
+            pictures_->emplace(view, draw(demo_view(view)));
+        }
+    }
+    static void TearDownTestSuite() {
+        renderer_.reset();
+        models_.reset();
+        pictures_.reset();
+    }
+
+    static Picture draw(const Viewpoint& view) { return renderer_->draw(view, 1280, 720); }
+
+    static const std::vector<scene::Model>& models() { return *models_; }
+    static const Picture& right(const std::string& view) { return pictures_->at(view); }
+
+    /// Whether the defaults find a difference; the figures go to the test's record.
+    static bool found(const std::string& view, const Picture& picture) {
+        const PictureTolerance tolerance;
+        const PictureComparison comparison = compare_pictures(right(view), picture, tolerance);
+        std::printf("%-8s %8zu pixels beyond the threshold, worst tile %.4f at %d,%d\n", view.c_str(),
+                    comparison.pixels.different, comparison.worst.ssim, comparison.worst.box.x,
+                    comparison.worst.box.y);
+        return !why_different(comparison, tolerance).empty();
+    }
+
+private:
+    static std::unique_ptr<std::vector<scene::Model>> models_;
+    static std::unique_ptr<Renderer> renderer_;
+    static std::unique_ptr<std::map<std::string, Picture>> pictures_;
+};
+
+std::unique_ptr<std::vector<scene::Model>> DemoFaults::models_;
+std::unique_ptr<Renderer> DemoFaults::renderer_;
+std::unique_ptr<std::map<std::string, Picture>> DemoFaults::pictures_;
+
+/// All views, drawn by a process of its own, whose driver believes to be on another machine.
+std::map<std::string, Picture> drawn_elsewhere(const std::string& environment) {
+    const ScratchFolder folder;
+    std::string command = environment + " " + DRAW_DEMO_VIEW;
+    for (const char* view : kViews) {
+        command += std::string(" ") + view + " '" + (folder.path() / view).string() + "'";
+    }
+    std::map<std::string, Picture> pictures;
+    if (std::system(command.c_str()) != 0) {
+        ADD_FAILURE() << command;
+        return pictures;
+    }
+    for (const char* view : kViews) {
+        pictures.emplace(view, read_png(folder.path() / view));
+    }
+    return pictures;
+}
+
+TEST_F(DemoFaults, ForgiveAnotherProcessor) {
+    bool any = false;
+    for (const char* features : {"LP_NATIVE_VECTOR_WIDTH=128", "GALLIUM_OVERRIDE_CPU_CAPS=sse4.1"}) {
+        for (const auto& [view, picture] : drawn_elsewhere(features)) {
+            EXPECT_FALSE(found(view, picture)) << features << " " << view;
+            any = any || picture.rgba != right(view).rgba;
+        }
+    }
+    EXPECT_TRUE(any) << "no setting made another picture, so nothing was shown";
+}
+
+TEST_F(DemoFaults, ForgiveSomePixelsByFifteenLevels) {
+    std::mt19937 random(11);
+    for (const char* view : kViews) {
+        for (int draw = 0; draw < 5; ++draw) {
+            EXPECT_FALSE(found(view, disturbed(right(view), 0.0024, 15, random)));
+        }
+    }
+}
+
+TEST_F(DemoFaults, FindThatShadowsAreOff) {
+    RenderSettings settings;
+    settings.shadows = false;
+    EXPECT_TRUE(found("avenue", draw_demo(models(), demo_view("avenue"), settings)));
+    EXPECT_TRUE(found("square", draw_demo(models(), demo_view("square"), settings)));
+}
+
+TEST_F(DemoFaults, FindThatTheSunTurnedByThreeDegrees) {
+    for (const double turn : {3.0, -3.0}) {
+        RenderSettings settings;
+        settings.to_sun =
+            Eigen::AngleAxisd(turn * 3.141592653589793 / 180.0, Eigen::Vector3d::UnitY()) * settings.to_sun;
+        EXPECT_TRUE(found("avenue", draw_demo(models(), demo_view("avenue"), settings)));
+        EXPECT_TRUE(found("square", draw_demo(models(), demo_view("square"), settings)));
+    }
+}
+
+TEST_F(DemoFaults, FindThatTheSmallTreesAreGone) {
+    std::vector<scene::Model> without = models();
+    int gone = 0;
+    for (scene::Model& model : without) {
+        for (scene::Node& node : model.nodes) {
+            if (node.name.starts_with("tree_cherry")) {
+                node.meshes.clear();
+                ++gone;
+            }
+        }
+    }
+    ASSERT_GT(gone, 5);
+    EXPECT_TRUE(found("square", draw_demo(without, demo_view("square"))));
+}
+
+TEST_F(DemoFaults, FindThatTheCameraIsTwoCentimetresOff) {
+    for (const char* view : kViews) {
+        for (const Eigen::Vector3d& way :
+             {Eigen::Vector3d(0.02, 0, 0), Eigen::Vector3d(0, 0.02, 0), Eigen::Vector3d(0, 0, 0.02)}) {
+            Viewpoint moved = demo_view(view);
+            moved.position += way;
+            EXPECT_TRUE(found(view, draw(moved))) << view << " by " << way.transpose();
+        }
+    }
+}
+
+TEST_F(DemoFaults, FindThatOneTextureWasSwapped) {
+    std::vector<scene::Model> swapped = models();
+    std::vector<scene::Texture>& textures = swapped.front().textures;
+    const auto named = [&](const char* part) {
+        return std::ranges::find_if(textures, [&](const scene::Texture& texture) {
+            return texture.name.find(part) != std::string::npos;
+        });
+    };
+    ASSERT_NE(named("slabs"), textures.end());
+    ASSERT_NE(named("setts"), textures.end());
+    *named("slabs") = scene::Texture(*named("setts"));
+    EXPECT_TRUE(found("square", draw_demo(swapped, demo_view("square"))));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,146 @@
+#include "engine/render/compare/pixel_difference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/render/color_names.h"
+#include "tests/engine/render/compare/made_pictures.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+PixelDifference difference_of(const Picture& a, const Picture& b, double threshold = 0.2) {
+    return pixel_difference(a, b, threshold, PictureMask(a.width, a.height, {}));
+}
+
+std::size_t count(const PixelDifference& difference, PixelVerdict verdict) {
+    return static_cast<std::size_t>(std::ranges::count(difference.verdicts, verdict));
+}
+
+void put(Picture& picture, int x, int y, const Rgb& color) {
+    std::ranges::copy(color, picture.rgba.begin() + static_cast<std::ptrdiff_t>(picture.offset(x, y)));
+}
+
+double distance(const Rgb& a, const Rgb& b) {
+    return color_distance(a.data(), b.data());
+}
+
+TEST(ColorDistance, FollowsThePapersMatrix) {
+    EXPECT_EQ(distance({12, 34, 56}, {12, 34, 56}), 0.0);
+    // Greys differ in Y alone: sqrt(0.5053 / 35215) * levels.
+    for (const int levels : {1, 15, 100, 255}) {
+        const auto grey = static_cast<std::uint8_t>(levels);
+        EXPECT_NEAR(distance({0, 0, 0}, {grey, grey, grey}), levels * std::sqrt(0.5053 / 35215.0), 1e-7);
+    }
+    const double red = 255 * std::sqrt((0.5053 * 0.29889531 * 0.29889531 + 0.299 * 0.59597799 * 0.59597799 +
+                                        0.1957 * 0.21147017 * 0.21147017) /
+                                       35215.0);
+    EXPECT_NEAR(distance({0, 9, 200}, {255, 9, 200}), red, 1e-9);
+    EXPECT_EQ(distance({1, 2, 3}, {40, 5, 6}), distance({40, 5, 6}, {1, 2, 3}));
+}
+
+TEST(ColorDistance, IsOneAtMost) {
+    double farthest = 0.0;
+    for (unsigned corners = 0; corners < 64; ++corners) {
+        const auto channel = [&](unsigned bit) {
+            return static_cast<std::uint8_t>((corners >> bit) % 2 == 0 ? 0 : 255);
+        };
+        farthest = std::max(
+            farthest, distance({channel(0), channel(1), channel(2)}, {channel(3), channel(4), channel(5)}));
+    }
+    EXPECT_NEAR(farthest, 1.0, 1e-4);
+    EXPECT_LE(farthest, 1.0);
+}
+
+TEST(PixelDifference, CountsWhatIsBeyondTheThreshold) {
+    const Picture a = plain_picture(20, 10, {100, 100, 100});
+    Picture b = a;
+    put(b, 3, 4, {101, 100, 100});  // close
+    put(b, 9, 4, {200, 200, 200});
+    put(b, 0, 0, {0, 0, 0});
+    put(b, 19, 9, {255, 0, 0});
+    const PixelDifference difference = difference_of(a, b);
+    EXPECT_EQ(difference.different, 3U);
+    EXPECT_EQ(count(difference, PixelVerdict::different), 3U);
+    EXPECT_EQ(count(difference, PixelVerdict::close), 1U);
+    EXPECT_EQ(count(difference, PixelVerdict::same), 196U);
+    EXPECT_EQ(difference.verdicts[4 * 20 + 9], PixelVerdict::different);
+}
+
+TEST(PixelDifference, TheThresholdItselfIsWithin) {
+    const Picture a = plain_picture(3, 3, {0, 0, 0});
+    const Picture b = plain_picture(3, 3, {50, 50, 50});
+    const double apart = distance({0, 0, 0}, {50, 50, 50});
+    EXPECT_EQ(difference_of(a, b, apart + 1e-9).different, 0U);
+    EXPECT_EQ(difference_of(a, b, apart - 1e-9).different, 9U);
+    EXPECT_EQ(difference_of(a, a, 0.0).different, 0U);
+    EXPECT_EQ(difference_of(a, plain_picture(3, 3, {0, 0, 1}), 0.0).different, 9U);
+}
+
+/// Two even areas, black above and white below a slanting line; the pixels on it are mixed by their share.
+Picture slanting_edge(double offset) {
+    Picture picture = plain_picture(40, 40, {0, 0, 0});
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            const double below = std::clamp(y + 1.0 - (10.3 + 0.4 * x + offset), 0.0, 1.0);
+            const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * below));
+            put(picture, x, y, {grey, grey, grey});
+        }
+    }
+    return picture;
+}
+
+TEST(PixelDifference, ForgivesAnEdgeThatWasSmoothedOtherwise) {
+    const PixelDifference difference = difference_of(slanting_edge(0.0), slanting_edge(0.45));
+    EXPECT_EQ(difference.different, 0U);
+    EXPECT_GT(count(difference, PixelVerdict::antialiased), 15U);
+}
+
+TEST(PixelDifference, ForgivesNoEdgeThatMoved) {
+    EXPECT_GT(difference_of(slanting_edge(0.0), slanting_edge(3.0)).different, 40U);
+}
+
+TEST(PixelDifference, ForgivesNothingInTheMiddleOfAnArea) {
+    const Picture a = plain_picture(9, 9, {128, 128, 128});
+    Picture b = a;
+    put(b, 4, 4, {255, 255, 255});
+    EXPECT_EQ(difference_of(a, b).different, 1U);
+    EXPECT_FALSE(is_antialiased(b, a, 4, 4)) << "brighter than all its neighbours";
+}
+
+TEST(PixelDifference, IsTheSameBothWays) {
+    std::mt19937 random(7);
+    for (const Picture& a : {noise(60, 40, random), slanting_edge(0.0)}) {
+        const Picture b = disturbed(a, 0.4, 120, random);
+        const PixelDifference there = difference_of(a, b);
+        const PixelDifference back = difference_of(b, a);
+        EXPECT_EQ(there.verdicts, back.verdicts);
+        EXPECT_EQ(there.different, back.different);
+        EXPECT_GT(there.different, 0U);
+    }
+}
+
+TEST(PixelDifference, LeavesMasksOut) {
+    const Picture a = plain_picture(10, 10, {0, 0, 0});
+    const Picture b = plain_picture(10, 10, {255, 255, 255});
+    const std::vector<PixelBox> boxes = {{2, 3, 4, 5}, {8, 8, 100, 100}, {5, 5, -1, 3}};
+    const PixelDifference difference = pixel_difference(a, b, 0.2, PictureMask(10, 10, boxes));
+    EXPECT_EQ(difference.different, 100U - 20U - 4U);
+    EXPECT_EQ(count(difference, PixelVerdict::masked), 24U);
+    EXPECT_EQ(difference.verdicts[3 * 10 + 2], PixelVerdict::masked);
+    EXPECT_EQ(difference.verdicts[3 * 10 + 6], PixelVerdict::different);
+}
+
+TEST(PixelDifference, TakesPicturesOfOnePixel) {
+    EXPECT_EQ(difference_of(plain_picture(1, 1, {0, 0, 0}), plain_picture(1, 1, {255, 255, 255})).different,
+              1U);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""`campuswalk imgdiff`. `imgdiff_test.py PROGRAM [--without-rendering]`."""
+
+import json
+import struct
+import sys
+import unittest
+import zlib
+
+from program import ProgramCase, main
+
+WITHOUT_RENDERING = "--without-rendering" in sys.argv
+
+
+def png(width, height, color_at):
+    """A picture of the colours that `color_at(x, y)` gives."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    rows = b"".join(b"\0" + bytes(c for x in range(width) for c in color_at(x, y)) for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def grey(x, y):
+    return 100, 100, 100
+
+
+def spotted(x, y):
+    """Ten white pixels in a row."""
+    return (255, 255, 255) if y == 20 and 30 <= x < 40 else grey(x, y)
+
+
+def striped(x, y):
+    """What the pixel rule doesn't see."""
+    return (115, 115, 115) if x % 2 else grey(x, y)
+
+
+@unittest.skipIf(WITHOUT_RENDERING, "this build reads no pictures")
+class Imgdiff(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        for name, color_at in (("grey", grey), ("spotted", spotted), ("striped", striped)):
+            self.write(name + ".png", png(128, 64, color_at))
+        self.write("small.png", png(20, 10, grey))
+
+    def imgdiff(self, *arguments):
+        outcome = self.run_program("imgdiff", *arguments)
+        self.assertEqual(outcome.err, "")
+        return outcome
+
+    def refused(self, complaint, *arguments):
+        before = self.contents()
+        outcome = self.run_program("imgdiff", *arguments)
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertRegex(outcome.err, complaint)
+        self.assertEqual(self.contents(), before)
+
+    def test_same(self):
+        outcome = self.imgdiff("grey.png", "grey.png")
+        self.assertEqual((outcome.code, outcome.out), (0, "grey.png and grey.png are the same: 0 pixels differ, the "
+                                                          "least similar tile has 1.0000\n"))
+
+    def test_pixels(self):
+        outcome = self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1")
+        self.assertEqual((outcome.code, outcome.out), (1, "grey.png and spotted.png differ: 10 pixels differ (0.122 %), "
+                                                          "at most 0 may\n"))
+        for limit, code in (("10", 0), ("9", 1)):
+            self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1", "--max-diff-pixels",
+                                          limit).code, code)
+        for limit, code in (("0.0013", 0), ("0.0012", 1)):
+            self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1", "--max-diff-pixel-ratio",
+                                          limit).code, code)
+        self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1", "--threshold", "0.6").code, 0)
+
+    def test_structure(self):
+        outcome = self.imgdiff("grey.png", "striped.png")
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.out, "differ: the tile of 64x64 pixels at 0,0 has a similarity of 0.[0-9]{3}, at least "
+                                      "0.970 is wanted")
+        self.assertEqual(self.imgdiff("grey.png", "striped.png", "--min-tile-ssim", "0.1").code, 0)
+
+    def test_masks(self):
+        self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--mask", "30,20,10,1").code, 0)
+        self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--mask", "30,20,9,1").code, 1)
+        self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--mask", "30,20,5,1", "--mask", "35,20,5,1").code, 0)
+        for mask in ("1,2,3", "1,2,3,4,5", "a,b,c,d", "1,2,3,-4", "1.5,2,3,4", ",,,", "1,2,3,99999999999"):
+            self.refused("X,Y,WIDTH,HEIGHT", "grey.png", "spotted.png", "--mask=" + mask)
+
+    def test_json(self):
+        outcome = self.imgdiff("grey.png", "spotted.png", "--json")
+        found = json.loads(outcome.out)
+        self.assertEqual(outcome.code, 1)
+        self.assertEqual((found["same"], found["diff_pixels"], found["diff_pixel_ratio"]), (False, 10, 10 / 128 / 64))
+        self.assertEqual((found["width"], found["height"], found["worst_tile"]), (128, 64, [0, 0, 64, 64]))
+        self.assertLess(found["tile_ssim"], 1)
+        self.assertEqual(json.loads(self.imgdiff("grey.png", "grey.png", "--json").out)["same"], True)
+
+    def test_picture_of_the_difference(self):
+        self.imgdiff("grey.png", "spotted.png", "--diff", "new/diff.png")
+        drawn = self.read("new/diff.png")
+        self.assertEqual(struct.unpack(">II", drawn[16:24]), (128, 64))
+        self.assertEqual(self.imgdiff("new/diff.png", "grey.png").code, 1)
+        self.refused("^small.campus.yaml/a.png: error output-unwritable: the difference can't be drawn here: ",
+                     "grey.png", "spotted.png", "--diff", "small.campus.yaml/a.png")
+
+    def test_sizes(self):
+        outcome = self.imgdiff("grey.png", "small.png", "--diff", "diff.png")
+        self.assertEqual((outcome.code, outcome.out), (1, "grey.png and small.png differ: one has 128x64 pixels, the other "
+                                                          "20x10\n"))
+        self.assertNotIn("diff.png", self.contents())
+        self.assertEqual(json.loads(self.imgdiff("grey.png", "small.png", "--json").out)["same"], False)
+
+    def test_what_is_no_picture(self):
+        self.refused("^none.png: error missing-file: can't read the picture: No such file", "none.png", "grey.png")
+        self.refused("^room.obj: error bad-picture: this is no PNG file", "grey.png", "room.obj")
+        self.refused("^avatars: error unreadable-file: ", "avatars", "grey.png")
+        self.write("cut.png", self.read("grey.png")[:-30])
+        self.refused("^cut.png: error bad-picture: the PNG file is cut short or broken", "grey.png", "cut.png")
+
+    def test_numbers_out_of_range(self):
+        self.refused("--threshold", "grey.png", "grey.png", "--threshold", "1.5")
+        self.refused("--min-tile-ssim", "grey.png", "grey.png", "--min-tile-ssim", "2")
+        self.refused("--max-diff-pixels", "grey.png", "grey.png", "--max-diff-pixels", "-1")
+        self.refused("--max-diff-pixel-ratio", "grey.png", "grey.png", "--max-diff-pixel-ratio", "2")
+
+
+@unittest.skipUnless(WITHOUT_RENDERING, "this build reads pictures")
+class WithoutRendering(ProgramCase):
+    def test_it_says_so(self):
+        outcome = self.run_program("imgdiff", "a.png", "b.png")
+        self.assertEqual((outcome.code, outcome.err), (3, "error: this build reads no pictures: configure with "
+                                                          "CAMPUSWALK_RENDER=ON\n"))
+
+
+if __name__ == "__main__":
+    if WITHOUT_RENDERING:
+        sys.argv.remove("--without-rendering")
+    main()

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "engine/script/picture_tolerance.h"
+
+namespace campuswalk::tools {
+
+struct ImgdiffOptions {
+    std::filesystem::path a;
+    std::filesystem::path b;
+    engine::PictureTolerance tolerance;
+    std::optional<std::filesystem::path> diff;  ///< where to draw the difference
+    bool json = false;
+};
+
+/// Compares two PNG files and says how they differ. Returns the exit code: kPass when they are the same
+/// within the tolerance, kDifferent when not, or when their sizes differ. A build without rendering can't
+/// read pictures and throws.
+int compare_picture_files(const ImgdiffOptions& options);
+
+}  // namespace campuswalk::tools
