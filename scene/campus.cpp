@@ -49,7 +49,8 @@ private:
     const std::vector<NodeGlob>& globs_of(const ColliderDescription& collider) const;
     void add_fitted(const ColliderDescription& collider, const std::vector<NodeRef>& nodes,
                     const std::string& id);
-    void add_object(const ColliderDescription& collider, const std::string& id, const ShapeSource& source);
+    void add_object(const ColliderDescription& collider, const std::string& id, const ShapeSource& source,
+                    const std::vector<NodeRef>& nodes);
 
     Campus& campus_;
     DiagnosticList& diagnostics_;
@@ -78,7 +79,7 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     const std::vector<NodeGlob>& globs = globs_of(collider);
     if (globs.empty()) {
         if (is_placed_by_numbers(collider.shape)) {
-            add_object(collider, collider.id, ShapeSource{});
+            add_object(collider, collider.id, ShapeSource{}, {});
         } else {
             diagnostics_.error(collider.mark, "missing-nodes",
                                "collider '" + collider.id +
@@ -113,11 +114,11 @@ void ColliderBuilder::add_fitted(const ColliderDescription& collider, const std:
     if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }
-    add_object(collider, id, source);
+    add_object(collider, id, source, nodes);
 }
 
 void ColliderBuilder::add_object(const ColliderDescription& collider, const std::string& id,
-                                 const ShapeSource& source) {
+                                 const ShapeSource& source, const std::vector<NodeRef>& nodes) {
     if (!ids_.emplace(id, collider.mark).second) {
         diagnostics_.error(collider.mark, "duplicate-id",
                            "two objects are called '" + id + "'; rename one of the colliders");
@@ -137,7 +138,7 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
                        campus_.layer_index(collider.layer)});
     campus_.objects.push_back(
-        {id, collider.mark, building_index(collider), collider.popup, collider.popup_rule});
+        {id, collider.mark, building_index(collider), collider.popup, collider.popup_rule, nodes});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "collision/world.h"
 #include "scene/campus_description.h"
 #include "scene/model.h"
+#include "scene/node_selection.h"
 
 namespace campuswalk::scene {
 
@@ -19,6 +20,7 @@ struct CampusObject {
     std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
     bool popup = false;
     PopupRule popup_rule = {};
+    std::vector<NodeRef> nodes = {};  ///< whose geometry it stands for, each with its subtree
 };
 
 /// A campus ready to walk in: what the user described, the models to draw, the world to collide with.

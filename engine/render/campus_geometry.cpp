@@ -78,6 +78,7 @@ private:
         const std::size_t plain = geometry_.materials.size();  // for meshes without a material
         geometry_.materials.emplace_back();
         for (const scene::Node& node : model.nodes) {
+            ++node_;
             for (const scene::MeshIndex mesh_index : node.meshes) {
                 const scene::Mesh& mesh = model.meshes[index_of(mesh_index)];
                 const std::size_t material = index_of(mesh.material);
@@ -89,6 +90,7 @@ private:
 
     void add_mesh(const scene::Mesh& mesh, const Eigen::Matrix4d& X_world_node, std::size_t material) {
         const auto first = static_cast<std::uint32_t>(geometry_.vertices.size());
+        geometry_.placements.push_back({first, node_});
         const Eigen::Matrix3d linear = X_world_node.topLeftCorner<3, 3>();
         const Eigen::Vector3d offset = X_world_node.topRightCorner<3, 1>() - geometry_.origin;
         const double determinant = linear.determinant();
@@ -130,6 +132,7 @@ private:
     }
 
     double cell_size_;
+    std::uint32_t node_ = 0;  // number of the node that is being added
     CampusGeometry geometry_;
     std::vector<SortedTriangle> triangles_;
 };

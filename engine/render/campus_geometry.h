@@ -44,6 +44,12 @@ struct BlendTriangle {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
 };
 
+/// The vertices that one mesh has at one node: from `first_vertex` to the next one's.
+struct Placement {
+    std::size_t first_vertex = 0;  ///< index into CampusGeometry::vertices
+    std::uint32_t node = 0;        ///< those of all models one after the other, from 1 on
+};
+
 /// Every mesh of every model placed in the world, ready for upload. Placements are baked, not instanced:
 /// a few hundred thousand vertices are cheaper to keep than thousands of small draw calls.
 struct CampusGeometry {
@@ -51,6 +57,7 @@ struct CampusGeometry {
     scene::Bounds bounds;                              ///< world
     std::vector<SurfaceMaterial> materials;
     std::vector<Vertex> vertices;
+    std::vector<Placement> placements;   ///< in the vertices' order
     std::vector<std::uint32_t> indices;  ///< of the batches
     std::vector<Batch> batches;          ///< opaque and masked, by material
     std::vector<BlendTriangle> blend;

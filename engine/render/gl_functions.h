@@ -20,6 +20,8 @@ namespace campuswalk::engine::render {
     X(BUFFERDATA, BufferData)                                         \
     X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                 \
     X(CLEAR, Clear)                                                   \
+    X(CLEARBUFFERFV, ClearBufferfv)                                   \
+    X(CLEARBUFFERUIV, ClearBufferuiv)                                 \
     X(CLEARCOLOR, ClearColor)                                         \
     X(CLEARDEPTH, ClearDepth)                                         \
     X(CLIPCONTROL, ClipControl)                                       \

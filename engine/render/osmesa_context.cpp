@@ -1,17 +1,16 @@
 #include <array>
 #include <cstdint>
-#include <string>
 
 #include <GL/osmesa.h>
-#include <dlfcn.h>
 
+#include "engine/render/dynamic_library.h"
 #include "engine/render/gl_context.h"
 #include "engine/render/render_error.h"
 
 namespace campuswalk::engine::render {
 namespace {
 
-// The functions of <GL/osmesa.h> as pointers: linking them would load 100 MB of driver at every start.
+// The functions of <GL/osmesa.h> as pointers.
 struct OsMesaLibrary {
     OSMesaContext (*create)(const int* attributes, OSMesaContext shared) = nullptr;
     void (*destroy)(OSMesaContext) = nullptr;
@@ -20,35 +19,17 @@ struct OsMesaLibrary {
     OSMESAproc (*proc_address)(const char* name) = nullptr;
 };
 
-template <typename Function>
-void load_symbol(void* library, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    if (function == nullptr) {
-        throw RenderError(std::string("libOSMesa has no ") + name +
-                          ": install Mesa 17 to 25.0 (Debian: apt install libosmesa6)");
-    }
-}
-
 OsMesaLibrary open_library() {
-    void* library = nullptr;
-    // Never closed: LLVM's threads and exit handlers outlive any context.
-    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"}) {
-        library = dlopen(name, RTLD_LOCAL | RTLD_NOW);
-        if (library != nullptr) {
-            break;
-        }
-    }
-    if (library == nullptr) {
-        throw RenderError(
-            "snapshots need Mesa's off-screen library libOSMesa.so.8, which can't be opened: install it "
-            "(Debian, "
-            "Ubuntu: apt install libosmesa6; Fedora: dnf install mesa-libOSMesa) or run with --no-snapshots");
-    }
+    const DynamicLibrary library(
+        {"libOSMesa.so.8", "libOSMesa.so"},
+        "Mesa's off-screen library libOSMesa.so.8 can't be opened: install it (Debian, Ubuntu: apt install "
+        "libosmesa6; Fedora: dnf install mesa-libOSMesa)");
+    constexpr const char* kAdvice = "install Mesa 17 to 25.0 (Debian: apt install libosmesa6)";
     OsMesaLibrary functions;
-    load_symbol(library, "OSMesaCreateContextAttribs", functions.create);
-    load_symbol(library, "OSMesaDestroyContext", functions.destroy);
-    load_symbol(library, "OSMesaMakeCurrent", functions.make_current);
-    load_symbol(library, "OSMesaGetProcAddress", functions.proc_address);
+    library.load("OSMesaCreateContextAttribs", functions.create, kAdvice);
+    library.load("OSMesaDestroyContext", functions.destroy, kAdvice);
+    library.load("OSMesaMakeCurrent", functions.make_current, kAdvice);
+    library.load("OSMesaGetProcAddress", functions.proc_address, kAdvice);
     return functions;
 }
 

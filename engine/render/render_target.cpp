@@ -1,8 +1,8 @@
 #include "engine/render/render_target.h"
 
-#include <algorithm>
 #include <string>
 
+#include "engine/render/flip_rows.h"
 #include "engine/render/render_error.h"
 
 namespace campuswalk::engine::render {
@@ -16,7 +16,9 @@ void check_complete(const GlFunctions& gl, int width, int height, int samples) {
     }
 }
 
-void check_size(const GlFunctions& gl, int width, int height) {
+}  // namespace
+
+void RenderTarget::check_size(const GlFunctions& gl, int width, int height) {
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (width < 1 || height < 1 || width > largest || height > largest) {
@@ -24,8 +26,6 @@ void check_size(const GlFunctions& gl, int width, int height) {
                           " pixels is out of range: each side must be 1 to " + std::to_string(largest));
     }
 }
-
-}  // namespace
 
 RenderTarget::RenderTarget(const GlFunctions& gl, int width, int height, int samples)
     : gl_(gl), width_(width), height_(height) {
@@ -84,11 +84,7 @@ Picture RenderTarget::finish() const {
     picture.rgba.resize(row * static_cast<std::size_t>(height_));
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-    // GL counts rows from below.
-    for (int y = 0; y < height_ / 2; ++y) {
-        std::uint8_t* upper = &picture.rgba[picture.offset(0, y)];
-        std::swap_ranges(upper, upper + row, &picture.rgba[picture.offset(0, height_ - 1 - y)]);
-    }
+    flip_rows(picture.rgba, row);
     for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
         picture.rgba[i] = 255;
     }

@@ -17,6 +17,9 @@ public:
     RenderTarget& operator=(const RenderTarget&) = delete;
     ~RenderTarget();
 
+    /// Throws RenderError, naming what is possible, when the driver has no picture of this size.
+    static void check_size(const GlFunctions& gl, int width, int height);
+
     int width() const { return width_; }
     int height() const { return height_; }
 

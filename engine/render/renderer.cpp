@@ -7,6 +7,7 @@
 
 #include "engine/render/avatar_figure.h"
 #include "engine/render/campus_geometry.h"
+#include "engine/render/channel_pass.h"
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_campus.h"
 #include "engine/render/occlusion_pass.h"
@@ -99,6 +100,18 @@ public:
         }
         draw_see_through(frame);
         return target_->finish();
+    }
+
+    Channels draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,
+                           const std::optional<Figure>& figure) {
+        context_->make_current();
+        RenderTarget::check_size(gl_, width, height);
+        if (!channels_) {
+            channels_ = std::make_unique<ChannelPass>(gl_, geometry_);
+        }
+        const ChannelScene scene{campus_, figure ? upload(*figure) : nullptr, figure_indices_};
+        return channels_->draw(scene, view, clip_from_campus(view, static_cast<double>(width) / height),
+                               view.position - geometry_.origin, width, height, choice);
     }
 
     const scene::Bounds& bounds() const { return geometry_.bounds; }
@@ -252,6 +265,7 @@ private:
     OcclusionPass occlusion_;
     GLuint no_vertices_ = 0;
     std::unique_ptr<RenderTarget> target_;
+    std::unique_ptr<ChannelPass> channels_;  // none before the first is asked for
 };
 
 Renderer::Renderer(std::span<const scene::Model> models, const RenderSettings& settings,
@@ -264,6 +278,11 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Picture Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
     return drawing_->draw(view, width, height, figure);
+}
+
+Channels Renderer::draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,
+                                 const std::optional<Figure>& figure) {
+    return drawing_->draw_channels(view, width, height, choice, figure);
 }
 
 const scene::Bounds& Renderer::bounds() const {

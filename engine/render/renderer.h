@@ -7,6 +7,7 @@
 #include "engine/avatar.h"
 #include "engine/frame_record.h"
 #include "engine/render/camera.h"
+#include "engine/render/channels.h"
 #include "engine/render/gl_context.h"
 #include "engine/render/picture.h"
 #include "engine/render/render_settings.h"
@@ -28,13 +29,17 @@ public:
     /// Uploads the models and draws the campus' shadow map, so the first picture isn't the slow one. The
     /// models must outlive the renderer. Throws RenderError when the machine can't draw.
     explicit Renderer(std::span<const scene::Model> models, const RenderSettings& settings = {},
-                      std::unique_ptr<GlContext> context = make_osmesa_context());
+                      std::unique_ptr<GlContext> context = make_gl_context(RenderingBackend::automatic));
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
     /// A picture of `width` x `height` pixels. Throws RenderError for a size that can't be drawn.
     Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {});
+
+    /// What the same picture shows in numbers, as far as `choice` asks for it. Throws RenderError likewise.
+    Channels draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,
+                           const std::optional<Figure>& figure = {});
 
     /// Of all models together.
     const scene::Bounds& bounds() const;

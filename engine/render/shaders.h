@@ -32,7 +32,10 @@ extern const std::string_view kSkyFragment;
 extern const std::string_view kDepthVertex;
 extern const std::string_view kDepthFragment;        ///< opaque: nothing to compute
 extern const std::string_view kMaskedDepthFragment;  ///< leaves holes where the texture is transparent
-extern const std::string_view kScreenVertex;         ///< for passes over a whole picture
+/// Numbers instead of colours, one program for each kind of surface as with kSurfaceFragment.
+extern const std::string_view kChannelVertex;
+extern const std::string_view kChannelFragment;
+extern const std::string_view kScreenVertex;  ///< for passes over a whole picture
 extern const std::string_view kOcclusionFragment;
 extern const std::string_view kBlurFragment;
 

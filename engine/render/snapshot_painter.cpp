@@ -19,21 +19,38 @@ constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
 SnapshotPainter::SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings)
     : campus_(campus),
       settings_(std::move(settings)),
-      renderer_(campus.models, settings_.light),
+      renderer_(campus.models, settings_.light, make_gl_context(settings_.backend)),
       building_bounds_(building_bounds(campus)) {}
 
 Picture SnapshotPainter::draw(const Shot& shot) {
     const Viewpoint view = viewpoint(shot);
-    std::optional<Figure> figure;
-    if (shot.camera.view == View::third_person) {
-        const Eigen::Vector3d eyes =
-            shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
-        if ((view.position - eyes).norm() > kFigureFrom) {
-            figure = Figure{shot.avatar, shot.profile, shot.stride};
-        }
-    }
-    const Picture picture = renderer_.draw(view, shot.camera.width, shot.camera.height, figure);
+    const Picture picture = renderer_.draw(view, shot.camera.width, shot.camera.height, figure(shot, view));
     return draw_over(picture, shot, view);
+}
+
+IdPicture SnapshotPainter::draw_ids(const Shot& shot) {
+    if (!node_names_) {
+        node_names_ = name_nodes(campus_);
+    }
+    const Viewpoint view = viewpoint(shot);
+    Channels channels = renderer_.draw_channels(view, shot.camera.width, shot.camera.height, {.nodes = true},
+                                                figure(shot, view));
+    for (std::uint32_t& pixel : channels.nodes) {
+        pixel = node_names_->name_of_node[pixel];
+    }
+    return {channels.width, channels.height, std::move(channels.nodes), node_names_->names};
+}
+
+std::optional<Figure> SnapshotPainter::figure(const Shot& shot, const Viewpoint& view) {
+    if (shot.camera.view != View::third_person) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d eyes =
+        shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
+    if ((view.position - eyes).norm() <= kFigureFrom) {
+        return std::nullopt;
+    }
+    return Figure{shot.avatar, shot.profile, shot.stride};
 }
 
 Picture SnapshotPainter::draw_plan(int width, int height) {

@@ -14,6 +14,7 @@
 #include "engine/render/info_window.h"
 #include "engine/render/map_marks.h"
 #include "engine/render/minimap.h"
+#include "engine/render/node_names.h"
 #include "engine/render/picture.h"
 #include "engine/render/render_settings.h"
 #include "engine/render/renderer.h"
@@ -25,6 +26,7 @@ namespace campuswalk::engine::render {
 /// What is drawn besides the campus.
 struct SnapshotSettings {
     RenderSettings light;
+    RenderingBackend backend = RenderingBackend::automatic;
     bool minimap = true;           ///< in views from the avatar
     double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
     /// Of the plan that it is cut from, pixels a metre: twice what a picture 720 high shows.
@@ -46,6 +48,17 @@ struct Shot {
     std::string caption;                     ///< shown when SnapshotSettings::caption
 };
 
+/// Which building and which object each pixel of a shot shows, as Channels says; nothing drawn over it
+/// counts.
+struct IdPicture {
+    int width = 0;                   ///< pixels
+    int height = 0;                  ///< pixels
+    std::vector<std::uint32_t> ids;  ///< indices into `names`, rows from top to bottom
+    /// The same for all pictures of a campus, whatever they show. [0] is nobody's: sky, avatar, and whatever
+    /// no building and no object takes.
+    std::vector<PictureName> names;
+};
+
 /// Draws finished snapshots of one campus: the picture, and over it windows, minimap and map marks. Holds the
 /// GL context; make it when the first picture is needed. Throws RenderError when the machine can't draw.
 class SnapshotPainter {
@@ -54,6 +67,8 @@ public:
     SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings);
 
     Picture draw(const Shot& shot);
+    /// Who owns the pixels of the same picture.
+    IdPicture draw_ids(const Shot& shot);
     /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
     Picture draw_plan(int width, int height);
     /// From any viewpoint, nothing drawn over it.
@@ -63,6 +78,7 @@ public:
 
 private:
     Viewpoint viewpoint(const Shot& shot) const;
+    static std::optional<Figure> figure(const Shot& shot, const Viewpoint& view);
     Picture draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view);
     std::vector<InfoWindow> windows(const Shot& shot, const Viewpoint& view) const;
     std::optional<Eigen::Vector2d> anchor(std::size_t building, const Shot& shot,
@@ -76,6 +92,7 @@ private:
     Renderer renderer_;
     std::vector<scene::Bounds> building_bounds_;  // one a building, empty for one without nodes
     std::optional<Minimap> minimap_;
+    std::optional<NodeNames> node_names_;  // none before the first id picture
 };
 
 }  // namespace campuswalk::engine::render

@@ -3,5 +3,5 @@
 extern "C" const char* __lsan_default_suppressions();
 
 extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libOSMesa\nleak:libfontconfig\n";
+    return "leak:libOSMesa\nleak:libEGL\nleak:libfontconfig\n";
 }

@@ -118,17 +118,22 @@ TEST(Renderer, OutlivesAnotherOne) {
     EXPECT_EQ(survivor.draw(tower_view(), kWidth, kHeight).rgba, before.rgba);
 }
 
-TEST(Renderer, DrawsTheSameBytesInAnotherProcess) {
-    const ScratchFolder folder;
-    const std::filesystem::path file = folder.path() / "other.png";
-    const std::string command = std::string(DRAW_ONE_PICTURE) + " '" + file.string() + "'";
-    ASSERT_EQ(std::system(command.c_str()), 0);
-    std::ifstream stream(file, std::ios::binary);
-    const std::vector<std::uint8_t> theirs{std::istreambuf_iterator<char>(stream), {}};
-
+TEST(Renderer, DrawsTheSameBytesInOtherProcessesWithAnyBackendAndNumberOfThreads) {
     const scene::Model model = tower_scene();
     Renderer renderer = renderer_of(model);
-    EXPECT_EQ(encode_png(renderer.draw(tower_view(), kWidth, kHeight)), theirs);
+    const std::vector<std::uint8_t> ours = encode_png(renderer.draw(tower_view(), kWidth, kHeight));
+    const ScratchFolder folder;
+    for (const char* backend : {"osmesa", "egl"}) {
+        for (const char* threads : {"0", "1", "2"}) {
+            const std::filesystem::path file = folder.path() / (std::string(backend) + threads + ".png");
+            const std::string command = std::string("LP_NUM_THREADS=") + threads + ' ' + DRAW_ONE_PICTURE +
+                                        " '" + file.string() + "' " + backend;
+            ASSERT_EQ(std::system(command.c_str()), 0) << command;
+            std::ifstream stream(file, std::ios::binary);
+            const std::vector<std::uint8_t> theirs{std::istreambuf_iterator<char>(stream), {}};
+            EXPECT_EQ(theirs, ours) << command;
+        }
+    }
 }
 
 TEST(Renderer, DrawsNothingWithoutAModel) {

@@ -79,6 +79,40 @@ TEST(SnapshotPainter, DrawsTheOpenPopupOverThePicture) {
     EXPECT_TRUE(at(600, 340));
 }
 
+TEST(SnapshotPainter, IdsTellWhoseThePixelsAre) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    Shot camera = shot(View::first_person);
+    const std::vector<OpenPopup> popups = {{0, "Tower", "It hides nothing here."}};
+    camera.open_popups = popups;
+    const IdPicture picture = painter.draw_ids(camera);
+    ASSERT_EQ(picture.names.size(), 2U);
+    EXPECT_EQ(picture.names[1].building, 0U);
+    const auto id_at = [&](double x, double y, double z) {
+        const Viewpoint view = first_person(camera.avatar, camera.profile, camera.camera.fov);
+        const auto pixel = pixel_of(view, kWidth, kHeight, {x, y, z});
+        return picture
+            .ids[static_cast<std::size_t>(pixel->y()) * kWidth + static_cast<std::size_t>(pixel->x())];
+    };
+    EXPECT_EQ(id_at(0, 3, -8), 1U) << "the tower";
+    EXPECT_EQ(id_at(-4, 0, -4), 0U) << "the ground";
+    EXPECT_EQ(id_at(6, 6, -8), 0U) << "the sky";
+}
+
+TEST(SnapshotPainter, TheAvatarHidesWhatIsBehindItInIdsToo) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    Shot behind = shot(View::third_person);
+    behind.avatar.position = {0, 0, -4};
+    behind.camera.distance = 2.0;
+    // From the same place without the figure.
+    const Viewpoint view = third_person(behind.avatar, behind.profile, behind.camera.fov, 2.0, {});
+    Renderer renderer(campus.models, quick_settings());
+    const Channels bare = renderer.draw_channels(view, kWidth, kHeight, {.nodes = true});
+    const IdPicture ids = painter.draw_ids(behind);
+    EXPECT_LT(std::ranges::count(ids.ids, 1U), std::ranges::count(bare.nodes, 2U) - 100);
+}
+
 TEST(SnapshotPainter, AddsAMinimapToViewsFromTheAvatarOnly) {
     const scene::Campus campus = tower_campus();
     SnapshotSettings with = settings();
