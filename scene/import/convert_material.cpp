@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 
 namespace campuswalk::scene {
@@ -43,15 +42,9 @@ std::optional<TextureReference> base_color_texture(const aiMaterial& source) {
     return std::nullopt;
 }
 
-AlphaMode to_alpha_mode(const std::string& gltf_name) {
-    return gltf_name == "MASK"    ? AlphaMode::mask
-           : gltf_name == "BLEND" ? AlphaMode::blend
-                                  : AlphaMode::opaque;
-}
-
 /// Diffuse colours of older formats are display values, and often black when a texture is there to replace
 /// them.
-void convert_legacy_color(const aiMaterial& source, const aiColor4D& diffuse, ConvertedMaterial& out) {
+void convert_color(const aiMaterial& source, const aiColor4D& diffuse, SourceMaterial& out) {
     const bool black = std::max({diffuse.r, diffuse.g, diffuse.b}) < kBlack;
     auto& color = out.material.base_color;
     if (!(out.texture && black)) {
@@ -67,8 +60,8 @@ void convert_legacy_color(const aiMaterial& source, const aiColor4D& diffuse, Co
 
 }  // namespace
 
-ConvertedMaterial convert_material(const aiMaterial& source) {
-    ConvertedMaterial out;
+SourceMaterial convert_material(const aiMaterial& source) {
+    SourceMaterial out;
     Material& material = out.material;
     aiString name;
     if (source.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) {
@@ -76,29 +69,15 @@ ConvertedMaterial convert_material(const aiMaterial& source) {
     }
     out.texture = base_color_texture(source);
 
-    // The glTF importer fills the diffuse colour for both of glTF's material models.
     aiColor4D diffuse(1, 1, 1, 1);
     source.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse);
     aiColor3D emissive(0, 0, 0);
     source.Get(AI_MATKEY_COLOR_EMISSIVE, emissive);
-    int two_sided = 0;
-    const bool says_sides = source.Get(AI_MATKEY_TWOSIDED, two_sided) == aiReturn_SUCCESS;
-
-    aiString alpha_mode;
-    const bool is_gltf = source.Get(AI_MATKEY_GLTF_ALPHAMODE, alpha_mode) == aiReturn_SUCCESS;
-    if (is_gltf) {
-        material.base_color = {tidy(diffuse.r), tidy(diffuse.g), tidy(diffuse.b), tidy(diffuse.a)};
-        material.alpha_mode = to_alpha_mode(alpha_mode.C_Str());
-        source.Get(AI_MATKEY_GLTF_ALPHACUTOFF, material.alpha_cutoff);
-        material.emissive = {tidy(emissive.r), tidy(emissive.g), tidy(emissive.b)};
-        material.double_sided = says_sides && two_sided != 0;
-    } else {
-        convert_legacy_color(source, diffuse, out);
-        material.emissive = {linear_from_srgb(emissive.r), linear_from_srgb(emissive.g),
-                             linear_from_srgb(emissive.b)};
-        material.double_sided = true;
-        out.cut_out_by_texture = material.alpha_mode == AlphaMode::opaque;
-    }
+    convert_color(source, diffuse, out);
+    material.emissive = {linear_from_srgb(emissive.r), linear_from_srgb(emissive.g),
+                         linear_from_srgb(emissive.b)};
+    material.double_sided = true;
+    out.cut_out_by_texture = material.alpha_mode == AlphaMode::opaque;
     // An emissive texture says where it glows; without it the whole surface would.
     if (source.GetTextureCount(aiTextureType_EMISSIVE) > 0) {
         material.emissive = {0, 0, 0};

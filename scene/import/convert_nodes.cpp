@@ -36,7 +36,7 @@ NodeTree convert_nodes(const aiNode& root, const Eigen::Matrix4d& X_world_file) 
         node.parent = visit.parent;
         node.X_world_node = X_world_parent * to_matrix(visit.node->mTransformation);
         tree.nodes.push_back(std::move(node));
-        tree.scene_meshes.emplace_back(visit.node->mMeshes, visit.node->mMeshes + visit.node->mNumMeshes);
+        tree.mesh_numbers.emplace_back(visit.node->mMeshes, visit.node->mMeshes + visit.node->mNumMeshes);
         for (unsigned int i = visit.node->mNumChildren; i > 0;
              --i) {  // last first: the stack turns them round
             pending.push_back({visit.node->mChildren[i - 1], self});

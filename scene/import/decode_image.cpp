@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <string_view>
 
 // The one place that holds stb_image's code; static, so that it can't clash with another copy in a program.
 #ifndef __clang_analyzer__  // its findings in there are not ours to fix
@@ -21,11 +22,35 @@
 #endif
 #include <stb/stb_image.h>
 
+#include "scene/import/decode_webp.h"
+
 namespace campuswalk::scene {
+namespace {
+
+/// Formats for which there is no library here, by the first bytes.
+const char* unread_format(std::span<const std::uint8_t> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xABKTX 20") || text.starts_with("\xABKTX 11")) {
+        return "KTX, Basis Universal";
+    }
+    if (text.starts_with("DDS ")) {
+        return "DDS";
+    }
+    return text.substr(0, 12).ends_with("ftypavif") ? "AVIF" : nullptr;
+}
+
+}  // namespace
 
 std::optional<DecodedImage> decode_image(std::span<const std::uint8_t> bytes, std::string& reason) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         reason = "file too large";
+        return std::nullopt;
+    }
+    if (is_webp(bytes)) {
+        return decode_webp(bytes, reason);
+    }
+    if (const char* format = unread_format(bytes)) {
+        reason = format;
         return std::nullopt;
     }
     constexpr int kChannels = 4;

@@ -15,7 +15,7 @@ struct DecodedImage {
     std::vector<std::uint8_t> rgba;
 };
 
-/// Decodes PNG, JPEG, BMP, TGA, GIF (first frame) and PSD; sides up to 16,384 pixels. On failure gives
+/// Decodes PNG, JPEG, WebP, BMP, TGA, GIF (first frame) and PSD; sides up to 16,384 pixels. On failure gives
 /// nullopt and says in `reason` why.
 std::optional<DecodedImage> decode_image(std::span<const std::uint8_t> bytes, std::string& reason);
 

@@ -38,24 +38,36 @@ Eigen::Matrix3d house_from_file_axes(const aiMetadata& metadata) {
     return rotation.determinant() == 1.0 ? rotation : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
-}  // namespace
+Eigen::Matrix4d placed(const Eigen::Matrix3d& linear, const Eigen::Vector3d& position) {
+    Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
+    result.topLeftCorner<3, 3>() = linear;
+    result.topRightCorner<3, 1>() = position;
+    return result;
+}
 
-Eigen::Matrix4d house_from_file(const SceneFile& file, const aiScene& scene) {
+Eigen::Matrix3d upright(UpAxis up) {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-    if (file.up == UpAxis::z) {
+    if (up == UpAxis::z) {
         rotation << 1, 0, 0,  //
             0, 0, 1,          //
             0, -1, 0;
     }
-    double scale = file.metres_per_unit * file.scale;
-    if (scene.mMetaData != nullptr) {
-        rotation *= house_from_file_axes(*scene.mMetaData);
-        scale *= metres_per_file_unit(*scene.mMetaData);
+    return rotation;
+}
+
+}  // namespace
+
+Eigen::Matrix4d house_from_file(const SceneFile& file) {
+    return placed(upright(file.up) * (file.metres_per_unit * file.scale), file.position);
+}
+
+Eigen::Matrix4d house_from_file(const SceneFile& file, const aiScene& scene) {
+    if (scene.mMetaData == nullptr) {
+        return house_from_file(file);
     }
-    Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
-    result.topLeftCorner<3, 3>() = rotation * scale;
-    result.topRightCorner<3, 1>() = file.position;
-    return result;
+    const Eigen::Matrix3d rotation = upright(file.up) * house_from_file_axes(*scene.mMetaData);
+    const double scale = file.metres_per_unit * file.scale * metres_per_file_unit(*scene.mMetaData);
+    return placed(rotation * scale, file.position);
 }
 
 }  // namespace campuswalk::scene

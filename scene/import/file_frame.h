@@ -17,4 +17,7 @@ namespace campuswalk::scene {
 /// about themselves.
 Eigen::Matrix4d house_from_file(const SceneFile& file, const aiScene& scene);
 
+/// Likewise for a file that is in the house frame by itself: what the campus file says of it.
+Eigen::Matrix4d house_from_file(const SceneFile& file);
+
 }  // namespace campuswalk::scene

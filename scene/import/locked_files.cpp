@@ -1,11 +1,16 @@
 #include "scene/import/locked_files.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <memory>
 
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/IOStream.hpp>
+
+#include "scene/import/collada_text.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -64,17 +69,46 @@ bool LockedFiles::Exists(const char* name) const {
     return folder_.find_file(name).has_value();
 }
 
+namespace {
+
+bool is_collada(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".dae";
+}
+
+/// COLLADA text, made such that assimp can read it; nullptr when the file can't be read.
+Assimp::IOStream* open_collada(const std::filesystem::path& path) {
+    auto text = read_bytes(path);
+    if (!text) {
+        return nullptr;
+    }
+    trim_element_starts(*text);
+    auto* copy = new std::uint8_t[text->size()];  // assimp's stream deletes it
+    std::ranges::copy(*text, copy);
+    return new Assimp::MemoryIOStream(copy, text->size(), true);
+}
+
+Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    std::FILE* file = error ? nullptr : std::fopen(path.c_str(), "rb");
+    return file == nullptr ? nullptr : new OpenFile(file, static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
 Assimp::IOStream* LockedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
-    std::error_code error;
-    const auto size = path ? std::filesystem::file_size(*path, error) : 0;
-    std::FILE* file = path && !error ? std::fopen(path->c_str(), "rb") : nullptr;
-    if (file == nullptr) {
+    Assimp::IOStream* stream = !path               ? nullptr
+                               : is_collada(*path) ? open_collada(*path)
+                                                   : open_as_it_is(*path);
+    if (stream == nullptr) {
         refused_.emplace_back(name);
-        return nullptr;
     }
-    return new OpenFile(file, static_cast<std::size_t>(size));
+    return stream;
 }
 
 void LockedFiles::Close(Assimp::IOStream* stream) {

@@ -1,54 +1,11 @@
 #include "scene/import/read_scene.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <fstream>
-
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 namespace campuswalk::scene {
 namespace {
-
-struct RefusedFormat {
-    std::string_view extension;
-    std::string_view cure;
-};
-
-// Formats whose importer in assimp 5.2.5 crashes on real files, which would take the program with it.
-constexpr std::array<RefusedFormat, 2> kRefused = {{
-    {".ifc", "IFC is not read: its importer crashes on real files; convert it to glTF (IfcConvert, Blender)"},
-    {".3mf", "3MF is not read: its importer crashes on damaged files; convert it to glTF or OBJ"},
-}};
-
-void check_readable(const SceneFile& file) {
-    std::error_code ignored;
-    // With its folder: a campus' scenes are looked for beside it, which its reader may not have in mind.
-    const std::string shown = "'" + file.path.lexically_normal().generic_string() + "': ";
-    const auto refuse = [&](const char* why) { throw InputError(file.mark, "missing-file", shown + why); };
-    if (!std::filesystem::exists(file.path, ignored)) {
-        refuse("no such file; check the path");
-    }
-    if (!std::filesystem::is_regular_file(file.path, ignored)) {
-        refuse("is not a file; name a model file");
-    }
-    if (!std::ifstream(file.path, std::ios::binary)) {
-        refuse("cannot be read; check its permissions");
-    }
-}
-
-void check_format(const SceneFile& file) {
-    std::string extension = file.path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const RefusedFormat& refused : kRefused) {
-        if (extension == refused.extension) {
-            throw InputError(file.mark, "bad-model", std::string(refused.cure));
-        }
-    }
-}
 
 void configure(Assimp::Importer& importer, ColladaNames names) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names == ColladaNames::names);
@@ -98,8 +55,6 @@ FaceCheck check_faces(const aiScene& scene) {
 }  // namespace
 
 void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names) {
-    check_readable(file);
-    check_format(file);
     configure(out.importer, names);
     out.files = new LockedFiles(SceneFolder(file.path));
     out.importer.SetIOHandler(out.files);

@@ -24,7 +24,8 @@ constexpr const char* kMadeUpColladaName = "$ColladaAutoName$";
 
 /// Opens and parses the file; polygons are triangulated, nothing else is changed: no step runs that would
 /// merge nodes (their names are what colliders go by), and joining vertices and making normals are done
-/// after it, faster and exactly. Throws InputError missing-file or bad-model.
+/// after it, faster and exactly. Throws InputError bad-model, and
+/// empty-mesh for an OBJ that is too short for assimp.
 void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names = ColladaNames::names);
 
 }  // namespace campuswalk::scene

@@ -197,7 +197,7 @@ class BrokenInput(ProgramCase):
         self.write("grass.png", PNG[:30])
         self.field(triangle_gltf("grass.png"))
         self.refused("field.campus.yaml:1:17: error bad-texture: field.gltf: material 'grass': texture 'grass.png' "
-                     "cannot be decoded (damaged or of an unknown format); use PNG or JPEG", arguments=("run", "field.walk.yaml"))
+                     "cannot be decoded (damaged or of an unknown format); use PNG, JPEG or WebP", arguments=("run", "field.walk.yaml"))
 
     # ---- places
 

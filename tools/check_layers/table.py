@@ -9,7 +9,8 @@ ANYWHERE = "anywhere"
 PROJECT = {
     "collision": [],
     "scene": ["scene/import", "collision"],
-    "scene/import": ["scene"],
+    "scene/import": ["scene", "scene/import/gltf"],
+    "scene/import/gltf": ["scene/import", "scene"],
     "scene/procedural": ["scene", "collision"],
     # The simulation core knows what an observer is and none in particular.
     "engine": ["engine/events", "engine/expect", "engine/script", "engine/observers/observer.h", "scene",
@@ -62,7 +63,10 @@ THIRD_PARTY = {
     "assimp/": ["scene/import"],
     "stb/": ["scene/import"],
     "xxhash.h": ["scene/content_hash.cpp"],
-    "nlohmann/": ["engine/observers", "engine/report", "tools/campuswalk", "tests"],
+    "draco/": ["scene/import/gltf", "tests/scene/import/gltf"],
+    "meshoptimizer.h": ["scene/import/gltf", "tests/scene/import/gltf"],
+    "webp/": ["scene/import", "tests/scene/import/gltf"],
+    "nlohmann/": ["scene/import/gltf", "engine/observers", "engine/report", "tools/campuswalk", "tests"],
     "pugixml": ["engine/report"],
     "GL/": ["engine/render", "tests/engine/render"],
     "EGL/": ["engine/render"],

@@ -153,7 +153,7 @@ TEST_F(ImportModelTest, ReportsAMissingFileWhereItIsNamed) {
     EXPECT_TRUE(has_code(errors("."), "missing-file"));  // a folder
 }
 
-TEST_F(ImportModelTest, ReportsWhatAssimpRefuses) {
+TEST_F(ImportModelTest, ReportsWhatCannotBeRead) {
     folder_.write("broken.gltf", "{\"asset\":");
     const auto found = errors("broken.gltf");
     ASSERT_EQ(found.size(), 1U);
@@ -218,19 +218,45 @@ TEST_F(ImportModelTest, ReportsAllMistakesOfAFileTogether) {
     EXPECT_TRUE(has_code(found, "bad-texture"));
 }
 
-TEST_F(ImportModelTest, WarnsAboutWhatAssimpLeavesOut) {
-    test::write_gltf(folder_, "box",
-                     {{.name = "box", .size = {1, 1, 1}}, {.name = "other", .size = {1, 1, 1}}});
-    edit("box.gltf", "{\"nodes\":[0,1]}", "{\"nodes\":[0]},{\"nodes\":[1]}");
-    edit("box.gltf", "\"asset\"", "\"extensionsUsed\":[\"EXT_mesh_gpu_instancing\"],\"asset\"");
-    EXPECT_EQ(count_triangles(import("box.gltf")), 12U);
-    EXPECT_NE(text_of(warnings_).find("2 scenes"), std::string::npos) << text_of(warnings_);
-    EXPECT_NE(text_of(warnings_).find("EXT_mesh_gpu_instancing"), std::string::npos) << text_of(warnings_);
-    EXPECT_TRUE(has_code(warnings_, "unsupported-feature")) << text_of(warnings_);
-    warnings_.clear();
+TEST_F(ImportModelTest, WarnsOfMissingMaterials) {
     folder_.write("plain.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 1, 1}));
     EXPECT_EQ(count_triangles(import("plain.obj")), 12U);
     EXPECT_TRUE(has_code(warnings_, "missing-materials")) << text_of(warnings_);
+}
+
+TEST_F(ImportModelTest, TakesColladaNumbersWithASpaceBeforeThem) {
+    const auto collada = [](const std::string& space) {
+        return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+               "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset>\n"
+               "<library_effects><effect id=\"e\"><profile_COMMON><technique "
+               "sid=\"t\"><phong><diffuse><color>" +
+               space + "1 0 0 1</color></diffuse><shininess><float>" + space +
+               "20</float></shininess></phong></technique></profile_COMMON></effect></library_effects>\n"
+               "<library_materials><material id=\"m\" name=\"red\"><instance_effect url=\"#e\"/></material>"
+               "</library_materials><library_geometries><geometry id=\"g\"><mesh><source id=\"s\">"
+               "<float_array id=\"a\" count=\"9\">" +
+               space +
+               "0 0 0 0 0 1 1 0 0</float_array><technique_common><accessor source=\"#a\" count=\"3\" "
+               "stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "
+               "name=\"Z\" "
+               "type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input "
+               "semantic=\"POSITION\" source=\"#s\"/></vertices><triangles count=\"1\" material=\"m\"><input "
+               "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" +
+               space +
+               "0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
+               "<visual_scene id=\"vs\"><node id=\"n\" name=\"floor\"><instance_geometry url=\"#g\">"
+               "<bind_material><technique_common><instance_material symbol=\"m\" "
+               "target=\"#m\"/></technique_common>"
+               "</bind_material></instance_geometry></node></visual_scene></library_visual_scenes>"
+               "<scene><instance_visual_scene url=\"#vs\"/></scene></COLLADA>";
+    };
+    for (const char* space : {"", " ", "\n\t  "}) {
+        folder_.write("floor.dae", collada(space));
+        const Model model = import("floor.dae");
+        EXPECT_EQ(count_triangles(model), 1U);
+        EXPECT_EQ(match_nodes(model, "floor").size(), 1U);
+        EXPECT_FLOAT_EQ(model.materials[index_of(model.meshes[0].material)].base_color[0], 1.0F);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/campus_description.h"
+#include "scene/import/model_source.h"
+#include "scene/import/picture_files.h"
+#include "scene/import/read_scene.h"
+
+namespace campuswalk::scene {
+
+/// OBJ, FBX, COLLADA, STL, PLY, … : whatever assimp reads and no reader of ours does.
+class AssimpSource final : public ModelSource {
+public:
+    /// Throws InputError missing-file or bad-model.
+    explicit AssimpSource(const SceneFile& file);
+
+    NodeTree nodes() override;
+    const std::vector<SourceMaterial>& materials() override { return materials_; }
+    RawMesh mesh(std::size_t number) override;
+    std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
+    bool flat_normals() const override { return false; }
+    void add_warnings(DiagnosticList& warnings) override;
+
+private:
+    void name_nodes(NodeTree& tree) const;
+
+    const SceneFile& file_;
+    SceneFolder folder_;
+    ReadScene read_;
+    std::vector<SourceMaterial> materials_;
+};
+
+}  // namespace campuswalk::scene

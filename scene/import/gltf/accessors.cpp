@@ -1,0 +1,266 @@
+#include "scene/import/gltf/accessors.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string_view>
+
+namespace campuswalk::scene::gltf {
+
+static_assert(std::endian::native == std::endian::little, "glTF's numbers are copied as they lie");
+static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Eigen::Vector2f) == 2 * sizeof(float));
+
+namespace {
+
+enum class Component : std::uint16_t {
+    signed_byte = 5120,
+    unsigned_byte = 5121,
+    signed_short = 5122,
+    unsigned_short = 5123,
+    unsigned_int = 5125,
+    single = 5126,
+};
+
+// More than any machine here could hold as a mesh; keeps the sizes below from overflowing.
+constexpr std::size_t kMostElements = std::size_t{1} << 32U;
+
+std::size_t bytes_of(Component component) {
+    switch (component) {
+        case Component::signed_byte:
+        case Component::unsigned_byte:
+            return 1;
+        case Component::signed_short:
+        case Component::unsigned_short:
+            return 2;
+        default:
+            return 4;
+    }
+}
+
+template <typename Stored, typename T>
+T converted(const std::uint8_t* at, bool normalized) {
+    Stored stored{};
+    std::memcpy(&stored, at, sizeof stored);
+    const auto value = static_cast<T>(stored);
+    if constexpr (std::is_integral_v<Stored> && std::is_floating_point_v<T>) {
+        if (normalized) {
+            return std::max(value / static_cast<T>(std::numeric_limits<Stored>::max()), T{-1});
+        }
+    }
+    return value;
+}
+
+template <typename T>
+T component_at(const std::uint8_t* at, Component component, bool normalized) {
+    switch (component) {
+        case Component::signed_byte:
+            return converted<std::int8_t, T>(at, normalized);
+        case Component::unsigned_byte:
+            return converted<std::uint8_t, T>(at, normalized);
+        case Component::signed_short:
+            return converted<std::int16_t, T>(at, normalized);
+        case Component::unsigned_short:
+            return converted<std::uint16_t, T>(at, normalized);
+        case Component::unsigned_int:
+            return converted<std::uint32_t, T>(at, normalized);
+        case Component::single:
+            break;
+    }
+    if constexpr (std::is_integral_v<T>) {
+        return T{};  // refused before: see whole_numbers
+    } else {
+        return converted<float, T>(at, normalized);
+    }
+}
+
+std::uint8_t to_byte(float value) {
+    const float clamped = value > 0.0F ? std::min(value, 1.0F) : 0.0F;  // NaN becomes 0
+    return static_cast<std::uint8_t>(std::lround(clamped * 255.0F));
+}
+
+/// Where elements lie in a view's bytes.
+struct Run {
+    const std::uint8_t* first = nullptr;
+    std::size_t stride = 0;
+};
+
+/// `item` names the view and an offset in it; throws unless `count` elements of `size` bytes fit.
+Run run_in(const Item& item, Bytes view, std::size_t stride, std::size_t count, std::size_t size) {
+    const std::size_t offset = item.whole("byteOffset").value_or(0);
+    const std::size_t step = stride == 0 ? size : stride;
+    if (count > 0) {
+        const std::size_t room = offset > view.size() ? 0 : view.size() - offset;
+        if (size > room || (count - 1) > (room - size) / step) {
+            item.fail("reaches past the end of its buffer view");
+        }
+    }
+    return {view.data() + offset, step};
+}
+
+}  // namespace
+
+struct Accessors::Layout {
+    std::size_t count = 0;
+    std::size_t components = 0;
+    Component component = Component::single;
+    bool normalized = false;
+
+    std::size_t element_bytes() const { return components * bytes_of(component); }
+};
+
+Accessors::Layout Accessors::layout_of(const Item& item) const {
+    struct Shape {
+        std::string_view name;
+        std::size_t components;
+    };
+    constexpr std::array<Shape, 4> kShapes = {{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
+    Layout layout;
+    layout.count = item.needed_whole("count");
+    const std::size_t component = item.needed_whole("componentType");
+    const std::string type = item.text("type");
+    const auto* shape = std::ranges::find(kShapes, type, &Shape::name);
+    const bool known = (component >= 5120 && component <= 5123) || component == 5125 || component == 5126;
+    if (shape == kShapes.end() || !known) {
+        item.fail("has a type or componentType that a mesh can't have");
+    }
+    if (layout.count > kMostElements) {
+        item.fail("has a count of " + std::to_string(layout.count) + ", which is too large");
+    }
+    layout.components = shape->components;
+    layout.component = static_cast<Component>(component);
+    layout.normalized = item.flag("normalized");
+    return layout;
+}
+
+template <typename T>
+void Accessors::read(const Item& item, const Layout& layout, std::span<T> out) {
+    const auto view_index = item.whole("bufferView");
+    const auto view = view_index ? buffers_.view(*view_index) : std::nullopt;
+    const auto sparse = item.object("sparse");
+    if (view) {
+        const std::size_t stride = document_.item("bufferViews", *view_index).whole("byteStride").value_or(0);
+        const std::size_t size = bytes_of(layout.component);
+        const Run run = run_in(item, *view, stride, layout.count, layout.element_bytes());
+        const bool as_it_lies = std::is_same_v<T, float> && layout.component == Component::single &&
+                                run.stride == layout.element_bytes();
+        if (as_it_lies && !out.empty()) {
+            std::memcpy(out.data(), run.first, out.size_bytes());
+        }
+        for (std::size_t i = 0; !as_it_lies && i < layout.count; ++i) {
+            const std::uint8_t* element = run.first + i * run.stride;
+            for (std::size_t k = 0; k < layout.components; ++k) {
+                out[i * layout.components + k] =
+                    component_at<T>(element + k * size, layout.component, layout.normalized);
+            }
+        }
+    } else if (!sparse) {
+        ++without_data_;
+    }
+    if (sparse) {
+        read_sparse(*sparse, layout, out);
+    }
+}
+
+template <typename T>
+void Accessors::read_sparse(const Item& sparse, const Layout& layout, std::span<T> out) {
+    const std::size_t count = sparse.needed_whole("count");
+    const auto indices = sparse.object("indices");
+    const auto values = sparse.object("values");
+    if (!indices || !values) {
+        sparse.fail("lacks 'indices' or 'values'");
+    }
+    const auto index_type = static_cast<Component>(indices->needed_whole("componentType"));
+    if (index_type != Component::unsigned_byte && index_type != Component::unsigned_short &&
+        index_type != Component::unsigned_int) {
+        indices->fail("has a componentType that indices can't have");
+    }
+    const auto index_bytes = buffers_.view(indices->needed_whole("bufferView"));
+    const auto value_bytes = buffers_.view(values->needed_whole("bufferView"));
+    if (!index_bytes || !value_bytes) {
+        return;  // no data: zeros replace zeros
+    }
+    const std::size_t size = bytes_of(layout.component);
+    const Run index_run = run_in(*indices, *index_bytes, 0, count, bytes_of(index_type));
+    const Run value_run = run_in(*values, *value_bytes, 0, count, layout.element_bytes());
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto element =
+            component_at<std::uint32_t>(index_run.first + i * index_run.stride, index_type, false);
+        if (element >= layout.count) {
+            indices->fail("names an element that its accessor doesn't have");
+        }
+        for (std::size_t k = 0; k < layout.components; ++k) {
+            out[element * layout.components + k] = component_at<T>(
+                value_run.first + i * value_run.stride + k * size, layout.component, layout.normalized);
+        }
+    }
+}
+
+std::size_t Accessors::count(std::size_t index) const {
+    return layout_of(document_.item("accessors", index)).count;
+}
+
+std::vector<float> Accessors::floats(std::size_t index, int components) {
+    const Item item = document_.item("accessors", index);
+    const Layout layout = layout_of(item);
+    if (layout.components != static_cast<std::size_t>(components)) {
+        item.fail("has the type " + item.text("type") + ", which its use can't have");
+    }
+    std::vector<float> result(layout.count * layout.components);
+    read<float>(item, layout, result);
+    return result;
+}
+
+std::vector<Eigen::Vector3f> Accessors::vectors3(std::size_t index) {
+    const Item item = document_.item("accessors", index);
+    const Layout layout = layout_of(item);
+    if (layout.components != 3) {
+        item.fail("has the type " + item.text("type") + " instead of VEC3");
+    }
+    std::vector<Eigen::Vector3f> result(layout.count, Eigen::Vector3f::Zero());
+    read<float>(item, layout, {result.empty() ? nullptr : result.data()->data(), result.size() * 3});
+    return result;
+}
+
+std::vector<Eigen::Vector2f> Accessors::vectors2(std::size_t index) {
+    const Item item = document_.item("accessors", index);
+    const Layout layout = layout_of(item);
+    if (layout.components != 2) {
+        item.fail("has the type " + item.text("type") + " instead of VEC2");
+    }
+    std::vector<Eigen::Vector2f> result(layout.count, Eigen::Vector2f::Zero());
+    read<float>(item, layout, {result.empty() ? nullptr : result.data()->data(), result.size() * 2});
+    return result;
+}
+
+std::vector<std::array<std::uint8_t, 4>> Accessors::colors(std::size_t index) {
+    const Item item = document_.item("accessors", index);
+    const Layout layout = layout_of(item);
+    if (layout.components < 3) {
+        item.fail("has the type " + item.text("type") + " instead of VEC3 or VEC4");
+    }
+    std::vector<float> values(layout.count * layout.components);
+    read<float>(item, layout, values);
+    std::vector<std::array<std::uint8_t, 4>> result;
+    result.reserve(layout.count);
+    for (std::size_t i = 0; i < values.size(); i += layout.components) {
+        const float alpha = layout.components == 4 ? values[i + 3] : 1.0F;
+        result.push_back(
+            {to_byte(values[i]), to_byte(values[i + 1]), to_byte(values[i + 2]), to_byte(alpha)});
+    }
+    return result;
+}
+
+std::vector<std::uint32_t> Accessors::whole_numbers(std::size_t index) {
+    const Item item = document_.item("accessors", index);
+    const Layout layout = layout_of(item);
+    if (layout.components != 1 || layout.component == Component::single) {
+        item.fail("has a type that indices can't have");
+    }
+    std::vector<std::uint32_t> result(layout.count);
+    read<std::uint32_t>(item, layout, result);
+    return result;
+}
+
+}  // namespace campuswalk::scene::gltf

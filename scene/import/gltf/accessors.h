@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/import/gltf/buffers.h"
+#include "scene/import/gltf/document.h"
+
+namespace campuswalk::scene::gltf {
+
+/// Reads accessors into plain arrays: any component type, normalized or not, interleaved, sparse, or without
+/// data (zeros). Throws Fault when one reaches past its buffer view or is of a type that its use can't have.
+class Accessors {
+public:
+    Accessors(const Document& document, Buffers& buffers) : document_(document), buffers_(buffers) {}
+
+    std::size_t count(std::size_t index) const;
+    /// `components` floats an element, one after the other.
+    std::vector<float> floats(std::size_t index, int components);
+    std::vector<Eigen::Vector3f> vectors3(std::size_t index);
+    std::vector<Eigen::Vector2f> vectors2(std::size_t index);
+    std::vector<std::array<std::uint8_t, 4>> colors(std::size_t index);  ///< of RGB or RGBA
+    std::vector<std::uint32_t> whole_numbers(std::size_t index);
+
+    /// Accessors that were read without the file having data for them.
+    std::size_t without_data() const { return without_data_; }
+
+private:
+    struct Layout;
+    Layout layout_of(const Item& item) const;
+    template <typename T>
+    void read(const Item& item, const Layout& layout, std::span<T> out);
+    template <typename T>
+    void read_sparse(const Item& sparse, const Layout& layout, std::span<T> out);
+
+    const Document& document_;
+    Buffers& buffers_;
+    std::size_t without_data_ = 0;
+};
+
+}  // namespace campuswalk::scene::gltf

@@ -1,0 +1,123 @@
+#include "scene/import/gltf/gltf_source.h"
+
+#include <charconv>
+
+#include "scene/import/file_frame.h"
+#include "scene/import/gltf/extensions.h"
+#include "scene/import/gltf/fault.h"
+#include "scene/import/gltf/node_graph.h"
+#include "scene/import/picture_files.h"
+
+namespace campuswalk::scene::gltf {
+
+struct GltfSource::Parts {
+    explicit Parts(const std::filesystem::path& path)
+        : folder(path),
+          container(read_container(path)),
+          document(container.json),
+          buffers(document, container.binary, folder) {}
+
+    SceneFolder folder;
+    Container container;
+    Document document;
+    Buffers buffers;
+    std::vector<GltfMaterial> materials;
+    std::unique_ptr<Primitives> primitives;
+    GraphNotes notes;
+};
+
+/// Calls, and makes an InputError of what is wrong with the file.
+template <typename Call>
+auto GltfSource::reading(const Call& call) const {
+    try {
+        return call();
+    } catch (const Fault& fault) {
+        throw InputError(file_.mark, "bad-model",
+                         "'" + file_.file + "' is not a model that can be read: " + fault.what());
+    }
+}
+
+GltfSource::GltfSource(const SceneFile& file) : file_(file) {
+    reading([&] {
+        parts_ = std::make_unique<Parts>(file.path);
+        check_version_and_extensions(parts_->document);
+        parts_->materials = read_materials(parts_->document);
+        for (const GltfMaterial& material : parts_->materials) {
+            materials_.push_back(material.source);
+        }
+        parts_->primitives =
+            std::make_unique<Primitives>(parts_->document, parts_->buffers, parts_->materials);
+    });
+}
+
+GltfSource::~GltfSource() = default;
+
+NodeTree GltfSource::nodes() {
+    return reading([&] {
+        Accessors accessors(parts_->document, parts_->buffers);
+        return read_node_graph(parts_->document, *parts_->primitives, accessors, house_from_file(file_),
+                               parts_->notes);
+    });
+}
+
+RawMesh GltfSource::mesh(std::size_t number) {
+    return reading([&] { return parts_->primitives->read(number); });
+}
+
+std::optional<DecodedImage> GltfSource::embedded_picture(std::size_t image, std::string& reason) {
+    const Item item = parts_->document.item("images", image);
+    if (const auto data = Buffers::data_of_uri(item.text("uri"))) {
+        return decode_picture(*data, reason);
+    }
+    const auto bytes = parts_->buffers.view(item.needed_whole("bufferView"));
+    if (!bytes) {
+        reason = "has no data in the file; export it again";
+        return std::nullopt;
+    }
+    return decode_picture(*bytes, reason);
+}
+
+std::optional<DecodedImage> GltfSource::picture(const TextureReference& reference, std::string& reason) {
+    if (!reference.uri.starts_with('*')) {
+        return read_picture(parts_->folder, reference.uri, reason);
+    }
+    std::size_t image = 0;
+    std::from_chars(reference.uri.data() + 1, reference.uri.data() + reference.uri.size(), image);
+    return reading([&] { return embedded_picture(image, reason); });
+}
+
+void GltfSource::add_warnings(DiagnosticList& warnings) {
+    const auto warn = [&](const char* code, const std::string& message) {
+        warnings.warning(file_.mark, code, file_.file + ": " + message);
+    };
+    const GraphNotes& notes = parts_->notes;
+    if (notes.scenes_left_out > 0) {
+        warn("unsupported-feature", std::to_string(notes.scenes_left_out + 1) +
+                                        " scenes: only the default one is read; export one scene a file");
+    }
+    if (notes.meshes_left_out > 0 && notes.scenes_left_out == 0) {
+        warn("unplaced-mesh",
+             "meshes that its scene doesn't place, left out: " + std::to_string(notes.meshes_left_out));
+    }
+    if (notes.meshes_placed > 0) {
+        warn("unplaced-mesh",
+             "meshes without a node, put at the origin: " + std::to_string(notes.meshes_placed));
+    }
+    if (notes.skinned > 0) {
+        warn("unsupported-feature", "skins: " + std::to_string(notes.skinned) +
+                                        " nodes with bones are taken in the pose they were modelled in; "
+                                        "apply the pose before export");
+    }
+    if (parts_->primitives->morphed() > 0) {
+        warn("unsupported-feature", "morph targets: shapes are taken without them; apply them before export");
+    }
+    if (parts_->primitives->without_data() > 0) {
+        warn("missing-data", "arrays of meshes that the file has no data for, read as 0: " +
+                                 std::to_string(parts_->primitives->without_data()));
+    }
+    for (const std::string& name : unread_extensions(parts_->document)) {
+        warn("unsupported-feature", name + ": ignored, what it adds is missing; export without it");
+    }
+}
+
+}  // namespace campuswalk::scene::gltf

@@ -1,0 +1,268 @@
+#include "scene/import/gltf/node_graph.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scene/import/gltf/fault.h"
+
+namespace campuswalk::scene::gltf {
+namespace {
+
+using Quaternion = std::array<float, 4>;  // x, y, z, w
+
+/// In single precision, as glTF's numbers are, and not normalized, as they should be: what the demo campus'
+/// logs were made with.
+Eigen::Matrix3f rotation_of(const Quaternion& q) {
+    const auto [x, y, z, w] = q;
+    Eigen::Matrix3f m;
+    m << 1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y - z * w), 2.0F * (x * z + y * w),  //
+        2.0F * (x * y + z * w), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z - x * w),   //
+        2.0F * (x * z - y * w), 2.0F * (y * z + x * w), 1.0F - 2.0F * (x * x + y * y);
+    return m;
+}
+
+Eigen::Matrix4d transform_of(const Eigen::Vector3f& translation, const Quaternion& rotation,
+                             const Eigen::Vector3f& scale) {
+    Eigen::Matrix4f m = Eigen::Matrix4f::Identity();
+    m.topLeftCorner<3, 3>() = rotation_of(rotation);
+    for (int column = 0; column < 3; ++column) {
+        m.block<3, 1>(0, column) *= scale[column];
+    }
+    m.topRightCorner<3, 1>() = translation;
+    return m.cast<double>();
+}
+
+Eigen::Matrix4d local_transform(const Item& node) {
+    if (const auto matrix = node.numbers("matrix", 16)) {
+        return Eigen::Map<const Eigen::Matrix4f>(matrix->data()).cast<double>();
+    }
+    const auto t = node.numbers("translation", 3).value_or(std::vector<float>{0, 0, 0});
+    const auto r = node.numbers("rotation", 4).value_or(std::vector<float>{0, 0, 0, 1});
+    const auto s = node.numbers("scale", 3).value_or(std::vector<float>{1, 1, 1});
+    return transform_of({t[0], t[1], t[2]}, {r[0], r[1], r[2], r[3]}, {s[0], s[1], s[2]});
+}
+
+std::vector<Eigen::Matrix4d> instances_of(const Item& instancing, Accessors& accessors) {
+    const auto attributes = instancing.object("attributes");
+    if (!attributes) {
+        instancing.fail("lacks 'attributes'");
+    }
+    std::vector<float> translations;
+    std::vector<float> rotations;
+    std::vector<float> scales;
+    std::size_t count = 0;
+    const auto read = [&](const char* name, std::size_t components, std::vector<float>& out) {
+        if (const auto at = attributes->whole(name)) {
+            out = accessors.floats(*at, static_cast<int>(components));
+            count = std::max(count, out.size() / components);
+        }
+    };
+    read("TRANSLATION", 3, translations);
+    read("ROTATION", 4, rotations);
+    read("SCALE", 3, scales);
+    std::vector<Eigen::Matrix4d> result;
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto three = [i](const std::vector<float>& from, float otherwise) {
+            return from.size() < 3 * i + 3 ? Eigen::Vector3f(Eigen::Vector3f::Constant(otherwise))
+                                           : Eigen::Vector3f(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
+        };
+        Quaternion rotation = {0, 0, 0, 1};
+        if (rotations.size() >= 4 * i + 4) {
+            std::copy_n(rotations.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, rotation.begin());
+        }
+        result.push_back(transform_of(three(translations, 0.0F), rotation, three(scales, 1.0F)));
+    }
+    return result;
+}
+
+/// Builds the tree; nodes are numbered as in the file until they are added.
+class GraphReader {
+public:
+    GraphReader(const Document& document, const Primitives& primitives, Accessors& accessors,
+                const Eigen::Matrix4d& X_world_file, GraphNotes& notes)
+        : document_(document),
+          primitives_(primitives),
+          accessors_(accessors),
+          X_world_file_(X_world_file),
+          notes_(notes),
+          reached_(document.size("nodes"), false),
+          drawn_(primitives.mesh_count(), false) {}
+
+    NodeTree read();
+
+private:
+    struct Visit {
+        std::size_t node;
+        int parent;
+    };
+
+    std::vector<std::size_t> roots();
+    std::vector<std::size_t> nodes_without_a_parent() const;
+    void add_tree(std::size_t root, int parent);
+    void add_node(const Visit& visit, std::vector<Visit>& pending);
+    int add(std::string name, int parent, const Eigen::Matrix4d& X_parent_node);
+    void draw(int node, std::size_t mesh);
+    void draw_node(int self, const Item& item);
+    std::vector<std::size_t> meshes_not_drawn() const;
+
+    const Document& document_;
+    const Primitives& primitives_;
+    Accessors& accessors_;
+    const Eigen::Matrix4d& X_world_file_;
+    GraphNotes& notes_;
+    std::vector<bool> reached_;  // by node
+    std::vector<bool> drawn_;    // by mesh
+    bool whole_ = true;          // no default scene
+    NodeTree tree_;
+};
+
+std::vector<std::size_t> GraphReader::nodes_without_a_parent() const {
+    std::vector<bool> is_child(reached_.size(), false);
+    for (std::size_t i = 0; i < reached_.size(); ++i) {
+        for (const std::size_t child : document_.item("nodes", i).wholes("children")) {
+            if (child < is_child.size()) {
+                is_child[child] = true;
+            }
+        }
+    }
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < is_child.size(); ++i) {
+        if (!is_child[i]) {
+            result.push_back(i);
+        }
+    }
+    return result;
+}
+
+std::vector<std::size_t> GraphReader::roots() {
+    const std::size_t scenes = document_.size("scenes");
+    if (const auto chosen = document_.root().whole("scene")) {
+        whole_ = false;
+        notes_.scenes_left_out = scenes > 0 ? scenes - 1 : 0;
+        return document_.item("scenes", *chosen).wholes("nodes");
+    }
+    if (scenes == 0) {
+        return nodes_without_a_parent();
+    }
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < scenes; ++i) {
+        for (const std::size_t node : document_.item("scenes", i).wholes("nodes")) {
+            if (std::ranges::find(result, node) == result.end()) {
+                result.push_back(node);
+            }
+        }
+    }
+    return result;
+}
+
+int GraphReader::add(std::string name, int parent, const Eigen::Matrix4d& X_parent_node) {
+    Node node;
+    node.name = std::move(name);
+    node.parent = parent;
+    const Eigen::Matrix4d& X_world_parent =
+        parent < 0 ? X_world_file_ : tree_.nodes[static_cast<std::size_t>(parent)].X_world_node;
+    node.X_world_node = X_world_parent * X_parent_node;
+    tree_.nodes.push_back(std::move(node));
+    tree_.mesh_numbers.emplace_back();
+    return static_cast<int>(tree_.nodes.size()) - 1;
+}
+
+void GraphReader::draw(int node, std::size_t mesh) {
+    drawn_[mesh] = true;
+    for (std::size_t number = primitives_.first(mesh); number < primitives_.first(mesh + 1); ++number) {
+        tree_.mesh_numbers[static_cast<std::size_t>(node)].push_back(number);
+    }
+}
+
+void GraphReader::draw_node(int self, const Item& item) {
+    const auto mesh = item.whole("mesh");
+    if (!mesh) {
+        return;
+    }
+    if (*mesh >= drawn_.size()) {
+        item.fail("names a mesh that isn't there");
+    }
+    notes_.skinned += item.has("skin") ? 1U : 0U;
+    const auto extensions = item.object("extensions");
+    const auto instancing = extensions ? extensions->object("EXT_mesh_gpu_instancing") : std::nullopt;
+    if (!instancing) {
+        draw(self, *mesh);
+        return;
+    }
+    const std::string name = tree_.nodes[static_cast<std::size_t>(self)].name;
+    std::size_t number = 0;
+    for (const Eigen::Matrix4d& X_node_instance : instances_of(*instancing, accessors_)) {
+        draw(add(name + "#" + std::to_string(++number), self, X_node_instance), *mesh);
+    }
+}
+
+void GraphReader::add_node(const Visit& visit, std::vector<Visit>& pending) {
+    const Item item = document_.item("nodes", visit.node);
+    if (reached_[visit.node]) {
+        item.fail("hangs in two places or in a loop; export it again");
+    }
+    reached_[visit.node] = true;
+    std::string name = item.text("name");
+    if (name.empty()) {
+        name = "nodes[" + std::to_string(visit.node) + "]";
+    }
+    const int self = add(std::move(name), visit.parent, local_transform(item));
+    draw_node(self, item);
+    const std::vector<std::size_t> children = item.wholes("children");
+    for (std::size_t i = children.size(); i > 0; --i) {  // last first: the stack turns them round
+        pending.push_back({children[i - 1], self});
+    }
+}
+
+void GraphReader::add_tree(std::size_t root, int parent) {
+    std::vector<Visit> pending = {{root, parent}};
+    while (!pending.empty()) {
+        const Visit visit = pending.back();
+        pending.pop_back();
+        add_node(visit, pending);
+    }
+}
+
+std::vector<std::size_t> GraphReader::meshes_not_drawn() const {
+    std::vector<std::size_t> result;
+    for (std::size_t mesh = 0; mesh < drawn_.size(); ++mesh) {
+        if (!drawn_[mesh]) {
+            result.push_back(mesh);
+        }
+    }
+    return result;
+}
+
+NodeTree GraphReader::read() {
+    const std::vector<std::size_t> top = roots();
+    int parent = -1;
+    if (top.size() != 1) {
+        parent = add("ROOT", -1, Eigen::Matrix4d::Identity());
+    }
+    for (const std::size_t root : top) {
+        add_tree(root, parent);
+    }
+    const std::vector<std::size_t> left = meshes_not_drawn();
+    if (!whole_) {
+        notes_.meshes_left_out = left.size();
+        return std::move(tree_);
+    }
+    for (const std::size_t mesh : left) {
+        const std::string name = document_.item("meshes", mesh).text("name");
+        draw(add(name.empty() ? "meshes[" + std::to_string(mesh) + "]" : name, parent,
+                 Eigen::Matrix4d::Identity()),
+             mesh);
+    }
+    notes_.meshes_placed = left.size();
+    return std::move(tree_);
+}
+
+}  // namespace
+
+NodeTree read_node_graph(const Document& document, const Primitives& primitives, Accessors& accessors,
+                         const Eigen::Matrix4d& X_world_file, GraphNotes& notes) {
+    return GraphReader(document, primitives, accessors, X_world_file, notes).read();
+}
+
+}  // namespace campuswalk::scene::gltf

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/import/gltf/accessors.h"
+#include "scene/import/gltf/document.h"
+#include "scene/import/gltf/materials.h"
+#include "scene/import/tidy_mesh.h"
+
+namespace campuswalk::scene::gltf {
+
+/// The primitives of all meshes, numbered one after the other, and how to read one.
+class Primitives {
+public:
+    Primitives(const Document& document, Buffers& buffers, const std::vector<GltfMaterial>& materials);
+
+    /// Those of a mesh: `[first(mesh), first(mesh + 1))`.
+    std::size_t first(std::size_t mesh) const { return first_[mesh]; }
+    std::size_t mesh_count() const { return first_.size() - 1; }
+    RawMesh read(std::size_t number);
+
+    std::size_t without_data() const { return accessors_.without_data() + without_positions_; }
+    std::size_t morphed() const { return morphed_; }
+
+private:
+    void read_attributes(const Item& primitive, const Item& attributes, RawMesh& out);
+    void read_draco(const Item& compression, RawMesh& out);
+    void read_triangles(const Item& primitive, RawMesh& out);
+    /// The name of the texture coordinates that the primitive's material uses, empty for none.
+    std::string uv_name(const RawMesh& mesh) const;
+    void transform_uvs(RawMesh& mesh) const;
+
+    const Document& document_;
+    Buffers& buffers_;
+    const std::vector<GltfMaterial>& materials_;
+    Accessors accessors_;
+    std::vector<std::size_t> first_;  // by mesh, and one more
+    std::size_t without_positions_ = 0;
+    std::size_t morphed_ = 0;
+};
+
+}  // namespace campuswalk::scene::gltf

@@ -1,0 +1,86 @@
+#include "scene/import/model_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace campuswalk::scene {
+namespace {
+
+struct KnownFormat {
+    std::string_view extension;
+    Reader reader;
+};
+
+constexpr std::array<KnownFormat, 9> kFormats = {{{".gltf", Reader::gltf},
+                                                  {".glb", Reader::gltf},
+                                                  {".obj", Reader::assimp},
+                                                  {".fbx", Reader::assimp},
+                                                  {".dae", Reader::assimp},
+                                                  {".stl", Reader::assimp},
+                                                  {".ply", Reader::assimp},
+                                                  {".off", Reader::assimp},
+                                                  {".3ds", Reader::assimp}}};
+
+struct RefusedFormat {
+    std::string_view extension;
+    std::string_view cure;
+};
+
+constexpr std::array<RefusedFormat, 6> kRefused = {{
+    {".ifc", "IFC is not read: its importer crashes on real files; convert it to glTF (IfcConvert, Blender)"},
+    {".3mf", "3MF is not read: its importer crashes on damaged files; convert it to glTF or OBJ"},
+    {".blend", "Blender's own files are not read; export glTF from Blender"},
+    {".skp", "SketchUp's own files are not read; export COLLADA or glTF from SketchUp"},
+    {".usd", "USD is not read; convert it to glTF (Blender)"},
+    {".usdz", "USD is not read; convert it to glTF (Blender)"},
+}};
+
+std::string lower_extension(const SceneFile& file) {
+    std::string extension = file.path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+Reader reader_for(const SceneFile& file) {
+    const std::string extension = lower_extension(file);
+    if (const auto* known = std::ranges::find(kFormats, extension, &KnownFormat::extension);
+        known != kFormats.end()) {
+        return known->reader;
+    }
+    if (const auto* refused = std::ranges::find(kRefused, extension, &RefusedFormat::extension);
+        refused != kRefused.end()) {
+        throw InputError(file.mark, "bad-model", std::string(refused->cure));
+    }
+    std::string names;
+    for (const KnownFormat& format : kFormats) {
+        names += names.empty() ? "" : ", ";
+        names += format.extension;
+    }
+    throw InputError(file.mark, "bad-model",
+                     "'" + file.file + "' is of no format that is read (" + names + "); convert it to glTF");
+}
+
+void check_readable(const SceneFile& file) {
+    std::error_code ignored;
+    // With its folder: a campus' scenes are looked for beside it, which its reader may not have in mind.
+    const std::string shown = "'" + file.path.lexically_normal().generic_string() + "': ";
+    const auto refuse = [&](const char* why) { throw InputError(file.mark, "missing-file", shown + why); };
+    if (!std::filesystem::exists(file.path, ignored)) {
+        refuse("no such file; check the path");
+    }
+    if (!std::filesystem::is_regular_file(file.path, ignored)) {
+        refuse("is not a file; name a model file");
+    }
+    if (!std::ifstream(file.path, std::ios::binary)) {
+        refuse("cannot be read; check its permissions");
+    }
+}
+
+}  // namespace campuswalk::scene

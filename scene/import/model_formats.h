@@ -1,0 +1,17 @@
+#pragma once
+
+#include "scene/campus_description.h"
+
+namespace campuswalk::scene {
+
+/// Who reads a format. A format that isn't on the list of those we have tried is refused: assimp would take
+/// forty more, some of whose readers crash.
+enum class Reader { gltf, assimp };
+
+/// By the file's extension. Throws InputError bad-model, with what to do instead.
+Reader reader_for(const SceneFile& file);
+
+/// Throws InputError missing-file when the file isn't there or can't be read.
+void check_readable(const SceneFile& file);
+
+}  // namespace campuswalk::scene

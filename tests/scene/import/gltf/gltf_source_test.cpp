@@ -1,0 +1,389 @@
+// What files of the wild use, each in a small file of its own; the encoders of the same libraries pack it.
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "scene/import/import_model.h"
+#include "tests/scene/import/gltf/gltf_text.h"
+#include "tests/scene/import/gltf/packed_meshes.h"
+#include "tests/scene/model_files.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using test::GltfText;
+using test::Json;
+
+class GltfSourceTest : public testing::Test {
+protected:
+    Model import(const std::string& name, EmptyModel if_empty = EmptyModel::refuse) {
+        warnings_.clear();
+        return import_model(test::scene_file(folder_, name), warnings_, if_empty);
+    }
+    Model import(const GltfText& text) {
+        text.write_glb(folder_, "x.glb");
+        return import("x.glb");
+    }
+    std::string refusal(const GltfText& text) {
+        return test::text_of(test::errors_of([&] { import(text); }));
+    }
+    std::string warnings() const { return test::text_of(warnings_); }
+
+    test::TemporaryFolder folder_;
+    std::vector<Diagnostic> warnings_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+double area_of(const Model& model) {
+    double area = 0.0;
+    for (const Node& node : model.nodes) {
+        for (const MeshIndex index : node.meshes) {
+            const Mesh& mesh = model.meshes[index_of(index)];
+            for (const auto& t : mesh.triangles) {
+                const Eigen::Vector3d a = mesh.positions[t[0]].cast<double>();
+                const Eigen::Vector3d b = mesh.positions[t[1]].cast<double>();
+                const Eigen::Vector3d c = mesh.positions[t[2]].cast<double>();
+                area += 0.5 * (b - a).cross(c - a).norm();
+            }
+        }
+    }
+    return area;
+}
+
+// ---- packed meshes
+
+TEST_F(GltfSourceTest, UnpacksDracoOfAllIndexWidths) {
+    for (const std::size_t side : {10U, 100U, 300U}) {  // 100, 10,000 and 90,000 vertices
+        const test::GridMesh grid = test::grid_mesh(side);
+        GltfText text;
+        const std::vector<std::uint8_t> packed = test::draco_of(grid);
+        const std::size_t view = text.add_view(packed);
+        const std::size_t accessor = 0;
+        text.json["accessors"].push_back(
+            {{"componentType", 5126}, {"count", grid.positions.size() / 3}, {"type", "VEC3"}});
+        text.json["accessors"].push_back({{"componentType", side > 255  ? 5125
+                                                            : side > 15 ? 5123
+                                                                        : 5121},
+                                          {"count", grid.indices.size()},
+                                          {"type", "SCALAR"}});
+        text.add_node(
+            {{"name", "packed"},
+             {"mesh", text.add_mesh({{"attributes", {{"POSITION", accessor}}},
+                                     {"indices", 1},
+                                     {"extensions",
+                                      {{"KHR_draco_mesh_compression",
+                                        {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}}}}}})}});
+        text.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+        const Model model = import(text);
+        EXPECT_EQ(count_triangles(model), grid.indices.size() / 3);
+        EXPECT_NEAR(area_of(model), 1.0, 1e-3);
+        EXPECT_NEAR(world_bounds(model).max.x(), 1.0, 1e-3);
+        EXPECT_EQ(model.nodes[0].name, "packed");
+        EXPECT_EQ(warnings(), "");
+    }
+}
+
+TEST_F(GltfSourceTest, RefusesDamagedDraco) {
+    std::vector<std::uint8_t> packed = test::draco_of(test::grid_mesh(10));
+    packed.resize(packed.size() / 2);
+    GltfText text;
+    const std::size_t view = text.add_view(packed);
+    const Json packing = {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
+    text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", 0}}},
+                                           {"extensions", {{"KHR_draco_mesh_compression", packing}}}})}});
+    EXPECT_TRUE(contains(refusal(text), "without Draco"));
+}
+
+/// The grid with vertices and indices packed by meshopt; a fallback buffer without data stands in for them.
+GltfText meshopt_grid(const test::GridMesh& grid) {
+    GltfText text;
+    const std::vector<std::uint8_t> vertices = test::meshopt_vertices_of(grid);
+    const std::vector<std::uint8_t> indices = test::meshopt_indices_of(grid);
+    const auto pack = [&](const std::vector<std::uint8_t>& bytes, std::size_t stride, std::size_t count,
+                          const char* mode) {
+        const std::size_t view = text.add_view(bytes);
+        Json where = text.json["bufferViews"][view];
+        where["byteStride"] = stride;
+        where["count"] = count;
+        where["mode"] = mode;
+        text.json["bufferViews"][view] = {{"buffer", 1},
+                                          {"byteLength", stride * count},
+                                          {"extensions", {{"EXT_meshopt_compression", where}}}};
+        return view;
+    };
+    const std::size_t count = grid.positions.size() / 3;
+    const std::size_t positions =
+        text.add_accessor(pack(vertices, 12, count, "ATTRIBUTES"), 5126, count, "VEC3");
+    const std::size_t corners = text.add_accessor(pack(indices, 4, grid.indices.size(), "TRIANGLES"), 5125,
+                                                  grid.indices.size(), "SCALAR");
+    text.add_node(
+        {{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", corners}})}});
+    text.json["buffers"] = {{{"byteLength", vertices.size() + indices.size() + 4}},
+                            {{"byteLength", 1'000'000}}};
+    text.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+    return text;
+}
+
+TEST_F(GltfSourceTest, UnpacksMeshopt) {
+    const test::GridMesh grid = test::grid_mesh(50);
+    const Model model = import(meshopt_grid(grid));
+    EXPECT_EQ(count_triangles(model), grid.indices.size() / 3);
+    EXPECT_NEAR(area_of(model), 1.0, 1e-5);
+    EXPECT_EQ(world_bounds(model).max, Eigen::Vector3d(1, 0, 1));
+}
+
+TEST_F(GltfSourceTest, RefusesMeshoptThatCannotBe) {
+    const GltfText good = meshopt_grid(test::grid_mesh(10));
+    const auto refused_with = [&](const char* key, const Json& value) {
+        GltfText text = good;
+        text.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"][key] = value;
+        return refusal(text);
+    };
+    EXPECT_TRUE(contains(refused_with("byteStride", 0), "byteStride"));
+    EXPECT_TRUE(contains(refused_with("byteStride", 13), "byteStride"));
+    EXPECT_TRUE(contains(refused_with("count", 1'000'000'000), "count"));
+    EXPECT_TRUE(contains(refused_with("mode", "MAGIC"), "MAGIC"));
+    EXPECT_TRUE(contains(refused_with("filter", "OCTAHEDRAL"), "OCTAHEDRAL"));
+    EXPECT_TRUE(contains(refused_with("byteLength", 1'000'000), "past the end"));
+}
+
+// ---- arrays
+
+TEST_F(GltfSourceTest, ReadsInterleavedSparseAndQuantizedPositions) {
+    GltfText text;
+    // A triangle of positions with 8 bytes between them, its last corner moved by a sparse accessor.
+    const std::vector<float> mixed = {0, 0, 0, 9, 9, 0, 0, 1, 9, 9, 5, 5, 5, 9, 9};
+    const std::size_t view = text.add_view(mixed);
+    text.json["bufferViews"][view]["byteStride"] = 20;
+    const std::size_t positions = text.add_accessor(view, 5126, 3, "VEC3");
+    const std::size_t which = text.add_view(std::vector<std::uint8_t>{2});
+    const std::size_t value = text.add_view(std::vector<float>{1, 0, 0});
+    text.json["accessors"][positions]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", which}, {"componentType", 5121}}},
+        {"values", {{"bufferView", value}}}};
+    text.add_node({{"name", "float"}, {"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}})}});
+    const std::size_t shorts = text.add_accessor(
+        text.add_view(std::vector<std::int16_t>{0, 0, 0, 0, 0, 32767, 32767, 0, -32768}), 5122, 3, "VEC3");
+    text.json["accessors"][shorts]["normalized"] = true;
+    text.add_node({{"name", "short"}, {"mesh", text.add_mesh({{"attributes", {{"POSITION", shorts}}}})}});
+    const Model model = import(text);
+    EXPECT_EQ(model.meshes[0].positions[0], Eigen::Vector3f(0, 0, 0));
+    EXPECT_EQ(model.meshes[0].positions[1], Eigen::Vector3f(0, 0, 1));
+    EXPECT_EQ(model.meshes[0].positions[2], Eigen::Vector3f(1, 0, 0));
+    EXPECT_EQ(model.meshes[1].positions[1], Eigen::Vector3f(0, 0, 1));
+    EXPECT_EQ(model.meshes[1].positions[2], Eigen::Vector3f(1, 0, -1));
+}
+
+TEST_F(GltfSourceTest, TurnsStripsAndFansTheSameWay) {
+    GltfText text;
+    const std::size_t strip = text.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 2, 0, 0}, "VEC3");
+    const std::size_t fan = text.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0}, "VEC3");
+    text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", strip}}}, {"mode", 5}})}});
+    text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", fan}}}, {"mode", 6}})}});
+    const Model model = import(text);
+    ASSERT_EQ(count_triangles(model), 5U);
+    for (const Mesh& mesh : model.meshes) {
+        for (const Eigen::Vector3f& normal : mesh.normals) {
+            EXPECT_EQ(normal, Eigen::Vector3f(0, 1, 0));
+        }
+    }
+    EXPECT_NEAR(area_of(model), 1.5 + 1.0, 1e-6);
+}
+
+TEST_F(GltfSourceTest, RefusesArraysThatReachTooFar) {
+    const auto with_accessor = [&](const Json& change) {
+        GltfText text;
+        text.add_node({{"mesh", text.add_triangle_mesh()}});
+        text.json["accessors"][0].update(change);
+        return refusal(text);
+    };
+    EXPECT_EQ(with_accessor(Json::object()), "");
+    EXPECT_TRUE(contains(with_accessor({{"count", 4}}), "past the end"));
+    EXPECT_TRUE(contains(with_accessor({{"count", 1e15}}), "count"));
+    EXPECT_TRUE(contains(with_accessor({{"count", -3}}), "count"));
+    EXPECT_TRUE(contains(with_accessor({{"byteOffset", 1e15}}), "past the end"));
+    EXPECT_TRUE(contains(with_accessor({{"bufferView", 7}}), "bufferViews/7"));
+    EXPECT_TRUE(contains(with_accessor({{"type", "MAT4"}}), "type"));
+    EXPECT_TRUE(contains(with_accessor({{"componentType", 5124}}), "componentType"));
+}
+
+TEST_F(GltfSourceTest, ReadsMissingDataAsZeroAndSaysSo) {
+    GltfText text;
+    text.add_node({{"mesh", text.add_triangle_mesh()}});
+    text.json["accessors"][0].erase("bufferView");
+    EXPECT_EQ(world_bounds(import(text)).max, Eigen::Vector3d::Zero());
+    EXPECT_TRUE(test::has_code(warnings_, "missing-data")) << warnings();
+}
+
+// ---- the hierarchy
+
+TEST_F(GltfSourceTest, PlacesInstances) {
+    GltfText text;
+    const float quarter = std::sqrt(0.5F);
+    const Json attributes = {
+        {"TRANSLATION", text.add_floats({10, 0, 0, 20, 0, 0, 30, 0, 0}, "VEC3")},
+        {"ROTATION", text.add_floats({0, 0, 0, 1, 0, quarter, 0, quarter, 0, 0, 0, 1}, "VEC4")},
+        {"SCALE", text.add_floats({1, 1, 1, 1, 1, 1, 2, 2, 2}, "VEC3")}};
+    text.add_node({{"name", "lamp"},
+                   {"mesh", text.add_triangle_mesh()},
+                   {"translation", {0, 5, 0}},
+                   {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
+    text.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+    const Model model = import(text);
+    EXPECT_EQ(count_triangles(model), 3U);
+    EXPECT_EQ(match_nodes(model, "lamp").size(), 4U);
+    ASSERT_EQ(match_nodes(model, "lamp#3").size(), 1U);
+    const Node& third = model.nodes[match_nodes(model, "lamp#3")[0]];
+    EXPECT_EQ(Eigen::Vector4d(third.X_world_node * Eigen::Vector4d(1, 0, 0, 1)),
+              Eigen::Vector4d(32, 5, 0, 1));
+    const Node& second = model.nodes[match_nodes(model, "lamp#2")[0]];
+    EXPECT_LT((second.X_world_node * Eigen::Vector4d(1, 0, 0, 1) - Eigen::Vector4d(20, 5, -1, 1)).norm(),
+              1e-6);
+    EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndTellsOfOthers) {
+    GltfText text;
+    const std::size_t mesh = text.add_triangle_mesh();
+    text.add_node({{"name", "here"}, {"mesh", mesh}});
+    text.json["nodes"].push_back({{"name", "there"}, {"mesh", mesh}});
+    text.json["scenes"].push_back({{"nodes", {1}}});
+    EXPECT_EQ(count_triangles(import(text)), 1U);
+    EXPECT_TRUE(contains(warnings(), "2 scenes")) << warnings();
+    // No scene is the default: the file is read whole.
+    text.json.erase("scene");
+    const Model whole = import(text);
+    EXPECT_EQ(count_triangles(whole), 2U);
+    EXPECT_EQ(match_nodes(whole, "there").size(), 1U);
+    EXPECT_EQ(warnings(), "");
+}
+
+TEST_F(GltfSourceTest, PlacesWhatHasNoNodeOnlyWhereNoSceneIsTheDefault) {
+    GltfText text;
+    text.add_node({{"mesh", text.add_triangle_mesh()}});
+    text.add_triangle_mesh();
+    EXPECT_EQ(count_triangles(import(text)), 1U);
+    EXPECT_TRUE(contains(warnings(), "left out: 1")) << warnings();
+    text.json.erase("scene");
+    EXPECT_EQ(count_triangles(import(text)), 2U);
+    EXPECT_TRUE(contains(warnings(), "at the origin: 1")) << warnings();
+}
+
+TEST_F(GltfSourceTest, RefusesLoops) {
+    GltfText text;
+    text.add_node({{"mesh", text.add_triangle_mesh()}, {"children", {1}}});
+    text.json["nodes"].push_back({{"children", {0}}});
+    EXPECT_TRUE(contains(refusal(text), "loop"));
+    text.json["nodes"][1]["children"] = {7};
+    EXPECT_TRUE(contains(refusal(text), "nodes/7"));
+}
+
+// ---- materials
+
+/// A triangle with texture coordinates (0,0), (1,0), (0,1) and a material with a picture.
+GltfText textured_triangle(const Json& image, const Json& texture) {
+    GltfText text;
+    const std::size_t positions = text.add_triangle_positions();
+    const std::size_t uvs = text.add_floats({0, 0, 1, 0, 0, 1}, "VEC2");
+    text.json["images"] = {image};
+    text.json["textures"] = {texture};
+    text.json["materials"] = {
+        {{"name", "wall"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", uvs}}},
+                                           {"material", 0}})}});
+    return text;
+}
+
+TEST_F(GltfSourceTest, AppliesTextureTransforms) {
+    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
+    const std::vector<Eigen::Vector2f> plain = import(text).meshes[0].uvs;
+    EXPECT_EQ(plain[1], Eigen::Vector2f(1, 0));
+    text.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+        {"KHR_texture_transform",
+         {{"offset", {0.25, 0.5}}, {"rotation", std::numbers::pi / 2}, {"scale", {2, 4}}}}};
+    const std::vector<Eigen::Vector2f> moved = import(text).meshes[0].uvs;
+    // Anticlockwise on a picture whose v runs down: right becomes up, down becomes right.
+    EXPECT_LT((moved[0] - Eigen::Vector2f(0.25F, 0.5F)).norm(), 1e-6F);
+    EXPECT_LT((moved[1] - Eigen::Vector2f(0.25F, 0.5F - 2.0F)).norm(), 1e-6F);
+    EXPECT_LT((moved[2] - Eigen::Vector2f(0.25F + 4.0F, 0.5F)).norm(), 1e-6F);
+}
+
+TEST_F(GltfSourceTest, DecodesWebp) {
+    const std::string picture = test::webp_picture(3, 2, {10, 200, 30, 255});
+    folder_.write("wood.webp", picture);
+    const Json texture = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+    const Model model = import(textured_triangle({{"uri", "wood.webp"}}, texture));
+    ASSERT_EQ(model.textures.size(), 1U);
+    EXPECT_EQ(model.textures[0].width, 3);
+    EXPECT_EQ(model.textures[0].height, 2);
+    EXPECT_EQ(model.textures[0].rgba.size(), 24U);
+    EXPECT_EQ(model.textures[0].rgba[21], 200);
+    folder_.write("wood.webp", picture.substr(0, picture.size() / 2));
+    EXPECT_TRUE(contains(refusal(textured_triangle({{"uri", "wood.webp"}}, texture)), "WebP"));
+}
+
+TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
+    folder_.write("wood.ktx2", "\xABKTX 20\xBB\r\n\x1A\n and so on");
+    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    Json texture = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
+    GltfText text = textured_triangle({{"uri", "wood.ktx2"}}, texture);
+    text.json["extensionsUsed"] = {"KHR_texture_basisu"};
+    const std::string said = refusal(text);
+    EXPECT_TRUE(contains(said, "KTX") && contains(said, "PNG") && contains(said, "'wall'")) << said;
+    texture["source"] = 1;
+    text.json["textures"] = {texture};
+    text.json["images"].push_back({{"uri", "wood.tga"}});
+    EXPECT_EQ(import(text).textures.size(), 1U);
+    EXPECT_EQ(warnings(), "");
+}
+
+// ---- the file
+
+TEST_F(GltfSourceTest, NamesWhatItCannotReadAndTheCure) {
+    GltfText text;
+    text.add_node({{"mesh", text.add_triangle_mesh()}});
+    text.json["extensionsUsed"] = {"ACME_curved_walls", "KHR_materials_sheen"};
+    EXPECT_EQ(count_triangles(import(text)), 1U);
+    EXPECT_TRUE(contains(warnings(), "ACME_curved_walls")) << warnings();
+    EXPECT_FALSE(contains(warnings(), "sheen")) << warnings();
+    text.json["extensionsRequired"] = {"ACME_curved_walls"};
+    EXPECT_TRUE(contains(refusal(text), "ACME_curved_walls, which is not read; export it without"));
+    text.json["asset"]["version"] = "1.0";
+    EXPECT_TRUE(contains(refusal(text), "convert it to glTF 2.0"));
+}
+
+TEST_F(GltfSourceTest, TellsOfBonesAndMorphTargets) {
+    GltfText text;
+    const std::size_t positions = text.add_triangle_positions();
+    const Json targets = Json::array({{{"POSITION", positions}}});
+    text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"targets", targets}})},
+                   {"skin", 0}});
+    EXPECT_EQ(count_triangles(import(text)), 1U);
+    EXPECT_TRUE(contains(warnings(), "bones")) << warnings();
+    EXPECT_TRUE(contains(warnings(), "morph targets")) << warnings();
+}
+
+TEST_F(GltfSourceTest, RefusesEveryTruncationOfAGlb) {
+    GltfText text;
+    text.add_node({{"mesh", text.add_triangle_mesh()}});
+    text.write_glb(folder_, "whole.glb");
+    std::string bytes(std::filesystem::file_size(folder_.path() / "whole.glb"), '\0');
+    std::unique_ptr<FILE, int (*)(FILE*)> in(fopen((folder_.path() / "whole.glb").c_str(), "rb"), fclose);
+    ASSERT_EQ(fread(bytes.data(), 1, bytes.size(), in.get()), bytes.size());
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        folder_.write("part.glb", bytes.substr(0, size));
+        EXPECT_TRUE(test::has_code(test::errors_of([&] { import("part.glb"); }), "bad-model")) << size;
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

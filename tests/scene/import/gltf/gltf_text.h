@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::scene::test {
+
+using Json = nlohmann::json;
+
+/// A glTF file in the making: change `json` as you like, then write it.
+class GltfText {
+public:
+    GltfText();
+
+    /// Appends bytes to the one buffer; the number of their view.
+    std::size_t add_view(std::span<const std::uint8_t> bytes);
+    template <typename T>
+    std::size_t add_view(const std::vector<T>& values) {
+        return add_view(
+            std::span(reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)));
+    }
+    std::size_t add_accessor(std::size_t view, int component, std::size_t count, const char* type);
+    std::size_t add_floats(const std::vector<float>& values, const char* type);
+    /// A mesh of one primitive, without a node.
+    std::size_t add_mesh(Json primitive);
+    /// Positions of a triangle in the plane y = 0 with legs of 1 m, facing up; a mesh of it, if asked for.
+    std::size_t add_triangle_positions();
+    std::size_t add_triangle_mesh() {
+        return add_mesh({{"attributes", {{"POSITION", add_triangle_positions()}}}});
+    }
+    /// A node of the scene.
+    std::size_t add_node(Json node);
+
+    void write_gltf(const support::TemporaryFolder& folder, const std::string& name) const;
+    void write_glb(const support::TemporaryFolder& folder, const std::string& name) const;
+
+    Json json;
+
+private:
+    std::string buffer_;
+};
+
+}  // namespace campuswalk::scene::test

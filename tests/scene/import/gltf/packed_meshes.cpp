@@ -1,0 +1,89 @@
+#include "tests/scene/import/gltf/packed_meshes.h"
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Woverloaded-virtual"
+#endif
+#include <draco/compression/encode.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+#include <meshoptimizer.h>
+#include <webp/encode.h>
+
+namespace campuswalk::scene::test {
+
+GridMesh grid_mesh(std::size_t side) {
+    GridMesh mesh;
+    const auto step = 1.0F / static_cast<float>(side - 1);
+    const auto at = [side](std::size_t x, std::size_t z) { return static_cast<std::uint32_t>(z * side + x); };
+    for (std::size_t z = 0; z < side; ++z) {
+        for (std::size_t x = 0; x < side; ++x) {
+            mesh.positions.insert(mesh.positions.end(),
+                                  {static_cast<float>(x) * step, 0.0F, static_cast<float>(z) * step});
+            if (x + 1 < side && z + 1 < side) {
+                mesh.indices.insert(mesh.indices.end(), {at(x, z), at(x, z + 1), at(x + 1, z), at(x + 1, z),
+                                                         at(x, z + 1), at(x + 1, z + 1)});
+            }
+        }
+    }
+    return mesh;
+}
+
+std::vector<std::uint8_t> draco_of(const GridMesh& mesh) {
+    draco::Mesh packed;
+    const auto points = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+    packed.set_num_points(points);
+    draco::GeometryAttribute position;
+    position.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_FLOAT32, false, 12, 0);
+    const int id = packed.AddAttribute(position, true, points);
+    for (std::uint32_t i = 0; i < points; ++i) {
+        packed.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), &mesh.positions[3 * i]);
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        packed.AddFace({draco::PointIndex(mesh.indices[i]), draco::PointIndex(mesh.indices[i + 1]),
+                        draco::PointIndex(mesh.indices[i + 2])});
+    }
+    draco::Encoder encoder;
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 16);
+    draco::EncoderBuffer buffer;
+    if (!encoder.EncodeMeshToBuffer(packed, &buffer).ok()) {
+        return {};
+    }
+    return {buffer.data(), buffer.data() + buffer.size()};
+}
+
+std::vector<std::uint8_t> meshopt_vertices_of(const GridMesh& mesh) {
+    constexpr std::size_t kStride = 12;
+    const std::size_t count = mesh.positions.size() / 3;
+    std::vector<std::uint8_t> bytes(meshopt_encodeVertexBufferBound(count, kStride));
+    bytes.resize(
+        meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), mesh.positions.data(), count, kStride));
+    return bytes;
+}
+
+std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh) {
+    std::vector<std::uint8_t> bytes(
+        meshopt_encodeIndexBufferBound(mesh.indices.size(), mesh.positions.size() / 3));
+    bytes.resize(
+        meshopt_encodeIndexBuffer(bytes.data(), bytes.size(), mesh.indices.data(), mesh.indices.size()));
+    return bytes;
+}
+
+std::string webp_picture(int width, int height, std::array<std::uint8_t, 4> rgba) {
+    std::vector<std::uint8_t> pixels;
+    for (int i = 0; i < width * height; ++i) {
+        pixels.insert(pixels.end(), rgba.begin(), rgba.end());
+    }
+    std::uint8_t* out = nullptr;
+    const std::size_t size = WebPEncodeLosslessRGBA(pixels.data(), width, height, width * 4, &out);
+    std::string bytes(reinterpret_cast<const char*>(out), size);
+    WebPFree(out);
+    return bytes;
+}
+
+}  // namespace campuswalk::scene::test

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace campuswalk::scene::test {
+
+/// A square of 1 x 1 m on the ground, facing up.
+struct GridMesh {
+    std::vector<float> positions;  ///< x, y, z
+    std::vector<std::uint32_t> indices;
+};
+
+/// `side` x `side` vertices.
+GridMesh grid_mesh(std::size_t side);
+
+/// Its positions (attribute 0) and triangles as Draco packs them.
+std::vector<std::uint8_t> draco_of(const GridMesh& mesh);
+
+std::vector<std::uint8_t> meshopt_vertices_of(const GridMesh& mesh);  ///< 12 bytes a vertex
+std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh);   ///< 4 bytes an index
+
+/// A lossless WebP file of one colour.
+std::string webp_picture(int width, int height, std::array<std::uint8_t, 4> rgba);
+
+}  // namespace campuswalk::scene::test
