@@ -4,7 +4,6 @@
 #include <map>
 
 #include "scene/collider_shapes.h"
-#include "scene/import/import_model.h"
 #include "scene/node_frame.h"
 #include "scene/node_selection.h"
 #include "scene/object_names.h"
@@ -23,11 +22,13 @@ collision::Detection to_detection(const DetectionModes& modes) {
 }
 
 std::vector<Model> import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
-                                 std::vector<Diagnostic>& warnings) {
+                                 std::vector<Diagnostic>& warnings, const Importer& importer) {
     std::vector<Model> models;
     for (const SceneFile& file : files) {
         try {
-            models.push_back(import_model(file, warnings));
+            ImportedModel imported = importer(file, EmptyModel::refuse);
+            models.push_back(std::move(imported.model));
+            warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
         } catch (const InputError& error) {
             diagnostics.append(error.diagnostics());
         }
@@ -152,13 +153,18 @@ std::uint32_t Campus::layer_index(const std::string& layer) const {
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings) {
+    return load_campus(std::move(description), std::move(broad_phase), warnings, import_scene);
+}
+
+Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
+                   std::vector<Diagnostic>& warnings, const Importer& importer) {
     DiagnosticList diagnostics;
     if (description.layers.size() > kMostLayers) {
         diagnostics.error(description.mark, "too-many-layers",
                           std::to_string(description.layers.size()) + " layers; at most " +
                               std::to_string(kMostLayers) + " are possible");
     }
-    std::vector<Model> models = import_scenes(description.scenes, diagnostics, warnings);
+    std::vector<Model> models = import_scenes(description.scenes, diagnostics, warnings, importer);
     diagnostics.throw_if_errors();  // without its scenes every glob would be wrong
 
     Campus campus{std::move(description), std::move(models), {}, collision::World(std::move(broad_phase))};

@@ -8,6 +8,7 @@
 
 #include "collision/world.h"
 #include "scene/campus_description.h"
+#include "scene/import/import_model.h"
 #include "scene/model.h"
 #include "scene/node_selection.h"
 
@@ -42,5 +43,9 @@ struct Campus {
 ///   too-many-layers more than 31
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings);
+
+/// The same, its models imported by `importer`.
+Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
+                   std::vector<Diagnostic>& warnings, const Importer& importer);
 
 }  // namespace campuswalk::scene

@@ -29,7 +29,7 @@ DecodedImage from_texels(const aiTexture& source) {
 }  // namespace
 
 AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file.path) {
-    read_scene(file, read_);
+    read_scene(file, folder_, read_);
     for (unsigned int i = 0; i < read_.scene->mNumMaterials; ++i) {
         materials_.push_back(convert_material(*read_.scene->mMaterials[i]));
     }
@@ -55,7 +55,7 @@ void AssimpSource::name_nodes(NodeTree& tree) const {
         return;
     }
     ReadScene with_ids;
-    read_scene(file_, with_ids, ColladaNames::ids);
+    read_scene(file_, folder_, with_ids, ColladaNames::ids);
     const NodeTree ids = convert_nodes(*with_ids.scene->mRootNode, Eigen::Matrix4d::Identity());
     for (std::size_t i = 0; i < tree.nodes.size() && ids.nodes.size() == tree.nodes.size(); ++i) {
         if (is_made_up(tree.nodes[i])) {

@@ -19,6 +19,7 @@ public:
     std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
     bool flat_normals() const override { return false; }
     void add_warnings(DiagnosticList& warnings) override;
+    std::vector<FileRequest> requests() const override { return folder_.requests(); }
 
 private:
     void name_nodes(NodeTree& tree) const;

@@ -35,6 +35,7 @@ NodeTree convert_nodes(const aiNode& root, const Eigen::Matrix4d& X_world_file) 
         node.name = visit.node->mName.C_Str();
         node.parent = visit.parent;
         node.X_world_node = X_world_parent * to_matrix(visit.node->mTransformation);
+        node.X_world_node.bottomRows<1>() << 0, 0, 0, 1;  // whatever the file says: it is affine
         tree.nodes.push_back(std::move(node));
         tree.mesh_numbers.emplace_back(visit.node->mMeshes, visit.node->mMeshes + visit.node->mNumMeshes);
         for (unsigned int i = visit.node->mNumChildren; i > 0;

@@ -25,15 +25,25 @@ std::unique_ptr<ModelSource> open_source(const SceneFile& file) {
 
 }  // namespace
 
-Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
+ImportedModel import_scene(const SceneFile& file, EmptyModel if_empty) {
     try {
-        return build_model(*open_source(file), file, warnings, if_empty);
+        ImportedModel imported;
+        const std::unique_ptr<ModelSource> source = open_source(file);
+        imported.model = build_model(*source, file, imported.warnings, if_empty);
+        imported.requests = source->requests();
+        return imported;
     } catch (const std::bad_alloc&) {
         throw InputError(file.mark, "bad-model",
                          "'" + file.file + "' needs more memory than there is; simplify or split it");
     } catch (const std::length_error&) {
         throw InputError(file.mark, "bad-model", "'" + file.file + "' asks for a size that can't be");
     }
+}
+
+Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
+    ImportedModel imported = import_scene(file, if_empty);
+    warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
+    return std::move(imported.model);
 }
 
 }  // namespace campuswalk::scene

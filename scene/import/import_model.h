@@ -1,8 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "scene/campus_description.h"
 #include "scene/diagnostic.h"
 #include "scene/model.h"
+#include "scene/model_file.h"
 
 namespace campuswalk::scene {
 
@@ -30,5 +34,12 @@ enum class EmptyModel { refuse, accept };
 ///   unplaced-mesh      a glTF file without a default scene: meshes of no node are put at the origin
 Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings,
                    EmptyModel if_empty = EmptyModel::refuse);
+
+/// Likewise, with the files that the model depends on besides `file` itself.
+ImportedModel import_scene(const SceneFile& file, EmptyModel if_empty = EmptyModel::refuse);
+
+/// How a scene file becomes a model, with import_model's errors: by import_scene in this process, by a helper
+/// process (helper/import_process.h), out of a cache.
+using Importer = std::function<ImportedModel(const SceneFile& file, EmptyModel if_empty)>;
 
 }  // namespace campuswalk::scene

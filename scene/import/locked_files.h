@@ -26,6 +26,7 @@ public:
     Assimp::IOStream* Open(const char* name, const char* mode) override;
     void Close(Assimp::IOStream* stream) override;
 
+    const SceneFolder& folder() const { return folder_; }
     /// Names that were asked for and not given, in order.
     const std::vector<std::string>& refused() const { return refused_; }
 

@@ -9,6 +9,7 @@
 #include "scene/import/decode_image.h"
 #include "scene/import/tidy_mesh.h"
 #include "scene/model.h"
+#include "scene/model_file.h"
 
 namespace campuswalk::scene {
 
@@ -50,6 +51,8 @@ public:
     virtual bool flat_normals() const = 0;
     /// What was passed over or made up, asked for after all else.
     virtual void add_warnings(DiagnosticList& warnings) = 0;
+    /// The other files that were asked for so far.
+    virtual std::vector<FileRequest> requests() const = 0;
 };
 
 }  // namespace campuswalk::scene

@@ -54,9 +54,9 @@ FaceCheck check_faces(const aiScene& scene) {
 
 }  // namespace
 
-void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names) {
+void read_scene(const SceneFile& file, const SceneFolder& folder, ReadScene& out, ColladaNames names) {
     configure(out.importer, names);
-    out.files = new LockedFiles(SceneFolder(file.path));
+    out.files = new LockedFiles(folder);
     out.importer.SetIOHandler(out.files);
     try {
         out.scene = out.importer.ReadFile(file.path.filename().string(), 0);

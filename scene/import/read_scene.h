@@ -26,6 +26,7 @@ constexpr const char* kMadeUpColladaName = "$ColladaAutoName$";
 /// merge nodes (their names are what colliders go by), and joining vertices and making normals are done
 /// after it, faster and exactly. Throws InputError bad-model, and
 /// empty-mesh for an OBJ that is too short for assimp.
-void read_scene(const SceneFile& file, ReadScene& out, ColladaNames names = ColladaNames::names);
+void read_scene(const SceneFile& file, const SceneFolder& folder, ReadScene& out,
+                ColladaNames names = ColladaNames::names);
 
 }  // namespace campuswalk::scene

@@ -102,7 +102,15 @@ std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool 
     return resolved;
 }
 
+void SceneFolder::keep_request(std::string_view uri, bool picture) const {
+    FileRequest request{std::string(uri), picture};
+    if (std::ranges::find(*requests_, request) == requests_->end()) {
+        requests_->push_back(std::move(request));
+    }
+}
+
 std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
+    keep_request(uri, false);
     const std::string path = tidy_path(uri);
     if (auto found = try_path(path, false)) {
         return found;
@@ -111,6 +119,7 @@ std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
 }
 
 std::optional<fs::path> SceneFolder::find_picture(std::string_view uri) const {
+    keep_request(uri, true);
     const std::string path = tidy_path(uri);
     for (const std::string& name : {path, percent_decoded(path)}) {
         if (auto found = try_path(name, true)) {

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "scene/model_file.h"
 
 namespace campuswalk::scene {
 
@@ -13,6 +17,9 @@ namespace campuswalk::scene {
 ///   - pictures only: also below a sibling of that folder called `textures`, `materials`, `images` or `maps`
 ///     (any case), because the usual layout of simulators is `meshes/x.dae` + `materials/textures/x.png`.
 /// Paths are compared after symbolic links are resolved; only regular files are opened.
+///
+/// What it was asked for is kept, found or not, and shared by its copies: all of it decides what the model
+/// is.
 class SceneFolder {
 public:
     explicit SceneFolder(const std::filesystem::path& scene_file);
@@ -25,11 +32,20 @@ public:
     /// names), its bare name is looked for beside the scene and in the usual texture folders.
     std::optional<std::filesystem::path> find_picture(std::string_view uri) const;
 
+    /// One of the two, as the request says.
+    std::optional<std::filesystem::path> find(const FileRequest& request) const {
+        return request.picture ? find_picture(request.uri) : find_file(request.uri);
+    }
+    /// What it and its copies were asked for, in the order of the first time, without repeats.
+    const std::vector<FileRequest>& requests() const { return *requests_; }
+
 private:
+    void keep_request(std::string_view uri, bool picture) const;
     bool may_read(const std::filesystem::path& resolved, bool picture) const;
     std::optional<std::filesystem::path> try_path(const std::string& relative, bool picture) const;
 
     std::filesystem::path folder_;
+    std::shared_ptr<std::vector<FileRequest>> requests_ = std::make_shared<std::vector<FileRequest>>();
 };
 
 /// `a%20b` to `a b`; malformed escapes stay as they are.

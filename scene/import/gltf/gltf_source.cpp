@@ -86,6 +86,10 @@ std::optional<DecodedImage> GltfSource::picture(const TextureReference& referenc
     return reading([&] { return embedded_picture(image, reason); });
 }
 
+std::vector<FileRequest> GltfSource::requests() const {
+    return parts_->folder.requests();
+}
+
 void GltfSource::add_warnings(DiagnosticList& warnings) {
     const auto warn = [&](const char* code, const std::string& message) {
         warnings.warning(file_.mark, code, file_.file + ": " + message);

@@ -21,6 +21,7 @@ public:
     std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
     bool flat_normals() const override { return true; }
     void add_warnings(DiagnosticList& warnings) override;
+    std::vector<FileRequest> requests() const override;
 
 private:
     struct Parts;

@@ -106,7 +106,7 @@ GltfMaterial read_material(const Document& document, const Item& item) {
         read_color(document, *older, "diffuseFactor", "diffuseTexture", out);
     }
     material.alpha_mode = to_alpha_mode(item.text("alphaMode"));
-    material.alpha_cutoff = static_cast<float>(item.number("alphaCutoff", 0.5));
+    material.alpha_cutoff = tidy(static_cast<float>(item.number("alphaCutoff", 0.5)));
     material.double_sided = item.flag("doubleSided");
     // An emissive texture says where it glows; without it the whole surface would.
     const auto emissive = item.numbers("emissiveFactor", 3);

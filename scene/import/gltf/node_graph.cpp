@@ -34,7 +34,11 @@ Eigen::Matrix4d transform_of(const Eigen::Vector3f& translation, const Quaternio
 
 Eigen::Matrix4d local_transform(const Item& node) {
     if (const auto matrix = node.numbers("matrix", 16)) {
-        return Eigen::Map<const Eigen::Matrix4f>(matrix->data()).cast<double>();
+        const Eigen::Map<const Eigen::Matrix4f> m(matrix->data());
+        if (m.row(3) != Eigen::RowVector4f(0, 0, 0, 1)) {
+            node.fail("has a 'matrix' that is no affine one; export it again");
+        }
+        return m.cast<double>();
     }
     const auto t = node.numbers("translation", 3).value_or(std::vector<float>{0, 0, 0});
     const auto r = node.numbers("rotation", 4).value_or(std::vector<float>{0, 0, 0, 1});

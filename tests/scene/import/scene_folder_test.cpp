@@ -49,6 +49,20 @@ TEST_F(SceneFolderTest, RefusesWhatLiesOutside) {
     EXPECT_FALSE(folder().find_picture("/etc/passwd"));
 }
 
+TEST_F(SceneFolderTest, KeepsWhatItWasAskedFor) {
+    const SceneFolder asked = folder();
+    const SceneFolder copy = asked;  // NOLINT(performance-unnecessary-copy-initialization): that is the point
+    EXPECT_TRUE(asked.find_file("a%20b.bin"));
+    EXPECT_FALSE(copy.find_picture("nothing.png"));
+    EXPECT_FALSE(copy.find_file("nothing.png"));
+    EXPECT_TRUE(copy.find_file("a%20b.bin"));
+    const std::vector<FileRequest> expected = {
+        {"a%20b.bin", false}, {"nothing.png", true}, {"nothing.png", false}};
+    EXPECT_EQ(asked.requests(), expected);
+    EXPECT_TRUE(asked.find(expected[0]));
+    EXPECT_TRUE(folder().requests().empty());
+}
+
 TEST_F(SceneFolderTest, RefusesSymbolicLinksThatLeadOutside) {
     fs::create_symlink(files_.path() / "outside.bin", files_.path() / "model/meshes/link.bin");
     fs::create_symlink(files_.path() / "model/meshes/deep/er/x.bin",

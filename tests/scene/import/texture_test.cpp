@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "scene/import/decode_image.h"
@@ -26,6 +29,20 @@ protected:
     test::TemporaryFolder folder_;
     std::vector<Diagnostic> warnings_;
 };
+
+/// What decides over the model besides the file itself, there or not.
+TEST_F(TextureTest, AreAmongTheFilesThatAModelDependsOn) {
+    folder_.write("x.mtl", "newmtl wood\nmap_Kd wood.tga\n");
+    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) + "usemtl wood\nf 1/1 2/2 3/3\n");
+    const std::vector<FileRequest> requests = import_scene(scene_file(folder_, "x.obj")).requests;
+    EXPECT_EQ(std::ranges::count(requests, FileRequest{"x.mtl", false}), 1);
+    EXPECT_EQ(std::ranges::count(requests, FileRequest{"wood.tga", true}), 1);
+    std::filesystem::remove(folder_.path() / "x.mtl");
+    const std::vector<FileRequest> without = import_scene(scene_file(folder_, "x.obj")).requests;
+    EXPECT_EQ(std::ranges::count(without, FileRequest{"x.mtl", false}), 1) << "it may come";
+    EXPECT_EQ(std::ranges::count(without, FileRequest{"wood.tga", true}), 0);
+}
 
 TEST_F(TextureTest, AreDecodedToRgbaFromTheTop) {
     folder_.write("maps/wood.tga", test::tga_picture(3, 2, {10, 20, 30, 255}));
