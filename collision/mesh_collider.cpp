@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision/wide_tree_check.h"
+
 namespace campuswalk::collision {
 
 namespace {
@@ -41,6 +43,14 @@ std::variant<WideTree, HybridTree> build(const TriangleMesh& mesh, Layout layout
 
 MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout)
     : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {}
+
+MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree)
+    : mesh_(std::move(mesh)), tree_(std::move(tree)) {
+    checked(mesh_);
+    if (const char* fault = fault_of(wide_tree(), mesh_.triangles.size())) {
+        throw std::invalid_argument(fault);
+    }
+}
 
 const ClosedParts& MeshCollider::closed_parts() const {
     std::call_once(closed_once_, [this] { closed_.emplace(mesh_); });

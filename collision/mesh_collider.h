@@ -24,6 +24,9 @@ public:
     /// Throws std::invalid_argument for a mesh without triangles, an index out of range, or a position that
     /// is not finite or beyond kMaxCoordinate: callers check user input first.
     explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide);
+    /// With the tree that was built of this mesh before, as from a file. Throws std::invalid_argument for a
+    /// mesh as above, and for a tree whose parts don't fit together (wide_tree_check.h).
+    MeshCollider(TriangleMesh mesh, WideTree tree);
 
     const TriangleMesh& mesh() const { return mesh_; }
     Layout layout() const { return tree_.index() == 0 ? Layout::wide : Layout::paper; }

@@ -32,6 +32,19 @@ TEST(MeshCollider, HoldsTheMeshAndOneTree) {
     EXPECT_THROW(paper.wide_tree(), std::bad_variant_access);
 }
 
+TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
+    const MeshCollider built(box());
+    const MeshCollider taken(box(), built.wide_tree());
+    EXPECT_EQ(taken.layout(), Layout::wide);
+    EXPECT_EQ(taken.wide_tree().leaves.size(), built.wide_tree().leaves.size());
+    WideTree foreign = built.wide_tree();
+    foreign.leaves[0].triangle[3] = 12;
+    EXPECT_THROW(MeshCollider(box(), foreign), std::invalid_argument);
+    TriangleMesh spoilt = box();
+    spoilt.triangles[7][1] = static_cast<std::uint32_t>(spoilt.positions.size());
+    EXPECT_THROW(MeshCollider(spoilt, built.wide_tree()), std::invalid_argument);
+}
+
 TEST(MeshCollider, FindsClosedPartsOnce) {
     const MeshCollider collider(box());
     EXPECT_TRUE(collider.closed_parts().contains({0.5, 0.5, 0.5}));

@@ -1,0 +1,116 @@
+#include "collision/wide_tree_check.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// What a query's agenda has room for: see tree_descent.h.
+constexpr std::uint8_t kDeepest = 64;
+
+/// By the exponent's bits, for lanes' sake.
+template <std::size_t N>
+std::uint32_t count_not_finite(const std::array<float, N>& numbers) {
+    constexpr std::uint32_t kExponent = 0x7F800000;
+    std::uint32_t count = 0;
+    for (const float number : numbers) {
+        count += (std::bit_cast<std::uint32_t>(number) & kExponent) == kExponent ? 1U : 0U;
+    }
+    return count;
+}
+
+bool is_finite(const WideLeaf& leaf) {
+    std::uint32_t not_finite = count_not_finite(leaf.origin);
+    for (const auto& along : leaf.corner) {
+        not_finite += count_not_finite(along);
+    }
+    return not_finite == 0;
+}
+
+bool is_sound(const WideLeaf& leaf, std::size_t mesh_triangles) {
+    std::uint8_t corners = 0;
+    for (const auto& of_triangle : leaf.corner_of) {
+        for (const std::uint8_t corner : of_triangle) {
+            corners = static_cast<std::uint8_t>(corners | corner);
+        }
+    }
+    static_assert(kLeafCorners == 16);
+    const std::uint32_t last = *std::max_element(leaf.triangle.begin(), leaf.triangle.end());
+    return corners < kLeafCorners && last < mesh_triangles && leaf.corners >= 1 &&
+           leaf.corners <= kLeafCorners && leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles && is_finite(leaf);
+}
+
+/// Follows every way down from the root: children come after their parents, and nothing has two.
+class Inspection {
+public:
+    explicit Inspection(const WideTree& tree)
+        : tree_(tree), node_depth_(tree.nodes.size()), leaf_seen_(tree.leaves.size()) {}
+
+    bool is_whole() {
+        std::size_t nodes_seen = 1;
+        std::size_t leaves_seen = 0;
+        for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
+            const WideNode& node = tree_.nodes[n];
+            if (node.count < 1 || node.count > kWideChildren || node.leaves >> node.count != 0) {
+                return false;
+            }
+            for (std::size_t i = 0; i < node.count; ++i) {
+                const bool leaf = (node.leaves >> i & 1) != 0;
+                if (!(leaf ? see_leaf(node.child[i]) : see_node(n, node.child[i]))) {
+                    return false;
+                }
+                ++(leaf ? leaves_seen : nodes_seen);
+            }
+        }
+        return nodes_seen == tree_.nodes.size() && leaves_seen == tree_.leaves.size();
+    }
+
+private:
+    bool see_node(std::size_t parent, std::uint32_t child) {
+        if (child <= parent || child >= node_depth_.size() || node_depth_[child] != 0 ||
+            node_depth_[parent] == kDeepest) {
+            return false;
+        }
+        node_depth_[child] = static_cast<std::uint8_t>(node_depth_[parent] + 1);
+        return true;
+    }
+    bool see_leaf(std::uint32_t leaf) {
+        if (leaf >= leaf_seen_.size() || leaf_seen_[leaf]) {
+            return false;
+        }
+        leaf_seen_[leaf] = true;
+        return true;
+    }
+
+    const WideTree& tree_;
+    std::vector<std::uint8_t> node_depth_;  ///< 0 for the root and for what hasn't been seen
+    std::vector<bool> leaf_seen_;
+};
+
+}  // namespace
+
+const char* fault_of(const WideTree& tree, std::size_t mesh_triangles) {
+    if (tree.nodes.empty()) {
+        return "the tree has no root";
+    }
+    if (!Inspection(tree).is_whole()) {
+        return "the tree's nodes don't make a tree";
+    }
+    if (!std::isfinite(tree.reach) || !tree.outer.center.allFinite() || !std::isfinite(tree.outer.radius)) {
+        return "the tree is nowhere";
+    }
+    for (const WideLeaf& leaf : tree.leaves) {
+        if (!is_sound(leaf, mesh_triangles)) {
+            return "a leaf of the tree has what isn't in the mesh";
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace campuswalk::collision
