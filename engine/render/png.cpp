@@ -1,14 +1,15 @@
 #include "engine/render/png.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 
 #include <spng.h>
+
+#include "scene/whole_file.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -29,10 +30,6 @@ void check(int error, const char* doing) {
     if (error != 0) {
         throw std::runtime_error(std::string("PNG encoder, ") + doing + ": " + spng_strerror(error));
     }
-}
-
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
-    throw std::runtime_error("can't write " + file.string() + ": " + reason);
 }
 
 }  // namespace
@@ -67,37 +64,7 @@ std::vector<std::uint8_t> encode_png(const Picture& picture) {
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {
     const std::vector<std::uint8_t> bytes = encode_png(picture);
-    std::error_code error;
-    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
-        fail(file, "it is not a regular file");  // the rename below would put one in a device's place
-    }
-    if (file.has_parent_path()) {
-        std::filesystem::create_directories(file.parent_path(), error);
-        if (error) {
-            fail(file, error.message());
-        }
-    }
-    std::filesystem::path part = file;
-    part += ".part";
-    std::FILE* stream = std::fopen(part.c_str(), "wb");
-    if (stream == nullptr) {
-        fail(file, std::strerror(errno));
-    }
-    bool written = std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size();
-    int reason = errno;
-    // Closing flushes: a full disk may only show here.
-    if (std::fclose(stream) != 0 && written) {
-        written = false;
-        reason = errno;
-    }
-    if (written) {
-        std::filesystem::rename(part, file, error);
-    }
-    if (!written || error) {
-        std::error_code ignored;
-        std::filesystem::remove(part, ignored);
-        fail(file, written ? error.message() : std::strerror(reason));
-    }
+    scene::write_whole_file(file, std::as_bytes(std::span(bytes)));
 }
 
 }  // namespace campuswalk::engine::render

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/campuswalk/log_lines.h"
-#include "tools/campuswalk/whole_file.h"
+#include "scene/whole_file.h"
 
 namespace campuswalk::tools {
 
@@ -137,7 +137,7 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
     GoldenCheck check;
     const fs::path file = golden_log_file(walk_file, project);
     const auto update = [&] {
-        write_whole_file(file, joined(lines));
+        scene::write_whole_file(file, joined(lines));
         check.written = file;
     };
     if (mode == UpdateSnapshots::all) {

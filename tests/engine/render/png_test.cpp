@@ -116,7 +116,7 @@ TEST(Png, AFolderThatIsAFileIsNamedWithTheSystemsReason) {
     std::ofstream(folder.path() / "out") << "not a folder";
     const std::filesystem::path file = folder.path() / "out" / "walk" / "picture.png";
     const std::string error = error_of_writing(pattern(8, 8), file);
-    EXPECT_NE(error.find("can't write " + file.string() + ": "), std::string::npos) << error;
+    EXPECT_NE(error.find("can't write '" + file.string() + "': "), std::string::npos) << error;
     EXPECT_NE(error.find(std::strerror(ENOTDIR)), std::string::npos) << error;
     EXPECT_EQ(folder.contents().size(), 1U);
 }

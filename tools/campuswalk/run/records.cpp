@@ -4,7 +4,7 @@
 
 #include "engine/observers/cost_trace.h"
 #include "engine/observers/trajectory.h"
-#include "tools/campuswalk/whole_file.h"
+#include "scene/whole_file.h"
 
 namespace campuswalk::tools {
 
@@ -60,7 +60,7 @@ std::vector<engine::Artifact> Records::write(const std::filesystem::path& output
     std::vector<engine::Artifact> written;
     for (const auto& record : records_) {
         const std::string path = folder + "/" + record->kind->file;
-        write_whole_file(output / path, record->text);
+        scene::write_whole_file(output / path, record->text);
         written.push_back({record->kind->name, path, record->kind->media_type});
     }
     return written;
