@@ -43,7 +43,8 @@ bool is_sound(const WideLeaf& leaf, std::size_t mesh_triangles) {
     static_assert(kLeafCorners == 16);
     const std::uint32_t last = *std::max_element(leaf.triangle.begin(), leaf.triangle.end());
     return corners < kLeafCorners && last < mesh_triangles && leaf.corners >= 1 &&
-           leaf.corners <= kLeafCorners && leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles && is_finite(leaf);
+           leaf.corners <= kLeafCorners && leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles &&
+           is_finite(leaf);
 }
 
 /// Follows every way down from the root: children come after their parents, and nothing has two.

@@ -13,6 +13,11 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) {
     return XXH3_64bits(bytes.data(), bytes.size());
 }
 
+ContentHash hash_of(std::span<const std::byte> bytes) {
+    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+    return {hash.high64, hash.low64};
+}
+
 std::string to_string(const ContentHash& hash) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text;

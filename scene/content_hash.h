@@ -21,6 +21,8 @@ struct ContentHash {
     friend bool operator==(const ContentHash&, const ContentHash&) = default;
 };
 
+ContentHash hash_of(std::span<const std::byte> bytes);
+
 /// 32 lower-case hexadecimal digits.
 std::string to_string(const ContentHash& hash);
 

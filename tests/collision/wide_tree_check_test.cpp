@@ -64,7 +64,8 @@ TEST_F(WideTreeCheck, FindsNodesThatMakeNoTree) {
     EXPECT_EQ(fault([](WideTree& t) { t.nodes.clear(); }), "the tree has no root");
     EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].child[0] = 0; }), kNoTree) << "a circle";
     EXPECT_EQ(fault([&](WideTree& t) { t.nodes[0].child[0] = last_node; }), kNoTree);
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].child[0] = t.nodes[0].child[1]; }), kNoTree) << "two parents";
+    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].child[0] = t.nodes[0].child[1]; }), kNoTree)
+        << "two parents";
     EXPECT_EQ(fault([&](WideTree& t) { t.nodes[low].child[0] = last_leaf; }), kNoTree);
     EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].count = 0; }), kNoTree);
     EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].count = 9; }), kNoTree);
@@ -100,7 +101,8 @@ TEST_F(WideTreeCheck, FindsATreeThatIsTooDeep) {
 TEST_F(WideTreeCheck, FindsLeavesWithWhatIsNotThere) {
     const std::string kForeign = "a leaf of the tree has what isn't in the mesh";
     EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangle[0] = kTriangles; }), kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangle[15] = kTriangles; }), kForeign) << "an unused slot";
+    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangle[15] = kTriangles; }), kForeign)
+        << "an unused slot";
     EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].corner_of[1][15] = 16; }), kForeign);
     EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].corners = 17; }), kForeign);
     EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangles = 17; }), kForeign);

@@ -16,6 +16,7 @@ TEST(ContentHash, IsXxh3) {
     hasher.add(bytes_of("campus"));
     hasher.add(bytes_of("walk\n"));
     EXPECT_EQ(to_string(hasher.result()), "e2da1d89695ee4387e162ffd3005ba8a");
+    EXPECT_EQ(hash_of(bytes_of("campuswalk\n")), hasher.result());
 }
 
 TEST(ContentHash, TellsWhereTextsEnd) {

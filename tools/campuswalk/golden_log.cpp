@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/campuswalk/log_lines.h"
 #include "scene/whole_file.h"
+#include "tools/campuswalk/log_lines.h"
 
 namespace campuswalk::tools {
 
