@@ -21,10 +21,10 @@ enum class EmptyModel { refuse, accept };
 ///
 /// Throws InputError (at `file.mark`), all mistakes of the file together, with code
 ///   missing-file   the file is not there or cannot be read
-///   bad-model      its format isn't read, it needs a feature that isn't, it is damaged, or too large for
-///   memory empty-mesh     nothing in it has a triangle, or a mesh made for triangles has none bad-vertex a
-///   position or a node's transform is NaN or infinite, with the node's name bad-texture    a texture is
-///   missing or cannot be decoded, with its material's name
+///   bad-model      its format isn't read, it needs a feature that isn't, it is damaged, or too large
+///   empty-mesh     nothing in it has a triangle, or a mesh made for triangles has none
+///   bad-vertex     a position or a node's transform is NaN or infinite, with the node's name
+///   bad-texture    a texture is missing or cannot be decoded, with its material's name
 /// Repairs and oddities that do not stop a walk go to `warnings`:
 ///   points-and-lines   how many were left out
 ///   repaired-normals   normals that are zero or not finite, taken from the faces
