@@ -76,6 +76,21 @@ HWY_INLINE hn::Vec<D> pick(D d, const float* table, const std::uint8_t* bytes) {
     }
 }
 
+/// How a b + c is rounded: once where the instruction set has that,
+struct Fused {
+    template <class V>
+    static HWY_INLINE V multiply_add(V a, V b, V c) {
+        return hn::MulAdd(a, b, c);
+    }
+};
+/// or twice, which gives the same on every instruction set.
+struct Unfused {
+    template <class V>
+    static HWY_INLINE V multiply_add(V a, V b, V c) {
+        return hn::Add(hn::Mul(a, b), c);
+    }
+};
+
 struct Real3 {
     Real x, y, z;
 };

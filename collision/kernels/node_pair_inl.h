@@ -28,14 +28,35 @@ struct BoxSlabs {
 
 inline constexpr std::uint32_t kAllBoxes = (1U << kBoxLanes) - 1U;
 
+/// What is asked of two nodes: which of their children may meet,
+struct Meeting : Fused {
+    static constexpr bool kDepths = false;
+    /// Of two gaps: negative if one is.
+    static HWY_INLINE BoxReal join(BoxReal a, BoxReal b) { return hn::Or(a, b); }
+};
+
+/// and how far they reach into each other, along the axis where it is least, as a share of how thick they
+/// are. That is the same on every instruction set, for it decides which pair is found first.
+struct MeetingDepths : Unfused {
+    static constexpr bool kDepths = true;
+    static HWY_INLINE BoxReal join(BoxReal a, BoxReal b) { return hn::Min(a, b); }
+
+    float of_pair(std::size_t bit) const { return of[bit / 8][bit % 8]; }
+
+    HWY_ALIGN float of[kWideChildren][kWideChildren];  ///< by child of a, then of b
+};
+
 /// Negative where one box is apart from others along one of three axes.
+template <class Asked>
 HWY_INLINE BoxReal gap(const float low[3], const float high[3], const BoxSlabs& others) {
     const BoxTag d;
-    return hn::Or(
-        hn::Or(
-            hn::Or(hn::Sub(hn::Set(d, high[0]), others.low.x), hn::Sub(others.high.x, hn::Set(d, low[0]))),
-            hn::Or(hn::Sub(hn::Set(d, high[1]), others.low.y), hn::Sub(others.high.y, hn::Set(d, low[1])))),
-        hn::Or(hn::Sub(hn::Set(d, high[2]), others.low.z), hn::Sub(others.high.z, hn::Set(d, low[2]))));
+    const auto along = [&](std::size_t k, BoxReal others_low, BoxReal others_high) {
+        return Asked::join(hn::Sub(hn::Set(d, high[k]), others_low),
+                           hn::Sub(others_high, hn::Set(d, low[k])));
+    };
+    return Asked::join(
+        Asked::join(along(0, others.low.x, others.high.x), along(1, others.low.y, others.high.y)),
+        along(2, others.low.z, others.high.z));
 }
 
 /// The ends of eight boxes along three axes.
@@ -54,10 +75,11 @@ struct SlabTable {
     }
 
     /// Of box i and others.
+    template <class Asked>
     HWY_INLINE BoxReal gap(std::size_t i, const BoxSlabs& others) const {
         const float i_low[3] = {low[0][i], low[1][i], low[2][i]};
         const float i_high[3] = {high[0][i], high[1][i], high[2][i]};
-        return HWY_NAMESPACE::gap(i_low, i_high, others);
+        return HWY_NAMESPACE::gap<Asked>(i_low, i_high, others);
     }
 };
 
@@ -72,19 +94,25 @@ HWY_INLINE BoxSlabs slabs(const BoxReal3& center, const BoxReal3& half) {
             {hn::Add(center.x, half.x), hn::Add(center.y, half.y), hn::Add(center.z, half.z)}};
 }
 
+HWY_INLINE BoxReal least(const BoxReal3& half) {
+    return hn::Min(half.x, hn::Min(half.y, half.z));
+}
+
 /// Boxes along one axis m of another frame: adds m . center to `middle` and |m| . half to `reach`.
+template <class Arithmetic>
 HWY_INLINE void project(const float m[3], const BoxReal3& center, const BoxReal3& half, BoxReal& middle,
                         BoxReal& reach) {
     const BoxTag d;
     const BoxReal x = hn::Set(d, m[0]);
     const BoxReal y = hn::Set(d, m[1]);
     const BoxReal z = hn::Set(d, m[2]);
-    middle = hn::MulAdd(x, center.x, hn::MulAdd(y, center.y, hn::MulAdd(z, center.z, middle)));
-    reach =
-        hn::MulAdd(hn::Abs(x), half.x, hn::MulAdd(hn::Abs(y), half.y, hn::MulAdd(hn::Abs(z), half.z, reach)));
+    const auto add = [](BoxReal a, BoxReal b, BoxReal sum) { return Arithmetic::multiply_add(a, b, sum); };
+    middle = add(x, center.x, add(y, center.y, add(z, center.z, middle)));
+    reach = add(hn::Abs(x), half.x, add(hn::Abs(y), half.y, add(hn::Abs(z), half.z, reach)));
 }
 
 /// From b's frame to a's: y_a = M y_b + s.
+template <class Arithmetic>
 struct FrameChange {
     float row[3][3];     ///< M
     float column[3][3];  ///< its transpose
@@ -101,11 +129,11 @@ struct FrameChange {
         HWY_ALIGN float turned[4];
         for (std::size_t k = 0; k < 3; ++k) {
             auto g = hn::Mul(r0, hn::Set(d, b.axes[0][k]));
-            g = hn::MulAdd(r1, hn::Set(d, b.axes[1][k]), g);
-            g = hn::MulAdd(r2, hn::Set(d, b.axes[2][k]), g);
+            g = Arithmetic::multiply_add(r1, hn::Set(d, b.axes[1][k]), g);
+            g = Arithmetic::multiply_add(r2, hn::Set(d, b.axes[2][k]), g);
             auto m = hn::Mul(a0, hn::Broadcast<0>(g));
-            m = hn::MulAdd(a1, hn::Broadcast<1>(g), m);
-            m = hn::MulAdd(a2, hn::Broadcast<2>(g), m);
+            m = Arithmetic::multiply_add(a1, hn::Broadcast<1>(g), m);
+            m = Arithmetic::multiply_add(a2, hn::Broadcast<2>(g), m);
             hn::Store(m, d, turned);
             for (std::size_t i = 0; i < 3; ++i) {
                 row[i][k] = turned[i];
@@ -113,10 +141,10 @@ struct FrameChange {
             }
         }
         float t[4];
-        pose.offset(a.origin, b.origin, t);
+        pose.offset<Arithmetic>(a.origin, b.origin, t);
         auto v = hn::Mul(a0, hn::Set(d, t[0]));
-        v = hn::MulAdd(a1, hn::Set(d, t[1]), v);
-        v = hn::MulAdd(a2, hn::Set(d, t[2]), v);
+        v = Arithmetic::multiply_add(a1, hn::Set(d, t[1]), v);
+        v = Arithmetic::multiply_add(a2, hn::Set(d, t[2]), v);
         hn::Store(v, d, turned);
         for (std::size_t i = 0; i < 3; ++i) {
             s[i] = turned[i];
@@ -131,30 +159,35 @@ struct FrameChange {
 /// box by 18 u r, since its coordinates add up to at most sqrt(3) r; evaluating three products and a sum adds
 /// 7 u, the frames' own distance from rotations 7 u, the offset's rounding 11 u, the last additions 2 u:
 /// below 48 u L, of which 64 are added to each box.
+template <class Asked>
 HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& a, const WideNode& b,
-                                      std::uint32_t rows, std::uint32_t columns) {
+                                      std::uint32_t rows, std::uint32_t columns, Asked& asked) {
     const BoxTag d;
-    const FrameChange change(pose, a, b);
+    const FrameChange<Asked> change(pose, a, b);
     const BoxReal slack = hn::Set(d, pose.bound(64.0F, a.radius + b.radius + length_of(change.s)));
 
     // Boxes of a that miss all of b's at once are most; what is left of `rows` is held against each.
     std::uint32_t near = 0;
     SlabTable a_own;
     SlabTable a_in_b;
+    HWY_ALIGN float a_thickness[kWideChildren];
     for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
         BoxReal3 center = load_boxes(a.center, c);
         const BoxReal3 half = load_boxes(a.half, c);
         a_own.set(slabs(center, half), c);
+        if constexpr (Asked::kDepths) {
+            hn::Store(hn::Add(least(half), slack), d, a_thickness + c);  // never 0
+        }
         center = {hn::Sub(center.x, hn::Set(d, change.s[0])), hn::Sub(center.y, hn::Set(d, change.s[1])),
                   hn::Sub(center.z, hn::Set(d, change.s[2]))};
         BoxReal3 middle = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
         BoxReal3 reach = {slack, slack, slack};
-        project(change.column[0], center, half, middle.x, reach.x);
-        project(change.column[1], center, half, middle.y, reach.y);
-        project(change.column[2], center, half, middle.z, reach.z);
+        project<Asked>(change.column[0], center, half, middle.x, reach.x);
+        project<Asked>(change.column[1], center, half, middle.y, reach.y);
+        project<Asked>(change.column[2], center, half, middle.z, reach.z);
         const BoxSlabs in_b = slabs(middle, reach);
         a_in_b.set(in_b, c);
-        near |= (~sign_bits(d, gap(b.low.data(), b.high.data(), in_b)) & kAllBoxes) << c;
+        near |= (~sign_bits(d, gap<Asked>(b.low.data(), b.high.data(), in_b)) & kAllBoxes) << c;
     }
     rows &= near;
     if (rows == 0) {
@@ -166,15 +199,19 @@ HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& 
         const BoxReal3 half = load_boxes(b.half, c);
         BoxReal3 middle = {hn::Set(d, change.s[0]), hn::Set(d, change.s[1]), hn::Set(d, change.s[2])};
         BoxReal3 reach = {slack, slack, slack};
-        project(change.row[0], center, half, middle.x, reach.x);
-        project(change.row[1], center, half, middle.y, reach.y);
-        project(change.row[2], center, half, middle.z, reach.z);
+        project<Asked>(change.row[0], center, half, middle.x, reach.x);
+        project<Asked>(change.row[1], center, half, middle.y, reach.y);
+        project<Asked>(change.row[2], center, half, middle.z, reach.z);
         const BoxSlabs b_own = slabs(center, half);
         const BoxSlabs b_in_a = slabs(middle, reach);
         for (std::uint32_t m = rows; m != 0; m &= m - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(m));
-            const BoxReal apart = hn::Or(a_own.gap(i, b_in_a), a_in_b.gap(i, b_own));
-            const std::uint64_t together = ~sign_bits(d, apart) & kAllBoxes;
+            const BoxReal gaps = Asked::join(a_own.gap<Asked>(i, b_in_a), a_in_b.gap<Asked>(i, b_own));
+            if constexpr (Asked::kDepths) {
+                const BoxReal thickness = hn::Add(hn::Set(d, a_thickness[i]), least(half));
+                hn::Store(hn::Div(gaps, thickness), d, asked.of[i] + c);
+            }
+            const std::uint64_t together = ~sign_bits(d, gaps) & kAllBoxes;
             met |= together << (8 * i + c);
         }
     }

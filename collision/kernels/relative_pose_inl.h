@@ -43,6 +43,7 @@ public:
     }
 
     /// R o_b + t - o_a; the fourth entry is 0.
+    template <class Arithmetic = Fused>
     HWY_INLINE void offset(const std::array<float, 4>& o_a, const std::array<float, 4>& o_b,
                            float out[4]) const {
         const hn::CappedTag<double, 4> d;
@@ -52,9 +53,9 @@ public:
         const auto z = hn::Set(d, static_cast<double>(o_b[2]));
         for (std::size_t k = 0; k < 4; k += hn::MaxLanes(d)) {
             auto v = hn::Sub(hn::Load(d, shift_ + k), hn::PromoteTo(d, hn::LoadU(narrow, o_a.data() + k)));
-            v = hn::MulAdd(hn::Load(d, turn_[2] + k), z, v);
-            v = hn::MulAdd(hn::Load(d, turn_[1] + k), y, v);
-            v = hn::MulAdd(hn::Load(d, turn_[0] + k), x, v);
+            v = Arithmetic::multiply_add(hn::Load(d, turn_[2] + k), z, v);
+            v = Arithmetic::multiply_add(hn::Load(d, turn_[1] + k), y, v);
+            v = Arithmetic::multiply_add(hn::Load(d, turn_[0] + k), x, v);
             hn::StoreU(hn::DemoteTo(narrow, v), narrow, out + k);
         }
     }

@@ -1,5 +1,7 @@
 #include "collision/kernels/wide_contacts.h"
 
+#include <bit>
+
 // Highway compiles this file once for each instruction set; which to run is ours to say, so nothing of its
 // library is linked. Its own assertions are off even in debug builds: they'd need that library.
 #define HWY_IS_DEBUG_BUILD 0
@@ -40,55 +42,137 @@ HWY_INLINE std::uint64_t whole_rows(std::uint64_t bits) {
     return (ones & 0x0101010101010101ULL) * 0xFF;
 }
 
-void search(const WidePair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryCounters& counters) {
-    // Of trees that the caches next to a core can't hold, what comes next is fetched ahead.
-    constexpr std::size_t kNodesInCache = 2048;
-    const bool far = pair.a.nodes.size() + pair.b.nodes.size() > kNodesInCache;
-    const RelativePose pose(pair);
-    LeafPairs leaf_pairs(pair, pose, out, counters);
+/// A way down two trees, from pairs of nodes to pairs of leaves.
+class Descent {
+public:
+    Descent(const WidePair& pair, std::vector<TrianglePair>& out, QueryCounters& counters)
+        : a_(pair.a), b_(pair.b), pose_(pair), leaf_pairs_(pair, pose_, out, counters), counters_(counters) {
+        // Of trees that the caches next to a core can't hold, what comes next is fetched ahead.
+        constexpr std::size_t kNodesInCache = 2048;
+        far_ = a_.nodes.size() + b_.nodes.size() > kNodesInCache;
+    }
+
+    static NodePair roots(const WidePair& pair) {
+        return {0, 0, all_children(pair.a.nodes[0]), all_children(pair.b.nodes[0])};
+    }
+
+    /// Bit 8 i + j: child i of a and child j of b.
+    template <class Asked>
+    HWY_INLINE std::uint64_t children(const NodePair& item, Asked& asked) {
+        ++counters_.nu;
+        counters_.nv += static_cast<std::uint64_t>(std::popcount(item.rows) * std::popcount(item.columns));
+        return children_met(pose_, a_.nodes[item.a], b_.nodes[item.b], item.rows, item.columns, asked);
+    }
+
+    /// Those of them that are leaves both.
+    std::uint64_t leaves(const NodePair& item) const {
+        return whole_rows(a_.nodes[item.a].leaves) & (0x0101010101010101ULL * b_.nodes[item.b].leaves);
+    }
+
+    HWY_INLINE void find(const NodePair& item, std::size_t bit) {
+        leaf_pairs_.find(leaf_a(item, bit), leaf_b(item, bit));
+    }
+
+    HWY_INLINE void fetch(const NodePair& item, std::size_t bit) const {
+        if (far_) {
+            prefetch(leaf_a(item, bit));
+            prefetch(leaf_b(item, bit));
+        }
+    }
+
+    HWY_INLINE NodePair below(const NodePair& item, std::size_t bit) const {
+        const std::size_t i = bit / 8;
+        const std::size_t j = bit % 8;
+        const WideNode& a = a_.nodes[item.a];
+        const WideNode& b = b_.nodes[item.b];
+        NodePair next{item.a, item.b, 1U << i, 1U << j};
+        if ((a.leaves >> i & 1) == 0) {
+            next.a = a.child[i];
+            next.rows = all_children(a_.nodes[next.a]);
+        }
+        if ((b.leaves >> j & 1) == 0) {
+            next.b = b.child[j];
+            next.columns = all_children(b_.nodes[next.b]);
+        }
+        if (far_) {
+            prefetch(a_.nodes[next.a]);
+            prefetch(b_.nodes[next.b]);
+        }
+        return next;
+    }
+
+private:
+    const WideLeaf& leaf_a(const NodePair& item, std::size_t bit) const {
+        return a_.leaves[a_.nodes[item.a].child[bit / 8]];
+    }
+    const WideLeaf& leaf_b(const NodePair& item, std::size_t bit) const {
+        return b_.leaves[b_.nodes[item.b].child[bit % 8]];
+    }
+
+    const WideTree& a_;
+    const WideTree& b_;
+    RelativePose pose_;
+    LeafPairs leaf_pairs_;
+    QueryCounters& counters_;
+    bool far_ = false;
+};
+
+std::size_t first_place(std::uint64_t bits) {
+    return static_cast<std::size_t>(std::countr_zero(bits));
+}
+
+void find_all(Descent& descent, const NodePair& roots) {
     thread_local std::vector<NodePair> stack;
-    stack.clear();
-    stack.push_back({0, 0, all_children(pair.a.nodes[0]), all_children(pair.b.nodes[0])});
+    stack.assign(1, roots);
+    Meeting asked;
     while (!stack.empty()) {
         const NodePair item = stack.back();
         stack.pop_back();
-        const WideNode& a = pair.a.nodes[item.a];
-        const WideNode& b = pair.b.nodes[item.b];
-        ++counters.nu;
-        counters.nv += static_cast<std::uint64_t>(std::popcount(item.rows) * std::popcount(item.columns));
-        const std::uint64_t met = children_met(pose, a, b, item.rows, item.columns);
-        const std::uint64_t leaves = whole_rows(a.leaves) & (0x0101010101010101ULL * b.leaves);
+        const std::uint64_t met = descent.children(item, asked);
+        const std::uint64_t leaves = descent.leaves(item);
         for (std::uint64_t m = met & leaves; m != 0; m &= m - 1) {
-            const auto bit = static_cast<std::size_t>(std::countr_zero(m));
-            if (const std::uint64_t rest = m & (m - 1); far && rest != 0) {
-                const auto next = static_cast<std::size_t>(std::countr_zero(rest));
-                prefetch(pair.a.leaves[a.child[next / 8]]);
-                prefetch(pair.b.leaves[b.child[next % 8]]);
+            if (const std::uint64_t rest = m & (m - 1); rest != 0) {
+                descent.fetch(item, first_place(rest));
             }
-            leaf_pairs.find(pair.a.leaves[a.child[bit / 8]], pair.b.leaves[b.child[bit % 8]]);
-            if (wanted == Wanted::first && !out.empty()) {
-                return;
-            }
+            descent.find(item, first_place(m));
         }
         for (std::uint64_t m = met & ~leaves; m != 0; m &= m - 1) {
-            const auto bit = static_cast<std::size_t>(std::countr_zero(m));
-            const std::size_t i = bit / 8;
-            const std::size_t j = bit % 8;
-            NodePair next{item.a, item.b, 1U << i, 1U << j};
-            if ((a.leaves >> i & 1) == 0) {
-                next.a = a.child[i];
-                next.rows = all_children(pair.a.nodes[next.a]);
-            }
-            if ((b.leaves >> j & 1) == 0) {
-                next.b = b.child[j];
-                next.columns = all_children(pair.b.nodes[next.b]);
-            }
-            if (far) {
-                prefetch(pair.a.nodes[next.a]);
-                prefetch(pair.b.nodes[next.b]);
-            }
-            stack.push_back(next);
+            stack.push_back(descent.below(item, first_place(m)));
         }
+    }
+}
+
+std::size_t deepest(const MeetingDepths& depths, std::uint64_t pairs) {
+    std::size_t best = first_place(pairs);
+    for (std::uint64_t m = pairs & (pairs - 1); m != 0; m &= m - 1) {
+        best = depths.of_pair(first_place(m)) > depths.of_pair(best) ? first_place(m) : best;
+    }
+    return best;
+}
+
+/// Deep first: boxes that reach far into each other are likely to have triangles that cross. Less than half
+/// of the pairs of nodes are visited that there would be in the order of children.
+void find_first(Descent& descent, const NodePair& item, std::vector<TrianglePair>& out) {
+    MeetingDepths depths;
+    const std::uint64_t met = descent.children(item, depths);
+    const std::uint64_t leaves = descent.leaves(item);
+    for (std::uint64_t left = met; left != 0 && out.empty();) {
+        const std::size_t next = deepest(depths, left);
+        left &= ~(1ULL << next);
+        if ((leaves >> next & 1) != 0) {
+            descent.find(item, next);
+        } else {
+            find_first(descent, descent.below(item, next), out);
+        }
+    }
+}
+
+void search(const WidePair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryCounters& counters) {
+    Descent descent(pair, out, counters);
+    if (wanted == Wanted::all) {
+        find_all(descent, Descent::roots(pair));
+    } else {
+        find_first(descent, Descent::roots(pair), out);
     }
 }
 

@@ -24,7 +24,7 @@ struct WidePair {
 
 enum class Wanted : std::uint8_t { all, first };
 
-/// Adds the overlapping pairs to `out`: all, or those of the first two leaves that have any. The outer
+/// Adds the overlapping pairs to `out`: all, or those of two leaves that have any. The outer
 /// spheres are known to meet, so that distances are no greater than the meshes. See mesh_contacts.h.
 void find_wide_contacts(const WidePair& pair, Wanted wanted, Instructions instructions,
                         std::vector<TrianglePair>& out, QueryCounters& counters);
