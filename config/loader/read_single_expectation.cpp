@@ -127,40 +127,36 @@ PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names
 
 // ---- the way --------------------------------------------------------------------------------------------
 
-PlainExpectation read_reaches(const CheckedNode& node, const CampusNames& names) {
-    ExpectReaches reaches;
-    reaches.mark = node.mark();
+/// A place, or a map with one and how near is near enough; `read_more` reads what else the map may say.
+template <typename Expected, typename ReadMore>
+Expected read_at_place(const CheckedNode& node, const CampusNames& names, const ReadMore& read_more) {
+    Expected expected;
+    expected.mark = node.mark();
     if (!node.is_map()) {
-        reaches.target = names.target(node);
-        return reaches;
+        expected.target = names.target(node);
+        return expected;
     }
-    CheckedMap map(node, "'reaches'");
+    CheckedMap map(node, "'" + std::string(Expected::kName) + "'");
     if (const auto place = map.require("place")) {
-        reaches.target = names.target(*place);
+        expected.target = names.target(*place);
     }
-    map.number("within", kLength, reaches.within);
+    map.number("within", kLength, expected.within);
+    read_more(map, expected);
     map.refuse_other_keys();
-    return reaches;
+    return expected;
+}
+
+PlainExpectation read_reaches(const CheckedNode& node, const CampusNames& names) {
+    return read_at_place<ExpectReaches>(node, names, [](CheckedMap&, ExpectReaches&) {});
 }
 
 PlainExpectation read_near(const CheckedNode& node, const CampusNames& names) {
-    ExpectNear near;
-    near.mark = node.mark();
-    if (!node.is_map()) {
-        near.target = names.target(node);
-        return near;
-    }
-    CheckedMap map(node, "'near'");
-    if (const auto place = map.require("place")) {
-        near.target = names.target(*place);
-    }
-    map.number("within", kLength, near.within);
-    const auto at = map.find("at");
-    if (at && !(at->is_scalar() && at->text() == "end")) {
-        near.at = read_pattern(*at);
-    }
-    map.refuse_other_keys();
-    return near;
+    return read_at_place<ExpectNear>(node, names, [](CheckedMap& map, ExpectNear& near) {
+        const auto at = map.find("at");
+        if (at && !(at->is_scalar() && at->text() == "end")) {
+            near.at = read_pattern(*at);
+        }
+    });
 }
 
 PlainExpectation read_duration(const CheckedNode& node, const CampusNames& /*names*/) {

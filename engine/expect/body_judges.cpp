@@ -32,13 +32,19 @@ std::string by(const std::string& object) {
 
 // ---- no_penetration -------------------------------------------------------------------------------------
 
+NoPenetrationJudge::NoPenetrationJudge(const ExpectNoPenetration& expected, const scene::Campus& campus,
+                                       const AvatarProfile& avatar)
+    : expected_(&expected),
+      campus_(&campus),
+      avatar_(&avatar),
+      ignored_layers_(ignored_layers(campus, avatar)) {}
+
 void NoPenetrationJudge::see(const FrameRecord& record, const Moment& now) {
     const double radius = avatar_->radius;
     const double height = record.avatar.stature * avatar_->height;
     const Vector3d& foot = record.avatar.position;
     const collision::Segment axis{foot + Vector3d(0, radius, 0), foot + Vector3d(0, height - radius, 0)};
-    const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(*campus_, *avatar_),
-                                        record.disabled};
+    const collision::QueryFilter filter{collision::Detection::solid, ignored_layers_, record.disabled};
     collision::QueryCounters counters;
     collision::gather_obstacles(campus_->world, filter, axis, radius, pieces_, counters);
     for (const collision::Obstacle& piece : pieces_) {

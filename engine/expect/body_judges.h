@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +19,7 @@ namespace campuswalk::engine {
 class NoPenetrationJudge {
 public:
     NoPenetrationJudge(const ExpectNoPenetration& expected, const scene::Campus& campus,
-                       const AvatarProfile& avatar)
-        : expected_(&expected), campus_(&campus), avatar_(&avatar) {}
+                       const AvatarProfile& avatar);
     void see(const FrameRecord& record, const Moment& now);
     Finding finding(bool ended) const;
 
@@ -29,6 +29,7 @@ private:
     const ExpectNoPenetration* expected_;
     const scene::Campus* campus_;
     const AvatarProfile* avatar_;
+    std::uint32_t ignored_layers_;
     double deepest_ = 0.0;               ///< metres
     std::optional<std::size_t> inside_;  ///< the object that it was deepest in
     std::optional<Moment> when_;

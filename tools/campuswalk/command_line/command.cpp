@@ -118,9 +118,6 @@ void Command::finish(CLI::Option& option, const Spelling& spelling) {
     if (!spelling.excludes.empty()) {
         option.excludes(app_->get_option(spelling.excludes));
     }
-    if (!spelling.environment.empty()) {
-        option.envname(spelling.environment);
-    }
 }
 
 template <typename Value>
@@ -132,10 +129,9 @@ CLI::Option& Command::add_option(const Spelling& spelling, Value& target) {
 
 template <typename Value, typename Number>
 void Command::add_number(const Spelling& spelling, Value& target, const Limits<Number>& limits) {
-    const CLI::Range range(limits.least, limits.most);
     Spelling shown = spelling;
-    shown.value = spelling.value.empty() ? range.get_description() : spelling.value;
-    add_option(shown, target).check(range.name(""));
+    shown.value = spelling.value.empty() ? "N" : spelling.value;
+    add_option(shown, target).check(CLI::Range(limits.least, limits.most));
 }
 
 void Command::option(const Spelling& spelling, std::string& target) {
@@ -172,6 +168,22 @@ void Command::option(const Spelling& spelling, std::optional<double>& target, co
 
 void Command::option(const Spelling& spelling, std::function<void(const std::string&)> take) {
     finish(*app_->add_option_function<std::string>(spelling.names, take, spelling.help), spelling);
+}
+
+void Command::restrict_to(const std::vector<std::string>& words, Spelling& spelling) {
+    for (const std::string& word : words) {
+        spelling.value += (spelling.value.empty() ? "" : "|") + word;
+    }
+    spelling.check = [words, shown = spelling.value](const std::string& word) {
+        const bool known = std::ranges::find(words, word) != words.end();
+        return known ? std::string() : "'" + word + "' is none of " + shown;
+    };
+}
+
+void Command::choices(Spelling spelling, const std::vector<std::string>& words,
+                      std::vector<std::string>& target) {
+    restrict_to(words, spelling);
+    option(spelling, target);
 }
 
 void Command::flag(const Spelling& spelling, bool& target) {

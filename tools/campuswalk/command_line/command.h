@@ -21,11 +21,10 @@ using Chosen = std::function<int()>;
 struct Spelling {
     std::string names;  ///< "-o,--output"; a word without dashes is a positional argument
     std::string help;
-    std::string value = {};        ///< what is shown for its value: "FILE"; empty: nothing
-    bool required = false;         ///< of options, one; of several values, at least one
-    bool show_default = false;     ///< the target's value at this moment
-    std::string excludes = {};     ///< an option added before, by its long name
-    std::string environment = {};  ///< a variable that gives the value when the command line doesn't
+    std::string value = {};     ///< what is shown for its value: "FILE"; empty: nothing
+    bool required = false;      ///< of options, one; of several values, at least one
+    bool show_default = false;  ///< the target's value at this moment
+    std::string excludes = {};  ///< an option added before, by its long name
     /// What is wrong with a value as it was written; empty when nothing is.
     std::function<std::string(const std::string&)> check = {};
 };
@@ -87,16 +86,16 @@ public:
     /// An option that takes one of a few words.
     template <typename Value>
     void choice(Spelling spelling, const std::map<std::string, Value>& choices, Value& target) {
-        std::string words;
+        std::vector<std::string> words;
         for (const auto& [word, value] : choices) {
-            words += (words.empty() ? "" : "|") + word;
+            words.push_back(word);
         }
-        spelling.value = words;
-        spelling.check = [choices, words](const std::string& word) {
-            return choices.contains(word) ? std::string() : "'" + word + "' is none of " + words;
-        };
+        restrict_to(words, spelling);
         option(spelling, [choices, &target](const std::string& word) { target = choices.at(word); });
     }
+
+    /// An option that takes one of a few words each time it is named.
+    void choices(Spelling spelling, const std::vector<std::string>& words, std::vector<std::string>& target);
 
     /// A flag that takes one of a few words too, as in `--update=all`; `alone` is what it means without one.
     template <typename Value>
@@ -116,6 +115,8 @@ public:
     }
 
 private:
+    /// The option takes these words and no other, and shows them as its value.
+    static void restrict_to(const std::vector<std::string>& words, Spelling& spelling);
     /// `take` says whether it knows the word.
     void worded_flag(const Spelling& spelling, const std::string& alone,
                      std::function<bool(const std::string&)> take);

@@ -86,15 +86,12 @@ void add_running(Command& command, const Options& options) {
     command.flag({.names = "--watch", .help = "Run again whenever a file changes"}, options->watch);
 }
 
-std::string why_no_record(const std::string& name) {
-    std::string names;
+std::vector<std::string> record_names() {
+    std::vector<std::string> names;
     for (const RecordKind& kind : record_kinds()) {
-        if (name == kind.name) {
-            return "";
-        }
-        names += (names.empty() ? "" : "|") + std::string(kind.name);
+        names.emplace_back(kind.name);
     }
-    return "'" + name + "' is none of " + names;
+    return names;
 }
 
 void add_output(Command& command, const Options& options) {
@@ -112,13 +109,11 @@ void add_output(Command& command, const Options& options) {
                    options->log);
     command.option({.names = "--jsonl", .help = "Write the events as JSON lines", .value = "FILE"},
                    options->jsonl);
-    command.option(
+    command.choices(
         {.names = "--record",
          .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
-                 "or .tum, its costs as trace.json, for Chrome's trace viewer; several times",
-         .value = "csv|tum|trace",
-         .check = why_no_record},
-        options->records);
+                 "or .tum, its costs as trace.json, for Chrome's trace viewer; several times"},
+        record_names(), options->records);
     const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
                                                           {"changed", UpdateSnapshots::changed},
                                                           {"missing", UpdateSnapshots::missing},

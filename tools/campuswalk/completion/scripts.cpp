@@ -24,6 +24,21 @@ void add_places(const std::string& path, const KnownCommand& command, std::vecto
     }
 }
 
+std::string value_cases(const Place& place, const std::function<std::string(const KnownOption&)>& reply) {
+    std::string text;
+    for (const KnownOption& option : place.command->options) {
+        if (is_positional(option) || option.value.empty()) {
+            continue;
+        }
+        std::vector<std::string> patterns;
+        for (const std::string& spelling : option.spellings) {
+            patterns.push_back("'" + place.path + " " + spelling + "'");
+        }
+        text += "        (" + joined(patterns, "|") + ") " + reply(option);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::vector<Place> places_of(const KnownCommand& program) {
@@ -62,17 +77,16 @@ bool takes_files(const KnownCommand& command) {
     });
 }
 
-std::string value_cases(const Place& place, const std::function<std::string(const KnownOption&)>& reply) {
+std::string cases(const std::vector<Place>& places,
+                  const std::function<std::string(const KnownOption&)>& reply,
+                  const std::function<std::string(const Place&)>& words) {
     std::string text;
-    for (const KnownOption& option : place.command->options) {
-        if (is_positional(option) || option.value.empty()) {
-            continue;
-        }
-        std::vector<std::string> patterns;
-        for (const std::string& spelling : option.spellings) {
-            patterns.push_back("'" + place.path + " " + spelling + "'");
-        }
-        text += "        (" + joined(patterns, "|") + ") " + reply(option);
+    for (const Place& place : places) {
+        text += value_cases(place, reply);
+    }
+    text += "    esac\n    case \"$place\" in\n";
+    for (const Place& place : places) {
+        text += words(place);
     }
     return text;
 }

@@ -31,9 +31,12 @@ std::vector<std::string> plain_words(const KnownCommand& command);
 /// Whether a positional argument of the command is a file or a folder.
 bool takes_files(const KnownCommand& command);
 
-/// The lines of a `case` of bash and zsh on "PLACE OPTION": what is done where an option's value is due.
-/// `reply` gives it, with the end of its line.
-std::string value_cases(const Place& place, const std::function<std::string(const KnownOption&)>& reply);
+/// What bash and zsh take alike: the lines of a `case` on "PLACE OPTION", which is over where an option's
+/// value is due, then those of one on the place. `reply` gives what is done for an option, `words` all of a
+/// place's line; both with the end of the line.
+std::string cases(const std::vector<Place>& places,
+                  const std::function<std::string(const KnownOption&)>& reply,
+                  const std::function<std::string(const Place&)>& words);
 
 std::string joined(const std::vector<std::string>& words, std::string_view between);
 

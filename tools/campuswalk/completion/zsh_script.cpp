@@ -67,13 +67,7 @@ std::string zsh_script(const std::vector<Place>& places) {
     std::string text = kStart;
     text += "            (" + all_paths(places, "|") + ") place=$place/${words[i]} ;;\n";
     text += "        esac\n    done\n    case \"$place ${words[CURRENT-1]}\" in\n";
-    for (const Place& place : places) {
-        text += value_cases(place, reply);
-    }
-    text += "    esac\n    case \"$place\" in\n";
-    for (const Place& place : places) {
-        text += words_case(place);
-    }
+    text += cases(places, reply, words_case);
     return text + kEnd;
 }
 

@@ -1,6 +1,7 @@
 #include "tools/campuswalk/run/records.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/observers/cost_trace.h"
 #include "engine/observers/trajectory.h"
@@ -10,25 +11,18 @@ namespace campuswalk::tools {
 
 namespace {
 
-constexpr const char* kCsv = "csv";
-constexpr const char* kTum = "tum";
-
-std::unique_ptr<engine::Observer> observer_for(const std::string& name, const engine::LineSink& sink) {
-    if (name == kCsv) {
-        return std::make_unique<engine::TrajectoryCsv>(sink);
-    }
-    if (name == kTum) {
-        return std::make_unique<engine::TrajectoryTum>(sink);
-    }
-    return std::make_unique<engine::CostTrace>(sink);
+template <typename Recorder>
+std::unique_ptr<engine::Observer> make(engine::LineSink sink) {
+    return std::make_unique<Recorder>(std::move(sink));
 }
 
 }  // namespace
 
 const std::vector<RecordKind>& record_kinds() {
-    static const std::vector<RecordKind> kinds = {{kCsv, "trajectory.csv", "text/csv"},
-                                                  {kTum, "trajectory.tum", "text/plain"},
-                                                  {"trace", "trace.json", "application/json"}};
+    static const std::vector<RecordKind> kinds = {
+        {"csv", "trajectory.csv", "text/csv", make<engine::TrajectoryCsv>},
+        {"tum", "trajectory.tum", "text/plain", make<engine::TrajectoryTum>},
+        {"trace", "trace.json", "application/json", make<engine::CostTrace>}};
     return kinds;
 }
 
@@ -39,7 +33,7 @@ Records::Records(const std::vector<std::string>& names) {
         }
         auto record = std::make_unique<Record>();
         record->kind = &kind;
-        record->observer = observer_for(kind.name, [&text = record->text](std::string_view line) {
+        record->observer = kind.make([&text = record->text](std::string_view line) {
             text.append(line);
             text += '\n';
         });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/observers/line_sink.h"
 #include "engine/observers/observer.h"
 #include "engine/report/walk_result.h"
 
@@ -15,6 +16,7 @@ struct RecordKind {
     const char* name = "";  ///< as `run --record` takes it
     const char* file = "";  ///< in the folder
     const char* media_type = "";
+    std::unique_ptr<engine::Observer> (*make)(engine::LineSink) = nullptr;
 };
 
 const std::vector<RecordKind>& record_kinds();
