@@ -44,8 +44,8 @@ class Usage(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_commands(self):
-        self.refused([], "a command is needed: init, validate, run, merge-reports, diff, replay, info, snapshot, "
-                          "collide, bench, completion, help")
+        self.refused([], "a command is needed: init, validate, run, merge-reports, diff, imgdiff, replay, info, "
+                          "snapshot, collide, bench, completion, help")
         self.refused(["rum"], "there is no command 'rum' (did you mean 'run'?)")
         self.refused(["dance"], "there is no command 'dance'")
         self.refused(["--verbose"], "there is no option '--verbose'")
