@@ -29,8 +29,8 @@ void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_
                   std::vector<TrianglePair>& out, QueryCounters& counters,
                   Instructions instructions = usual_instructions());
 
-/// One overlapping pair, the same whatever the instructions; none if the surfaces are apart. Looks where boxes
-/// reach deepest into each other first.
+/// One overlapping pair, the same whatever the instructions; none if the surfaces are apart. Looks where
+/// boxes reach deepest into each other first.
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                                           QueryCounters& counters,
                                           Instructions instructions = usual_instructions());
