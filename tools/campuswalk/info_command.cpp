@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/decimals.h"
-#include "scene/import/import_model.h"
 #include "scene/model_report.h"
 #include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/model_importer.h"
 
 namespace campuswalk::tools {
 
@@ -91,11 +91,10 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
 }  // namespace
 
 int print_info(const InfoOptions& options) {
-    std::vector<scene::Diagnostic> repairs;
-    const scene::Model model = scene::import_model(options.scene, repairs, scene::EmptyModel::accept);
-    const ModelReport report = scene::report(model);
+    const scene::ImportedModel imported = model_importer()(options.scene, scene::EmptyModel::accept);
+    const ModelReport report = scene::report(imported.model);
     std::vector<scene::Oddity> warnings;
-    for (const scene::Diagnostic& repair : repairs) {
+    for (const scene::Diagnostic& repair : imported.warnings) {
         warnings.push_back({repair.code, repair.message});
     }
     warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());

@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include "scene/diagnostic.h"
+#include "scene/import/helper/serve_import.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
@@ -47,6 +49,9 @@ int guarded(const Chosen& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && argv[1] == std::string_view(scene::kImportHelperArgument)) {
+        return scene::serve_import();  // started by ourselves: see model_importer.h
+    }
     guard_standard_streams();
     return read_command_line(argc, argv, add_commands, guarded);
 }

@@ -9,8 +9,8 @@
 
 #include "collision/mesh_collider.h"
 #include "scene/bake_mesh.h"
-#include "scene/import/import_model.h"
 #include "tools/campuswalk/collide/spelling.h"
+#include "tools/campuswalk/model_importer.h"
 
 namespace campuswalk::tools::collide {
 
@@ -85,11 +85,12 @@ Body read_body(const std::string& word, const scene::SceneFile& frame,
     file.file = word;
     file.path = word;
     file.mark.file = word;
-    std::vector<scene::Diagnostic> repairs;
-    const std::vector<scene::Model> models = {scene::import_model(file, repairs)};
-    std::ranges::copy_if(repairs, std::back_inserter(warnings), [](const scene::Diagnostic& repair) {
-        return repair.code == "unsupported-feature";  // the others leave surfaces where they are
-    });
+    scene::ImportedModel imported = model_importer()(file, scene::EmptyModel::refuse);
+    const std::vector<scene::Model> models = {std::move(imported.model)};
+    std::ranges::copy_if(
+        imported.warnings, std::back_inserter(warnings), [](const scene::Diagnostic& repair) {
+            return repair.code == "unsupported-feature";  // the others leave surfaces where they are
+        });
     scene::BakedMesh baked = scene::bake_every_triangle(scene::gather_geometry(models, roots_of(models[0])));
     check_size(baked.mesh, file.mark);
     body.shape = std::make_shared<const collision::MeshCollider>(std::move(baked.mesh));

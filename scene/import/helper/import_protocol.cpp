@@ -1,0 +1,79 @@
+#include "scene/import/helper/import_protocol.h"
+
+#include <algorithm>
+
+#include "scene/model_file.h"
+#include "scene/sealed_bytes.h"
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr FileKind kRequest = {{'c', 'w', ' ', 'i', 'm', 'p', 'o', 'r'}, 1};
+
+bool is_error(const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error;
+}
+
+}  // namespace
+
+std::vector<std::byte> write_request(const ImportRequest& request) {
+    SealedWriter out(kRequest);
+    const SceneFile& file = request.file;
+    out.put_text(file.mark.file);
+    out.put(std::int32_t{file.mark.line});
+    out.put(std::int32_t{file.mark.column});
+    out.put_text(file.file);
+    out.put_text(file.path.string());
+    out.put(static_cast<std::uint32_t>(file.up));
+    out.put(file.metres_per_unit);
+    out.put(file.scale);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        out.put(file.position[i]);
+    }
+    out.put(static_cast<std::uint32_t>(request.if_empty));
+    out.put(request.limits.memory);
+    out.put(request.limits.cpu);
+    out.put(request.limits.wall);
+    out.put(request.limits.answer);
+    return std::move(out).seal();
+}
+
+ImportRequest read_request(std::span<const std::byte> bytes) {
+    SealedReader in(bytes, kRequest);
+    ImportRequest request;
+    SceneFile& file = request.file;
+    file.mark.file = in.take_text();
+    file.mark.line = in.take<std::int32_t>();
+    file.mark.column = in.take<std::int32_t>();
+    file.file = in.take_text();
+    file.path = in.take_text();
+    file.up = static_cast<UpAxis>(in.take_below(2, "up axis"));
+    file.metres_per_unit = in.take<double>();
+    file.scale = in.take<double>();
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        file.position[i] = in.take<double>();
+    }
+    request.if_empty = static_cast<EmptyModel>(in.take_below(2, "way with empty models"));
+    request.limits.memory = in.take<std::uint64_t>();
+    request.limits.cpu = in.take<std::uint32_t>();
+    request.limits.wall = in.take<std::uint32_t>();
+    request.limits.answer = in.take<std::uint64_t>();
+    in.finish();
+    return request;
+}
+
+std::vector<std::byte> write_refusal(const InputError& error) {
+    ImportedModel refusal;
+    refusal.warnings = error.diagnostics();
+    return write_model_file(refusal);
+}
+
+ImportedModel read_answer(std::span<const std::byte> bytes) {
+    ImportedModel answer = read_model_file(bytes);
+    if (std::ranges::any_of(answer.warnings, is_error)) {
+        throw InputError(std::move(answer.warnings));
+    }
+    return answer;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,65 @@
+#include "scene/import/helper/serve_import.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <exception>
+
+#include "scene/import/helper/import_protocol.h"
+#include "scene/import/helper/limit_process.h"
+#include "scene/model_file.h"
+
+namespace campuswalk::scene {
+namespace {
+
+std::vector<std::byte> read_all(int from) {
+    std::vector<std::byte> bytes;
+    std::array<std::byte, 4096> part;
+    for (ssize_t got = 0; (got = read(from, part.data(), part.size())) != 0;) {
+        if (got > 0) {
+            bytes.insert(bytes.end(), part.begin(), part.begin() + got);
+        } else if (errno != EINTR) {
+            break;
+        }
+    }
+    return bytes;
+}
+
+bool write_all(int to, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(to, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            return false;
+        }
+        bytes = bytes.subspan(written > 0 ? static_cast<std::size_t>(written) : 0);
+    }
+    return true;
+}
+
+std::vector<std::byte> answer_to(const ImportRequest& request) {
+    try {
+        return write_model_file(import_scene(request.file, request.if_empty));
+    } catch (const InputError& error) {
+        return write_refusal(error);
+    }
+}
+
+}  // namespace
+
+int serve_import() {
+    struct stat status {};
+    if (fstat(STDIN_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) {
+        return 2;  // started by hand: nobody is going to ask
+    }
+    try {
+        const ImportRequest request = read_request(read_all(STDIN_FILENO));
+        limit_process(request.limits);
+        return write_all(STDOUT_FILENO, answer_to(request)) ? 0 : 1;
+    } catch (const std::exception&) {
+        return 1;
+    }
+}
+
+}  // namespace campuswalk::scene

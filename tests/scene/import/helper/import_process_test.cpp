@@ -1,0 +1,117 @@
+#include "scene/import/helper/import_process.h"
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/model_files.h"
+
+namespace campuswalk::scene {
+namespace {
+
+class ImportProcess : public testing::Test {
+protected:
+    void SetUp() override { folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3})); }
+
+    ImportedModel import(const char* way, const std::string& name = "box.obj",
+                         const ImportLimits& limits = {}) {
+        return import_in_process({ODD_IMPORT_HELPER, {way}}, limits)(test::scene_file(folder_, name),
+                                                                     EmptyModel::refuse);
+    }
+    std::string refusal(const char* way, const std::string& name = "box.obj",
+                        const ImportLimits& limits = {}) {
+        const auto errors = test::errors_of([&] { import(way, name, limits); });
+        EXPECT_EQ(errors.size(), 1U);
+        EXPECT_TRUE(test::has_code(errors, "bad-model"));
+        return test::text_of(errors);
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(ImportProcess, GivesWhatAnImportInThisProcessGives) {
+    folder_.write("lines.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 2, 3}) + "l 1 2\n");
+    const ImportedModel here = import_scene(test::scene_file(folder_, "lines.obj"));
+    ASSERT_EQ(here.warnings.size(), 2U);
+    EXPECT_EQ(write_model_file(import("serve", "lines.obj")), write_model_file(here));
+}
+
+TEST_F(ImportProcess, ThrowsTheMistakesThatTheHelperFound) {
+    const auto mistakes_of = [&](const Importer& importer, const std::string& name) {
+        return test::text_of(
+            test::errors_of([&] { importer(test::scene_file(folder_, name), EmptyModel::refuse); }));
+    };
+    folder_.write("nan.obj", "o a\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 inf 0\nf 2 3 4\n");
+    const Importer apart = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
+    for (const char* name : {"nan.obj", "gone.glb", "box.ifc"}) {
+        EXPECT_EQ(mistakes_of(apart, name), mistakes_of(import_scene, name));
+        EXPECT_NE(mistakes_of(apart, name), "");
+    }
+}
+
+TEST_F(ImportProcess, MakesAMessageOfACrash) {
+    EXPECT_TRUE(contains(refusal("crash"), "crashed (signal 11)"));
+    EXPECT_TRUE(contains(refusal("abort"), "crashed (signal 6)"));
+    EXPECT_TRUE(contains(refusal("fail"), "exit code 3"));
+}
+
+TEST_F(ImportProcess, BelievesNoAnswerThatIsNoModel) {
+    EXPECT_TRUE(contains(refusal("garbage"), "no model"));
+    EXPECT_TRUE(contains(refusal("nothing"), "no model"));
+}
+
+TEST_F(ImportProcess, EndsAHelperThatTakesTooLong) {
+    const auto start = std::chrono::steady_clock::now();
+    ImportLimits limits;
+    limits.wall = 1;
+    EXPECT_TRUE(contains(refusal("sleep", "box.obj", limits), "after 1 s"));
+    limits.wall = 60;
+    limits.cpu = 1;
+    EXPECT_TRUE(contains(refusal("spin", "box.obj", limits), "1 s of CPU"));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(50));
+}
+
+TEST_F(ImportProcess, EndsAHelperWhoseAnswerGrowsTooLarge) {
+    ImportLimits limits;
+    limits.answer = 100;
+    EXPECT_TRUE(contains(refusal("serve", "box.obj", limits), "larger than"));
+}
+
+TEST_F(ImportProcess, EndsAModelThatWantsTooMuchMemory) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "memory can't be limited under the address sanitizer";
+#endif
+    folder_.write("zeros.gltf",
+                  R"({"asset":{"version":"2.0"},"accessors":[{"count":1000000000,"type":"VEC3",)"
+                  R"("componentType":5126}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})");
+    ImportLimits limits;
+    limits.memory = std::uint64_t{2} << 30U;
+    EXPECT_TRUE(contains(refusal("serve", "zeros.gltf", limits), "memory"));
+}
+
+TEST_F(ImportProcess, SaysWhenThereIsNoHelper) {
+    const Importer importer = import_in_process({folder_.path() / "nobody", {}});
+    EXPECT_THROW(importer(test::scene_file(folder_, "box.obj"), EmptyModel::refuse), std::runtime_error);
+}
+
+TEST(ImportRequest, ComesBackAsItWasWritten) {
+    ImportRequest request;
+    request.file = {{"a.campus.yaml", 3, 7}, "a.glb", "models/a.glb", UpAxis::z, 0.01, 2.0, {1, 2, 3}};
+    request.if_empty = EmptyModel::accept;
+    request.limits.wall = 7;
+    const ImportRequest back = read_request(write_request(request));
+    EXPECT_EQ(back.file.mark.file, "a.campus.yaml");
+    EXPECT_EQ(back.file.mark.line, 3);
+    EXPECT_EQ(back.file.path, "models/a.glb");
+    EXPECT_EQ(back.file.up, UpAxis::z);
+    EXPECT_EQ(back.file.position, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(back.if_empty, EmptyModel::accept);
+    EXPECT_EQ(back.limits.wall, 7U);
+}
+
+}  // namespace
+}  // namespace campuswalk::scene
