@@ -55,6 +55,43 @@ Target CampusNames::target(const CheckedNode& node) const {
     return name ? target_named(node, *name) : Target{};
 }
 
+engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
+    const std::optional<std::string> name = node.is_scalar() ? node.line() : std::nullopt;
+    if (name && campus_ != nullptr) {
+        const auto building = std::ranges::find(campus_->buildings, *name, &scene::Building::id);
+        if (building != campus_->buildings.end()) {
+            return {*name, static_cast<std::size_t>(building - campus_->buildings.begin()),
+                    Eigen::Vector3d::Zero()};
+        }
+        const std::vector<std::string> places = standing_names();
+        if (std::ranges::find(places, *name) == places.end()) {
+            std::vector<std::string> known;
+            std::ranges::transform(campus_->buildings, std::back_inserter(known), &scene::Building::id);
+            std::ranges::copy(places, std::back_inserter(known));
+            complain_unknown(node, *name, "building, place or spawn", known);
+            return {};
+        }
+    }
+    if (!node.is_scalar() && !node.is_sequence()) {
+        node.complain("wrong-type", node.what() + " must be a name or [x, y, z]");
+        return {};
+    }
+    if (node.is_scalar() && !name) {
+        return {};
+    }
+    const Target target = this->target(node);
+    if (node.is_sequence() && !target.label.empty() && !target.has_height) {
+        node.complain("bad-value", node.what() + " needs a height too: [x, y, z]");
+    }
+    return {target.label, std::nullopt, target.point};
+}
+
+std::vector<std::string> CampusNames::standing_names() const {
+    std::vector<std::string> names = names_of(campus_->places);
+    std::ranges::copy(names_of(campus_->spawns), std::back_inserter(names));
+    return names;
+}
+
 Target CampusNames::target_at(const CheckedNode& node) const {
     const std::vector<CheckedNode> items = node.items("a coordinate");
     if (items.size() != 2 && items.size() != 3) {
@@ -85,9 +122,7 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
     } else if (spawn != campus_->spawns.end()) {
         target.point = spawn->position;
     } else {
-        std::vector<std::string> known = names_of(campus_->places);
-        std::ranges::copy(names_of(campus_->spawns), std::back_inserter(known));
-        complain_unknown(node, name, "place or spawn", known);
+        complain_unknown(node, name, "place or spawn", standing_names());
     }
     return target;
 }

@@ -27,6 +27,8 @@ public:
 
     /// A place's or a spawn's name (places first), `[x, z]` or `[x, y, z]`.
     engine::Target target(const CheckedNode& node) const;
+    /// A building's, place's or spawn's name (in this order), or `[x, y, z]`.
+    engine::CameraTarget camera_target(const CheckedNode& node) const;
     /// A spawn's name, or `{at: [x, y, z], yaw_deg: 90}`.
     Standing standing(const CheckedNode& node) const;
     /// Complains unless the campus has the layer.
@@ -35,6 +37,9 @@ public:
 private:
     engine::Target target_at(const CheckedNode& node) const;
     engine::Target target_named(const CheckedNode& node, const std::string& name) const;
+
+    /// Of places and spawns. There is a campus.
+    std::vector<std::string> standing_names() const;
 
     const scene::CampusDescription* campus_;
 };

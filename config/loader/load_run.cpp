@@ -10,11 +10,13 @@
 #include "config/loader/complaint_order.h"
 #include "config/loader/names.h"
 #include "config/loader/read_avatar.h"
+#include "config/loader/read_camera.h"
 #include "config/loader/read_campus.h"
 #include "config/loader/read_steps.h"
 #include "config/loader/read_walk.h"
 #include "config/loader/source_text.h"
 #include "config/loader/yaml_file.h"
+#include "config/loader/yaml_tree.h"
 
 namespace campuswalk::config {
 
@@ -209,6 +211,20 @@ std::vector<engine::Step> load_steps(const fs::path& steps_file) {
     }
     throw_in_order(diagnostics, mark);
     return steps;
+}
+
+engine::CameraSettings read_camera_text(const std::string& text, const std::string& asked_by,
+                                        const CampusDescription& campus,
+                                        const engine::CameraSettings& camera) {
+    DiagnosticList diagnostics;
+    engine::CameraSettings read = camera;
+    if (const auto root = parse_yaml(text, asked_by, diagnostics)) {
+        CheckedMap map(CheckedNode(*root, "the camera", asked_by, diagnostics), "a camera");
+        read_camera_fields(map, CampusNames(&campus), read);
+        map.refuse_other_keys();
+    }
+    throw_in_order(diagnostics, {asked_by, 0, 0});
+    return read;
 }
 
 AvatarProfile load_avatar(const fs::path& avatar_file) {

@@ -61,6 +61,12 @@ scene::CampusDescription load_campus_description(const std::filesystem::path& ca
 /// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
 std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file);
 
+/// Reads a camera's keys as they stand in a walk, `{view: orbit, around: library}`; complaints are of
+/// `asked_by`. What isn't written is as in `camera`.
+engine::CameraSettings read_camera_text(const std::string& text, const std::string& asked_by,
+                                        const scene::CampusDescription& campus,
+                                        const engine::CameraSettings& camera);
+
 /// Reads `NAME.avatar.yaml` alone.
 engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
 

@@ -6,12 +6,50 @@
 
 namespace campuswalk::config {
 
+using engine::CameraSettings;
 using engine::View;
 
-void read_camera_fields(CheckedMap& map, engine::CameraSettings& camera) {
+namespace {
+
+constexpr Range kPitch{-90.0, 90.0, false, "degrees"};
+
+std::optional<double> angle(CheckedMap& map, const char* key, const Range& range) {
+    const auto node = map.find(key);
+    const auto degrees = node ? node->number(range) : std::nullopt;
+    return degrees ? std::optional(radians(*degrees)) : std::nullopt;
+}
+
+/// Where a camera that isn't the avatar's looks: by angles or at something. What is written here replaces
+/// what the walk's camera says in the other way.
+void read_direction(CheckedMap& map, const CampusNames& names, CameraSettings& camera) {
+    const auto look_at = map.find("look_at");
+    const auto yaw = angle(map, "yaw_deg", kYaw);
+    const auto pitch = angle(map, "pitch_deg", kPitch);
+    if (look_at && (yaw || pitch)) {
+        look_at->complain("bad-value",
+                          "'look_at' gives the direction, and so do 'yaw_deg' and 'pitch_deg'; "
+                          "leave one of them out");
+        return;
+    }
+    if (look_at) {
+        camera.look_at = names.camera_target(*look_at);
+        camera.yaw.reset();
+        camera.pitch.reset();
+    }
+    if (yaw || pitch) {
+        camera.look_at.reset();
+        camera.yaw = yaw ? yaw : camera.yaw;
+        camera.pitch = pitch ? pitch : camera.pitch;
+    }
+}
+
+}  // namespace
+
+void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraSettings& camera) {
     constexpr std::array kViews = {Choice<View>{"first_person", View::first_person},
                                    Choice<View>{"third_person", View::third_person},
-                                   Choice<View>{"top", View::top}};
+                                   Choice<View>{"top", View::top}, Choice<View>{"orbit", View::orbit},
+                                   Choice<View>{"fixed", View::fixed}};
     constexpr int kLeastPixels = 16;
     constexpr int kMostPixels = 8192;
     map.choice("view", kViews, camera.view);
@@ -20,6 +58,25 @@ void read_camera_fields(CheckedMap& map, engine::CameraSettings& camera) {
     map.angle("fov_deg", kFieldOfView, camera.fov);
     map.number("height_above", kLength, camera.height_above);
     map.number("distance", kLength, camera.distance);
+    if (const auto around = map.find("around")) {
+        camera.around = names.camera_target(*around);
+    }
+    map.vector("position", kCoordinate, camera.position);
+    read_direction(map, names, camera);
+}
+
+engine::PictureChannels read_channels(const CheckedNode& node) {
+    using Channel = bool engine::PictureChannels::*;
+    constexpr std::array kChannels = {Choice<Channel>{"depth", &engine::PictureChannels::depth},
+                                      Choice<Channel>{"ids", &engine::PictureChannels::ids},
+                                      Choice<Channel>{"normals", &engine::PictureChannels::normals}};
+    engine::PictureChannels channels;
+    for (const CheckedNode& item : node.items_or_one("a channel")) {
+        if (const auto channel = item.choice(kChannels)) {
+            channels.** channel = true;
+        }
+    }
+    return channels;
 }
 
 }  // namespace campuswalk::config

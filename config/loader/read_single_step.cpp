@@ -154,7 +154,14 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
     if (const auto name = map.require("name")) {
         take_name(*name);
     }
-    read_camera_fields(map, step.camera);
+    read_camera_fields(map, context.names, step.camera);
+    if (const auto channels = map.find("channels")) {
+        step.channels = read_channels(*channels);
+        // Their files stand beside other snapshots'.
+        for (const char* ending : {"-depth", "-ids", "-normals"}) {
+            context.snapshots.add(step.name.empty() ? "" : step.name + ending, *channels);
+        }
+    }
     map.refuse_other_keys();
     return step;
 }

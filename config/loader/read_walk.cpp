@@ -24,10 +24,10 @@ engine::SimSettings read_sim(const CheckedNode& node) {
     return sim;
 }
 
-engine::CameraSettings read_camera(const CheckedNode& node) {
+engine::CameraSettings read_camera(const CheckedNode& node, const CampusNames& names) {
     engine::CameraSettings camera;
     CheckedMap map(node, "'camera'");
-    read_camera_fields(map, camera);
+    read_camera_fields(map, names, camera);
     map.refuse_other_keys();
     return camera;
 }
@@ -47,7 +47,7 @@ void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem:
     }
     map.number("timeout", kTimeout, walk.timeout);
     if (const auto camera = map.find("camera")) {
-        walk.camera = read_camera(*camera);
+        walk.camera = read_camera(*camera, names);
     }
     if (const auto steps = map.require("steps")) {
         walk.steps = read_steps(*steps, names, walk, walk_file);

@@ -14,6 +14,9 @@ constexpr double kAboveEyes = 0.15;      // metres, of the point that it circles
 constexpr double kWallClearance = 0.25;  // metres, so that the near plane's corners stay on this side
 constexpr double kClosest = 0.3;         // metres, never further into the avatar's head
 
+constexpr double kOrbitMargin = 1.08;  // of the distance from which all of a building is just seen
+constexpr double kClosestOrbit = 0.5;  // metres
+
 constexpr double kPlanMargin = 1.06;    // of the campus' extent
 constexpr double kAboveCampus = 10.0;   // metres over the highest roof
 constexpr double kBelowCampus = 200.0;  // metres: a hole in the ground still has a bottom
@@ -46,6 +49,35 @@ Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, dou
     view.R_world_camera = rotation(yaw, pitch);
     view.fov = fov;
     return view;
+}
+
+Viewpoint looking_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target, double fov) {
+    const Eigen::Vector3d way = target - position;
+    const double level = std::hypot(way.x(), way.z());
+    const double yaw = level > 0.0 ? std::atan2(-way.x(), -way.z()) : 0.0;
+    return looking(position, yaw, std::atan2(way.y(), level), fov);
+}
+
+Viewpoint orbiting(const Eigen::Vector3d& centre, double distance, double yaw, double pitch, double fov) {
+    Viewpoint view = looking(centre, yaw, pitch, fov);
+    view.position += distance * view.R_world_camera.col(2);
+    return view;
+}
+
+Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double pitch, double fov) {
+    const Eigen::Vector3d centre = 0.5 * (box.min + box.max);
+    const Eigen::Matrix3d R_camera_world = rotation(yaw, pitch).transpose();
+    const double slope = std::tan(0.5 * fov);
+    double distance = kClosestOrbit;
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d corner((i & 1) != 0 ? box.max.x() : box.min.x(),
+                                     (i & 2) != 0 ? box.max.y() : box.min.y(),
+                                     (i & 4) != 0 ? box.max.z() : box.min.z());
+        const Eigen::Vector3d p = R_camera_world * (corner - centre);  // right, up, backwards
+        distance = std::max({distance, p.z() + kOrbitMargin * std::abs(p.x()) / (slope * aspect),
+                             p.z() + kOrbitMargin * std::abs(p.y()) / slope});
+    }
+    return orbiting(centre, distance, yaw, pitch, fov);
 }
 
 Viewpoint first_person(const AvatarState& avatar, const AvatarProfile& profile, double fov) {

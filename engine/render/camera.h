@@ -32,6 +32,16 @@ using FreeDistance = std::function<double(const Eigen::Vector3d& from, const Eig
 /// At `position`, turned by yaw (0 along -Z, positive to the left) and pitch (up positive).
 Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, double fov);
 
+/// At `position`, turned to `target`; level and to the north when that is the same place.
+Viewpoint looking_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target, double fov);
+
+/// Turned by yaw and pitch, and so far back from `centre` that it is `distance` metres before the camera.
+Viewpoint orbiting(const Eigen::Vector3d& centre, double distance, double yaw, double pitch, double fov);
+
+/// Likewise around the middle of `box`, from where all of it is seen, with a margin, in a picture of width /
+/// height = `aspect`.
+Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double pitch, double fov);
+
 /// Through the avatar's eyes.
 Viewpoint first_person(const AvatarState& avatar, const AvatarProfile& profile, double fov);
 

@@ -1,9 +1,12 @@
 #include "engine/render/snapshot_observer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
+#include "engine/render/channel_files.h"
 #include "engine/render/png.h"
 
 namespace campuswalk::engine::render {
@@ -50,6 +53,12 @@ void SnapshotObserver::frame(const FrameRecord& record) {
         const std::filesystem::path file = folder_ / (step->name + ".png");
         write_png(painter_->draw(shot), file);
         files_.push_back(file);
+        if (step->channels.any()) {
+            const Channels channels = painter_->draw_channels(shot, choice_of(step->channels));
+            std::ranges::move(
+                write_channels(*painter_, campus_, channels, step->channels, folder_ / step->name),
+                std::back_inserter(files_));
+        }
     }
 }
 

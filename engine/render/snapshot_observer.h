@@ -12,7 +12,8 @@
 
 namespace campuswalk::engine::render {
 
-/// Writes `FOLDER/SNAPSHOT NAME.png` for every snapshot step, with the pop-ups that are open then.
+/// Writes `FOLDER/SNAPSHOT NAME.png` for every snapshot step, with the pop-ups that are open then, and its
+/// channels beside it.
 /// A walk without snapshots opens no GL library and makes no folder.
 class SnapshotObserver final : public Observer {
 public:

@@ -12,7 +12,21 @@ namespace {
 // Closer to the head than this the figure would fill the picture.
 constexpr double kFigureFrom = 0.9;
 
+constexpr double kBehind = 4.0;          // metres: a person and what is around it
+constexpr double kOrbitDistance = 10.0;  // metres, around a point
+// Down from the south-west, where the sun is: both sides of a building that are seen are lit.
+constexpr double kOrbitYaw = -0.5235987755982988;
+constexpr double kOrbitPitch = -0.4363323129985824;
+
 constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
+
+Eigen::Vector3d eyes_of(const Shot& shot) {
+    return shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
+}
+
+bool is_from_avatar(View view) {
+    return view == View::first_person || view == View::third_person;
+}
 
 }  // namespace
 
@@ -28,26 +42,33 @@ Picture SnapshotPainter::draw(const Shot& shot) {
     return draw_over(picture, shot, view);
 }
 
+Channels SnapshotPainter::draw_channels(const Shot& shot, const ChannelChoice& choice) {
+    const Viewpoint view = viewpoint(shot);
+    return renderer_.draw_channels(view, shot.camera.width, shot.camera.height, choice, figure(shot, view));
+}
+
 IdPicture SnapshotPainter::draw_ids(const Shot& shot) {
+    return ids_of(draw_channels(shot, {.nodes = true}));
+}
+
+IdPicture SnapshotPainter::ids_of(const Channels& channels) {
     if (!node_names_) {
         node_names_ = name_nodes(campus_);
     }
-    const Viewpoint view = viewpoint(shot);
-    Channels channels = renderer_.draw_channels(view, shot.camera.width, shot.camera.height, {.nodes = true},
-                                                figure(shot, view));
-    for (std::uint32_t& pixel : channels.nodes) {
-        pixel = node_names_->name_of_node[pixel];
+    IdPicture picture{channels.width, channels.height, {}, node_names_->names};
+    picture.ids.reserve(channels.nodes.size());
+    for (const std::uint32_t node : channels.nodes) {
+        picture.ids.push_back(node_names_->name_of_node[node]);
     }
-    return {channels.width, channels.height, std::move(channels.nodes), node_names_->names};
+    return picture;
 }
 
 std::optional<Figure> SnapshotPainter::figure(const Shot& shot, const Viewpoint& view) {
-    if (shot.camera.view != View::third_person) {
+    const View from = shot.camera.view;
+    if (shot.nobody || from == View::first_person || from == View::top) {
         return std::nullopt;
     }
-    const Eigen::Vector3d eyes =
-        shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
-    if ((view.position - eyes).norm() <= kFigureFrom) {
+    if ((view.position - eyes_of(shot)).norm() <= kFigureFrom) {
         return std::nullopt;
     }
     return Figure{shot.avatar, shot.profile, shot.stride};
@@ -64,6 +85,11 @@ Picture SnapshotPainter::draw_plan(int width, int height) {
     return canvas.picture();
 }
 
+Channels SnapshotPainter::draw_plan_channels(int width, int height, const ChannelChoice& choice) {
+    const Viewpoint view = plan(renderer_.bounds(), static_cast<double>(width) / height);
+    return renderer_.draw_channels(view, width, height, choice);
+}
+
 Picture SnapshotPainter::draw_view(const Viewpoint& view, int width, int height) {
     return renderer_.draw(view, width, height);
 }
@@ -72,14 +98,52 @@ Viewpoint SnapshotPainter::viewpoint(const Shot& shot) const {
     const CameraSettings& camera = shot.camera;
     switch (camera.view) {
         case View::third_person:
-            return third_person(shot.avatar, shot.profile, camera.fov, camera.distance,
+            return third_person(shot.avatar, shot.profile, camera.fov, camera.distance.value_or(kBehind),
                                 settings_.free_distance);
         case View::top:
             return top(shot.avatar.position, camera.height_above, camera.fov, renderer_.bounds());
+        case View::orbit:
+            return orbit_view(shot);
+        case View::fixed:
+            return fixed_view(shot);
         case View::first_person:
             break;
     }
     return first_person(shot.avatar, shot.profile, camera.fov);
+}
+
+Viewpoint SnapshotPainter::orbit_view(const Shot& shot) const {
+    const CameraSettings& camera = shot.camera;
+    const double yaw = camera.yaw.value_or(kOrbitYaw);
+    const double pitch = camera.pitch.value_or(kOrbitPitch);
+    const bool whole = camera.around && camera.around->building && !camera.distance;
+    if (whole && !building_bounds_[*camera.around->building].empty()) {
+        const double aspect = static_cast<double>(camera.width) / camera.height;
+        return orbiting(building_bounds_[*camera.around->building], aspect, yaw, pitch, camera.fov);
+    }
+    const Eigen::Vector3d centre =
+        camera.around
+            ? point_of(*camera.around)
+            : Eigen::Vector3d(shot.avatar.position +
+                              0.5 * shot.avatar.stature * shot.profile.height * Eigen::Vector3d::UnitY());
+    return orbiting(centre, camera.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
+}
+
+Viewpoint SnapshotPainter::fixed_view(const Shot& shot) const {
+    const CameraSettings& camera = shot.camera;
+    const Eigen::Vector3d position = camera.position.value_or(eyes_of(shot));
+    if (camera.look_at) {
+        return looking_at(position, point_of(*camera.look_at), camera.fov);
+    }
+    return looking(position, camera.yaw.value_or(0.0), camera.pitch.value_or(0.0), camera.fov);
+}
+
+Eigen::Vector3d SnapshotPainter::point_of(const CameraTarget& target) const {
+    if (!target.building) {
+        return target.point;
+    }
+    const scene::Bounds& box = building_bounds_[*target.building];
+    return box.empty() ? target.point : Eigen::Vector3d(0.5 * (box.min + box.max));
 }
 
 Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view) {
@@ -91,7 +155,7 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
         }
         draw_scale_bar(canvas, view);
         draw_north_arrow(canvas);
-    } else if (settings_.minimap && !renderer_.bounds().empty()) {
+    } else if (settings_.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
         draw_minimap(canvas, minimap(), shot.avatar);
     }
     draw_info_windows(canvas, windows(shot, view), settings_.max_windows);

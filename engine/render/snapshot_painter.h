@@ -42,7 +42,8 @@ struct Shot {
     CameraSettings camera;
     AvatarState avatar;
     AvatarProfile profile;
-    double stride = 0.0;                     ///< phase of the avatar's step, radians
+    bool nobody = false;  ///< no avatar: only View::orbit and View::fixed have no need of it
+    double stride = 0.0;  ///< phase of the avatar's step, radians
     std::span<const OpenPopup> open_popups;  ///< oldest first
     std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in View::top
     std::string caption;                     ///< shown when SnapshotSettings::caption
@@ -67,10 +68,14 @@ public:
     SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings);
 
     Picture draw(const Shot& shot);
-    /// Who owns the pixels of the same picture.
+    /// The same picture in numbers, and who owns its pixels.
+    Channels draw_channels(const Shot& shot, const ChannelChoice& choice);
     IdPicture draw_ids(const Shot& shot);
+    /// What Channels::nodes of this campus means.
+    IdPicture ids_of(const Channels& channels);
     /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
     Picture draw_plan(int width, int height);
+    Channels draw_plan_channels(int width, int height, const ChannelChoice& choice);
     /// From any viewpoint, nothing drawn over it.
     Picture draw_view(const Viewpoint& view, int width, int height);
 
@@ -78,6 +83,9 @@ public:
 
 private:
     Viewpoint viewpoint(const Shot& shot) const;
+    Viewpoint orbit_view(const Shot& shot) const;
+    Viewpoint fixed_view(const Shot& shot) const;
+    Eigen::Vector3d point_of(const CameraTarget& target) const;
     static std::optional<Figure> figure(const Shot& shot, const Viewpoint& view);
     Picture draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view);
     std::vector<InfoWindow> windows(const Shot& shot, const Viewpoint& view) const;

@@ -18,7 +18,20 @@ namespace campuswalk::engine {
 
 // ---- camera -------------------------------------------------------------------------------------------
 
-enum class View { first_person, third_person, top };
+enum class View {
+    first_person,
+    third_person,
+    top,
+    orbit,  ///< from outside, towards what it goes around
+    fixed,  ///< from a place of the campus
+};
+
+/// What a camera is turned to: a building, as much of it as there is, or a point. Resolved by the loader.
+struct CameraTarget {
+    std::string label;                                ///< what the user wrote
+    std::optional<std::size_t> building;              ///< index into the campus' buildings
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< without a building
+};
 
 struct CameraSettings {
     View view = View::first_person;
@@ -26,7 +39,23 @@ struct CameraSettings {
     int height = 720;                 ///< pixels
     double fov = 1.0471975511965976;  ///< radians (60°), vertical
     double height_above = 40.0;       ///< metres above the avatar, for View::top
-    double distance = 4.0;            ///< metres behind the avatar, for View::third_person
+    /// Metres from what it goes around, for View::orbit, where a building fills the picture and a point is 10
+    /// m away without; metres behind the avatar, for View::third_person, 4 without.
+    std::optional<double> distance;
+    std::optional<CameraTarget> around;       ///< for View::orbit; the avatar without
+    std::optional<Eigen::Vector3d> position;  ///< for View::fixed; the avatar's eyes without
+    std::optional<CameraTarget> look_at;      ///< for View::fixed, in the place of angles
+    std::optional<double> yaw;                ///< radians, of the look, for View::orbit and View::fixed
+    std::optional<double> pitch;              ///< radians, up positive, likewise
+};
+
+/// What else of a picture is kept, as files of numbers.
+struct PictureChannels {
+    bool depth = false;
+    bool ids = false;  ///< which building and object each pixel shows
+    bool normals = false;
+
+    bool any() const { return depth || ids || normals; }
 };
 
 // ---- steps --------------------------------------------------------------------------------------------
@@ -79,6 +108,7 @@ struct SnapshotStep {
     SourceMark mark;
     std::string name;  ///< file name without extension
     CameraSettings camera;
+    PictureChannels channels;
 };
 
 /// Along a smooth curve through points, from where the avatar is. Ends like a walk_to to the last of them.

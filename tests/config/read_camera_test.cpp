@@ -57,23 +57,90 @@ TEST_F(ReadCamera, LetsASnapshotDiffer) {
     EXPECT_EQ(second.camera.distance, 3.0);
 }
 
+TEST_F(ReadCamera, FindsWhatACameraLooksAt) {
+    ASSERT_THAT(
+        folder_.about_walk("campus: a.campus.yaml\n"
+                           "camera: {view: orbit, around: hut, yaw_deg: 45, pitch_deg: -30}\n"
+                           "steps:\n"
+                           "  - spawn: gate\n"
+                           "  - snapshot: a\n"
+                           "  - snapshot: {name: b, around: [1, 2, 3], distance: 20}\n"
+                           "  - snapshot: {name: c, view: fixed, position: [4, 5, 6], look_at: gate}\n"),
+        ElementsAre());
+    const engine::Walk walk = folder_.run().walk;
+    const CameraSettings& a = std::get<SnapshotStep>(walk.steps.at(1)).camera;
+    EXPECT_EQ(a.view, View::orbit);
+    EXPECT_EQ(a.around->building, 0U);
+    EXPECT_NEAR(*a.yaw, 45 * kDegree, 1e-15);
+    EXPECT_NEAR(*a.pitch, -30 * kDegree, 1e-15);
+    EXPECT_FALSE(a.distance);
+    const CameraSettings& b = std::get<SnapshotStep>(walk.steps.at(2)).camera;
+    EXPECT_FALSE(b.around->building);
+    EXPECT_EQ(b.around->point, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(b.distance, 20.0);
+    const CameraSettings& c = std::get<SnapshotStep>(walk.steps.at(3)).camera;
+    EXPECT_EQ(c.view, View::fixed);
+    EXPECT_EQ(c.position, Eigen::Vector3d(4, 5, 6));
+    EXPECT_EQ(c.look_at->label, "gate");
+    EXPECT_FALSE(c.yaw) << "replaced by look_at";
+}
+
+TEST_F(ReadCamera, ReadsChannels) {
+    ASSERT_THAT(folder_.about_walk("campus: a.campus.yaml\n"
+                                   "steps: [{spawn: gate}, {snapshot: {name: a, channels: [ids, depth]}}, "
+                                   "{snapshot: {name: b, channels: normals}}]\n"),
+                ElementsAre());
+    const engine::Walk walk = folder_.run().walk;
+    const auto& a = std::get<SnapshotStep>(walk.steps.at(1)).channels;
+    EXPECT_TRUE(a.depth && a.ids && !a.normals);
+    const auto& b = std::get<SnapshotStep>(walk.steps.at(2)).channels;
+    EXPECT_TRUE(!b.depth && !b.ids && b.normals);
+}
+
+TEST_F(ReadCamera, ComplainsOfTargetsAndChannels) {
+    EXPECT_THAT(
+        folder_.about_walk(
+            "campus: a.campus.yaml\n"
+            "steps:\n"
+            "  - spawn: gate\n"
+            "  - snapshot: {name: a, view: orbit, around: hutt}\n"
+            "  - snapshot: {name: b, view: orbit, around: [1, 2]}\n"
+            "  - snapshot: {name: c, view: fixed}\n"
+            "  - snapshot: {name: d, view: fixed, position: [0, 1, 0], look_at: gate, yaw_deg: 3}\n"
+            "  - snapshot: {name: e, channels: [depth, colors]}\n"
+            "  - snapshot: {name: f, channels: depth}\n"
+            "  - snapshot: f-depth\n"
+            "  - snapshot: {name: g, view: orbit, pitch_deg: 91}\n"),
+        ElementsAre(
+            "a.walk.yaml:4:46: error unknown-name: the campus has no building, place or spawn 'hutt' "
+            "(did you mean 'hut'?)",
+            "a.walk.yaml:5:46: error bad-value: 'around' needs a height too: [x, y, z]",
+            "a.walk.yaml:6:31: error missing-key: a fixed camera needs 'position': [x, y, z]",
+            "a.walk.yaml:6:68: error bad-value: 'look_at' gives the direction, and so do 'yaw_deg' and "
+            "'pitch_deg'; leave one of them out",
+            "a.walk.yaml:7:43: error bad-value: a channel must be one of depth, ids, normals, not 'colors'",
+            "a.walk.yaml:9:15: error duplicate-name: the snapshot 'f-depth' stands on line 8 already",
+            "a.walk.yaml:10:49: error bad-value: 'pitch_deg' must be from -90 to 90 degrees, not '91'"));
+}
+
 TEST_F(ReadCamera, Complains) {
     EXPECT_THAT(
         folder_.about_walk("campus: a.campus.yaml\n"
                            "camera: {view: third, width: 8, height: 0x10, fov_deg: 171, height_above: 0, "
                            "distance: -1, zoom: 2}\n"
                            "steps: [{spawn: gate}]\n"),
-        ElementsAre("a.walk.yaml:2:16: error bad-value: 'view' must be one of first_person, third_person, "
-                    "top, not 'third'",
-                    "a.walk.yaml:2:30: error bad-value: 'width' must be from 16 to 8192, not '8'",
-                    "a.walk.yaml:2:41: error wrong-type: 'height' must be a number, not '0x10'",
-                    "a.walk.yaml:2:56: error bad-value: 'fov_deg' must be from 1 to 170 degrees, not '171'",
-                    "a.walk.yaml:2:75: error bad-value: 'height_above' must be more than 0 and at most "
-                    "1000000 m, not '0'",
-                    "a.walk.yaml:2:88: error bad-value: 'distance' must be more than 0 and at most 1000000 "
-                    "m, not '-1'",
-                    "a.walk.yaml:2:92: error unknown-key: unknown key 'zoom' in 'camera'; known here: view, "
-                    "width, height, fov_deg, height_above, distance"));
+        ElementsAre(
+            "a.walk.yaml:2:16: error bad-value: 'view' must be one of first_person, third_person, "
+            "top, orbit, fixed, not 'third'",
+            "a.walk.yaml:2:30: error bad-value: 'width' must be from 16 to 8192, not '8'",
+            "a.walk.yaml:2:41: error wrong-type: 'height' must be a number, not '0x10'",
+            "a.walk.yaml:2:56: error bad-value: 'fov_deg' must be from 1 to 170 degrees, not '171'",
+            "a.walk.yaml:2:75: error bad-value: 'height_above' must be more than 0 and at most "
+            "1000000 m, not '0'",
+            "a.walk.yaml:2:88: error bad-value: 'distance' must be more than 0 and at most 1000000 "
+            "m, not '-1'",
+            "a.walk.yaml:2:92: error unknown-key: unknown key 'zoom' in 'camera'; known here: view, "
+            "width, height, fov_deg, height_above, distance, around, position, look_at, yaw_deg, pitch_deg"));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class Usage(ProgramCase):
 
     def test_values(self):
         self.refused(["run", "a", "--rendering-backend", "gpu"],
-                     "--rendering-backend: 'gpu' is none of auto|none|osmesa", "run ")
+                     "--rendering-backend: 'gpu' is none of auto|egl|none|osmesa", "run ")
         self.refused(["info", "a", "--up", "x"], "--up: 'x' is none of y|z", "info ")
         self.refused(["snapshot", "a", "-o", "b", "--width", "8193"], "--width: Value 8193 not in range 16 to 8192",
                      "snapshot ")

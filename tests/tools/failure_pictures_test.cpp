@@ -86,7 +86,7 @@ protected:
     std::vector<std::string> drawn() const {
         std::vector<std::string> paths;
         for (const engine::Artifact& artifact :
-             draw_failures(campus_, walk_, failures_, folder_.path() / "out", "stroll")) {
+             draw_failures(campus_, walk_, failures_, folder_.path() / "out", "stroll", Backend::automatic)) {
             EXPECT_TRUE(fs::is_regular_file(folder_.path() / "out" / artifact.path)) << artifact.path;
             EXPECT_EQ(artifact.media_type, "image/png");
             paths.push_back(artifact.name + ": " + artifact.path);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Pictures from the command line. `pictures_test.py PROGRAM [--without-rendering]`."""
 
+import json
 import os
 import stat
 import struct
@@ -39,6 +40,76 @@ class Pictures(ProgramCase):
                                               "small (did you mean 'start'?)"])
         self.assertEqual(outcome.code, 2)
         self.assertEqual(self.contents(), before)
+
+    def test_view_by_a_cameras_keys(self):
+        for camera in ("{view: orbit, around: hut}", "{view: fixed, position: [0, 30, 0], pitch_deg: -90, width: 80}"):
+            self.passes("snapshot", "small.campus.yaml", "--camera", camera, "-o", "a.png", "--width", "64", "--height", "48")
+            self.assertEqual(self.size_of("a.png"), (80 if "80" in camera else 64, 48))
+        before = self.contents()
+        for camera, complaint in (
+                ("{view: orbit}", "--camera:1:1: error bad-value: nobody walks here whom a camera could follow: use "
+                                  "{view: orbit, around: NAME} or {view: fixed, position: [x, y, z]}"),
+                ("{view: orbit, around: htu}", "--camera:1:23: error unknown-name: the campus has no building, place or "
+                                               "spawn 'htu' (did you mean 'hut'?)"),
+                ("{view: fixed, position: [0, 1, 0], width: 0}", "--camera:1:43: error bad-value: 'width' must be from 16 "
+                                                                 "to 8192, not '0'")):
+            outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", camera, "-o", "b.png")
+            self.assertEqual((outcome.code, outcome.complaints), (2, [complaint]))
+        self.assertEqual(self.contents(), before)
+
+    def test_channels_stand_beside_the_picture(self):
+        self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "out/view.png", "--width", "64", "--height",
+                    "48", "--channels", "depth,ids,normals")
+        self.assertEqual({name for name in self.contents() if name.startswith("out/")},
+                         {"out/view.png", "out/view-depth.png", "out/view-ids.png", "out/view-ids.json", "out/view-normals.png"})
+        for channel in ("depth", "ids", "normals"):
+            self.assertEqual(self.size_of(f"out/view-{channel}.png"), (64, 48))
+        self.assertEqual(self.read("out/view-depth.png")[24:26], b"\x10\x00")  # 16 bits, grey
+        names = json.loads(self.read("out/view-ids.json"))
+        self.assertEqual(sum(entry["pixels"] for entry in names["ids"]), 64 * 48)
+        outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "a.png", "--channels", "ids,colors")
+        self.assertEqual(outcome.code, 2)
+        self.assertIn("--channels: 'ids,colors' is no list of depth, ids and normals, as in depth,ids", outcome.err)
+
+    def test_channels_of_a_walk(self):
+        self.write("short.walk.yaml", WALK.replace(
+            "turn: 180", "snapshot: {name: a, width: 64, height: 48, channels: [ids, depth]}"))
+        self.passes("run", "short.walk.yaml", "--reporter", "json=report.json")
+        self.assertEqual({name for name in self.contents() if name.startswith("out/short/")},
+                         {"out/short/a.png", "out/short/a-depth.png", "out/short/a-ids.png", "out/short/a-ids.json"})
+        report = self.read("report.json").decode()
+        for name in ("a.png", "a-depth.png", "a-ids.png", "a-ids.json"):
+            self.assertIn(f"short/{name}", report)
+
+    def test_every_backend_draws_the_same_bytes(self):
+        pictures = set()
+        for backend in ("osmesa", "egl", "auto"):
+            for threads in ("0", "2"):
+                self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "a.png", "--width", "64", "--height",
+                            "48", env=dict(os.environ, CAMPUSWALK_RENDERING_BACKEND=backend, LP_NUM_THREADS=threads))
+                pictures.add(self.read("a.png"))
+        self.assertEqual(len(pictures), 1)
+
+    def test_backends_that_are_missing(self):
+        os.mkdir(self.path("no-osmesa"))
+        os.mkdir(self.path("no-gl"))
+        for name in ("no-osmesa/libOSMesa.so.8", "no-osmesa/libOSMesa.so", "no-gl/libOSMesa.so.8", "no-gl/libOSMesa.so",
+                     "no-gl/libEGL.so.1", "no-gl/libEGL.so"):
+            self.write(name, "")  # found first, and no library
+        arguments = ("snapshot", "small.campus.yaml", "-o", "a.png", "--width", "64", "--height", "48", "--rendering-backend")
+        without = {folder: dict(os.environ, LD_LIBRARY_PATH=self.path(folder)) for folder in ("no-osmesa", "no-gl")}
+        self.passes(*arguments, "auto", env=without["no-osmesa"])
+        outcome = self.run_program(*arguments, "osmesa", env=without["no-osmesa"])
+        self.assertEqual(outcome.code, 3)
+        self.assertRegex(outcome.err, "^error: Mesa's off-screen library libOSMesa.so.8 can't be opened: .*libosmesa6")
+        outcome = self.run_program(*arguments, "auto", env=without["no-gl"])
+        self.assertEqual(outcome.code, 3)
+        self.assertRegex(outcome.err, "(?s)^error: pictures need OSMesa or EGL, and neither can be used.*libosmesa6"
+                                      ".*libegl1 libgl1-mesa-dri.*--rendering-backend none")
+        outcome = self.run_program(*arguments, "none")
+        self.assertEqual((outcome.code, outcome.complaints),
+                         (2, ["--rendering-backend: error bad-value: 'none' draws nothing, and a picture is asked for: use "
+                              "auto, osmesa or egl"]))
 
     def test_picture_that_cannot_be_written(self):
         for name in ("avatars", "room.obj/a.png"):

@@ -48,9 +48,7 @@ void check_pictures(const DiffOptions& options) {
     if (!options.walk) {
         throw about("--pictures", 0, "bad-value", "name the walk of these logs, for its campus: --walk FILE");
     }
-    if (!can_draw()) {
-        throw about("--pictures", 0, "bad-value", "this build has no rendering");
-    }
+    require_pictures(options.backend);
     if (const std::string why = why_folder_unwritable(*options.pictures); !why.empty()) {
         throw about(options.pictures->string(), 0, "output-unwritable",
                     "pictures can't be saved here: " + why);
@@ -116,14 +114,15 @@ std::vector<Eigen::Vector3d> way_until(const Lines& lines, std::size_t at) {
 }
 
 void draw_side(const scene::Campus& campus, const engine::Walk& walk, const Lines& lines, std::size_t at,
-               const std::string& side, const fs::path& folder) {
+               const std::string& side, const DiffOptions& options) {
     const std::vector<Eigen::Vector3d> way = way_until(lines, at);
     if (way.empty()) {
         std::printf("%s has no position up to there: no picture\n", side.c_str());
         return;
     }
-    const fs::path file = folder / (side + ".png");
-    draw_way(campus, walk.avatar, way, side + " \u00b7 line " + std::to_string(at + 1), file);
+    const fs::path file = *options.pictures / (side + ".png");
+    draw_way(campus, walk.avatar, way, side + " \u00b7 line " + std::to_string(at + 1), file,
+             options.backend);
     std::printf("%s\n", file.generic_string().c_str());
 }
 
@@ -146,8 +145,8 @@ int compare_logs(const DiffOptions& options) {
     print_divergence(options, a, b, *at);
     if (loaded) {
         std::printf("\n");
-        draw_side(*loaded->campus, loaded->walk, a, *at, "a", *options.pictures);
-        draw_side(*loaded->campus, loaded->walk, b, *at, "b", *options.pictures);
+        draw_side(*loaded->campus, loaded->walk, a, *at, "a", options);
+        draw_side(*loaded->campus, loaded->walk, b, *at, "b", options);
     }
     return kDifferent;
 }

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "tools/campuswalk/rendering_backend.h"
+
 namespace campuswalk::tools {
 
 struct DiffOptions {
@@ -10,6 +12,7 @@ struct DiffOptions {
     std::filesystem::path b;
     std::optional<std::filesystem::path> pictures;  ///< folder for a.png and b.png
     std::optional<std::filesystem::path> walk;      ///< of the logs; for its campus
+    Backend backend = Backend::automatic;           ///< draws the pictures
 };
 
 /// Prints the first divergence of two logs, both sides with some lines around it. Returns the exit code.

@@ -46,10 +46,11 @@ std::string caption_of(std::span<const engine::Failure> failures, engine::Tick t
 /// Draws moments of one walk; they are shown in order.
 class FailurePainter {
 public:
-    FailurePainter(const scene::Campus& campus, const engine::Walk& walk, fs::path output, fs::path folder)
+    FailurePainter(const scene::Campus& campus, const engine::Walk& walk, fs::path output, fs::path folder,
+                   Backend backend)
         : campus_(campus),
           walk_(walk),
-          painter_(campus, settings()),
+          painter_(campus, settings(backend)),
           output_(std::move(output)),
           folder_(std::move(folder)) {}
 
@@ -73,8 +74,8 @@ public:
     const std::vector<engine::Artifact>& artifacts() const { return artifacts_; }
 
 private:
-    render::SnapshotSettings settings() const {
-        render::SnapshotSettings settings = settings_for(campus_);
+    render::SnapshotSettings settings(Backend backend) const {
+        render::SnapshotSettings settings = settings_for(campus_, backend);
         settings.caption = true;
         settings.minimap = false;  // the picture from above says more
         return settings;
@@ -102,12 +103,12 @@ private:
 
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures, const fs::path& output,
-                                            const fs::path& folder) {
+                                            const fs::path& folder, Backend backend) {
     const std::vector<engine::Tick> moments = moments_of(failures);
     if (moments.empty()) {
         return {};
     }
-    FailurePainter painter(campus, walk, output, folder);
+    FailurePainter painter(campus, walk, output, folder, backend);
     engine::Simulation simulation(campus, walk);
     render::WalkTrail trail;
     auto next = moments.begin();

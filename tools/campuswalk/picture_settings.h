@@ -2,10 +2,11 @@
 
 #include "engine/render/snapshot_painter.h"
 #include "scene/campus.h"
+#include "tools/campuswalk/rendering_backend.h"
 
 namespace campuswalk::tools {
 
 /// How this program draws a campus: cameras stay out of its walls. `campus` must outlive what uses them.
-engine::render::SnapshotSettings settings_for(const scene::Campus& campus);
+engine::render::SnapshotSettings settings_for(const scene::Campus& campus, Backend backend);
 
 }  // namespace campuswalk::tools

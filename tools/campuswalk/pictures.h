@@ -11,6 +11,7 @@
 #include "engine/report/walk_result.h"
 #include "engine/script/walk.h"
 #include "scene/campus.h"
+#include "tools/campuswalk/rendering_backend.h"
 
 namespace campuswalk::tools {
 
@@ -21,7 +22,10 @@ bool can_draw();
 
 /// Writes the walk's snapshots to `FOLDER/`. `campus` must outlive it.
 std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
-                                                      const std::filesystem::path& folder);
+                                                      const std::filesystem::path& folder, Backend backend);
+
+/// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
+std::vector<std::string> files_of(const engine::SnapshotStep& step);
 
 /// The moments of a walk's failures, each from the avatar's eyes and from above with the way walked so far:
 /// `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second moment on.
@@ -31,16 +35,22 @@ std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campu
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures,
                                             const std::filesystem::path& output,
-                                            const std::filesystem::path& folder);
+                                            const std::filesystem::path& folder, Backend backend);
 
 /// The end of a way from above, with the way; the avatar looks where it leads. `way` has at least one point.
 void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
               std::span<const Eigen::Vector3d> way, const std::string& caption,
-              const std::filesystem::path& file);
+              const std::filesystem::path& file, Backend backend);
 
-/// One picture of a campus: from above all of it, otherwise from `avatar`'s place.
-void draw_campus(const scene::Campus& campus, const engine::CameraSettings& camera,
-                 const engine::AvatarState& avatar, const std::filesystem::path& file);
-void draw_plan(const scene::Campus& campus, int width, int height, const std::filesystem::path& file);
+/// A picture of a campus that nobody walks in.
+struct CampusPicture {
+    bool plan = false;              ///< from above, all of it; of `camera` only the size counts
+    engine::CameraSettings camera;  ///< View::first_person from `avatar`'s place, or one that needs nobody
+    engine::AvatarState avatar;
+    engine::PictureChannels channels;  ///< go beside `file`
+    std::filesystem::path file;
+    Backend backend = Backend::automatic;
+};
+void draw_campus(const scene::Campus& campus, const CampusPicture& picture);
 
 }  // namespace campuswalk::tools

@@ -8,29 +8,30 @@ bool can_draw() {
     return false;
 }
 
-std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&) {
+std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
+                                                      Backend) {
     assert(false);
     return nullptr;
 }
 
+std::vector<std::string> files_of(const engine::SnapshotStep&) {
+    assert(false);
+    return {};
+}
+
 std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
                                             std::span<const engine::Failure>, const std::filesystem::path&,
-                                            const std::filesystem::path&) {
+                                            const std::filesystem::path&, Backend) {
     assert(false);
     return {};
 }
 
 void draw_way(const scene::Campus&, const engine::AvatarProfile&, std::span<const Eigen::Vector3d>,
-              const std::string&, const std::filesystem::path&) {
+              const std::string&, const std::filesystem::path&, Backend) {
     assert(false);
 }
 
-void draw_campus(const scene::Campus&, const engine::CameraSettings&, const engine::AvatarState&,
-                 const std::filesystem::path&) {
-    assert(false);
-}
-
-void draw_plan(const scene::Campus&, int, int, const std::filesystem::path&) {
+void draw_campus(const scene::Campus&, const CampusPicture&) {
     assert(false);
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "collision/cast.h"
+#include "engine/render/channel_files.h"
 #include "engine/render/png.h"
 #include "engine/render/snapshot_observer.h"
 #include "tools/campuswalk/map_picture.h"
@@ -11,8 +12,27 @@ namespace campuswalk::tools {
 
 using engine::render::SnapshotSettings;
 
-SnapshotSettings settings_for(const scene::Campus& campus) {
+namespace {
+
+engine::render::RenderingBackend drawn_by(Backend backend) {
+    using engine::render::RenderingBackend;
+    switch (backend) {
+        case Backend::osmesa:
+            return RenderingBackend::osmesa;
+        case Backend::egl:
+            return RenderingBackend::egl;
+        case Backend::automatic:
+        case Backend::none:
+            break;
+    }
+    return RenderingBackend::automatic;
+}
+
+}  // namespace
+
+SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
     SnapshotSettings settings;
+    settings.backend = drawn_by(backend);
     settings.free_distance = [&campus](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         collision::QueryCounters counters;
         const auto hit = collision::cast(campus.world, {collision::Detection::solid, 0}, {from, to},
@@ -27,13 +47,21 @@ bool can_draw() {
 }
 
 std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
-                                                      const std::filesystem::path& folder) {
-    return std::make_unique<engine::render::SnapshotObserver>(campus, folder, settings_for(campus));
+                                                      const std::filesystem::path& folder, Backend backend) {
+    return std::make_unique<engine::render::SnapshotObserver>(campus, folder, settings_for(campus, backend));
+}
+
+std::vector<std::string> files_of(const engine::SnapshotStep& step) {
+    std::vector<std::string> files = {step.name + ".png"};
+    for (const std::string& ending : engine::render::channel_endings(step.channels)) {
+        files.push_back(step.name + ending);
+    }
+    return files;
 }
 
 void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
               std::span<const Eigen::Vector3d> way, const std::string& caption,
-              const std::filesystem::path& file) {
+              const std::filesystem::path& file, Backend backend) {
     constexpr double kStep = 0.05;  // metres: less has no direction
     MapMoment moment;
     moment.avatar.position = way.back();
@@ -47,22 +75,27 @@ void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
             break;
         }
     }
-    engine::render::SnapshotPainter painter(campus, settings_for(campus));
+    engine::render::SnapshotPainter painter(campus, settings_for(campus, backend));
     engine::render::write_png(draw_map(campus, painter, moment, 1280, 720), file);
 }
 
-void draw_campus(const scene::Campus& campus, const engine::CameraSettings& camera,
-                 const engine::AvatarState& avatar, const std::filesystem::path& file) {
-    engine::render::SnapshotPainter painter(campus, settings_for(campus));
-    engine::render::Shot shot;
-    shot.camera = camera;
-    shot.avatar = avatar;
-    engine::render::write_png(painter.draw(shot), file);
-}
-
-void draw_plan(const scene::Campus& campus, int width, int height, const std::filesystem::path& file) {
-    engine::render::SnapshotPainter painter(campus, settings_for(campus));
-    engine::render::write_png(painter.draw_plan(width, height), file);
+void draw_campus(const scene::Campus& campus, const CampusPicture& picture) {
+    namespace render = engine::render;
+    render::SnapshotPainter painter(campus, settings_for(campus, picture.backend));
+    render::Shot shot;
+    shot.camera = picture.camera;
+    shot.avatar = picture.avatar;
+    shot.nobody = true;
+    const int width = picture.camera.width;
+    const int height = picture.camera.height;
+    render::write_png(picture.plan ? painter.draw_plan(width, height) : painter.draw(shot), picture.file);
+    if (picture.channels.any()) {
+        const render::ChannelChoice choice = render::choice_of(picture.channels);
+        render::write_channels(painter, campus,
+                               picture.plan ? painter.draw_plan_channels(width, height, choice)
+                                            : painter.draw_channels(shot, choice),
+                               picture.channels, picture.file.parent_path() / picture.file.stem());
+    }
 }
 
 }  // namespace campuswalk::tools

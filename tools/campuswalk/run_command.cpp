@@ -13,7 +13,6 @@
 #include "scene/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/last_run.h"
 #include "tools/campuswalk/run/list_cases.h"
 #include "tools/campuswalk/run/plan.h"
@@ -31,13 +30,6 @@ namespace {
 
 scene::InputError about(const fs::path& what, const char* code, const std::string& message) {
     return scene::InputError(scene::SourceMark{what.string(), 0, 0}, code, message);
-}
-
-bool wants_pictures(Backend backend) {
-    if (backend == Backend::osmesa && !can_draw()) {
-        throw about("--rendering-backend", "bad-value", "this build has no rendering: use none");
-    }
-    return backend != Backend::none && can_draw();
 }
 
 bool takes_pictures(const Case& each) {
@@ -211,6 +203,7 @@ private:
         SessionSettings session;
         session.play.output = settings_.output;
         session.play.pictures = pictures_;
+        session.play.backend = options_.backend;
         session.play.log = reports.wants_log();
         session.play.events = events;
         session.play.records = options_.records;

@@ -1,9 +1,9 @@
 #include "tools/campuswalk/snapshot_command.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
+#include "config/loader/load_run.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/walk_loader.h"
@@ -12,6 +12,8 @@
 namespace campuswalk::tools {
 
 namespace {
+
+constexpr const char* kAsked = "--camera";
 
 const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const std::string& name) {
     std::vector<std::string> known = {"top"};
@@ -22,34 +24,51 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
         known.push_back(spawn.name);
     }
     throw scene::InputError(
-        {"--camera", 0, 0}, "unknown-name",
+        {kAsked, 0, 0}, "unknown-name",
         "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
+}
+
+/// Fills in from where the picture is taken.
+void aim(const SnapshotOptions& options, const scene::CampusDescription& campus, CampusPicture& picture) {
+    picture.camera.width = options.width;
+    picture.camera.height = options.height;
+    if (options.camera == "top") {
+        picture.plan = true;
+        return;
+    }
+    if (!options.camera.starts_with('{')) {
+        const scene::Spawn& spawn = spawn_named(campus, options.camera);
+        picture.avatar.position = spawn.position;
+        picture.avatar.yaw = spawn.yaw;
+        return;
+    }
+    picture.camera = config::read_camera_text(options.camera, kAsked, campus, picture.camera);
+    const bool alone = (picture.camera.view == engine::View::fixed && picture.camera.position) ||
+                       (picture.camera.view == engine::View::orbit && picture.camera.around);
+    if (!alone) {
+        throw scene::InputError(
+            {kAsked, 1, 1}, "bad-value",
+            "nobody walks here whom a camera could follow: use {view: orbit, around: NAME} or "
+            "{view: fixed, position: [x, y, z]}");
+    }
 }
 
 }  // namespace
 
 int draw_snapshot(const SnapshotOptions& options) {
-    if (!can_draw()) {
-        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
-    }
+    require_pictures(options.backend);
     if (const std::string why = why_file_unwritable(options.output); !why.empty()) {
         throw scene::InputError({options.output.string(), 0, 0}, "output-unwritable",
                                 "the picture can't be written here: " + why);
     }
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
-    if (options.camera == "top") {
-        draw_plan(*campus, options.width, options.height, options.output);
-        return kPass;
-    }
-    const scene::Spawn& spawn = spawn_named(campus->description, options.camera);
-    engine::CameraSettings camera;
-    camera.width = options.width;
-    camera.height = options.height;
-    engine::AvatarState avatar;
-    avatar.position = spawn.position;
-    avatar.yaw = spawn.yaw;
-    draw_campus(*campus, camera, avatar, options.output);
+    CampusPicture picture;
+    aim(options, campus->description, picture);
+    picture.channels = options.channels;
+    picture.file = options.output;
+    picture.backend = options.backend;
+    draw_campus(*campus, picture);
     return kPass;
 }
 

@@ -3,14 +3,21 @@
 #include <filesystem>
 #include <string>
 
+#include "engine/script/walk.h"
+#include "tools/campuswalk/rendering_backend.h"
+
 namespace campuswalk::tools {
 
 struct SnapshotOptions {
     std::filesystem::path campus;
-    std::string camera = "top";  ///< "top" for a plan of everything, or a spawn's name to look from there
+    /// "top" for a plan of everything, a spawn's name to look from there, or a camera's keys as in a walk:
+    /// "{view: orbit, around: library}".
+    std::string camera = "top";
+    engine::PictureChannels channels;
     std::filesystem::path output;
     int width = 1280;  ///< pixels
     int height = 720;  ///< pixels
+    Backend backend = Backend::automatic;
 };
 
 /// Draws one picture of a campus nobody walks in. Returns the exit code.

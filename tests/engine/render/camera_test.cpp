@@ -136,5 +136,48 @@ TEST(ClipFromWorld, KeepsSquaresSquareInAWidePicture) {
     EXPECT_NEAR(right->x() - 800.0, 200.0 - above->y(), 1e-9);
 }
 
+TEST(Camera, LookingAtPutsTheTargetInTheMiddle) {
+    for (const Vector3d& target : {Vector3d(3, 1, -4), Vector3d(-8, 20, 5), Vector3d(2, -7, 2)}) {
+        const Viewpoint view = looking_at({2, 1.5, 2}, target, 1.0);
+        const auto pixel = pixel_of(view, 200, 100, target);
+        ASSERT_TRUE(pixel);
+        EXPECT_NEAR(pixel->x(), 100.0, 1e-9);
+        EXPECT_NEAR(pixel->y(), 50.0, 1e-9);
+        EXPECT_NEAR(view.R_world_camera.col(0).y(), 0.0, 1e-12) << "no roll";
+    }
+}
+
+TEST(Camera, OrbitingAPointKeepsItsDistanceAndDirection) {
+    const Viewpoint view = orbiting({5, 1, 5}, 7.0, -0.5, -0.4, 1.0);
+    EXPECT_NEAR((view.position - Vector3d(5, 1, 5)).norm(), 7.0, 1e-12);
+    EXPECT_GT(view.position.y(), 1.0) << "looks down from above";
+    const auto pixel = pixel_of(view, 200, 100, {5, 1, 5});
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR(pixel->x(), 100.0, 1e-9);
+    EXPECT_NEAR(pixel->y(), 50.0, 1e-9);
+}
+
+TEST(Camera, OrbitingABoxShowsAllOfItAndLittleElse) {
+    scene::Bounds box;
+    box.extend({-20, 0, 3});
+    box.extend({10, 6, 15});
+    for (const double aspect : {0.5, 1.0, 2.0}) {
+        for (const double yaw : {-2.0, -0.5, 0.0, 1.5}) {
+            const auto width = static_cast<int>(400 * aspect);
+            const Viewpoint view = orbiting(box, aspect, yaw, -0.4, 1.0);
+            double widest = 0.0;
+            for (int i = 0; i < 8; ++i) {
+                const Vector3d corner((i & 1) != 0 ? 10 : -20, (i & 2) != 0 ? 6 : 0, (i & 4) != 0 ? 15 : 3);
+                const auto pixel = pixel_of(view, width, 400, corner);
+                ASSERT_TRUE(pixel);
+                widest =
+                    std::max({widest, std::abs(pixel->x() / width - 0.5), std::abs(pixel->y() / 400 - 0.5)});
+            }
+            EXPECT_LT(widest, 0.5) << "aspect " << aspect << ", yaw " << yaw;
+            EXPECT_GT(widest, 0.44) << "aspect " << aspect << ", yaw " << yaw;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::engine::render

@@ -79,6 +79,54 @@ TEST(SnapshotPainter, DrawsTheOpenPopupOverThePicture) {
     EXPECT_TRUE(at(600, 340));
 }
 
+TEST(SnapshotPainter, OrbitFillsThePictureWithTheBuilding) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    Shot around = shot(View::orbit);
+    around.nobody = true;
+    around.camera.around = CameraTarget{"tower", 0, {}};
+    const IdPicture ids = painter.draw_ids(around);
+    int top = kHeight;
+    int bottom = 0;
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+        if (ids.ids[static_cast<std::size_t>(i)] == 1) {
+            top = std::min(top, i / kWidth);
+            bottom = i / kWidth;
+        }
+    }
+    EXPECT_GT(top, 0);
+    EXPECT_LT(bottom, kHeight - 1);
+    EXPECT_GT(bottom - top, 3 * kHeight / 4);
+}
+
+TEST(SnapshotPainter, OrbitWithoutATargetGoesAroundTheAvatar) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    Shot around = shot(View::orbit);
+    around.camera.distance = 4.0;
+    Shot empty = around;
+    empty.nobody = true;
+    const Channels with = painter.draw_channels(around, {.depth = true});
+    const Channels without = painter.draw_channels(empty, {.depth = true});
+    const std::size_t middle = kHeight / 2 * kWidth + kWidth / 2;
+    EXPECT_NEAR(with.depth[middle], 4.0, 0.3);
+    EXPECT_GT(without.depth[middle], 4.5);
+}
+
+TEST(SnapshotPainter, FixedStandsWhereItIsPutAndLooksWhereItIsTold) {
+    const scene::Campus campus = tower_campus();
+    SnapshotPainter painter(campus, settings());
+    Shot fixed = shot(View::fixed);
+    fixed.nobody = true;
+    fixed.camera.position = Eigen::Vector3d(8, 3, 2);
+    fixed.camera.look_at = CameraTarget{"tower", 0, {}};
+    const std::size_t middle = kHeight / 2 * kWidth + kWidth / 2;
+    EXPECT_EQ(painter.draw_ids(fixed).ids[middle], 1U);
+    fixed.camera.look_at.reset();
+    fixed.camera.yaw = 3.141592653589793;
+    EXPECT_EQ(painter.draw_ids(fixed).ids[middle], 0U) << "turned away";
+}
+
 TEST(SnapshotPainter, IdsTellWhoseThePixelsAre) {
     const scene::Campus campus = tower_campus();
     SnapshotPainter painter(campus, settings());

@@ -118,6 +118,9 @@ void Command::finish(CLI::Option& option, const Spelling& spelling) {
     if (!spelling.excludes.empty()) {
         option.excludes(app_->get_option(spelling.excludes));
     }
+    if (!spelling.environment.empty()) {
+        option.envname(spelling.environment);
+    }
 }
 
 template <typename Value>

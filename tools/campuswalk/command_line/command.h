@@ -21,10 +21,11 @@ using Chosen = std::function<int()>;
 struct Spelling {
     std::string names;  ///< "-o,--output"; a word without dashes is a positional argument
     std::string help;
-    std::string value = {};     ///< what is shown for its value: "FILE"; empty: nothing
-    bool required = false;      ///< of options, one; of several values, at least one
-    bool show_default = false;  ///< the target's value at this moment
-    std::string excludes = {};  ///< an option added before, by its long name
+    std::string value = {};        ///< what is shown for its value: "FILE"; empty: nothing
+    bool required = false;         ///< of options, one; of several values, at least one
+    bool show_default = false;     ///< the target's value at this moment
+    std::string excludes = {};     ///< an option added before, by its long name
+    std::string environment = {};  ///< a variable that gives the value when the command line doesn't
     /// What is wrong with a value as it was written; empty when nothing is.
     std::function<std::string(const std::string&)> check = {};
 };

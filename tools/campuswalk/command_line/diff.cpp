@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "tools/campuswalk/command_line/commands.h"
+#include "tools/campuswalk/command_line/rendering_backend.h"
 #include "tools/campuswalk/diff_command.h"
 
 namespace campuswalk::tools {
@@ -19,6 +20,7 @@ void add_diff(Command program, Chosen& chosen) {
                    options->pictures);
     command.option({.names = "--walk", .help = "The walk of these logs, for --pictures", .value = "FILE"},
                    options->walk);
+    add_rendering_backend(command, options->backend);
     command.footer("Exit code: 0 the same, 1 different, 2 bad usage or input, 3 something failed.");
     command.choose(chosen, [options] { return compare_logs(*options); });
 }

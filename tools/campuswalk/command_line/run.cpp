@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/campuswalk/command_line/commands.h"
+#include "tools/campuswalk/command_line/rendering_backend.h"
 #include "tools/campuswalk/run/records.h"
 #include "tools/campuswalk/run_command.h"
 
@@ -122,10 +123,7 @@ void add_output(Command& command, const Options& options) {
                          .help = "Which golden logs are written; alone it means changed [missing; none where "
                                  "CI is set]"},
                         "changed", modes, options->update);
-    const std::map<std::string, Backend> backends = {
-        {"auto", Backend::automatic}, {"osmesa", Backend::osmesa}, {"none", Backend::none}};
-    command.choice({.names = "--rendering-backend", .help = "What draws the pictures"}, backends,
-                   options->backend);
+    add_rendering_backend(command, options->backend);
     command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},
                  options->quiet);
     command.flag({.names = "-v,--verbose", .help = "Say on standard error too how each walk ended"},

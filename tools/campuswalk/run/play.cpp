@@ -20,6 +20,8 @@
 
 namespace campuswalk::tools {
 
+namespace fs = std::filesystem;
+
 using engine::Outcome;
 using engine::WalkResult;
 
@@ -91,7 +93,7 @@ public:
             json_.frame(record);
         }
         for (const engine::SnapshotStep* step : record.snapshots) {
-            pictures_.push_back(step->name);
+            pictures_.push_back(step);
         }
         const auto now = std::chrono::steady_clock::now();
         log_.flush_if_old(now);
@@ -103,7 +105,7 @@ public:
         events_.flush();
     }
 
-    const std::vector<std::string>& pictures() const { return pictures_; }
+    const std::vector<const engine::SnapshotStep*>& pictures() const { return pictures_; }
     const std::vector<std::string>& kept() const { return kept_; }
 
 private:
@@ -122,7 +124,7 @@ private:
     LinesSaid events_;
     engine::TextLog text_;
     engine::JsonLines json_;
-    std::vector<std::string> pictures_;
+    std::vector<const engine::SnapshotStep*> pictures_;
     std::vector<std::string> kept_;
 };
 
@@ -167,7 +169,7 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
     std::vector<engine::Observer*> observers = {&listener, &interrupt};
     std::unique_ptr<engine::Observer> pictures;
     if (settings.pictures) {
-        pictures = make_snapshot_taker(*loaded.campus, settings.output / played.folder);
+        pictures = make_snapshot_taker(*loaded.campus, settings.output / played.folder, settings.backend);
         observers.push_back(pictures.get());
     }
     const Records records(settings.records);
@@ -182,12 +184,16 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
     if (!settings.pictures) {
         return;
     }
-    for (const std::string& name : listener.pictures()) {
-        result.artifacts.push_back({name, played.folder + "/" + name + ".png", "image/png"});
+    for (const engine::SnapshotStep* step : listener.pictures()) {
+        for (const std::string& file : files_of(*step)) {
+            const bool picture = file.ends_with(".png");
+            result.artifacts.push_back({fs::path(file).stem().string(), played.folder + "/" + file,
+                                        picture ? "image/png" : "application/json"});
+        }
     }
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
-        std::vector<engine::Artifact> drawn =
-            draw_failures(*loaded.campus, loaded.walk, result.failures, settings.output, played.folder);
+        std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
+                                                            settings.output, played.folder, settings.backend);
         std::ranges::move(drawn, std::back_inserter(result.artifacts));
     }
 }

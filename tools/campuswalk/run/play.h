@@ -6,6 +6,7 @@
 
 #include "engine/report/walk_result.h"
 #include "tools/campuswalk/golden_log.h"
+#include "tools/campuswalk/rendering_backend.h"
 #include "tools/campuswalk/run/plan.h"
 #include "tools/campuswalk/run/worker.h"
 
@@ -14,9 +15,10 @@ namespace campuswalk::tools {
 struct PlaySettings {
     std::filesystem::path output;
     bool pictures = false;
-    bool log = false;                  ///< say the text log as it comes
-    bool events = false;               ///< say the log as JSON
-    std::vector<std::string> records;  ///< names of record_kinds()
+    Backend backend = Backend::automatic;  ///< for `pictures`
+    bool log = false;                      ///< say the text log as it comes
+    bool events = false;                   ///< say the log as JSON
+    std::vector<std::string> records;      ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
 };
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "tools/campuswalk/golden_log.h"
+#include "tools/campuswalk/rendering_backend.h"
 
 namespace campuswalk::tools {
 
-enum class Backend { automatic, osmesa, none };
 enum class ColorChoice { automatic, always, never };
 
 /// What the command line of `run` says. Where something is left out, walks.config.yaml is asked, then a
