@@ -46,6 +46,19 @@ std::string lower_extension(const SceneFile& file) {
     return extension;
 }
 
+void check_ply_header(const SceneFile& file, std::ifstream& in) {
+    constexpr std::streamsize kLongest = 1 << 20U;
+    std::string header(static_cast<std::size_t>(kLongest), '\0');
+    in.read(header.data(), kLongest);
+    header.resize(static_cast<std::size_t>(in.gcount()));
+    if (header.find("end_header") == std::string::npos) {
+        throw InputError(file.mark, "bad-model",
+                         "'" + file.file +
+                             "' is not a model that can be read: it ends in its PLY header; "
+                             "export or copy it again");
+    }
+}
+
 }  // namespace
 
 Reader reader_for(const SceneFile& file) {
@@ -78,8 +91,12 @@ void check_readable(const SceneFile& file) {
     if (!std::filesystem::is_regular_file(file.path, ignored)) {
         refuse("is not a file; name a model file");
     }
-    if (!std::ifstream(file.path, std::ios::binary)) {
+    std::ifstream in(file.path, std::ios::binary);
+    if (!in) {
         refuse("cannot be read; check its permissions");
+    }
+    if (lower_extension(file) == ".ply") {
+        check_ply_header(file, in);
     }
 }
 

@@ -11,7 +11,8 @@ enum class Reader { gltf, assimp };
 /// By the file's extension. Throws InputError bad-model, with what to do instead.
 Reader reader_for(const SceneFile& file);
 
-/// Throws InputError missing-file when the file isn't there or can't be read.
+/// Throws InputError missing-file when the file isn't there or can't be read, bad-model for a PLY file that
+/// ends in its header: assimp 5.2.5 never comes to an end of it.
 void check_readable(const SceneFile& file);
 
 }  // namespace campuswalk::scene

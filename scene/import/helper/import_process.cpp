@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <stdexcept>
@@ -137,6 +138,17 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
+/// With the file's size taken into account.
+ImportLimits limits_for(const SceneFile& file, ImportLimits limits) {
+    std::error_code none;
+    const std::uintmax_t bytes = std::filesystem::file_size(file.path, none);
+    if (!none) {
+        const auto megabytes = static_cast<std::uint32_t>(std::min<std::uintmax_t>(bytes >> 20U, 100'000));
+        limits.cpu += megabytes * std::min(limits.cpu_per_megabyte, 1000U);
+    }
+    return limits;
+}
+
 std::string in_megabytes(std::uint64_t bytes) {
     return std::to_string(bytes >> 20U) + " MB";
 }
@@ -144,10 +156,12 @@ std::string in_megabytes(std::uint64_t bytes) {
 /// Why there is no answer, in words; empty when there should be one.
 std::string trouble_of(const Ending& ending, const ImportLimits& limits) {
     if (ending.out_of_time) {
-        return "its import was ended after " + std::to_string(limits.wall) + " s; simplify or split it";
+        return "its import was ended after " + std::to_string(limits.cpu + limits.waiting) +
+               " s; export it again, or simplify or split it";
     }
     if (ending.signal == SIGXCPU || (ending.signal == SIGKILL && ending.cpu_seconds >= limits.cpu)) {
-        return "its import was ended after " + std::to_string(limits.cpu) + " s of CPU; simplify or split it";
+        return "its import was ended after " + std::to_string(limits.cpu) +
+               " s of CPU: it is damaged, or too large; export it again, or simplify or split it";
     }
     if (ending.signal == SIGXFSZ) {
         return "it becomes larger than " + in_megabytes(limits.answer) + "; simplify or split it";
@@ -174,7 +188,8 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
     const MemoryFile answer("campuswalk-import-answer");
     question.write(write_request(request));
     const pid_t process = SpawnPlan(question, answer).start(helper);
-    const std::string trouble = trouble_of(wait_for_process(process, request.limits.wall), request.limits);
+    const std::string trouble =
+        trouble_of(wait_for_process(process, request.limits.cpu + request.limits.waiting), request.limits);
     if (!trouble.empty()) {
         refuse(trouble);
     }
@@ -194,7 +209,7 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
 
 Importer import_in_process(HelperProgram helper, ImportLimits limits) {
     return [helper = std::move(helper), limits](const SceneFile& file, EmptyModel if_empty) {
-        return import_with(helper, {file, if_empty, limits});
+        return import_with(helper, {file, if_empty, limits_for(file, limits)});
     };
 }
 

@@ -33,7 +33,8 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(static_cast<std::uint32_t>(request.if_empty));
     out.put(request.limits.memory);
     out.put(request.limits.cpu);
-    out.put(request.limits.wall);
+    out.put(request.limits.cpu_per_megabyte);
+    out.put(request.limits.waiting);
     out.put(request.limits.answer);
     return std::move(out).seal();
 }
@@ -56,7 +57,8 @@ ImportRequest read_request(std::span<const std::byte> bytes) {
     request.if_empty = static_cast<EmptyModel>(in.take_below(2, "way with empty models"));
     request.limits.memory = in.take<std::uint64_t>();
     request.limits.cpu = in.take<std::uint32_t>();
-    request.limits.wall = in.take<std::uint32_t>();
+    request.limits.cpu_per_megabyte = in.take<std::uint32_t>();
+    request.limits.waiting = in.take<std::uint32_t>();
     request.limits.answer = in.take<std::uint64_t>();
     in.finish();
     return request;

@@ -15,10 +15,13 @@ namespace campuswalk::scene {
 struct ImportLimits {
     /// Address space, bytes. 2M triangles take 0.6 GB and 20M of them 6 GB.
     std::uint64_t memory = std::uint64_t{8} << 30U;
-    /// Seconds of CPU. 2M triangles as OBJ, the slowest format that is in use, take 3 s.
-    std::uint32_t cpu = 120;
-    /// Seconds on the clock: more than CPU, for a folder on a slow network and a machine with other work.
-    std::uint32_t wall = 300;
+    /// Seconds of CPU: some readers never come to an end of a damaged file, however small.
+    std::uint32_t cpu = 20;
+    /// That many more for each megabyte of the file. The slowest format in use, OBJ, takes 0.03.
+    std::uint32_t cpu_per_megabyte = 1;
+    /// Seconds on the clock beyond those of CPU: for a folder on a slow network and a machine with other
+    /// work.
+    std::uint32_t waiting = 120;
     /// Bytes of the answer. 2M triangles with all they can have are 0.2 GB, textures come on top.
     std::uint64_t answer = std::uint64_t{4} << 30U;
 };

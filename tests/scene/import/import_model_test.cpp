@@ -165,6 +165,11 @@ TEST_F(ImportModelTest, ReportsWhatCannotBeRead) {
     EXPECT_NE(text_of(errors("house.ifc")).find("glTF"), std::string::npos);
 }
 
+TEST_F(ImportModelTest, RefusesAPlyFileThatEndsInItsHeader) {
+    folder_.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nelement face 1");
+    EXPECT_NE(text_of(errors("cut.ply")).find("PLY header"), std::string::npos);
+}
+
 TEST_F(ImportModelTest, ReadsNoBufferOutsideTheScenesFolder) {
     test::TemporaryFolder outside;
     test::write_gltf(folder_, "box", {{.name = "box", .size = {1, 1, 1}}});

@@ -62,26 +62,7 @@ double area_of(const Model& model) {
 TEST_F(GltfSourceTest, UnpacksDracoOfAllIndexWidths) {
     for (const std::size_t side : {10U, 100U, 300U}) {  // 100, 10,000 and 90,000 vertices
         const test::GridMesh grid = test::grid_mesh(side);
-        GltfText text;
-        const std::vector<std::uint8_t> packed = test::draco_of(grid);
-        const std::size_t view = text.add_view(packed);
-        const std::size_t accessor = 0;
-        text.json["accessors"].push_back(
-            {{"componentType", 5126}, {"count", grid.positions.size() / 3}, {"type", "VEC3"}});
-        text.json["accessors"].push_back({{"componentType", side > 255  ? 5125
-                                                            : side > 15 ? 5123
-                                                                        : 5121},
-                                          {"count", grid.indices.size()},
-                                          {"type", "SCALAR"}});
-        text.add_node(
-            {{"name", "packed"},
-             {"mesh", text.add_mesh({{"attributes", {{"POSITION", accessor}}},
-                                     {"indices", 1},
-                                     {"extensions",
-                                      {{"KHR_draco_mesh_compression",
-                                        {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}}}}}})}});
-        text.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-        const Model model = import(text);
+        const Model model = import(test::draco_gltf(grid));
         EXPECT_EQ(count_triangles(model), grid.indices.size() / 3);
         EXPECT_NEAR(area_of(model), 1.0, 1e-3);
         EXPECT_NEAR(world_bounds(model).max.x(), 1.0, 1e-3);
@@ -101,46 +82,16 @@ TEST_F(GltfSourceTest, RefusesDamagedDraco) {
     EXPECT_TRUE(contains(refusal(text), "without Draco"));
 }
 
-/// The grid with vertices and indices packed by meshopt; a fallback buffer without data stands in for them.
-GltfText meshopt_grid(const test::GridMesh& grid) {
-    GltfText text;
-    const std::vector<std::uint8_t> vertices = test::meshopt_vertices_of(grid);
-    const std::vector<std::uint8_t> indices = test::meshopt_indices_of(grid);
-    const auto pack = [&](const std::vector<std::uint8_t>& bytes, std::size_t stride, std::size_t count,
-                          const char* mode) {
-        const std::size_t view = text.add_view(bytes);
-        Json where = text.json["bufferViews"][view];
-        where["byteStride"] = stride;
-        where["count"] = count;
-        where["mode"] = mode;
-        text.json["bufferViews"][view] = {{"buffer", 1},
-                                          {"byteLength", stride * count},
-                                          {"extensions", {{"EXT_meshopt_compression", where}}}};
-        return view;
-    };
-    const std::size_t count = grid.positions.size() / 3;
-    const std::size_t positions =
-        text.add_accessor(pack(vertices, 12, count, "ATTRIBUTES"), 5126, count, "VEC3");
-    const std::size_t corners = text.add_accessor(pack(indices, 4, grid.indices.size(), "TRIANGLES"), 5125,
-                                                  grid.indices.size(), "SCALAR");
-    text.add_node(
-        {{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", corners}})}});
-    text.json["buffers"] = {{{"byteLength", vertices.size() + indices.size() + 4}},
-                            {{"byteLength", 1'000'000}}};
-    text.json["extensionsRequired"] = {"EXT_meshopt_compression"};
-    return text;
-}
-
 TEST_F(GltfSourceTest, UnpacksMeshopt) {
     const test::GridMesh grid = test::grid_mesh(50);
-    const Model model = import(meshopt_grid(grid));
+    const Model model = import(test::meshopt_gltf(grid));
     EXPECT_EQ(count_triangles(model), grid.indices.size() / 3);
     EXPECT_NEAR(area_of(model), 1.0, 1e-5);
     EXPECT_EQ(world_bounds(model).max, Eigen::Vector3d(1, 0, 1));
 }
 
 TEST_F(GltfSourceTest, RefusesMeshoptThatCannotBe) {
-    const GltfText good = meshopt_grid(test::grid_mesh(10));
+    const GltfText good = test::meshopt_gltf(test::grid_mesh(10));
     const auto refused_with = [&](const char* key, const Json& value) {
         GltfText text = good;
         text.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"][key] = value;

@@ -40,6 +40,8 @@ public:
     void write_gltf(const support::TemporaryFolder& folder, const std::string& name) const;
     void write_glb(const support::TemporaryFolder& folder, const std::string& name) const;
 
+    std::size_t buffer_bytes() const { return buffer_.size(); }
+
     Json json;
 
 private:

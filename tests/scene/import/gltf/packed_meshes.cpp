@@ -74,6 +74,53 @@ std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh) {
     return bytes;
 }
 
+GltfText draco_gltf(const GridMesh& mesh) {
+    const std::size_t count = mesh.positions.size() / 3;
+    GltfText text;
+    const Json packing = {{"bufferView", text.add_view(draco_of(mesh))}, {"attributes", {{"POSITION", 0}}}};
+    text.json["accessors"] = {{{"componentType", 5126}, {"count", count}, {"type", "VEC3"}},
+                              {{"componentType", count > 65535 ? 5125
+                                                 : count > 255 ? 5123
+                                                               : 5121},
+                               {"count", mesh.indices.size()},
+                               {"type", "SCALAR"}}};
+    text.add_node({{"name", "packed"},
+                   {"mesh", text.add_mesh({{"attributes", {{"POSITION", 0}}},
+                                           {"indices", 1},
+                                           {"extensions", {{"KHR_draco_mesh_compression", packing}}}})}});
+    text.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    return text;
+}
+
+GltfText meshopt_gltf(const GridMesh& grid) {
+    GltfText text;
+    const std::vector<std::uint8_t> vertices = meshopt_vertices_of(grid);
+    const std::vector<std::uint8_t> indices = meshopt_indices_of(grid);
+    const auto pack = [&](const std::vector<std::uint8_t>& bytes, std::size_t stride, std::size_t count,
+                          const char* mode) {
+        const std::size_t view = text.add_view(bytes);
+        Json where = text.json["bufferViews"][view];
+        where["byteStride"] = stride;
+        where["count"] = count;
+        where["mode"] = mode;
+        text.json["bufferViews"][view] = {{"buffer", 1},
+                                          {"byteLength", stride * count},
+                                          {"extensions", {{"EXT_meshopt_compression", where}}}};
+        return view;
+    };
+    const std::size_t count = grid.positions.size() / 3;
+    const std::size_t positions =
+        text.add_accessor(pack(vertices, 12, count, "ATTRIBUTES"), 5126, count, "VEC3");
+    const std::size_t corners = text.add_accessor(pack(indices, 4, grid.indices.size(), "TRIANGLES"), 5125,
+                                                  grid.indices.size(), "SCALAR");
+    text.add_node(
+        {{"name", "packed"},
+         {"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", corners}})}});
+    text.json["buffers"] = {{{"byteLength", text.buffer_bytes()}}, {{"byteLength", 1'000'000}}};
+    text.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+    return text;
+}
+
 std::string webp_picture(int width, int height, std::array<std::uint8_t, 4> rgba) {
     std::vector<std::uint8_t> pixels;
     for (int i = 0; i < width * height; ++i) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/scene/import/gltf/gltf_text.h"
+
 namespace campuswalk::scene::test {
 
 /// A square of 1 x 1 m on the ground, facing up.
@@ -21,6 +23,10 @@ std::vector<std::uint8_t> draco_of(const GridMesh& mesh);
 
 std::vector<std::uint8_t> meshopt_vertices_of(const GridMesh& mesh);  ///< 12 bytes a vertex
 std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh);   ///< 4 bytes an index
+
+/// Files with one node called `packed`; meshopt's with a fallback buffer that has no data.
+GltfText draco_gltf(const GridMesh& mesh);
+GltfText meshopt_gltf(const GridMesh& mesh);
 
 /// A lossless WebP file of one colour.
 std::string webp_picture(int width, int height, std::array<std::uint8_t, 4> rgba);

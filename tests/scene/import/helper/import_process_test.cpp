@@ -1,9 +1,12 @@
 #include "scene/import/helper/import_process.h"
 
 #include <chrono>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
+#include "scene/content_hash.h"
+#include "scene/sealed_bytes.h"
 #include "tests/scene/model_files.h"
 
 namespace campuswalk::scene {
@@ -67,10 +70,10 @@ TEST_F(ImportProcess, BelievesNoAnswerThatIsNoModel) {
 TEST_F(ImportProcess, EndsAHelperThatTakesTooLong) {
     const auto start = std::chrono::steady_clock::now();
     ImportLimits limits;
-    limits.wall = 1;
-    EXPECT_TRUE(contains(refusal("sleep", "box.obj", limits), "after 1 s"));
-    limits.wall = 60;
     limits.cpu = 1;
+    limits.waiting = 0;
+    EXPECT_TRUE(contains(refusal("sleep", "box.obj", limits), "after 1 s"));
+    limits.waiting = 60;
     EXPECT_TRUE(contains(refusal("spin", "box.obj", limits), "1 s of CPU"));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(50));
 }
@@ -102,7 +105,7 @@ TEST(ImportRequest, ComesBackAsItWasWritten) {
     ImportRequest request;
     request.file = {{"a.campus.yaml", 3, 7}, "a.glb", "models/a.glb", UpAxis::z, 0.01, 2.0, {1, 2, 3}};
     request.if_empty = EmptyModel::accept;
-    request.limits.wall = 7;
+    request.limits.waiting = 7;
     const ImportRequest back = read_request(write_request(request));
     EXPECT_EQ(back.file.mark.file, "a.campus.yaml");
     EXPECT_EQ(back.file.mark.line, 3);
@@ -110,7 +113,69 @@ TEST(ImportRequest, ComesBackAsItWasWritten) {
     EXPECT_EQ(back.file.up, UpAxis::z);
     EXPECT_EQ(back.file.position, Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(back.if_empty, EmptyModel::accept);
-    EXPECT_EQ(back.limits.wall, 7U);
+    EXPECT_EQ(back.limits.waiting, 7U);
+}
+
+/// As a forger would: the checksum is right again.
+void seal_anew(std::vector<std::byte>& bytes) {
+    constexpr std::size_t kChecksumAt = 24;
+    const std::uint64_t checksum = checksum_of(std::span<const std::byte>(bytes).subspan(kSealBytes));
+    std::memcpy(bytes.data() + kChecksumAt, &checksum, sizeof checksum);
+}
+
+/// Calls with every byte of the payload changed in nine ways, and with every length: several thousand
+/// mutants.
+template <typename Call>
+void with_forgeries(const std::vector<std::byte>& whole, const Call& call) {
+    for (std::size_t at = kSealBytes; at < whole.size(); ++at) {
+        for (const int value : {0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0xFF}) {
+            std::vector<std::byte> bytes = whole;
+            bytes[at] ^= static_cast<std::byte>(value);
+            call(std::span<const std::byte>(bytes));  // its checksum tells
+            seal_anew(bytes);
+            call(std::span<const std::byte>(bytes));
+        }
+        call(std::span(whole).first(at));
+    }
+}
+
+TEST(ImportRequest, IsRefusedOrSoundWhenForged) {
+    ImportRequest request;
+    request.file = {{"a.campus.yaml", 3, 7}, "a.glb", "models/a.glb", UpAxis::z, 0.01, 2.0, {1, 2, 3}};
+    int refused = 0;
+    int read = 0;
+    with_forgeries(write_request(request), [&](std::span<const std::byte> bytes) {
+        try {
+            const ImportRequest back = read_request(bytes);
+            EXPECT_LE(static_cast<int>(back.file.up), 1);
+            EXPECT_LE(static_cast<int>(back.if_empty), 1);
+            ++read;
+        } catch (const DamagedFile&) {
+            ++refused;
+        }
+    });
+    EXPECT_GT(refused, 1500);
+    EXPECT_GT(read, 100);
+}
+
+TEST(ImportAnswer, IsRefusedOrSoundWhenForged) {
+    ImportedModel answer;
+    answer.model.nodes.resize(2);
+    answer.warnings = {{Severity::warning, {"a.glb", 0, 0}, "mirrored", "a warning"}};
+    int refused = 0;
+    int thrown = 0;
+    with_forgeries(write_model_file(answer), [&](std::span<const std::byte> bytes) {
+        try {
+            read_answer(bytes);
+        } catch (const DamagedFile&) {
+            ++refused;
+        } catch (const InputError& error) {  // a warning that was made an error
+            ++thrown;
+            EXPECT_EQ(error.diagnostics().size(), 1U);
+        }
+    });
+    EXPECT_GT(refused, 1500);
+    EXPECT_GT(thrown, 0);
 }
 
 }  // namespace

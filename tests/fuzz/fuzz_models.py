@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Damaged models by the thousand: each loads or ends in a message, in bounded time, and never takes the program along.
+
+`fuzz_models.py PROGRAM [--mutants N] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each format
+through `campuswalk info`. FOLDER has further whole files to start from, such as test_packed_models writes.
+A crash of the import's helper is a message of ours, counted and no failure.
+"""
+
+import argparse
+import concurrent.futures
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+from mutants import glb_mutant, mutant
+from seed_models import BESIDE, seeds
+
+SECONDS = 160  # the helper's 20 s of CPU, and what it may wait; see ImportLimits
+
+
+class Tally:
+    def __init__(self):
+        self.loaded = self.refused = self.crashed = 0
+        self.slowest = 0.0
+        self.failures = []
+
+    def add(self, name, code, errors, seconds):
+        self.slowest = max(self.slowest, seconds)
+        told = [line for line in errors.splitlines() if re.search(r": error [a-z-]+: ", line)]
+        if code == 0:
+            self.loaded += 1
+        elif code == 2 and told:
+            self.refused += 1
+            self.crashed += "crashed (signal" in errors
+        else:
+            self.failures.append("%s: exit code %s: %s" % (name, code, errors[:300]))
+
+
+def starting_points(formats, packed):
+    """By format: the extension and the whole files' bytes."""
+    points = {name: [(os.path.splitext(file)[1], data) for file, data in files.items()]
+              for name, files in seeds().items()}
+    for file in sorted(os.listdir(packed)) if packed else []:
+        with open(os.path.join(packed, file), "rb") as whole:
+            points[os.path.splitext(file)[0]] = [(os.path.splitext(file)[1], whole.read())]
+    return {name: points[name] for name in formats or points}
+
+
+def one(program, folder, name, extension, data):
+    path = os.path.join(folder, name + extension)
+    with open(path, "wb") as file:
+        file.write(data)
+    start = time.monotonic()
+    try:
+        done = subprocess.run([program, "info", "--json", os.path.basename(path)], cwd=folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=SECONDS, check=False)
+        result = (done.returncode, done.stderr.decode("utf-8", "replace"))
+    except subprocess.TimeoutExpired:
+        result = ("none", "still running after %d s" % SECONDS)
+    if result[0] in (0, 2):
+        os.remove(path)
+    return (name + extension, *result, time.monotonic() - start)
+
+
+def fuzz(program, name, points, count, workers, keep):
+    tally = Tally()
+    with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as folder:
+        for beside, data in BESIDE.items():
+            with open(os.path.join(folder, beside), "wb") as file:
+                file.write(data)
+        for extension, data in points:
+            whole = one(program, folder, "whole", extension, data)
+            if whole[1] != 0:
+                tally.failures.append("%s: the whole file doesn't load: %s" % (whole[0], whole[2]))
+        with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+            def run(i):
+                extension, data = points[i % len(points)]
+                change = glb_mutant if extension == ".glb" else mutant
+                return one(program, folder, "m%d" % i, extension, change("%s %d" % (name, i), data))
+            for outcome in pool.map(run, range(count)):
+                tally.add(*outcome)
+        for failure in tally.failures if keep else []:
+            file = failure.split(":")[0]
+            if os.path.exists(os.path.join(folder, file)):
+                os.rename(os.path.join(folder, file), os.path.join(keep, name + "-" + file))
+    return tally
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--mutants", type=int, default=1500)
+    parser.add_argument("--formats")
+    parser.add_argument("--packed")
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--keep", help="a folder for the mutants that failed")
+    options = parser.parse_args()
+    formats = options.formats.split(",") if options.formats else None
+    failed = False
+    for name, points in starting_points(formats, options.packed).items():
+        tally = fuzz(os.path.abspath(options.program), name, points, options.mutants, options.workers, options.keep)
+        print("%-8s %5d mutants: %5d loaded, %5d refused, %4d of them crashes of the helper; slowest %.1f s"
+              % (name, options.mutants, tally.loaded, tally.refused, tally.crashed, tally.slowest), flush=True)
+        for failure in tally.failures:
+            print("  FAILED " + failure, flush=True)
+        failed = failed or bool(tally.failures)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
