@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "scene/cache/kept_meshes.h"
+#include "scene/cache/load_model.h"
+#include "scene/collider_globs.h"
 #include "scene/collider_shapes.h"
 #include "scene/node_frame.h"
 #include "scene/node_selection.h"
@@ -21,66 +24,58 @@ collision::Detection to_detection(const DetectionModes& modes) {
            (modes.ray ? Detection::ray : Detection::none);
 }
 
-std::vector<Model> import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
-                                 std::vector<Diagnostic>& warnings, const Importer& importer) {
+/// The models of a campus, and what each is made of where a cache wants to know.
+struct ImportedScenes {
     std::vector<Model> models;
+    std::vector<ContentHash> contents;  ///< fewer than models where it isn't known of all
+};
+
+ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
+                             std::vector<Diagnostic>& warnings, const Importer& importer,
+                             const CacheFolder* cache) {
+    ImportedScenes scenes;
     for (const SceneFile& file : files) {
         try {
-            ImportedModel imported = importer(file, EmptyModel::refuse);
-            models.push_back(std::move(imported.model));
-            warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
+            LoadedModel loaded = load_model(file, EmptyModel::refuse, importer, cache);
+            scenes.models.push_back(std::move(loaded.imported.model));
+            if (loaded.contents) {
+                scenes.contents.push_back(*loaded.contents);
+            }
+            warnings.insert(warnings.end(), loaded.imported.warnings.begin(), loaded.imported.warnings.end());
         } catch (const InputError& error) {
             diagnostics.append(error.diagnostics());
         }
     }
-    return models;
+    return scenes;
 }
 
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
-    ColliderBuilder(Campus& campus, DiagnosticList& diagnostics, std::vector<Diagnostic>& warnings)
-        : campus_(campus), diagnostics_(diagnostics), warnings_(warnings) {}
+    ColliderBuilder(Campus& campus, KeptMeshes& meshes, DiagnosticList& diagnostics,
+                    std::vector<Diagnostic>& warnings)
+        : campus_(campus), meshes_(meshes), diagnostics_(diagnostics), warnings_(warnings) {}
 
     void add(const ColliderDescription& collider);
 
 private:
-    std::optional<std::size_t> building_index(const ColliderDescription& collider) const;
-    /// The collider's globs, or its building's when it needs nodes and names none.
-    const std::vector<NodeGlob>& globs_of(const ColliderDescription& collider) const;
-    void add_fitted(const ColliderDescription& collider, const std::vector<NodeRef>& nodes,
-                    const std::string& id);
-    void add_object(const ColliderDescription& collider, const std::string& id, const ShapeSource& source,
+    std::optional<PlacedShape> shape_of(const ColliderDescription& collider,
+                                        const std::vector<NodeRef>& nodes);
+    void add_object(const ColliderDescription& collider, const std::string& id,
                     const std::vector<NodeRef>& nodes);
 
     Campus& campus_;
+    KeptMeshes& meshes_;
     DiagnosticList& diagnostics_;
     std::vector<Diagnostic>& warnings_;
     std::map<std::string, SourceMark> ids_;
 };
 
-std::optional<std::size_t> ColliderBuilder::building_index(const ColliderDescription& collider) const {
-    const auto& buildings = campus_.description.buildings;
-    const auto found = std::ranges::find(buildings, collider.building, &Building::id);
-    if (collider.building.empty() || found == buildings.end()) {
-        return std::nullopt;
-    }
-    return static_cast<std::size_t>(found - buildings.begin());
-}
-
-const std::vector<NodeGlob>& ColliderBuilder::globs_of(const ColliderDescription& collider) const {
-    const auto building = building_index(collider);
-    if (collider.nodes.empty() && building && !is_placed_by_numbers(collider.shape)) {
-        return campus_.description.buildings[*building].nodes;
-    }
-    return collider.nodes;
-}
-
 void ColliderBuilder::add(const ColliderDescription& collider) {
-    const std::vector<NodeGlob>& globs = globs_of(collider);
+    const std::vector<NodeGlob>& globs = globs_of(campus_.description, collider);
     if (globs.empty()) {
         if (is_placed_by_numbers(collider.shape)) {
-            add_object(collider, collider.id, ShapeSource{}, {});
+            add_object(collider, collider.id, {});
         } else {
             diagnostics_.error(collider.mark, "missing-nodes",
                                "collider '" + collider.id +
@@ -93,7 +88,7 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
         return;  // check_globs has said so
     }
     if (!collider.each) {
-        add_fitted(collider, matches, collider.id);
+        add_object(collider, collider.id, matches);
         return;
     }
     std::vector<std::string> names;
@@ -103,29 +98,39 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     }
     const std::vector<std::string> words = distinct_words(names);
     for (std::size_t i = 0; i < matches.size(); ++i) {
-        add_fitted(collider, {matches[i]}, collider.id + '/' + words[i]);
+        add_object(collider, collider.id + '/' + words[i], {matches[i]});
     }
 }
 
-void ColliderBuilder::add_fitted(const ColliderDescription& collider, const std::vector<NodeRef>& nodes,
-                                 const std::string& id) {
+std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& collider,
+                                                     const std::vector<NodeRef>& nodes) {
+    const bool is_mesh = std::holds_alternative<MeshShape>(collider.shape);
+    if (is_mesh) {
+        if (std::optional<PlacedShape> kept = meshes_.next()) {
+            return kept;
+        }
+    }
     ShapeSource source;
-    source.has_nodes = true;
+    source.has_nodes = !nodes.empty();
     source.geometry = gather_geometry(campus_.models, nodes);
     if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }
-    add_object(collider, id, source, nodes);
+    std::optional<PlacedShape> placed = place_shape(collider.shape, source);
+    if (is_mesh && placed) {
+        meshes_.add(*placed);
+    }
+    return placed;
 }
 
 void ColliderBuilder::add_object(const ColliderDescription& collider, const std::string& id,
-                                 const ShapeSource& source, const std::vector<NodeRef>& nodes) {
+                                 const std::vector<NodeRef>& nodes) {
     if (!ids_.emplace(id, collider.mark).second) {
         diagnostics_.error(collider.mark, "duplicate-id",
                            "two objects are called '" + id + "'; rename one of the colliders");
         return;
     }
-    std::optional<PlacedShape> placed = place_shape(collider.shape, source);
+    std::optional<PlacedShape> placed = shape_of(collider, nodes);
     if (!placed) {
         diagnostics_.error(collider.mark, "empty-mesh",
                            "the nodes of collider '" + id + "' have no triangle");
@@ -138,8 +143,8 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     }
     campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
                        campus_.layer_index(collider.layer)});
-    campus_.objects.push_back(
-        {id, collider.mark, building_index(collider), collider.popup, collider.popup_rule, nodes});
+    campus_.objects.push_back({id, collider.mark, building_of(campus_.description, collider), collider.popup,
+                               collider.popup_rule, nodes});
 }
 
 }  // namespace
@@ -157,26 +162,30 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 }
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
-                   std::vector<Diagnostic>& warnings, const Importer& importer) {
+                   std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache) {
     DiagnosticList diagnostics;
     if (description.layers.size() > kMostLayers) {
         diagnostics.error(description.mark, "too-many-layers",
                           std::to_string(description.layers.size()) + " layers; at most " +
                               std::to_string(kMostLayers) + " are possible");
     }
-    std::vector<Model> models = import_scenes(description.scenes, diagnostics, warnings, importer);
+    ImportedScenes scenes = import_scenes(description.scenes, diagnostics, warnings, importer, cache);
     diagnostics.throw_if_errors();  // without its scenes every glob would be wrong
 
-    Campus campus{std::move(description), std::move(models), {}, collision::World(std::move(broad_phase))};
+    Campus campus{
+        std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);
     }
-    ColliderBuilder builder(campus, diagnostics, warnings);
+    const bool known = cache != nullptr && scenes.contents.size() == campus.models.size();
+    KeptMeshes meshes = known ? KeptMeshes(*cache, campus.description, scenes.contents) : KeptMeshes();
+    ColliderBuilder builder(campus, meshes, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
         check_globs(campus.models, collider.nodes, diagnostics);
         builder.add(collider);
     }
     diagnostics.throw_if_errors();
+    meshes.keep();
     return campus;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision/world.h"
+#include "scene/cache/cache_folder.h"
 #include "scene/campus_description.h"
 #include "scene/import/import_model.h"
 #include "scene/model.h"
@@ -44,8 +45,10 @@ struct Campus {
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings);
 
-/// The same, its models imported by `importer`.
+/// The same, its models imported by `importer`. With a cache, what was imported and built before of the same
+/// files is taken from there, and what wasn't is kept there: the campus and the warnings are the same.
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
-                   std::vector<Diagnostic>& warnings, const Importer& importer);
+                   std::vector<Diagnostic>& warnings, const Importer& importer,
+                   const CacheFolder* cache = nullptr);
 
 }  // namespace campuswalk::scene

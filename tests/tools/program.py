@@ -150,4 +150,6 @@ class ProgramCase(unittest.TestCase):
 def main():
     """`TEST.py PROGRAM [unittest's arguments]`."""
     ProgramCase.program = os.path.abspath(sys.argv.pop(1))
-    unittest.main(verbosity=2)
+    with tempfile.TemporaryDirectory(prefix="campuswalk-cache-") as cache:
+        os.environ["CAMPUSWALK_CACHE_DIR"] = cache  # the user's own is none of a test's business
+        unittest.main(verbosity=2)

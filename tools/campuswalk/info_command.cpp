@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/decimals.h"
+#include "scene/cache/load_model.h"
 #include "scene/model_report.h"
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
 
@@ -91,7 +93,8 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
 }  // namespace
 
 int print_info(const InfoOptions& options) {
-    const scene::ImportedModel imported = model_importer()(options.scene, scene::EmptyModel::accept);
+    const scene::ImportedModel imported =
+        load_model(options.scene, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported;
     const ModelReport report = scene::report(imported.model);
     std::vector<scene::Oddity> warnings;
     for (const scene::Diagnostic& repair : imported.warnings) {

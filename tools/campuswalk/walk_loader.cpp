@@ -4,6 +4,7 @@
 
 #include "collision/bullet_broad_phase.h"
 #include "engine/check_walk.h"
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/model_importer.h"
 
 namespace campuswalk::tools {
@@ -55,7 +56,7 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
     std::shared_ptr<const scene::Campus>& campus = campuses_[fs::weakly_canonical(file, none)];
     if (!campus) {
         campus = std::make_shared<scene::Campus>(scene::load_campus(
-            description, collision::make_bullet_broad_phase(), warnings, model_importer()));
+            description, collision::make_bullet_broad_phase(), warnings, model_importer(), wanted_cache()));
     }
     return campus;
 }

@@ -33,7 +33,8 @@ PROJECT = {
     "tools": [],
     "tools/campuswalk": ["config/loader", "engine", "engine/events", "engine/expect", "engine/script",
                          "engine/observers", "engine/render", "engine/render/compare", "engine/report", "scene",
-                         "scene/import", "scene/import/helper", "collision", "tools/campuswalk/bench", "tools/campuswalk/init"],
+                         "scene/cache", "scene/import", "scene/import/helper", "collision",
+                         "tools/campuswalk/bench", "tools/campuswalk/init"],
     "tools/campuswalk/bench": ["tools/campuswalk", "engine", "scene", "scene/procedural", "collision"],
     # `init` builds the model that it writes.
     "tools/campuswalk/init": ["tools/campuswalk", "scene", "scene/procedural", "collision"],

@@ -9,6 +9,8 @@
 
 #include "collision/mesh_collider.h"
 #include "scene/bake_mesh.h"
+#include "scene/cache/load_model.h"
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/collide/spelling.h"
 #include "tools/campuswalk/model_importer.h"
 
@@ -85,7 +87,8 @@ Body read_body(const std::string& word, const scene::SceneFile& frame,
     file.file = word;
     file.path = word;
     file.mark.file = word;
-    scene::ImportedModel imported = model_importer()(file, scene::EmptyModel::refuse);
+    scene::ImportedModel imported =
+        load_model(file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
     const std::vector<scene::Model> models = {std::move(imported.model)};
     std::ranges::copy_if(
         imported.warnings, std::back_inserter(warnings), [](const scene::Diagnostic& repair) {

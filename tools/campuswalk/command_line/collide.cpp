@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/collide/collide_command.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/command_line/file_frame.h"
@@ -28,6 +29,7 @@ void add_collide(Command program, Chosen& chosen) {
     command.flag({.names = "--count", .help = "How many there are and no more", .excludes = "--first"},
                  tell(collide::Told::count));
     command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    add_cache_flag(command);
     command.footer(
         "Shapes, about the origin: box:WIDTH,HEIGHT,DEPTH, sphere:RADIUS, capsule:RADIUS,HEIGHT (upright,\n"
         "caps included), wheel:RADIUS,WIDTH (its axle along X). Metres and degrees, +Y up; roll is about Z,\n"

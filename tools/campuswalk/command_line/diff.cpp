@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/command_line/rendering_backend.h"
 #include "tools/campuswalk/diff_command.h"
@@ -21,6 +22,7 @@ void add_diff(Command program, Chosen& chosen) {
     command.option({.names = "--walk", .help = "The walk of these logs, for --pictures", .value = "FILE"},
                    options->walk);
     add_rendering_backend(command, options->backend);
+    add_cache_flag(command);
     command.footer("Exit code: 0 the same, 1 different, 2 bad usage or input, 3 something failed.");
     command.choose(chosen, [options] { return compare_logs(*options); });
 }

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/command_line/file_frame.h"
 #include "tools/campuswalk/info_command.h"
@@ -21,6 +22,7 @@ void add_info(Command program, Chosen& chosen) {
                    });
     add_file_frame(command, options->scene, "the file");
     command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    add_cache_flag(command);
     command.choose(chosen, [options] { return print_info(*options); });
 }
 

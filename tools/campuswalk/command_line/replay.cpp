@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/replay_command.h"
 
@@ -18,6 +19,7 @@ void add_replay(Command program, Chosen& chosen) {
         options->walks);
     command.flag({.names = "--verify", .help = "Compare the hashes instead of printing the log"},
                  options->verify);
+    add_cache_flag(command);
     command.footer(
         "Exit code: 0 all the same, 1 something differs, 2 bad usage or input, 3 something failed.");
     command.choose(chosen, [options] { return replay_run(*options); });

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/command_line/rendering_backend.h"
 #include "tools/campuswalk/run/records.h"
@@ -144,6 +145,7 @@ void add_run(Command program, Chosen& chosen) {
     add_selection(command, options);
     add_running(command, options);
     add_output(command, options);
+    add_cache_flag(command);
     command.footer(
         "Exit code: 0 all passed, 1 an expectation failed, 2 bad usage or input (nothing of that walk was "
         "run),\n"

@@ -3,6 +3,7 @@
 #include <sstream>
 #include <string>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/command_line/rendering_backend.h"
 #include "tools/campuswalk/snapshot_command.h"
@@ -60,6 +61,7 @@ void add_snapshot(Command program, Chosen& chosen) {
          .check = why_no_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
     add_rendering_backend(command, options->backend);
+    add_cache_flag(command);
     command.choose(chosen, [options] { return draw_snapshot(*options); });
 }
 

@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/validate/validate_command.h"
 
@@ -22,6 +23,7 @@ void add_validate(Command program, Chosen& chosen) {
     command.choice(
         {.names = "--format", .help = "Who reads it: you, a program, code scanning, a GitHub workflow"},
         formats, options->format);
+    add_cache_flag(command);
     command.footer("Exit code: 0 all hold, 2 some don't (or bad usage).");
     command.choose(chosen, [options] { return validate_files(*options); });
 }

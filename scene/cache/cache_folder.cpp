@@ -1,0 +1,104 @@
+#include "scene/cache/cache_folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+#include <tuple>
+#include <vector>
+
+#include "scene/whole_file.h"
+
+namespace campuswalk::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSuffix = ".campuswalk";
+constexpr std::size_t kHashDigits = 32;
+
+struct Entry {
+    timespec used{};
+    fs::path path;
+    std::uint64_t bytes = 0;
+
+    bool operator<(const Entry& other) const {
+        return std::tie(used.tv_sec, used.tv_nsec, path) <
+               std::tie(other.used.tv_sec, other.used.tv_nsec, other.path);
+    }
+};
+
+/// Whether we gave a file its name: a folder that the user names may hold other things too.
+bool is_ours(const std::string& name) {
+    const bool hashed =
+        name.size() > kHashDigits && name.find_first_not_of("0123456789abcdef") == kHashDigits;
+    return hashed && name.find(kSuffix) != std::string::npos &&
+           (name.ends_with(kSuffix) || name.ends_with(kPartSuffix));
+}
+
+/// Regular files of ours, those used longest ago first.
+std::vector<Entry> entries_in(const fs::path& folder) {
+    std::vector<Entry> entries;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        struct stat status {};
+        if (is_ours(it->path().filename().string()) && lstat(it->path().c_str(), &status) == 0 &&
+            S_ISREG(status.st_mode)) {
+            entries.push_back({status.st_mtim, it->path(), static_cast<std::uint64_t>(status.st_size)});
+        }
+    }
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
+}  // namespace
+
+fs::path CacheFolder::path_of(const ContentHash& key, const Kind& kind) const {
+    return folder_ / (to_string(key) + "." + kind + std::string(kSuffix));
+}
+
+std::optional<MappedFile> CacheFolder::find(const ContentHash& key, const Kind& kind) const {
+    const fs::path file = path_of(key, kind);
+    std::optional<MappedFile> found = MappedFile::open(file);
+    if (found) {
+        // When it was read last is not always kept by file systems; when it was changed last is.
+        utimensat(AT_FDCWD, file.c_str(), nullptr, 0);
+    }
+    return found;
+}
+
+std::string CacheFolder::store(const ContentHash& key, const Kind& kind,
+                               std::span<const std::byte> bytes) const {
+    if (bytes.size() > most_bytes_) {
+        return "";
+    }
+    std::error_code error;
+    if (fs::create_directories(folder_, error)) {
+        fs::permissions(folder_, fs::perms::owner_all, error);  // models may be nobody else's business
+    }
+    try {
+        write_whole_file(path_of(key, kind), bytes);
+    } catch (const std::runtime_error& failure) {
+        return failure.what();
+    }
+    make_room();
+    return "";
+}
+
+void CacheFolder::make_room() const {
+    const std::vector<Entry> entries = entries_in(folder_);
+    std::uint64_t bytes = 0;
+    for (const Entry& entry : entries) {
+        bytes += entry.bytes;
+    }
+    for (auto entry = entries.begin(); entry != entries.end() && bytes > most_bytes_; ++entry) {
+        std::error_code ignored;  // another process may have been faster
+        fs::remove(entry->path, ignored);
+        bytes -= entry->bytes;
+    }
+}
+
+}  // namespace campuswalk::scene

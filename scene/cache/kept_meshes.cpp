@@ -1,0 +1,77 @@
+#include "scene/cache/kept_meshes.h"
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "scene/cache/program_hash.h"
+#include "scene/collider_globs.h"
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr const char* kTreesKind = "trees";
+
+/// Of everything that decides over the meshes and their order.
+ContentHash key_of(const CampusDescription& campus, std::span<const ContentHash> models) {
+    ContentHasher hasher;
+    hasher.add_hash(program_hash());
+    hasher.add_number(std::uint64_t{kTreeFile.version});
+    hasher.add_number(std::uint64_t{models.size()});
+    for (const ContentHash& model : models) {
+        hasher.add_hash(model);
+    }
+    for (const ColliderDescription& collider : campus.colliders) {
+        if (std::holds_alternative<MeshShape>(collider.shape)) {
+            const std::vector<NodeGlob>& globs = globs_of(campus, collider);
+            hasher.add_number(std::uint64_t{collider.each});
+            hasher.add_number(std::uint64_t{globs.size()});
+            for (const NodeGlob& glob : globs) {
+                hasher.add_text(glob.pattern);
+            }
+        }
+    }
+    return hasher.result();
+}
+
+}  // namespace
+
+KeptMeshes::KeptMeshes(const CacheFolder& cache, const CampusDescription& campus,
+                       std::span<const ContentHash> models)
+    : cache_(&cache), key_(key_of(campus, models)) {
+    if (const auto file = cache.find(key_, kTreesKind)) {
+        try {
+            meshes_ =
+                read_tree_file(file->bytes(), [&](std::span<const std::byte> part) { file->drop(part); });
+        } catch (const DamagedFile&) {  // to be made anew
+        }
+    }
+}
+
+std::optional<PlacedShape> KeptMeshes::next() {
+    if (!complete_ || taken_ == meshes_.size()) {
+        complete_ = false;
+        return std::nullopt;
+    }
+    const PlacedMesh& mesh = meshes_[taken_++];
+    PlacedShape placed;
+    placed.shape = mesh.collider;
+    placed.X_world_shape.translation = mesh.p_world_origin;
+    placed.zero_area = mesh.zero_area;
+    return placed;
+}
+
+void KeptMeshes::add(const PlacedShape& made) {
+    if (cache_ != nullptr) {
+        meshes_.push_back({std::get<std::shared_ptr<const collision::MeshCollider>>(made.shape),
+                           made.X_world_shape.translation, made.zero_area});
+    }
+}
+
+void KeptMeshes::keep() const {
+    if (cache_ != nullptr && !complete_) {
+        cache_->store(key_, kTreesKind, write_tree_file(meshes_));
+    }
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/cache/cache_folder.h"
+#include "scene/cache/tree_file.h"
+#include "scene/campus_description.h"
+#include "scene/collider_shapes.h"
+#include "scene/content_hash.h"
+
+namespace campuswalk::scene {
+
+/// The collision meshes of a campus in the order in which they are made: from the cache if they were made
+/// before of the same models and nodes, and kept there if not.
+class KeptMeshes {
+public:
+    /// Without a cache: nothing is found and nothing kept.
+    KeptMeshes() = default;
+    /// `models`: what each of the campus' models is made of (see load_model.h).
+    KeptMeshes(const CacheFolder& cache, const CampusDescription& campus,
+               std::span<const ContentHash> models);
+
+    /// The one whose turn it is; nullopt if it has to be made, and then given to `add`.
+    std::optional<PlacedShape> next();
+    void add(const PlacedShape& made);
+    /// To be called once all have been made without a mistake.
+    void keep() const;
+
+private:
+    const CacheFolder* cache_ = nullptr;
+    ContentHash key_;
+    std::vector<PlacedMesh> meshes_;  ///< found in the cache, then those made
+    std::size_t taken_ = 0;           ///< of those found
+    bool complete_ = true;            ///< nothing had to be made
+};
+
+}  // namespace campuswalk::scene

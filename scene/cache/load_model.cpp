@@ -1,0 +1,133 @@
+#include "scene/cache/load_model.h"
+
+#include <optional>
+#include <utility>
+
+#include "scene/cache/program_hash.h"
+#include "scene/import/scene_folder.h"
+#include "scene/model_file.h"
+#include "scene/sealed_bytes.h"
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr const char* kModelKind = "model";
+/// What to look for beside the scene file: read first, for it leads to the model.
+constexpr const char* kRequestsKind = "requests";
+constexpr FileKind kRequestsFile = {{'c', 'w', ' ', 'f', 'i', 'l', 'e', 's'}, 1};
+
+std::vector<std::byte> write_requests(const std::vector<FileRequest>& requests) {
+    SealedWriter out(kRequestsFile);
+    out.put(std::uint64_t{requests.size()});
+    for (const FileRequest& request : requests) {
+        out.put_text(request.uri);
+        out.put(std::uint32_t{request.picture});
+    }
+    return std::move(out).seal();
+}
+
+std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
+    constexpr std::size_t kLeastRequest = 12;
+    SealedReader in(bytes, kRequestsFile);
+    std::vector<FileRequest> requests(in.take_count(kLeastRequest));
+    for (FileRequest& request : requests) {
+        request.uri = in.take_text();
+        request.picture = in.take_flag();
+    }
+    in.finish();
+    return requests;
+}
+
+/// nullopt if it can't be read.
+std::optional<ContentHash> hash_of_file(const std::filesystem::path& file) {
+    const std::optional<MappedFile> mapped = MappedFile::open(file);
+    return mapped ? std::optional(hash_of(mapped->bytes())) : std::nullopt;
+}
+
+/// Of the scene file, of what is asked of it, and of who reads it.
+ContentHash key_of(const SceneFile& file, EmptyModel if_empty, const ContentHash& contents) {
+    ContentHasher hasher;
+    hasher.add_hash(program_hash());
+    hasher.add_number(std::uint64_t{kModelFile.version});
+    hasher.add_text(file.file);  // stands in the model and in its warnings
+    hasher.add_text(file.path.filename().string());
+    hasher.add_number(static_cast<std::uint64_t>(file.up));
+    hasher.add_number(file.metres_per_unit);
+    hasher.add_number(file.scale);
+    for (const double along : {file.position.x(), file.position.y(), file.position.z()}) {
+        hasher.add_number(along);
+    }
+    hasher.add_number(static_cast<std::uint64_t>(if_empty));
+    hasher.add_hash(contents);
+    return hasher.result();
+}
+
+/// Adds the files that were looked for, as they are now. An import that meets the same answers does the same.
+ContentHash key_with(const ContentHash& key, const SceneFile& file, const ContentHash& contents,
+                     const std::vector<FileRequest>& requests) {
+    ContentHasher hasher;
+    hasher.add_hash(key);
+    const SceneFolder folder(file.path);
+    std::error_code none;
+    for (const FileRequest& request : requests) {
+        hasher.add_text(request.uri);
+        hasher.add_number(std::uint64_t{request.picture});
+        const std::optional<std::filesystem::path> found = folder.find(request);
+        const bool itself = found && std::filesystem::equivalent(*found, file.path, none);
+        const auto hash = itself ? contents : found ? hash_of_file(*found) : std::nullopt;
+        hasher.add_number(std::uint64_t{hash.has_value()});
+        hasher.add_hash(hash.value_or(ContentHash{}));
+    }
+    return hasher.result();
+}
+
+std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& key,
+                                      const ContentHash& contents, const CacheFolder& cache) {
+    try {
+        const auto requests = cache.find(key, kRequestsKind);
+        if (!requests) {
+            return std::nullopt;
+        }
+        const ContentHash whole = key_with(key, file, contents, read_requests(requests->bytes()));
+        const auto kept = cache.find(whole, kModelKind);
+        if (!kept) {
+            return std::nullopt;
+        }
+        LoadedModel loaded{read_model_file(kept->bytes()), whole};
+        for (Diagnostic& warning : loaded.imported.warnings) {
+            warning.mark = file.mark;  // all are about the file as such, which may be named elsewhere now
+        }
+        return loaded;
+    } catch (const DamagedFile&) {
+        return std::nullopt;  // to be made anew
+    }
+}
+
+LoadedModel import_and_keep(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
+                            const CacheFolder& cache, const ContentHash& contents) {
+    LoadedModel loaded{importer(file, if_empty), {}};
+    const ContentHash key = key_of(file, if_empty, contents);
+    if (hash_of_file(file.path) == contents) {  // nobody has saved it meanwhile
+        loaded.contents = key_with(key, file, contents, loaded.imported.requests);
+        cache.store(*loaded.contents, kModelKind, write_model_file(loaded.imported));
+        cache.store(key, kRequestsKind, write_requests(loaded.imported.requests));
+    }
+    return loaded;
+}
+
+}  // namespace
+
+LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
+                       const CacheFolder* cache) {
+    const std::optional<ContentHash> contents = cache != nullptr ? hash_of_file(file.path) : std::nullopt;
+    if (!contents) {
+        return {importer(file, if_empty), {}};  // which says what is wrong with it
+    }
+    const ContentHash key = key_of(file, if_empty, *contents);
+    if (std::optional<LoadedModel> kept = find_model(file, key, *contents, *cache)) {
+        return std::move(*kept);
+    }
+    return import_and_keep(file, if_empty, importer, *cache, *contents);
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,118 @@
+#include "scene/cache/cache_folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr ContentHash kA{1, 1};
+constexpr ContentHash kB{2, 2};
+constexpr ContentHash kC{3, 3};
+
+class CacheFolderTest : public testing::Test {
+protected:
+    static std::string store(const CacheFolder& cache, const ContentHash& key, std::size_t size) {
+        const std::vector<std::byte> bytes(size, std::byte{7});
+        return cache.store(key, "model", bytes);
+    }
+    fs::path file_of(const ContentHash& key) const { return where_ / (to_string(key) + ".model.campuswalk"); }
+    std::ptrdiff_t files() const {
+        return std::distance(fs::directory_iterator(where_), fs::directory_iterator());
+    }
+    /// As if it had been used so many seconds after 1970.
+    void set_used(const ContentHash& key, time_t seconds) const {
+        const timespec times[2] = {{seconds, 0}, {seconds, 0}};
+        ASSERT_EQ(utimensat(AT_FDCWD, file_of(key).c_str(), times, 0), 0);
+    }
+
+    support::TemporaryFolder folder_;
+    fs::path where_ = folder_.path() / "deep" / "cache";
+};
+
+TEST_F(CacheFolderTest, KeepsFilesByKeyAndKind) {
+    const CacheFolder cache(where_);
+    EXPECT_FALSE(cache.find(kA, "model"));
+    EXPECT_EQ(store(cache, kA, 5), "");
+    const auto found = cache.find(kA, "model");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->bytes().size(), 5U);
+    EXPECT_EQ(found->bytes()[4], std::byte{7});
+    EXPECT_FALSE(cache.find(kA, "trees"));
+    EXPECT_FALSE(cache.find(kB, "model"));
+    EXPECT_EQ(files(), 1);
+    EXPECT_EQ(fs::status(where_).permissions() & fs::perms(077), fs::perms::none);
+}
+
+TEST_F(CacheFolderTest, RemovesWhatWasUsedLongestAgo) {
+    const CacheFolder cache(where_, 250);
+    store(cache, kA, 100);
+    store(cache, kB, 100);
+    set_used(kA, 1000);
+    set_used(kB, 2000);
+    EXPECT_TRUE(cache.find(kA, "model"));  // now B is the older one
+    store(cache, kC, 100);
+    EXPECT_TRUE(cache.find(kA, "model"));
+    EXPECT_FALSE(cache.find(kB, "model"));
+    EXPECT_TRUE(cache.find(kC, "model"));
+}
+
+TEST_F(CacheFolderTest, DoesNotKeepWhatIsLargerThanAllItMayHold) {
+    const CacheFolder cache(where_, 250);
+    store(cache, kA, 100);
+    EXPECT_EQ(store(cache, kB, 251), "");
+    EXPECT_FALSE(cache.find(kB, "model"));
+    EXPECT_TRUE(cache.find(kA, "model"));
+}
+
+/// The user may have named any folder.
+TEST_F(CacheFolderTest, RemovesNothingOfOthers) {
+    const std::string hash = to_string(kA);
+    for (const std::string& name :
+         {std::string("thesis.pdf"), hash, hash + ".model", "x" + hash + ".campuswalk"}) {
+        folder_.write("deep/cache/" + name, std::string(500, 'x'));
+    }
+    fs::create_directories(where_ / (hash + ".folder.campuswalk"));
+    folder_.write("deep/cache/" + hash + ".model.campuswalk.123-0.part", std::string(500, 'x'));
+    const CacheFolder cache(where_, 250);
+    store(cache, kB, 100);
+    EXPECT_EQ(files(), 6) << "what a killed process of ours left behind is gone";
+    EXPECT_TRUE(cache.find(kB, "model"));
+}
+
+TEST_F(CacheFolderTest, SaysWhyNothingCanBeKept) {
+    folder_.write("file", "not a folder");
+    const CacheFolder cache(folder_.path() / "file" / "cache");
+    EXPECT_NE(store(cache, kA, 1), "");
+    EXPECT_FALSE(cache.find(kA, "model"));
+}
+
+TEST_F(CacheFolderTest, ReadsRegularFilesAlone) {
+    const CacheFolder cache(where_);
+    fs::create_directories(where_);
+    ASSERT_EQ(mkfifo(file_of(kA).c_str(), 0600), 0);
+    EXPECT_FALSE(cache.find(kA, "model")) << "and doesn't wait for somebody to write into it";
+    EXPECT_NE(store(cache, kA, 3), "");
+}
+
+TEST_F(CacheFolderTest, ReadsAnEmptyFile) {
+    const CacheFolder cache(where_);
+    store(cache, kA, 0);
+    const auto found = cache.find(kA, "model");
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->bytes().empty());
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

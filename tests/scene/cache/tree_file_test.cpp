@@ -1,0 +1,138 @@
+#include "scene/cache/tree_file.h"
+
+#include <cstring>
+#include <span>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "collision/mesh_query.h"
+#include "scene/content_hash.h"
+#include "tests/support/dice.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using collision::MeshCollider;
+using collision::TriangleMesh;
+using collision::Vec3;
+
+TriangleMesh scattered(std::uint32_t triangles, std::uint32_t seed) {
+    support::Dice dice(seed);
+    TriangleMesh mesh;
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+        const Vec3 place = dice.in_cube(10.0);
+        for (int c = 0; c < 3; ++c) {
+            mesh.positions.push_back((place + dice.in_cube(1.0)).cast<float>());
+        }
+        mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    return mesh;
+}
+
+PlacedMesh placed(std::uint32_t triangles, std::uint32_t seed) {
+    PlacedMesh made;
+    made.collider = std::make_shared<const MeshCollider>(scattered(triangles, seed));
+    made.p_world_origin = {1.0 / 3.0, -2, seed * 1e4};
+    made.zero_area = seed;
+    return made;
+}
+
+std::vector<collision::MeshHit> hits(const MeshCollider& mesh) {
+    support::Dice dice(5);
+    collision::QueryCounters counters;
+    std::vector<collision::MeshHit> found;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 from = dice.in_cube(12.0);
+        const Vec3 to = dice.in_cube(12.0);
+        if (const auto hit = first_on_ray(mesh, {from, to}, counters)) {
+            found.push_back(*hit);
+        }
+    }
+    return found;
+}
+
+/// Asks whatever could be read a few things, where a sanitizer sees what it does. False if it was refused.
+bool can_be_read(std::span<const std::byte> bytes) {
+    try {
+        for (const PlacedMesh& mesh : read_tree_file(bytes)) {
+            hits(*mesh.collider);
+            collision::QueryCounters counters;
+            std::vector<std::uint32_t> near;
+            triangles_near(*mesh.collider, {{0, 0, 0}, {0, 1, 0}}, 3.0, near, counters);
+            for (const std::uint32_t t : near) {
+                EXPECT_LT(t, mesh.collider->mesh().triangles.size());
+            }
+        }
+        return true;
+    } catch (const DamagedFile&) {
+        return false;
+    }
+}
+
+void seal_anew(std::vector<std::byte>& bytes) {
+    const std::uint64_t payload = bytes.size() - kSealBytes;
+    const std::uint64_t checksum = checksum_of(std::span<const std::byte>(bytes).subspan(kSealBytes));
+    std::memcpy(bytes.data() + 16, &payload, sizeof payload);
+    std::memcpy(bytes.data() + 24, &checksum, sizeof checksum);
+}
+
+TEST(TreeFile, BringsBackMeshesThatAnswerAsBefore) {
+    const std::vector<PlacedMesh> made = {placed(1, 1), placed(900, 2)};
+    const std::vector<PlacedMesh> read = read_tree_file(write_tree_file(made));
+    ASSERT_EQ(read.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(read[i].p_world_origin, made[i].p_world_origin);
+        EXPECT_EQ(read[i].zero_area, made[i].zero_area);
+        EXPECT_EQ(read[i].collider->mesh().positions, made[i].collider->mesh().positions);
+        EXPECT_EQ(read[i].collider->mesh().triangles, made[i].collider->mesh().triangles);
+        EXPECT_EQ(hits(*read[i].collider), hits(*made[i].collider));
+    }
+    EXPECT_GT(hits(*made[1].collider).size(), 20U);
+}
+
+TEST(TreeFile, IsNeverReadCutShortOrWithABitTurned) {
+    const std::vector<PlacedMesh> made = {placed(20, 3)};
+    std::vector<std::byte> bytes = write_tree_file(made);
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        EXPECT_FALSE(can_be_read({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)}));
+    }
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        bytes[at] ^= std::byte{1} << at % 8;
+        EXPECT_FALSE(can_be_read(bytes)) << at;
+        bytes[at] ^= std::byte{1} << at % 8;
+    }
+    EXPECT_TRUE(can_be_read(bytes));
+}
+
+/// With the right checksum: what is accepted is safe to ask.
+TEST(TreeFile, StaysSafeWhenForged) {
+    const std::vector<PlacedMesh> made = {placed(150, 4)};
+    const std::vector<std::byte> whole = write_tree_file(made);
+    std::size_t refused = 0;
+    for (std::size_t at = kSealBytes; at < whole.size(); at += 3) {
+        for (const int value : {0x01, 0x10, 0x80, 0xFF}) {
+            std::vector<std::byte> bytes = whole;
+            bytes[at] ^= static_cast<std::byte>(value);
+            seal_anew(bytes);
+            refused += can_be_read(bytes) ? 0U : 1U;
+        }
+    }
+    EXPECT_GT(refused, whole.size() / 10);
+    for (std::size_t length = kSealBytes; length < whole.size(); length += 5) {
+        std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
+        seal_anew(part);
+        EXPECT_FALSE(can_be_read(part)) << length;
+    }
+}
+
+TEST(TreeFile, RefusesAFlagThatIsNone) {
+    const std::vector<PlacedMesh> made = {placed(1, 4)};
+    std::vector<std::byte> bytes = write_tree_file(made);
+    bytes[bytes.size() - sizeof(collision::WideLeaf) + offsetof(collision::WideLeaf, exact)] = std::byte{2};
+    seal_anew(bytes);
+    EXPECT_FALSE(can_be_read(bytes));
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

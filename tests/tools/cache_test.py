@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""What is kept of models between runs: never to be seen in what a run says."""
+
+import os
+import subprocess
+
+from program import ProgramCase, main
+
+
+class Cache(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        self.cache = self.path("kept")
+        self.environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.cache)
+        self.environment.pop("CAMPUSWALK_CACHE_SIZE", None)
+
+    def walk(self, *arguments, **variables):
+        outcome = self.passes("run", "short.walk.yaml", *arguments, env=dict(self.environment, **variables))
+        return outcome.out, outcome.err
+
+    def kept(self):
+        names = sorted(os.listdir(self.cache)) if os.path.isdir(self.cache) else []
+        return [os.path.join(self.cache, name) for name in names]
+
+    def kinds(self):
+        return sorted(name.split(".", 1)[1] for name in self.kept())
+
+    def test_a_log_is_the_same_with_and_without_it(self):
+        without = self.walk("--no-cache")
+        self.assertEqual(self.kept(), [])
+        self.assertIn("popup.open", without[0])
+        self.assertEqual(self.walk(), without, "nothing kept yet")
+        self.assertEqual(self.kinds(), ["model.campuswalk", "requests.campuswalk", "trees.campuswalk"])
+        self.assertEqual(self.walk(), without, "from what was kept")
+
+    def test_a_model_that_has_changed_is_read_again(self):
+        self.walk()
+        self.write("room.obj", self.read("room.obj").decode().replace("o wall", "o fence"))
+        outcome = self.run_program("run", "short.walk.yaml", env=self.environment)
+        self.assertEqual(outcome.code, 2)
+        self.assertIn("no node is called 'wall'", outcome.err)
+
+    def test_damaged_files_are_made_anew(self):
+        log = self.walk()
+        whole = {name: self.bytes_of(name) for name in self.kept()}
+        damages = [lambda b: b[:-1], lambda b: b[:40], lambda b: b"", lambda b: b + b"x",
+                   lambda b: b[:12] + b"\xff" + b[13:], lambda b: b[:-5] + bytes([b[-5] ^ 1]) + b[-4:],
+                   lambda b: b"#!/bin/sh\n" + b]
+        for name in whole:
+            for damage in damages:
+                with open(name, "wb") as file:
+                    file.write(damage(whole[name]))
+                self.assertEqual(self.walk(), log)
+                self.assertEqual(len(self.bytes_of(name)), len(whole[name]))
+
+    def bytes_of(self, name):
+        with open(name, "rb") as file:
+            return file.read()
+
+    def test_several_may_fill_it_at_once(self):
+        log = self.walk("--no-cache")[0]
+        runs = [subprocess.Popen([self.program, "run", "short.walk.yaml"], cwd=self.folder, env=self.environment,
+                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                for _ in range(6)]
+        for run in runs:
+            self.assertEqual(run.communicate(timeout=120)[0].decode(), log)
+            self.assertEqual(run.returncode, 0)
+        self.assertEqual(self.kinds(), ["model.campuswalk", "requests.campuswalk", "trees.campuswalk"])
+        self.assertEqual(self.walk()[0], log)
+
+    def test_a_folder_that_cannot_be_is_no_mistake(self):
+        log = self.walk("--no-cache")
+        self.assertEqual(self.walk(CAMPUSWALK_CACHE_DIR=self.path("room.obj") + "/kept"), log)
+
+    def test_where_it_is(self):
+        self.environment.pop("CAMPUSWALK_CACHE_DIR")
+        self.walk(XDG_CACHE_HOME=self.path("xdg"))
+        self.assertEqual(len(os.listdir(self.path("xdg/campuswalk"))), 3)
+        self.walk(XDG_CACHE_HOME="", HOME=self.path("home"))
+        self.assertEqual(len(os.listdir(self.path("home/.cache/campuswalk"))), 3)
+
+    def test_its_size(self):
+        self.walk(CAMPUSWALK_CACHE_SIZE="0")
+        self.assertEqual(self.kept(), [])
+        self.walk(CAMPUSWALK_CACHE_SIZE="1M")
+        self.assertEqual(len(self.kept()), 3)
+        for size in ("lots", "-1", "5", "5T", "M", "99999999999999999999G"):
+            outcome = self.run_program("run", "short.walk.yaml", env=dict(self.environment, CAMPUSWALK_CACHE_SIZE=size))
+            self.assertEqual((outcome.code, outcome.complaints),
+                             (2, ["CAMPUSWALK_CACHE_SIZE: error bad-value: '%s' is no size; write such as 500M or 8G, "
+                                  "or 0 for no cache" % size]))
+
+    def test_every_command_that_reads_models_can_do_without(self):
+        for arguments in (("info", "room.obj"), ("validate", "small.campus.yaml"),
+                          ("collide", "--count", "room.obj", "sphere:1", "--pose", "0,50,0")):
+            self.passes(*arguments, "--no-cache", env=self.environment)
+            self.assertEqual(self.kept(), [], arguments)
+            self.passes(*arguments, env=self.environment)
+            self.assertNotEqual(self.kept(), [], arguments)
+            for name in self.kept():
+                os.remove(name)
+
+
+if __name__ == "__main__":
+    main()
