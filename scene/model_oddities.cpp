@@ -121,12 +121,6 @@ void check_up_axis(const Model& model, const Bounds& bounds, std::vector<Oddity>
     }
 }
 
-/// Names that importers make up where the file has none; they change when the file does.
-bool is_made_up(const std::string& name) {
-    return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||
-           name.starts_with("<") || name == "defaultobject";
-}
-
 void check_nodes(const Model& model, std::vector<Oddity>& out) {
     std::size_t unnamed = 0;
     std::size_t mirrored = 0;
@@ -136,7 +130,7 @@ void check_nodes(const Model& model, std::vector<Oddity>& out) {
         if (node.meshes.empty()) {
             continue;
         }
-        if (is_made_up(node.name)) {
+        if (is_made_up_name(node.name)) {
             ++unnamed;
         } else {
             ++uses[node.name];
@@ -166,6 +160,11 @@ void check_nodes(const Model& model, std::vector<Oddity>& out) {
 }
 
 }  // namespace
+
+bool is_made_up_name(const std::string& name) {
+    return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||
+           name.starts_with("<") || name == "defaultobject";
+}
 
 std::vector<Oddity> find_oddities(const Model& model, const Bounds& bounds) {
     std::vector<Oddity> oddities;

@@ -65,6 +65,9 @@ ModelReport report(const Model& model);
 /// The warnings alone; `bounds` are the model's.
 std::vector<Oddity> find_oddities(const Model& model, const Bounds& bounds);
 
+/// Whether an importer made the name up, where the file has none: it changes when the file does.
+bool is_made_up_name(const std::string& name);
+
 /// Indices of the nodes that stretch the model's bounds to four times (along some axis) what 99 % of its
 /// triangles fill.
 std::vector<std::size_t> outlier_nodes(const Model& model);

@@ -13,6 +13,7 @@
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/suggest/suggest_campus.h"
 
 namespace campuswalk::tools {
 
@@ -93,6 +94,9 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
 }  // namespace
 
 int print_info(const InfoOptions& options) {
+    if (options.suggest) {
+        return suggest_campus(options.scene, *options.suggest, options.overwrite);
+    }
     const scene::ImportedModel imported =
         load_model(options.scene, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported;
     const ModelReport report = scene::report(imported.model);

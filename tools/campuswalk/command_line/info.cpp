@@ -22,6 +22,14 @@ void add_info(Command program, Chosen& chosen) {
                    });
     add_file_frame(command, options->scene, "the file");
     command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    command.option(
+        {.names = "--suggest",
+         .help = "Write a first campus of it, with buildings, a spawn on open ground and triggers, and "
+                 "NAME.walk.yaml beside it that visits some of them",
+         .value = "NAME.campus.yaml"},
+        options->suggest);
+    command.flag({.names = "--overwrite", .help = "What --suggest writes may be there already"},
+                 options->overwrite);
     add_cache_flag(command);
     command.choose(chosen, [options] { return print_info(*options); });
 }

@@ -1,0 +1,254 @@
+#include "scene/suggest/walkable_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include <Eigen/Geometry>
+
+#include "collision/mesh_query.h"
+#include "collision/placement.h"
+
+namespace campuswalk::scene {
+
+using collision::Aabb;
+using collision::MeshCollider;
+using collision::QueryCounters;
+using collision::Vec3;
+
+namespace {
+
+constexpr double kSquare = 0.5;          // metres
+constexpr double kLargest = 100.0;       // metres
+constexpr double kRadius = 0.3;          // metres, of the usual avatar, as its height
+constexpr double kHeight = 1.8;          // metres
+constexpr double kHeadroom = 1.95;       // metres
+constexpr double kStep = 0.3;            // metres
+constexpr double kSteepest = 0.77;       // cosine: 40 degrees
+constexpr double kSearch = 0.05;         // metres that a round foot stands higher on a slope
+constexpr std::uint32_t kFarEnough = 4;  // squares from an edge
+
+const collision::QueryFilter kSolid;
+
+}  // namespace
+
+WalkableGround::WalkableGround(const std::shared_ptr<const MeshCollider>& mesh, const Vec3& p_world_origin,
+                               const Vec3& middle)
+    : world_(std::make_unique<collision::LinearBroadPhase>()) {
+    collision::Object object;
+    object.shape = mesh;
+    object.X_world_shape.translation = p_world_origin;
+    world_.add(object);
+    const Aabb& bounds = world_.bounds();
+    const Vec3 half = Vec3::Constant(0.5 * kLargest);
+    const Vec3 low = bounds.min.cwiseMax(middle - half);
+    const Vec3 high = bounds.max.cwiseMin(middle + half);
+    corner_ = Vec3(low.x(), 0.0, low.z()) + Vec3(0.5 * kSquare, 0.0, 0.5 * kSquare);
+    width_ = std::max<std::int64_t>(static_cast<std::int64_t>((high.x() - low.x()) / kSquare), 0);
+    depth_ = std::max<std::int64_t>(static_cast<std::int64_t>((high.z() - low.z()) / kSquare), 0);
+    columns_.resize(static_cast<std::size_t>(width_ * depth_));
+    find_floors(*mesh, p_world_origin, kSearch);
+    if (spots_.empty()) {  // stairs, it may be, of nothing but treads
+        find_floors(*mesh, p_world_origin, kStep);
+    }
+    connect();
+    number_parts();
+    measure_edges();
+}
+
+void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_origin, double search) {
+    QueryCounters counters;
+    std::vector<collision::MeshHit> hits;
+    const double top = world_.bounds().max.y() + 1.0;
+    const double bottom = world_.bounds().min.y() - 1.0;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const auto x = static_cast<double>(static_cast<std::int64_t>(c) % width_);
+        const auto z = static_cast<double>(static_cast<std::int64_t>(c) / width_);
+        Vec3 from = corner_ + Vec3(x * kSquare, 0.0, z * kSquare);
+        from.y() = top;
+        Vec3 to = from;
+        to.y() = bottom;
+        all_on_ray(mesh, {from - p_world_origin, to - p_world_origin}, hits, counters);
+        double above = std::numeric_limits<double>::infinity();
+        for (const collision::MeshHit& hit : hits) {  // from the top down
+            const Vec3 foot = from + hit.fraction * (to - from);
+            const collision::Triangle t = corners(mesh.mesh(), hit.triangle);
+            const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
+            const bool flat = std::abs(normal.y()) >= kSteepest * normal.norm();
+            if (flat && above - foot.y() >= kHeadroom) {
+                const auto free = free_place(world_, kSolid, foot, kRadius, kHeight, search, counters);
+                if (free) {
+                    columns_[c].spots.push_back(static_cast<std::uint32_t>(spots_.size()));
+                    Spot& spot = spots_.emplace_back();
+                    spot.foot = foot;
+                    spot.open_sky = std::isinf(above);
+                }
+            }
+            above = foot.y();
+        }
+    }
+}
+
+void WalkableGround::connect(std::uint32_t a, const Column& column) {
+    QueryCounters counters;
+    for (const std::uint32_t b : column.spots) {
+        const Vec3& from = spots_[a].foot;
+        const Vec3& to = spots_[b].foot;
+        if (std::abs(from.y() - to.y()) > kStep) {
+            continue;
+        }
+        Vec3 between = 0.5 * (from + to);
+        between.y() = std::min(from.y(), to.y());
+        if (free_place(world_, kSolid, between, kRadius, kHeight, kStep + kSearch, counters)) {
+            spots_[a].next.push_back(b);
+            spots_[b].next.push_back(a);
+        }
+    }
+}
+
+void WalkableGround::connect() {
+    for (std::int64_t z = 0; z < depth_; ++z) {
+        for (std::int64_t x = 0; x < width_; ++x) {
+            for (const std::uint32_t spot : column_at(x, z).spots) {
+                if (x + 1 < width_) {
+                    connect(spot, column_at(x + 1, z));
+                }
+                if (z + 1 < depth_) {
+                    connect(spot, column_at(x, z + 1));
+                }
+            }
+        }
+    }
+}
+
+void WalkableGround::number_parts() {
+    std::vector<std::uint32_t> waiting;
+    std::uint32_t part = 0;
+    for (std::uint32_t first = 0; first < spots_.size(); ++first) {
+        if (spots_[first].part != 0) {
+            continue;
+        }
+        spots_[first].part = ++part;
+        waiting = {first};
+        while (!waiting.empty()) {
+            const std::uint32_t spot = waiting.back();
+            waiting.pop_back();
+            for (const std::uint32_t next : spots_[spot].next) {
+                if (spots_[next].part == 0) {
+                    spots_[next].part = part;
+                    waiting.push_back(next);
+                }
+            }
+        }
+    }
+}
+
+void WalkableGround::measure_edges() {
+    constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
+    std::queue<std::uint32_t> waiting;
+    for (std::uint32_t s = 0; s < spots_.size(); ++s) {
+        spots_[s].from_edge = spots_[s].next.size() < 4 ? 0 : kUnknown;
+        if (spots_[s].from_edge == 0) {
+            waiting.push(s);
+        }
+    }
+    for (; !waiting.empty(); waiting.pop()) {
+        for (const std::uint32_t next : spots_[waiting.front()].next) {
+            if (spots_[next].from_edge == kUnknown) {
+                spots_[next].from_edge = spots_[waiting.front()].from_edge + 1;
+                waiting.push(next);
+            }
+        }
+    }
+}
+
+std::optional<std::uint32_t> WalkableGround::best_spot(const Vec3& middle) const {
+    std::vector<std::size_t> weight(spots_.size() + 1);
+    for (const Spot& spot : spots_) {
+        weight[spot.part] += spot.open_sky ? 4 : 1;
+    }
+    const auto part =
+        static_cast<std::uint32_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
+    std::optional<std::uint32_t> best;
+    const auto is_better = [&](const Spot& a, const Spot& b) {
+        const std::uint32_t room_a = std::min(a.from_edge, kFarEnough);
+        const std::uint32_t room_b = std::min(b.from_edge, kFarEnough);
+        if (a.open_sky != b.open_sky || room_a != room_b) {
+            return a.open_sky != b.open_sky ? a.open_sky : room_a > room_b;
+        }
+        return (a.foot - middle).squaredNorm() < (b.foot - middle).squaredNorm();
+    };
+    for (std::uint32_t s = 0; s < spots_.size(); ++s) {
+        if (spots_[s].part == part && (!best || is_better(spots_[s], spots_[*best]))) {
+            best = s;
+        }
+    }
+    return best;
+}
+
+std::vector<std::uint32_t> WalkableGround::ways_from(std::uint32_t start) const {
+    std::vector<std::uint32_t> before(spots_.size());
+    std::vector<std::uint32_t> cost(spots_.size(), std::numeric_limits<std::uint32_t>::max());
+    for (std::uint32_t s = 0; s < before.size(); ++s) {
+        before[s] = s;
+    }
+    using Entry = std::pair<std::uint32_t, std::uint32_t>;  // cost, spot: ties go to the lower one
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    cost[start] = 0;
+    waiting.emplace(0, start);
+    while (!waiting.empty()) {
+        const auto [so_far, spot] = waiting.top();
+        waiting.pop();
+        if (so_far > cost[spot]) {
+            continue;
+        }
+        for (const std::uint32_t next : spots_[spot].next) {
+            constexpr std::uint32_t kAlongAnEdge = 8;
+            const std::uint32_t there = so_far + (spots_[next].from_edge > 0 ? 1 : kAlongAnEdge);
+            if (there < cost[next]) {
+                cost[next] = there;
+                before[next] = spot;
+                waiting.emplace(there, next);
+            }
+        }
+    }
+    return before;
+}
+
+bool WalkableGround::is_straight(const Vec3& from, const Vec3& to) const {
+    const auto steps = static_cast<int>(std::ceil((to - from).norm() / (0.5 * kSquare)));
+    double y = from.y();
+    for (int i = 1; i <= steps; ++i) {
+        const Vec3 p = from + (to - from) * (static_cast<double>(i) / steps);
+        const Column& column = column_at(std::llround((p.x() - corner_.x()) / kSquare),
+                                         std::llround((p.z() - corner_.z()) / kSquare));
+        const auto on = std::find_if(column.spots.begin(), column.spots.end(), [&](std::uint32_t s) {
+            return std::abs(spots_[s].foot.y() - y) <= kStep && (spots_[s].from_edge > 0 || i == steps);
+        });
+        if (on == column.spots.end()) {
+            return false;
+        }
+        y = spots_[*on].foot.y();
+    }
+    return std::abs(y - to.y()) < kStep;
+}
+
+std::vector<Vec3> WalkableGround::corners_of_way(const std::vector<std::uint32_t>& ways,
+                                                 std::uint32_t end) const {
+    std::vector<Vec3> way = {spots_[end].foot};
+    for (std::uint32_t s = end; ways[s] != s; s = ways[s]) {
+        way.push_back(spots_[ways[s]].foot);
+    }
+    std::reverse(way.begin(), way.end());
+    std::vector<Vec3> kept = {way.front()};
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const bool last = i + 1 == way.size();
+        if (last || !is_straight(kept.back(), way[i + 1])) {
+            kept.push_back(way[i]);
+        }
+    }
+    return kept;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,70 @@
+#include "tools/campuswalk/suggest/campus_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/decimals.h"
+
+namespace campuswalk::tools {
+
+using engine::fixed;
+
+namespace {
+
+/// JSON's strings are YAML's too.
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string list_of(const Eigen::Vector3d& v) {
+    return "[" + fixed(v.x(), 3) + ", " + fixed(v.y(), 3) + ", " + fixed(v.z(), 3) + "]";
+}
+
+}  // namespace
+
+scene::Bounds trigger_about(const scene::SuggestedBuilding& building) {
+    const Eigen::Vector3d around(1.5, 0.5, 1.5);
+    return {building.bounds.min - around, building.bounds.max + around};
+}
+
+std::string campus_yaml(const SuggestedCampus& campus) {
+    std::string text =
+        "# A beginning, by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
+        "scenes:\n  - {file: " +
+        quoted(campus.model);
+    text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
+    text += campus.scene.scale != 1.0 ? ", scale: " + nlohmann::json(campus.scene.scale).dump() : "";
+    text += campus.scene.position.isZero(0.0) ? "" : ", position: " + list_of(campus.scene.position);
+    text += "}\n";
+    text += campus.buildings.empty() ? "" : "buildings:\n";
+    for (const scene::SuggestedBuilding& building : campus.buildings) {
+        text += "  - {id: " + quoted(building.id) + ", nodes: " + quoted(building.glob) +
+                ", title: " + quoted(building.node) + "}\n";
+    }
+    text += "colliders:\n  - {id: world, nodes: \"*\", shape: mesh, mode: solid}\n";
+    for (const scene::SuggestedBuilding& building : campus.buildings) {
+        const scene::Bounds box = trigger_about(building);
+        text += "  - {id: " + quoted(building.id + "/around") + ", building: " + quoted(building.id) +
+                ", shape: box, center: " + list_of(0.5 * (box.min + box.max)) +
+                ", size: " + list_of(box.max - box.min) + ", mode: trigger}\n";
+    }
+    return text + "spawns:\n  start: {at: " + list_of(campus.spawn) +
+           ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
+}
+
+std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits) {
+    std::string steps = "  - spawn: start\n";
+    std::string expect = "  - never: \"avatar.fell *\"\n";
+    for (std::size_t v = 0; v < visits; ++v) {
+        for (const Eigen::Vector3d& corner : campus.visits[v].corners) {
+            steps += "  - walk_to: " + list_of(corner) + "\n";
+        }
+        if (!campus.visits[v].building.empty()) {
+            expect +=
+                "  - sequence: [" + quoted("trigger.enter " + campus.visits[v].building + "/around") + "]\n";
+        }
+    }
+    return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\ncampus: " + quoted(campus_file) +
+           "\navatar: adult\nsteps:\n" + steps + (visits == 0 ? "  - wait: 1\n" : "") + "expect:\n" + expect;
+}
+
+}  // namespace campuswalk::tools
