@@ -7,6 +7,7 @@
 #include "collision/placement.h"
 #include "engine/decimals.h"
 #include "engine/expect/name_check.h"
+#include "engine/expect/picture_names.h"
 #include "engine/simulation.h"
 #include "scene/glob.h"
 
@@ -121,6 +122,7 @@ std::vector<Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk
         }
     }
     names.check(walk.expectations, complaints);
+    check_picture_names(campus, walk, complaints);
     drop_repeated(complaints);
     return complaints;
 }

@@ -5,15 +5,15 @@
 #include <string>
 #include <utility>
 
-#include "config/loader/checked_map.h"
+#include "config/loader/read_late_expectation.h"
 #include "config/loader/read_single_expectation.h"
 #include "config/loader/single_key.h"
 
 namespace campuswalk::config {
 
 using engine::Expectation;
-using engine::ExpectLog;
 using engine::ExpectNot;
+using engine::ExpectVisible;
 using engine::PlainExpectation;
 
 namespace {
@@ -38,12 +38,35 @@ constexpr std::array kPlain = {
 /// Those that can stand without a value.
 constexpr std::array<std::string_view, 4> kWords = {"grounded", "no_penetration", "stuck", "fell"};
 
-/// A key of the list, or one of those two: null for these.
+/// Those that can be judged only after the walk.
+using Late = Expectation (*)(const CheckedNode&);
+constexpr std::array kLate = {Choice<Late>{"log", read_log}, Choice<Late>{"snapshot", read_expected_snapshot},
+                              Choice<Late>{"visible", read_visible}};
+
+/// What a key stands for: one of these, or, with none, `not`.
+struct Meaning {
+    Plain plain = nullptr;
+    Late late = nullptr;
+};
+
 constexpr auto kAll = [] {
-    std::array<Choice<Plain>, kPlain.size() + 2> all;
+    std::array<Choice<Meaning>, kPlain.size() + 1 + kLate.size()> all;
+    std::size_t next = 0;
+    for (const Choice<Plain>& plain : kPlain) {
+        all[next++] = {plain.name, {plain.value, nullptr}};
+    }
+    all[next++] = {"not", {}};
+    for (const Choice<Late>& late : kLate) {
+        all[next++] = {late.name, {nullptr, late.value}};
+    }
+    return all;
+}();
+
+/// What can be denied: the plain ones, and `visible`, which is none of them.
+constexpr auto kDeniable = [] {
+    std::array<Choice<Plain>, kPlain.size() + 1> all;
     std::ranges::copy(kPlain, all.begin());
-    all[kPlain.size()] = {"not", nullptr};
-    all[kPlain.size() + 1] = {"log", nullptr};
+    all[kPlain.size()] = {"visible", nullptr};
     return all;
 }();
 
@@ -61,27 +84,28 @@ std::optional<PlainExpectation> read_word(const CheckedNode& node, const CampusN
     return std::ranges::find(kPlain, word, &Choice<Plain>::name)->value(value, names);
 }
 
-std::optional<Expectation> read_not(const CheckedNode& node, const CampusNames& names) {
-    if (auto word = read_word(node, names)) {
-        return ExpectNot{node.mark(), std::move(*word)};
+void refuse_in_step(const CheckedNode& node, const Place& place, std::string_view key) {
+    if (place.in_step) {
+        node.complain("bad-value", in_quotes(std::string(key)) +
+                                       " can only be judged after the walk: put it below its 'expect'");
     }
-    if (const auto one = single_key(node, "what is not expected", kPlain)) {
-        return ExpectNot{node.mark(), one->meaning(one->value, names)};
-    }
-    return std::nullopt;
 }
 
-Expectation read_log(const CheckedNode& node, bool in_step) {
-    ExpectLog log;
-    log.mark = node.mark();
-    if (in_step) {
-        node.complain("bad-value", "'log' can only be judged after the walk: put it below its 'expect'");
+std::optional<Expectation> read_not(const CheckedNode& node, const Place& place) {
+    if (auto word = read_word(node, place.names)) {
+        return ExpectNot{node.mark(), std::move(*word)};
     }
-    CheckedMap map(node, "'log'");
-    map.require("golden");
-    map.truth("golden", log.golden);
-    map.refuse_other_keys();
-    return log;
+    const auto one = single_key(node, "what is not expected", kDeniable);
+    if (!one) {
+        return std::nullopt;
+    }
+    if (one->meaning != nullptr) {
+        return ExpectNot{node.mark(), one->meaning(one->value, place.names)};
+    }
+    refuse_in_step(one->value, place, one->key);
+    ExpectVisible visible = std::get<ExpectVisible>(read_visible(one->value));
+    visible.negated = true;
+    return visible;
 }
 
 std::optional<Expectation> read_expectation(const CheckedNode& node, const Place& place) {
@@ -92,11 +116,14 @@ std::optional<Expectation> read_expectation(const CheckedNode& node, const Place
     if (!one) {
         return std::nullopt;
     }
-    if (one->meaning != nullptr) {
-        return one->meaning(one->value, place.names);
+    if (one->meaning.plain != nullptr) {
+        return one->meaning.plain(one->value, place.names);
     }
-    return one->key == "not" ? read_not(one->value, place.names)
-                             : std::optional(read_log(one->value, place.in_step));
+    if (one->meaning.late == nullptr) {
+        return read_not(one->value, place);
+    }
+    refuse_in_step(one->value, place, one->key);
+    return one->meaning.late(one->value);
 }
 
 std::vector<Expectation> read_all(const std::vector<CheckedNode>& nodes, const Place& place) {

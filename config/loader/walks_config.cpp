@@ -8,6 +8,7 @@
 #include "config/loader/complaint_order.h"
 #include "config/loader/names.h"
 #include "config/loader/ranges.h"
+#include "config/loader/read_late_expectation.h"
 #include "config/loader/source_text.h"
 #include "config/loader/yaml_file.h"
 
@@ -51,6 +52,11 @@ public:
         map.number("timeout", kTimeout, config.timeout);
         map.number("kill_after", kTimeout, config.kill_after);
         map.truth("forbid_only", config.forbid_only);
+        if (const auto snapshots = map.find("snapshots")) {
+            CheckedMap tolerance(*snapshots, "'snapshots'");
+            read_tolerance(tolerance, config.snapshots);
+            tolerance.refuse_other_keys();
+        }
         if (const auto projects = map.find("projects")) {
             for (const CheckedNode::Entry& entry : projects->entries()) {
                 config.projects.push_back(read_project(entry));

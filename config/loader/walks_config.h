@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/loader/overrides.h"
+#include "engine/script/picture_tolerance.h"
 #include "scene/diagnostic.h"
 
 namespace campuswalk::config {
@@ -44,6 +45,7 @@ struct WalksConfig {
     std::optional<double> timeout;     ///< simulated seconds, for walks without their own
     std::optional<double> kill_after;  ///< seconds of wall clock a walk may take
     bool forbid_only = false;
+    engine::ToleranceChanges snapshots;   ///< for pictures that are compared
     std::vector<ProjectConfig> projects;  ///< in the order of their names
 };
 

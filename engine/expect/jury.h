@@ -24,7 +24,7 @@ using PlainJudge = std::variant<SequenceJudge, NeverJudge, CountJudge, WithinJud
 /// Holds one expectation against a walk's frames.
 class Judge {
 public:
-    /// What it refers to must outlive it. None for an ExpectLog.
+    /// What it refers to must outlive it. None for those that are judged elsewhere: logs and pictures.
     static std::optional<Judge> of(const Expectation& expectation, const scene::Campus& campus,
                                    const AvatarProfile& avatar);
 

@@ -30,6 +30,12 @@ void SnapshotObserver::begin(const Walk& walk) {
     walk_name_ = walk.name;
     profile_ = walk.avatar;
     trail_.clear();
+    sights_.clear();
+    for (const Expectation& expectation : walk.expectations) {
+        if (const auto* visible = std::get_if<ExpectVisible>(&expectation)) {
+            sights_[visible->snapshot] = {};
+        }
+    }
 }
 
 void SnapshotObserver::frame(const FrameRecord& record) {
@@ -59,7 +65,27 @@ void SnapshotObserver::frame(const FrameRecord& record) {
                 write_channels(*painter_, campus_, channels, step->channels, folder_ / step->name),
                 std::back_inserter(files_));
         }
+        if (const auto wanted = sights_.find(step->name); wanted != sights_.end()) {
+            wanted->second = sight_of(shot);
+        }
     }
+}
+
+SnapshotSight SnapshotObserver::sight_of(const Shot& shot) {
+    const IdPicture ids = painter_->draw_ids(shot);
+    std::vector<std::size_t> pixels_of_name(ids.names.size(), 0);
+    for (const std::uint32_t id : ids.ids) {
+        ++pixels_of_name[id];
+    }
+    SnapshotSight sight;
+    sight.pixels = ids.ids.size();
+    sight.of_building.assign(campus_.description.buildings.size(), 0);
+    for (std::size_t i = 0; i < ids.names.size(); ++i) {
+        if (const auto building = ids.names[i].building) {
+            sight.of_building[*building] += pixels_of_name[i];
+        }
+    }
+    return sight;
 }
 
 }  // namespace campuswalk::engine::render

@@ -7,6 +7,7 @@
 
 #include "engine/observers/observer.h"
 #include "engine/render/snapshot_painter.h"
+#include "engine/render/snapshot_sight.h"
 #include "engine/render/walk_trail.h"
 #include "scene/campus.h"
 
@@ -29,8 +30,12 @@ public:
 
     /// The pictures written since construction, in order.
     const std::vector<std::filesystem::path>& files() const { return files_; }
+    /// What is to be seen in those that an ExpectVisible names.
+    const SnapshotSights& sights() const { return sights_; }
 
 private:
+    SnapshotSight sight_of(const Shot& shot);
+
     const scene::Campus& campus_;
     std::filesystem::path folder_;
     SnapshotSettings settings_;
@@ -39,6 +44,7 @@ private:
     AvatarProfile profile_;
     WalkTrail trail_;
     std::vector<std::filesystem::path> files_;
+    SnapshotSights sights_;  ///< of those wanted; empty ones until they are taken
 };
 
 }  // namespace campuswalk::engine::render

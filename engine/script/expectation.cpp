@@ -23,7 +23,23 @@ std::vector<std::string> failure_codes() {
         codes.push_back("not-" + name);
     }
     codes.emplace_back(ExpectLog::kName);
+    const std::vector<std::string> of_pictures = picture_failure_codes();
+    codes.insert(codes.end(), of_pictures.begin(), of_pictures.end());
     return codes;
+}
+
+std::string code_of(const ExpectVisible& expected) {
+    return (expected.negated ? "not-" : "") + std::string(ExpectVisible::kName);
+}
+
+bool is_about_pictures(const Expectation& expectation) {
+    return std::holds_alternative<ExpectSnapshot>(expectation) ||
+           std::holds_alternative<ExpectVisible>(expectation);
+}
+
+std::vector<std::string> picture_failure_codes() {
+    const std::string visible(ExpectVisible::kName);
+    return {std::string(ExpectSnapshot::kName), visible, "not-" + visible};
 }
 
 }  // namespace campuswalk::engine

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/script/mentions.h"
+#include "engine/script/picture_tolerance.h"
 
 // What a walk is to be like, as written below `expect` or in a step of that name. `kName` is the key in the
 // file and the code of the failure.
@@ -157,7 +158,39 @@ struct ExpectLog {
     bool golden = true;
 };
 
-using Expectation = std::variant<PlainExpectation, ExpectNot, ExpectLog>;
+// ---- pictures -----------------------------------------------------------------------------------------
+// Whoever draws the walk's snapshots judges these, after the run: drawing differs between machines, and what
+// is thought of a picture changes neither the walk nor its log. They can't stand in a step.
+
+/// A snapshot is, within a tolerance, the picture that was kept beside the walk.
+struct ExpectSnapshot {
+    static constexpr std::string_view kName = "snapshot";
+    SourceMark mark;
+    std::string name;            ///< of a snapshot step
+    ToleranceChanges tolerance;  ///< to what holds for all of a run's snapshots
+};
+
+/// Of a building something is to be seen in a snapshot. Windows and maps drawn over it hide nothing.
+struct ExpectVisible {
+    static constexpr std::string_view kName = "visible";
+    SourceMark mark;
+    NamePattern building;
+    SourceMark snapshot_mark;
+    std::string snapshot;             ///< name of a snapshot step
+    int min_pixels = 1;               ///< at least
+    std::optional<double> min_ratio;  ///< of the picture's pixels, at least
+    bool negated = false;             ///< `not`: less than that
+};
+
+/// Why one that is negated fails, as for an ExpectNot.
+std::string code_of(const ExpectVisible& expected);
+
+using Expectation = std::variant<PlainExpectation, ExpectNot, ExpectLog, ExpectSnapshot, ExpectVisible>;
+
+/// Whether it can be judged only where pictures are drawn.
+bool is_about_pictures(const Expectation& expectation);
+/// The codes of failures of those.
+std::vector<std::string> picture_failure_codes();
 
 /// What a failure's `code` can be: the names above, those with `not-` before, and what ends a walk early.
 /// `xfail` is that of a walk that should have failed.

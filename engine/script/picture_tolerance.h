@@ -27,4 +27,15 @@ struct PictureTolerance {
     std::vector<PixelBox> masks;  ///< what is in there isn't looked at
 };
 
+/// What is said about a tolerance in one place; what isn't said stays as it was.
+struct ToleranceChanges {
+    std::optional<double> threshold;
+    std::optional<int> max_diff_pixels;
+    std::optional<double> max_diff_pixel_ratio;
+    std::optional<double> min_tile_ssim;
+    std::vector<PixelBox> masks;  ///< added to those there are
+};
+
+PictureTolerance changed(PictureTolerance tolerance, const ToleranceChanges& changes);
+
 }  // namespace campuswalk::engine

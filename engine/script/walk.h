@@ -160,7 +160,7 @@ struct EnableStep {
 /// Ends the walk unless all has been as expected so far.
 struct ExpectStep {
     SourceMark mark;
-    std::vector<Expectation> expectations;  ///< at least one, no ExpectLog
+    std::vector<Expectation> expectations;  ///< at least one; no log, no pictures
 };
 
 using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,

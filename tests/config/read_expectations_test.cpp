@@ -233,6 +233,59 @@ TEST_F(ReadExpectations, ReadsAGoldenLog) {
                     "a.walk.yaml:5:10: error missing-key: 'log' needs the key 'golden'"));
 }
 
+TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
+    const auto all = read(
+        "  - snapshot: desk\n"
+        "  - snapshot: {name: desk, threshold: 0.1, max_diff_pixels: 7, max_diff_pixel_ratio: 0.5,\n"
+        "               min_tile_ssim: 0.9, masks: [[1, 2, 3, 4], [5, 6, 7, 8]]}\n"
+        "  - visible: {building: hut, in: desk}\n"
+        "  - visible: {building: \"h*\", in: desk, min_pixels: 50, min_ratio: 0.25}\n"
+        "  - not: {visible: {building: hut, in: desk}}\n");
+    EXPECT_EQ(std::get<ExpectSnapshot>(all.at(0)).name, "desk");
+    const PictureTolerance as_it_was = changed({}, std::get<ExpectSnapshot>(all.at(0)).tolerance);
+    EXPECT_EQ(as_it_was.threshold, PictureTolerance().threshold);
+    EXPECT_FALSE(as_it_was.max_diff_pixels);
+    PictureTolerance before;
+    before.masks = {{0, 0, 9, 9}};
+    const PictureTolerance tolerance = changed(before, std::get<ExpectSnapshot>(all.at(1)).tolerance);
+    EXPECT_EQ(tolerance.threshold, 0.1);
+    EXPECT_EQ(tolerance.max_diff_pixels, 7);
+    EXPECT_EQ(tolerance.max_diff_pixel_ratio, 0.5);
+    EXPECT_EQ(tolerance.min_tile_ssim, 0.9);
+    ASSERT_EQ(tolerance.masks.size(), 3U);
+    EXPECT_EQ(tolerance.masks[2].height, 8);
+    const auto& plainly = std::get<ExpectVisible>(all.at(2));
+    EXPECT_EQ(plainly.building.glob + " " + plainly.snapshot, "hut desk");
+    EXPECT_EQ(plainly.min_pixels, 1);
+    EXPECT_FALSE(plainly.min_ratio || plainly.negated);
+    EXPECT_EQ(std::get<ExpectVisible>(all.at(3)).min_pixels, 50);
+    EXPECT_EQ(std::get<ExpectVisible>(all.at(3)).min_ratio, 0.25);
+    EXPECT_TRUE(std::get<ExpectVisible>(all.at(4)).negated);
+}
+
+TEST_F(ReadExpectations, ComplainsOfWhatIsExpectedOfSnapshots) {
+    EXPECT_THAT(
+        folder_.about_expectations("  - snapshot: My Desk\n  - snapshot: {threshold: 2}\n"
+                                   "  - snapshot: {name: desk, masks: [[1, 2, 3]]}\n"
+                                   "  - visible: hut\n  - visible: {in: desk, min_pixels: -1}\n"
+                                   "  - not: {snapshot: desk}\n"),
+        ElementsAre(testing::StartsWith("a.walk.yaml:4:15: error bad-value: "),
+                    "a.walk.yaml:5:15: error missing-key: 'snapshot' needs the key 'name'",
+                    testing::StartsWith("a.walk.yaml:5:27: error bad-value: 'threshold' must be "),
+                    "a.walk.yaml:6:36: error bad-value: a mask is [x, y, width, height] in pixels",
+                    "a.walk.yaml:7:14: error wrong-type: 'visible' must be a map of keys, as in {key: value}",
+                    "a.walk.yaml:8:14: error missing-key: 'visible' needs the key 'building'",
+                    testing::StartsWith("a.walk.yaml:8:37: error bad-value: 'min_pixels' must be "),
+                    testing::StartsWith("a.walk.yaml:9:11: error unknown-key: unknown key 'snapshot'")));
+    EXPECT_THAT(
+        folder_.about_steps("  - spawn: gate\n  - expect: {snapshot: desk}\n"
+                            "  - expect: {not: {visible: {building: hut, in: desk}}}\n"),
+        ElementsAre("a.walk.yaml:4:24: error bad-value: 'snapshot' can only be judged after the walk: "
+                    "put it below its 'expect'",
+                    "a.walk.yaml:5:29: error bad-value: 'visible' can only be judged after the walk: "
+                    "put it below its 'expect'"));
+}
+
 TEST_F(ReadExpectations, StandInStepsToo) {
     EXPECT_THAT(folder_.about_steps("  - spawn: gate\n  - expect: stuck\n  - expect: {never: popup.open}\n"
                                     "  - expect:\n      - fell\n      - not: grounded\n"),

@@ -202,9 +202,10 @@ class Schemas(ProgramCase):
 
 
 def is_out_of_place(node, suffix):
-    """What a file may say elsewhere: a steps file never comes first, and a log is judged after the walk."""
+    """What a file may say elsewhere: a steps file never comes first; logs and pictures are judged after the walk."""
     late = suffix == ".steps.yaml" and node.trail.startswith("steps/-/spawn")
-    return late or (node.trail.startswith("steps/-/expect") and "/log" in node.trail)
+    return late or (node.trail.startswith("steps/-/expect") and
+                    any("/" + key in node.trail for key in ("log", "snapshot", "visible")))
 
 
 def is_read_later(node):

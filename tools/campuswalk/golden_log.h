@@ -25,7 +25,11 @@ struct GoldenCheck {
     std::filesystem::path written;
 };
 
-/// `NAME.walk.yaml-snapshots/[PROJECT-]log.jsonl` beside the walk file.
+/// `NAME.walk.yaml-snapshots/[PROJECT-]FILE` beside the walk file: where what runs are compared with is kept.
+std::filesystem::path kept_file(const std::filesystem::path& walk_file, const std::string& project,
+                                const std::string& file);
+
+/// That of the log, `log.jsonl`.
 std::filesystem::path golden_log_file(const std::filesystem::path& walk_file, const std::string& project);
 
 /// Compares a run's log, as engine::JsonLines gives it, with the walk's golden one. Verdicts don't count:

@@ -8,6 +8,7 @@
 
 #include "engine/expect/failure.h"
 #include "engine/observers/observer.h"
+#include "engine/render/snapshot_sight.h"
 #include "engine/report/walk_result.h"
 #include "engine/script/walk.h"
 #include "scene/campus.h"
@@ -20,9 +21,15 @@ namespace campuswalk::tools {
 
 bool can_draw();
 
+class SnapshotTaker : public engine::Observer {
+public:
+    /// What is to be seen in those snapshots that an ExpectVisible names.
+    virtual const engine::render::SnapshotSights& sights() const = 0;
+};
+
 /// Writes the walk's snapshots to `FOLDER/`. `campus` must outlive it.
-std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
-                                                      const std::filesystem::path& folder, Backend backend);
+std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
+                                                   const std::filesystem::path& folder, Backend backend);
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
 std::vector<std::string> files_of(const engine::SnapshotStep& step);

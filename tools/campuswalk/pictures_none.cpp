@@ -1,5 +1,6 @@
 #include <cassert>
 
+#include "tools/campuswalk/picture_verdicts.h"
 #include "tools/campuswalk/pictures.h"
 
 namespace campuswalk::tools {
@@ -8,8 +9,8 @@ bool can_draw() {
     return false;
 }
 
-std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
-                                                      Backend) {
+std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
+                                                   Backend) {
     assert(false);
     return nullptr;
 }
@@ -22,6 +23,11 @@ std::vector<std::string> files_of(const engine::SnapshotStep&) {
 std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
                                             std::span<const engine::Failure>, const std::filesystem::path&,
                                             const std::filesystem::path&, Backend) {
+    assert(false);
+    return {};
+}
+
+JudgedPictures judge_pictures(const PictureTrial&) {
     assert(false);
     return {};
 }

@@ -46,9 +46,27 @@ bool can_draw() {
     return true;
 }
 
-std::unique_ptr<engine::Observer> make_snapshot_taker(const scene::Campus& campus,
-                                                      const std::filesystem::path& folder, Backend backend) {
-    return std::make_unique<engine::render::SnapshotObserver>(campus, folder, settings_for(campus, backend));
+namespace {
+
+class Taker final : public SnapshotTaker {
+public:
+    Taker(const scene::Campus& campus, const std::filesystem::path& folder, Backend backend)
+        : taker_(campus, folder, settings_for(campus, backend)) {}
+
+    void begin(const engine::Walk& walk) override { taker_.begin(walk); }
+    void frame(const engine::FrameRecord& record) override { taker_.frame(record); }
+    void end() override { taker_.end(); }
+    const engine::render::SnapshotSights& sights() const override { return taker_.sights(); }
+
+private:
+    engine::render::SnapshotObserver taker_;
+};
+
+}  // namespace
+
+std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
+                                                   const std::filesystem::path& folder, Backend backend) {
+    return std::make_unique<Taker>(campus, folder, backend);
 }
 
 std::vector<std::string> files_of(const engine::SnapshotStep& step) {

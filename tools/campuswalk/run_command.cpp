@@ -38,6 +38,15 @@ bool takes_pictures(const Case& each) {
            });
 }
 
+std::ptrdiff_t expectations_about_pictures(const Plan& plan) {
+    std::ptrdiff_t count = 0;
+    for (const Case& each : plan.cases) {
+        count +=
+            each.walk ? std::ranges::count_if(each.walk->walk.expectations, engine::is_about_pictures) : 0;
+    }
+    return count;
+}
+
 bool is_bad(const Case& each) {
     return each.result.outcome == engine::Outcome::bad_input;
 }
@@ -184,6 +193,11 @@ private:
             std::ranges::any_of(plan.cases, takes_pictures)) {
             complain_line("this build has no rendering: snapshots are logged but not drawn");
         }
+        if (const std::ptrdiff_t unjudged = pictures_ ? 0 : expectations_about_pictures(plan); unjudged > 0) {
+            complain_line("no pictures are drawn: " + std::to_string(unjudged) +
+                          (unjudged == 1 ? " expectation about them isn't judged"
+                                         : " expectations about them aren't judged"));
+        }
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         Reports reports(settings_.reports,
                         {settings_.color, options_.quiet, settings_.output.generic_string()}, plays_);
@@ -208,6 +222,7 @@ private:
         session.play.events = events;
         session.play.records = options_.records;
         session.play.update = settings_.update;
+        session.play.tolerance = settings_.tolerance;
         session.pool.workers = static_cast<std::size_t>(settings_.workers);
         session.pool.kill_after = settings_.kill_after;
         session.max_failures = settings_.max_failures;

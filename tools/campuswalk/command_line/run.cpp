@@ -120,10 +120,12 @@ void add_output(Command& command, const Options& options) {
                                                           {"changed", UpdateSnapshots::changed},
                                                           {"missing", UpdateSnapshots::missing},
                                                           {"none", UpdateSnapshots::none}};
-    command.choice_flag({.names = "-u,--update-snapshots",
-                         .help = "Which golden logs are written; alone it means changed [missing; none where "
-                                 "CI is set]"},
-                        "changed", modes, options->update);
+    command.choice_flag(
+        {.names = "-u,--update-snapshots",
+         .help =
+             "Which golden logs and kept pictures are written; alone it means changed [missing; none where "
+             "CI is set]"},
+        "changed", modes, options->update);
     add_rendering_backend(command, options->backend);
     command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},
                  options->quiet);

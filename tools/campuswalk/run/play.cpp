@@ -5,15 +5,18 @@
 #include <exception>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/observers/json_lines.h"
+#include "engine/observers/snapshot_moments.h"
 #include "engine/observers/text_log.h"
 #include "engine/report/outcome.h"
 #include "engine/run_walk.h"
 #include "tools/campuswalk/complaints.h"
+#include "tools/campuswalk/picture_verdicts.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/interrupt.h"
 #include "tools/campuswalk/run/records.h"
@@ -163,20 +166,76 @@ void fill(WalkResult& result, const engine::WalkSummary& summary) {
     result.hash = summary.hash;
 }
 
+bool expects_pictures(const engine::Walk& walk) {
+    return std::ranges::any_of(walk.expectations, engine::is_about_pictures);
+}
+
+/// Without pictures nobody can tell whether it fails as it says it must.
+bool must_fail_in_pictures(const engine::Walk& walk) {
+    const std::vector<std::string> codes = engine::picture_failure_codes();
+    return walk.status.kind == engine::WalkStatus::Kind::xfail && expects_pictures(walk) &&
+           (walk.status.codes.empty() || std::ranges::any_of(walk.status.codes, [&](const std::string& code) {
+                return std::ranges::find(codes, code) != codes.end();
+            }));
+}
+
+/// The walk's snapshots, on their way to being judged.
+class PictureWatch {
+public:
+    PictureWatch(const Case& played, const PlaySettings& settings)
+        : played_(played),
+          settings_(settings),
+          taker_(make_snapshot_taker(*played.walk->campus, settings.output / played.folder,
+                                     settings.backend)) {}
+
+    std::vector<engine::Observer*> observers() {
+        std::vector<engine::Observer*> all = {taker_.get()};
+        if (expects_pictures(played_.walk->walk)) {
+            all.push_back(&moments_);
+        }
+        return all;
+    }
+
+    /// Appends failures; gives the pictures that show them.
+    std::vector<engine::Artifact> judge(std::vector<engine::Failure>& failures) const {
+        const engine::Walk& walk = played_.walk->walk;
+        if (!expects_pictures(walk)) {
+            return {};
+        }
+        JudgedPictures judged = judge_pictures({played_.result.file, *played_.walk->campus, walk,
+                                                settings_.output, played_.folder, settings_.update,
+                                                settings_.tolerance, moments_, taker_->sights()});
+        for (const std::filesystem::path& file : judged.written) {
+            complain_line("wrote " + file.generic_string());
+        }
+        std::ranges::move(judged.failures, std::back_inserter(failures));
+        return std::move(judged.artifacts);
+    }
+
+private:
+    const Case& played_;
+    const PlaySettings& settings_;
+    std::unique_ptr<SnapshotTaker> taker_;
+    engine::SnapshotMoments moments_;
+};
+
 void play_into(WalkResult& result, const Case& played, const PlaySettings& settings, Listener& listener) {
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
     std::vector<engine::Observer*> observers = {&listener, &interrupt};
-    std::unique_ptr<engine::Observer> pictures;
+    std::optional<PictureWatch> pictures;
     if (settings.pictures) {
-        pictures = make_snapshot_taker(*loaded.campus, settings.output / played.folder, settings.backend);
-        observers.push_back(pictures.get());
+        std::ranges::copy(pictures.emplace(played, settings).observers(), std::back_inserter(observers));
     }
     const Records records(settings.records);
     std::ranges::copy(records.observers(), std::back_inserter(observers));
     engine::WalkSummary summary = engine::run_walk(*loaded.campus, loaded.walk, observers);
     fill(result, summary);
     add_golden_failure(played, settings, listener, summary.failures);
+    std::vector<engine::Artifact> compared;
+    if (pictures) {
+        compared = pictures->judge(summary.failures);
+    }
     engine::JudgedWalk judged = engine::judge_outcome(std::move(summary.failures), loaded.walk.status);
     result.outcome = judged.outcome;
     result.failures = std::move(judged.failures);
@@ -191,6 +250,7 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
                                         picture ? "image/png" : "application/json"});
         }
     }
+    std::ranges::move(compared, std::back_inserter(result.artifacts));
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
         std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
                                                             settings.output, played.folder, settings.backend);
@@ -202,6 +262,11 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
 
 WalkResult play(const Case& played, const PlaySettings& settings, const Say& say) {
     WalkResult result = played.result;
+    if (!settings.pictures && must_fail_in_pictures(played.walk->walk)) {
+        result.outcome = Outcome::skipped;
+        result.status_reason = "it must fail in its pictures, and none are drawn";
+        return result;
+    }
     Listener listener(say, settings, golden_log_of(played.walk->walk) != nullptr);
     try {
         play_into(result, played, settings, listener);

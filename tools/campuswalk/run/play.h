@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/report/walk_result.h"
+#include "engine/script/picture_tolerance.h"
 #include "tools/campuswalk/golden_log.h"
 #include "tools/campuswalk/rendering_backend.h"
 #include "tools/campuswalk/run/plan.h"
@@ -20,6 +21,7 @@ struct PlaySettings {
     bool events = false;                   ///< say the log as JSON
     std::vector<std::string> records;      ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
+    engine::PictureTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
 };
 
 /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole

@@ -75,6 +75,15 @@ std::string to_json(const RunSettings& settings, const RunOptions& options) {
     json["output"] = settings.output.generic_string();
     json["reporters"] = reports_of(settings);
     json["update_snapshots"] = name_of(settings.update);
+    const engine::PictureTolerance& tolerance = settings.tolerance;
+    json["snapshots"] = {{"threshold", tolerance.threshold},
+                         {"max_diff_pixels", or_null(tolerance.max_diff_pixels)},
+                         {"max_diff_pixel_ratio", or_null(tolerance.max_diff_pixel_ratio)},
+                         {"min_tile_ssim", tolerance.min_tile_ssim},
+                         {"masks", ordered_json::array()}};
+    for (const engine::PixelBox& mask : tolerance.masks) {
+        json["snapshots"]["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
+    }
     json["color"] = settings.color;
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace);
 }

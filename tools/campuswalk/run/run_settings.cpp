@@ -164,6 +164,7 @@ RunSettings settle(const RunOptions& options, const Environment& environment) {
     settings.timeout = options.timeout ? options.timeout : config.timeout;
     settings.kill_after = options.kill_after ? options.kill_after : config.kill_after;
     settings.forbid_only = options.forbid_only || config.forbid_only;
+    settings.tolerance = engine::changed({}, config.snapshots);
     settings.output = as_seen_from_here(options.output.value_or(config.output.value_or("out")));
     settings.reports = reports_for(options, config, settings.single);
     settings.update = updates_for(options, environment);

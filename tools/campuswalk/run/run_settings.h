@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/loader/walks_config.h"
+#include "engine/script/picture_tolerance.h"
 #include "tools/campuswalk/run/run_options.h"
 #include "tools/campuswalk/run/shard.h"
 
@@ -34,6 +35,7 @@ struct RunSettings {
     std::filesystem::path output;
     std::vector<ReportTarget> reports;  ///< standard output's first, if there is any
     UpdateSnapshots update = UpdateSnapshots::missing;
+    engine::PictureTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
     bool color = false;
 };
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace campuswalk::engine::render {
+
+/// Of which buildings something is to be seen in a snapshot.
+struct SnapshotSight {
+    std::size_t pixels = 0;                ///< of the whole picture
+    std::vector<std::size_t> of_building;  ///< pixels, by index into CampusDescription::buildings
+};
+
+/// By the snapshot's name.
+using SnapshotSights = std::map<std::string, SnapshotSight>;
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+"""`expect: snapshot` and `visible`. `picture_expectations_test.py PROGRAM [--without-rendering]`."""
+
+import json
+import os
+import sys
+import unittest
+
+from program import WALK, ProgramCase, main
+
+WITHOUT_RENDERING = "--without-rendering" in sys.argv
+LESSONS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "config", "walks", "expectations")
+
+STEPS = WALK[:WALK.index("expect:")].replace(
+    "  - turn: 180", "  - snapshot: {name: hut, width: 96, height: 64}\n"
+                     "  - turn: 180\n"
+                     "  - snapshot: {name: away, width: 96, height: 64}")
+KEPT = "short.walk.yaml-snapshots/hut.png"
+
+
+class PictureCase(ProgramCase):
+    def walk(self, *expectations, head=""):
+        self.write("short.walk.yaml", head + STEPS + "expect:\n" + "".join("  - %s\n" % each for each in expectations))
+
+    def run_walk(self, *arguments):
+        return self.run_program("run", "short.walk.yaml", *arguments, env={**os.environ, "CI": ""})
+
+    def failures(self, *arguments):
+        """[(code, message)] from the report."""
+        self.run_walk("--reporter", "json=report.json", *arguments)
+        return [(each["code"], each["message"]) for each in self.result()["failures"]]
+
+    def result(self):
+        return json.loads(self.read("report.json"))["results"][0]
+
+
+@unittest.skipIf(WITHOUT_RENDERING, "this build draws nothing")
+class Snapshots(PictureCase):
+    def setUp(self):
+        super().setUp()
+        self.walk("snapshot: hut")
+
+    def change(self):
+        """From here on the picture is another one."""
+        self.write("small.campus.yaml", self.read("small.campus.yaml").replace(b"end: [0, 0, -2]", b"end: [0, 0, 0]"))
+
+    def test_missing_one_is_written_but_not_in_ci(self):
+        outcome = self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": "1"})
+        self.assertEqual(outcome.code, 1)
+        self.assertIn("there is no kept picture '%s' yet" % KEPT, outcome.err)
+        self.assertNotIn(KEPT, self.contents())
+        outcome = self.run_walk()
+        self.assertEqual((outcome.code, outcome.complaints[0]), (0, "wrote " + KEPT))
+        self.assertEqual(self.read(KEPT), self.read("out/short/hut.png"))
+        self.assertEqual(self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": "1"}).code, 0)
+
+    def test_another_picture_fails_and_is_shown(self):
+        log = self.run_walk().out
+        self.change()
+        outcome = self.run_walk("--reporter", "json=report.json", "--reporter", "junit=junit.xml")
+        self.assertEqual(outcome.code, 1)
+        (failure,) = self.result()["failures"]
+        self.assertEqual((failure["code"], failure["line"]), ("snapshot", 10))
+        self.assertRegex(failure["message"], r"^the snapshot 'hut' is not the kept one \(hut.png\): .*pixels differ.*; if "
+                                             "that is meant, run with --update-snapshots=changed$")
+        paths = [each["path"] for each in self.result()["artifacts"]]
+        for which in ("actual", "expected", "diff"):
+            self.assertIn("short/hut-%s.png" % which, paths)
+            self.assertIn("short/hut-%s.png" % which, self.read("junit.xml").decode())
+        self.assertEqual(self.read("out/short/hut-expected.png"), self.read(KEPT))
+        self.assertEqual(self.read("out/short/hut-actual.png"), self.read("out/short/hut.png"))
+        self.assertNotIn("snapshot-passes", log)
+        self.assertNotIn("expect.fail", self.run_walk().out, "the log knows nothing of pictures")
+
+        outcome = self.run_walk("-u")
+        self.assertEqual((outcome.code, outcome.complaints[0]), (0, "wrote " + KEPT))
+        self.assertEqual(self.read(KEPT), self.read("out/short/hut.png"))
+        self.assertNotIn("out/short/hut-diff.png", self.contents(), "what the run before left is gone")
+
+    def test_modes(self):
+        self.run_walk()
+        kept = self.read(KEPT)
+        self.change()
+        for mode in ("none", "missing"):
+            self.assertEqual(self.run_walk("--update-snapshots=" + mode).code, 1)
+            self.assertEqual(self.read(KEPT), kept)
+        self.assertEqual(self.run_walk("--update-snapshots=all").code, 0)
+        self.assertNotEqual(self.read(KEPT), kept)
+        os.remove(self.path(KEPT))
+        self.assertEqual(self.run_walk("--update-snapshots=none").code, 1)
+        self.assertEqual(self.run_walk("--update-snapshots=missing").code, 0)
+
+    def test_tolerances_of_the_walk_and_of_all_walks(self):
+        self.run_walk()
+        self.change()
+        lax = "{min_tile_ssim: -1, max_diff_pixel_ratio: 1}"
+        self.walk("snapshot: {name: hut, min_tile_ssim: -1, max_diff_pixel_ratio: 1}")
+        self.assertEqual(self.run_walk().code, 0)
+        self.walk("snapshot: {name: hut, masks: [[0, 0, 96, 64]]}")
+        self.assertEqual(self.run_walk().code, 0)
+        self.walk("snapshot: {name: hut, masks: [[0, 0, 96, 2]]}")
+        self.assertEqual(self.run_walk().code, 1)
+        self.walk("snapshot: hut")
+        self.write("walks.config.yaml", "snapshots: %s\n" % lax)
+        self.assertEqual(self.run_walk().code, 0)
+        shown = json.loads(self.run_walk("--print-config").out)["snapshots"]
+        self.assertEqual(shown, {"threshold": 0.2, "max_diff_pixels": None, "max_diff_pixel_ratio": 1.0,
+                                 "min_tile_ssim": -1.0, "masks": []})
+        self.walk("snapshot: {name: hut, min_tile_ssim: 1}")
+        self.assertEqual(self.run_walk().code, 1, "the walk goes before")
+
+    def test_projects_keep_their_own(self):
+        self.write("walks.config.yaml", "projects: {near: {}, far: {spawn: {at: [0, 0, 6]}}}\n")
+        self.run_walk()
+        self.assertIn("short.walk.yaml-snapshots/near-hut.png", self.contents())
+        self.assertIn("short.walk.yaml-snapshots/far-hut.png", self.contents())
+
+    def test_other_size_and_broken_file(self):
+        self.run_walk()
+        os.rename(self.path("out/short/away.png"), self.path(KEPT))
+        self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"hut, width: 96", b"hut, width: 97"))
+        ((code, message),) = self.failures()
+        self.assertEqual(code, "snapshot")
+        self.assertIn("it has 97x64 pixels, the kept one 96x64", message)
+        self.assertIn("out/short/hut-expected.png", self.contents())
+        self.assertNotIn("out/short/hut-diff.png", self.contents())
+        self.write(KEPT, "no picture")
+        self.assertIn("this is no PNG file", self.failures()[0][1])
+        self.assertEqual(self.failures("-u"), [])
+
+    def test_snapshot_that_was_never_taken(self):
+        self.run_walk()
+        self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"  - walk_to: end",
+                                                                           b"  - walk_to: {to: [0, -8], timeout: 4}"))
+        self.assertIn(("snapshot", "the walk ended before it took the snapshot 'hut'"), self.failures())
+
+    def test_unknown_snapshot(self):
+        self.walk("snapshot: hat", "visible: {building: hut, in: hot}")
+        outcome = self.run_walk()
+        self.assertEqual((outcome.code, outcome.complaints), (2, [
+            "short.walk.yaml:10:15: error unknown-name: no step takes a snapshot 'hat' (did you mean 'hut'?)",
+            "short.walk.yaml:11:34: error unknown-name: no step takes a snapshot 'hot' (did you mean 'hut'?)"]))
+
+    def test_golden_pictures_stay_out_of_the_log(self):
+        self.walk("grounded")
+        without = self.run_walk("--jsonl", "a.jsonl")
+        self.walk("grounded", "snapshot: hut", "visible: {building: hut, in: hut}")
+        self.assertEqual(self.run_walk("--jsonl", "b.jsonl").out, without.out)
+        self.assertEqual(self.read("a.jsonl"), self.read("b.jsonl"))
+
+
+@unittest.skipIf(WITHOUT_RENDERING, "this build draws nothing")
+class Visible(PictureCase):
+    def test_in_sight_and_behind(self):
+        self.walk("visible: {building: hut, in: hut}", "not: {visible: {building: hut, in: away}}")
+        self.assertEqual(self.failures(), [])
+        self.walk("visible: {building: hut, in: away, min_ratio: 0.1}", "not: {visible: {building: hut, in: hut}}")
+        (there, here) = self.failures()
+        self.assertEqual(there, ("visible", "of 'hut' 0 pixels are to be seen in 'away' (0.000 %), at least 1 and at "
+                                            "least 10.000 % expected"))
+        self.assertEqual(here[0], "not-visible")
+        self.assertRegex(here[1], r"^not expected, but of 'hut' [1-9][0-9]+ pixels are to be seen in 'hut' "
+                                  r"\([0-9.]+ %\), less than 1 expected$")
+
+    def test_limits(self):
+        """The wall's upper and lower edge and its sides are known: it is 2 m wide, 3 m high and 2 m ahead."""
+        self.walk("not: {visible: {building: hut, in: hut}}")
+        seen = int(self.failures()[0][1].split("'hut' ")[1].split(" ")[0])
+        self.walk("visible: {building: hut, in: hut, min_pixels: %d}" % seen)
+        self.assertEqual(self.failures(), [])
+        self.walk("visible: {building: hut, in: hut, min_pixels: %d}" % (seen + 1))
+        self.assertEqual(len(self.failures()), 1)
+        self.walk("visible: {building: \"h*\", in: hut, min_ratio: %.6f}" % (seen / 96 / 64 - 1e-5))
+        self.assertEqual(self.failures(), [])
+        self.walk("visible: {building: hut, in: hut, min_ratio: %.6f}" % (seen / 96 / 64 + 1e-5))
+        self.assertEqual(len(self.failures()), 1)
+        # 60 degrees across 64 rows from 2 m: a column is 27.7 pixels a metre, so 2 m are 55.4 pixels wide.
+        self.assertGreater(seen, 55 * 40)
+        self.assertLess(seen, 57 * 64)
+
+    def test_unknown_building(self):
+        self.walk("visible: {building: hat, in: hut}")
+        outcome = self.run_walk()
+        self.assertEqual((outcome.code, outcome.complaints), (2, [
+            "short.walk.yaml:10:25: error unknown-name: no building 'hat' has nodes that could be seen (did you mean "
+            "'hut'?)"]))
+
+
+@unittest.skipIf(WITHOUT_RENDERING, "this build draws nothing")
+class Lessons(PictureCase):
+    def test_walks_about_pictures_end_as_their_status_says(self):
+        outcome = self.run_program("run", LESSONS, "--tag", "pictures", "--output", "out", "--reporter", "list",
+                                   env={**os.environ, "CI": "1"})
+        self.assertEqual((outcome.code, outcome.lines[-1][:9]), (0, "5 passed "), outcome.out + outcome.err)
+
+
+class NothingIsDrawn(PictureCase):
+    def unjudged(self, *arguments):
+        outcome = self.run_walk("--reporter", "json=report.json", *arguments)
+        self.assertIn("no pictures are drawn: 2 expectations about them aren't judged", outcome.complaints)
+        self.assertNotIn("short.walk.yaml-snapshots/hut.png", self.contents())
+        return outcome.code
+
+    def arguments(self):
+        return () if WITHOUT_RENDERING else ("--rendering-backend", "none")
+
+    def test_it_is_said(self):
+        self.walk("snapshot: hut", "visible: {building: hut, in: away}")
+        self.assertEqual(self.unjudged(*self.arguments()), 0)
+
+    def test_who_must_fail_in_pictures_is_skipped(self):
+        self.walk("snapshot: hut", "visible: {building: hut, in: away}",
+                  head="status: {is: xfail, because: it is behind, failures: [visible]}\n")
+        self.assertEqual(self.unjudged(*self.arguments()), 0)
+        self.assertEqual(self.result()["outcome"], "skipped")
+
+
+if __name__ == "__main__":
+    if WITHOUT_RENDERING:
+        sys.argv.remove("--without-rendering")
+    main()
