@@ -13,6 +13,7 @@
 #include "engine/script/walk.h"
 #include "scene/campus.h"
 #include "tools/campuswalk/rendering_backend.h"
+#include "tools/campuswalk/sequence_wish.h"
 
 namespace campuswalk::tools {
 
@@ -33,6 +34,19 @@ std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
 std::vector<std::string> files_of(const engine::SnapshotStep& step);
+
+// Files of a sequence, in the walk's folder.
+inline constexpr const char* kFramesFolder = "frames";
+inline constexpr const char* kContactSheetFile = "contact-sheet.png";
+inline constexpr const char* kVideoFile = "video.mp4";
+
+/// Takes the pictures that are wished for, and writes what is to be made of them to `FOLDER/`. `campus` must
+/// outlive it.
+std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
+                                                      const std::filesystem::path& folder,
+                                                      const SequenceWish& wish, Backend backend);
+/// Whether a video can be made: it takes a program of others.
+bool can_make_videos();
 
 /// The moments of a walk's failures, each from the avatar's eyes and from above with the way walked so far:
 /// `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second moment on.

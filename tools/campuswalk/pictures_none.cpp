@@ -27,6 +27,17 @@ std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::
     return {};
 }
 
+std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus&, const engine::Walk&,
+                                                      const std::filesystem::path&, const SequenceWish&,
+                                                      Backend) {
+    assert(false);
+    return nullptr;
+}
+
+bool can_make_videos() {
+    return false;
+}
+
 JudgedPictures judge_pictures(const PictureTrial&) {
     assert(false);
     return {};

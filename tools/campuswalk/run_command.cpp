@@ -13,6 +13,7 @@
 #include "scene/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/last_run.h"
 #include "tools/campuswalk/run/list_cases.h"
 #include "tools/campuswalk/run/plan.h"
@@ -71,6 +72,7 @@ public:
 
     int run() {
         pictures_ = wants_pictures(options_.backend);
+        check_sequence();
         read_last_run_if_wanted();
         Plan plan =
             make_plan(settings_, {selector_for(options_), wanted_ids(), options_.repeat_each, options_.seed});
@@ -92,6 +94,20 @@ public:
     }
 
 private:
+    void check_sequence() const {
+        if (options_.sequence.any() && !pictures_) {
+            throw about("--every", "bad-value",
+                        can_draw() ? "no pictures are drawn with --rendering-backend none"
+                                   : "this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+        }
+        if (options_.sequence.video && !can_make_videos()) {
+            throw about(
+                "--video", "bad-value",
+                "the program ffmpeg makes videos, and it isn't installed: apt-get install ffmpeg, or use "
+                "--animation apng");
+        }
+    }
+
     void read_last_run_if_wanted() {
         if (!options_.last_failed && !options_.resume) {
             return;
@@ -151,7 +167,7 @@ private:
         }
         check_targets(targets);
         for (const Case& each : plan.cases) {
-            const bool draws = pictures_ && takes_pictures(each);
+            const bool draws = pictures_ && (takes_pictures(each) || (each.walk && options_.sequence.any()));
             if (!draws && options_.records.empty()) {
                 continue;
             }
@@ -221,6 +237,7 @@ private:
         session.play.log = reports.wants_log();
         session.play.events = events;
         session.play.records = options_.records;
+        session.play.sequence = options_.sequence;
         session.play.update = settings_.update;
         session.play.tolerance = settings_.tolerance;
         session.pool.workers = static_cast<std::size_t>(settings_.workers);

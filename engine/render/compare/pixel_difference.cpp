@@ -25,8 +25,13 @@ double distance_squared(const std::uint8_t* a, const std::uint8_t* b) {
     return 0.5053 * y * y + 0.299 * i * i + 0.1957 * q * q;
 }
 
+/// All four bytes at once: pictures are opaque.
 bool same_color(const std::uint8_t* a, const std::uint8_t* b) {
-    return std::memcmp(a, b, 3) == 0;
+    std::uint32_t pixel_a = 0;
+    std::uint32_t pixel_b = 0;
+    std::memcpy(&pixel_a, a, 4);
+    std::memcpy(&pixel_b, b, 4);
+    return pixel_a == pixel_b;
 }
 
 bool on_border(const Picture& picture, int x, int y) {

@@ -17,6 +17,7 @@ using Options = std::shared_ptr<RunOptions>;
 
 constexpr Limits<int> kWorkers{1, 1024};
 constexpr Limits<int> kTimes{1, 1'000'000};
+constexpr Limits<int> kFrameWidth{16, 8192};
 constexpr Limits<double> kSeconds{1e-3, 86'400.0};
 
 void add_selection(Command& command, const Options& options) {
@@ -88,6 +89,42 @@ void add_running(Command& command, const Options& options) {
     command.flag({.names = "--watch", .help = "Run again whenever a file changes"}, options->watch);
 }
 
+std::vector<std::string> animation_names() {
+    std::vector<std::string> names;
+    for (const AnimationKind& kind : animation_kinds()) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
+/// Pictures at even times. What is to be made of them can be asked for alone.
+void add_sequence(Command& command, SequenceWish& wish) {
+    command.option(
+        {.names = "--every",
+         .help = "Draw a frame each so many simulated seconds, to frames/ in the walk's folder below "
+                 "--output",
+         .value = "SECONDS"},
+        wish.every, kSeconds);
+    command.flag({.names = "--contact-sheet",
+                  .help = "The frames on one picture, contact-sheet.png; like the others below it takes one "
+                          "each 0.5 s unless --every says otherwise"},
+                 wish.contact_sheet);
+    command.choices({.names = "--animation",
+                     .help = "The frames as animation.png or .gif, 640 pixels wide at most; several times"},
+                    animation_names(), wish.animations);
+    command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"}, wish.video);
+    const std::map<std::string, std::optional<engine::View>> views = {
+        {"first_person", engine::View::first_person},
+        {"third_person", engine::View::third_person},
+        {"top", engine::View::top}};
+    command.choice({.names = "--frame-view", .help = "How frames are taken [as the walk's camera is set]"},
+                   views, wish.view);
+    command.option({.names = "--frame-width",
+                    .help = "Their pixels across, the height in proportion [as the walk's camera is set]",
+                    .value = "N"},
+                   wish.width, kFrameWidth);
+}
+
 std::vector<std::string> record_names() {
     std::vector<std::string> names;
     for (const RecordKind& kind : record_kinds()) {
@@ -116,6 +153,7 @@ void add_output(Command& command, const Options& options) {
          .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
                  "or .tum, its costs as trace.json, for Chrome's trace viewer; several times"},
         record_names(), options->records);
+    add_sequence(command, options->sequence);
     const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
                                                           {"changed", UpdateSnapshots::changed},
                                                           {"missing", UpdateSnapshots::missing},

@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "engine/observers/json_lines.h"
-#include "engine/observers/snapshot_moments.h"
 #include "engine/observers/text_log.h"
 #include "engine/report/outcome.h"
 #include "engine/run_walk.h"
 #include "tools/campuswalk/complaints.h"
-#include "tools/campuswalk/picture_verdicts.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/interrupt.h"
+#include "tools/campuswalk/run/picture_watch.h"
 #include "tools/campuswalk/run/records.h"
 
 namespace campuswalk::tools {
@@ -166,59 +165,6 @@ void fill(WalkResult& result, const engine::WalkSummary& summary) {
     result.hash = summary.hash;
 }
 
-bool expects_pictures(const engine::Walk& walk) {
-    return std::ranges::any_of(walk.expectations, engine::is_about_pictures);
-}
-
-/// Without pictures nobody can tell whether it fails as it says it must.
-bool must_fail_in_pictures(const engine::Walk& walk) {
-    const std::vector<std::string> codes = engine::picture_failure_codes();
-    return walk.status.kind == engine::WalkStatus::Kind::xfail && expects_pictures(walk) &&
-           (walk.status.codes.empty() || std::ranges::any_of(walk.status.codes, [&](const std::string& code) {
-                return std::ranges::find(codes, code) != codes.end();
-            }));
-}
-
-/// The walk's snapshots, on their way to being judged.
-class PictureWatch {
-public:
-    PictureWatch(const Case& played, const PlaySettings& settings)
-        : played_(played),
-          settings_(settings),
-          taker_(make_snapshot_taker(*played.walk->campus, settings.output / played.folder,
-                                     settings.backend)) {}
-
-    std::vector<engine::Observer*> observers() {
-        std::vector<engine::Observer*> all = {taker_.get()};
-        if (expects_pictures(played_.walk->walk)) {
-            all.push_back(&moments_);
-        }
-        return all;
-    }
-
-    /// Appends failures; gives the pictures that show them.
-    std::vector<engine::Artifact> judge(std::vector<engine::Failure>& failures) const {
-        const engine::Walk& walk = played_.walk->walk;
-        if (!expects_pictures(walk)) {
-            return {};
-        }
-        JudgedPictures judged = judge_pictures({played_.result.file, *played_.walk->campus, walk,
-                                                settings_.output, played_.folder, settings_.update,
-                                                settings_.tolerance, moments_, taker_->sights()});
-        for (const std::filesystem::path& file : judged.written) {
-            complain_line("wrote " + file.generic_string());
-        }
-        std::ranges::move(judged.failures, std::back_inserter(failures));
-        return std::move(judged.artifacts);
-    }
-
-private:
-    const Case& played_;
-    const PlaySettings& settings_;
-    std::unique_ptr<SnapshotTaker> taker_;
-    engine::SnapshotMoments moments_;
-};
-
 void play_into(WalkResult& result, const Case& played, const PlaySettings& settings, Listener& listener) {
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
@@ -251,6 +197,9 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
         }
     }
     std::ranges::move(compared, std::back_inserter(result.artifacts));
+    if (pictures) {
+        std::ranges::move(pictures->sequence_files(), std::back_inserter(result.artifacts));
+    }
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
         std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
                                                             settings.output, played.folder, settings.backend);

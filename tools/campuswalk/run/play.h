@@ -10,6 +10,7 @@
 #include "tools/campuswalk/rendering_backend.h"
 #include "tools/campuswalk/run/plan.h"
 #include "tools/campuswalk/run/worker.h"
+#include "tools/campuswalk/sequence_wish.h"
 
 namespace campuswalk::tools {
 
@@ -21,6 +22,7 @@ struct PlaySettings {
     bool events = false;                   ///< say the log as JSON
     std::vector<std::string> records;      ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
+    SequenceWish sequence;
     engine::PictureTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
 };
 

@@ -8,6 +8,7 @@
 
 #include "tools/campuswalk/golden_log.h"
 #include "tools/campuswalk/rendering_backend.h"
+#include "tools/campuswalk/sequence_wish.h"
 
 namespace campuswalk::tools {
 
@@ -43,8 +44,9 @@ struct RunOptions {
     std::optional<UpdateSnapshots> update;
 
     std::optional<std::filesystem::path> output;
-    std::vector<std::string> reporters;          ///< NAME or NAME=FILE
-    std::vector<std::string> records;            ///< names of record_kinds()
+    std::vector<std::string> reporters;  ///< NAME or NAME=FILE
+    std::vector<std::string> records;    ///< names of record_kinds()
+    SequenceWish sequence;
     std::optional<std::filesystem::path> log;    ///< the text log once more, in a file
     std::optional<std::filesystem::path> jsonl;  ///< the events as JSON lines
     Backend backend = Backend::automatic;

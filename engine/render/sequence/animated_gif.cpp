@@ -1,0 +1,130 @@
+#include "engine/render/sequence/animated_gif.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <gif_lib.h>
+
+#include "engine/render/sequence/animated_png.h"
+#include "engine/render/sequence/scaled_picture.h"
+#include "scene/whole_file.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+// Levels of red, green and blue: the eye tells greens apart best.
+constexpr std::array<int, 3> kLevels = {6, 7, 6};
+constexpr int kColors = 256;  // GIF's tables have a power of two
+
+/// A Bayer matrix, 8 x 8: each threshold once, neighbours far apart.
+int bayer(int x, int y) {
+    int value = 0;
+    for (int bit = 0; bit < 3; ++bit) {
+        const int column = (x >> bit) & 1;
+        const int row = (y >> bit) & 1;
+        value |= ((column ^ row) << (5 - 2 * bit)) | (row << (4 - 2 * bit));
+    }
+    return value;
+}
+
+/// The level below or above a value, by how far it is between them.
+int level(int value, int levels, int threshold) {
+    return (value * (levels - 1) * 64 + threshold * 255 + 127) / (255 * 64);
+}
+
+std::array<GifColorType, kColors> palette() {
+    std::array<GifColorType, kColors> colors{};
+    std::size_t next = 0;
+    for (int r = 0; r < kLevels[0]; ++r) {
+        for (int g = 0; g < kLevels[1]; ++g) {
+            for (int b = 0; b < kLevels[2]; ++b) {
+                const auto byte = [](int at, int levels) {
+                    return static_cast<GifByteType>(at * 255 / (levels - 1));
+                };
+                colors[next++] = {byte(r, kLevels[0]), byte(g, kLevels[1]), byte(b, kLevels[2])};
+            }
+        }
+    }
+    return colors;
+}
+
+void dither_row(const Picture& picture, int y, std::vector<GifPixelType>& row) {
+    const std::uint8_t* pixel = &picture.rgba[picture.offset(0, y)];
+    for (int x = 0; x < picture.width; ++x, pixel += 4) {
+        const int threshold = bayer(x, y);
+        const int red = level(pixel[0], kLevels[0], threshold);
+        const int green = level(pixel[1], kLevels[1], threshold);
+        const int blue = level(pixel[2], kLevels[2], threshold);
+        row[static_cast<std::size_t>(x)] =
+            static_cast<GifPixelType>((red * kLevels[1] + green) * kLevels[2] + blue);
+    }
+}
+
+int append(GifFileType* gif, const GifByteType* data, int size) {
+    static_cast<std::string*>(gif->UserData)
+        ->append(reinterpret_cast<const char*>(data), static_cast<std::size_t>(size));
+    return size;
+}
+
+void check(int status) {
+    if (status != GIF_OK) {
+        throw std::runtime_error("can't make the GIF: out of memory");
+    }
+}
+
+}  // namespace
+
+AnimatedGif::AnimatedGif(std::filesystem::path file, double seconds_a_frame)
+    : file_(std::move(file)),
+      hundredths_(static_cast<int>(std::clamp(std::round(100.0 * seconds_a_frame), 2.0, 65535.0))) {}
+
+void AnimatedGif::Close::operator()(GifFileType* gif) const {
+    int error = 0;
+    EGifCloseFile(gif, &error);
+}
+
+void AnimatedGif::begin(const Picture& picture) {
+    int error = 0;
+    gif_.reset(EGifOpen(&bytes_, append, &error));
+    check(gif_ ? GIF_OK : GIF_ERROR);
+    EGifSetGifVersion(gif_.get(), true);
+    const std::array<GifColorType, kColors> colors = palette();
+    const std::unique_ptr<ColorMapObject, void (*)(ColorMapObject*)> map(
+        GifMakeMapObject(kColors, colors.data()), GifFreeMapObject);
+    check(EGifPutScreenDesc(gif_.get(), picture.width, picture.height, 8, 0, map.get()));
+    const std::array<GifByteType, 3> for_ever = {1, 0, 0};
+    check(EGifPutExtensionLeader(gif_.get(), APPLICATION_EXT_FUNC_CODE));
+    check(EGifPutExtensionBlock(gif_.get(), 11, "NETSCAPE2.0"));
+    check(EGifPutExtensionBlock(gif_.get(), static_cast<int>(for_ever.size()), for_ever.data()));
+    check(EGifPutExtensionTrailer(gif_.get()));
+}
+
+void AnimatedGif::add(const Frame& frame) {
+    const Picture picture = scaled_down(frame.picture, kAnimationWidth);
+    if (!gif_) {
+        begin(picture);
+    }
+    const std::array<GifByteType, 4> control = {0, static_cast<GifByteType>(hundredths_ & 0xFF),
+                                                static_cast<GifByteType>(hundredths_ >> 8), 0};
+    check(EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, static_cast<int>(control.size()),
+                           control.data()));
+    check(EGifPutImageDesc(gif_.get(), 0, 0, picture.width, picture.height, false, nullptr));
+    std::vector<GifPixelType> row(static_cast<std::size_t>(picture.width));
+    for (int y = 0; y < picture.height; ++y) {
+        dither_row(picture, y, row);
+        check(EGifPutLine(gif_.get(), row.data(), picture.width));
+    }
+}
+
+void AnimatedGif::finish() {
+    if (gif_) {
+        gif_.reset();
+        scene::write_whole_file(file_, bytes_);
+    }
+}
+
+}  // namespace campuswalk::engine::render

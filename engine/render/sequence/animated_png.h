@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "engine/render/png_file.h"
+#include "engine/render/sequence/frame_sink.h"
+
+namespace campuswalk::engine::render {
+
+/// Widest that animations are: wider frames are made smaller.
+constexpr int kAnimationWidth = 640;  // pixels
+
+/// An animation in PNG (https://www.w3.org/TR/png-3/, chunks acTL, fcTL and fdAT), played for ever. Programs
+/// that know no animations show its first frame. It is kept in memory until it is finished.
+class AnimatedPng final : public FrameSink {
+public:
+    /// A frame is shown for so many seconds, 1/1000 at least.
+    AnimatedPng(std::filesystem::path file, double seconds_a_frame);
+    void add(const Frame& frame) override;
+    /// Writes it unless there was no frame.
+    void finish() override;
+
+private:
+    void put_control(const Picture& picture);
+
+    std::filesystem::path file_;
+    std::uint16_t milliseconds_;
+    PixelCompressor compressor_;
+    std::unique_ptr<PngFile> png_;
+    std::size_t control_at_ = 0;  ///< where the chunk is that holds the count of frames
+    std::uint32_t frames_ = 0;
+    std::uint32_t sequence_ = 0;  ///< numbers the chunks of frames
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,89 @@
+#include "engine/render/sequence/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/decimals.h"
+#include "engine/render/canvas.h"
+#include "engine/render/png.h"
+#include "engine/render/sequence/scaled_picture.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+constexpr int kThumbnail = 240;  // pixels wide
+constexpr int kGap = 8;          // between them and around
+constexpr int kMostColumns = 10;
+constexpr std::uint8_t kPaper = 0x24;
+constexpr double kTextSize = 12.0;
+
+/// About as many columns as give a sheet of a screen's shape.
+int columns_for(std::size_t frames, const Picture& thumbnail) {
+    const double shape = 1.6 * thumbnail.height / thumbnail.width;
+    const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(frames) * shape)));
+    return std::clamp(columns, 1, std::min(kMostColumns, static_cast<int>(frames)));
+}
+
+void copy_into(Picture& sheet, const Picture& picture, int left, int top) {
+    for (int y = 0; y < picture.height; ++y) {
+        const auto* row = &picture.rgba[picture.offset(0, y)];
+        std::copy(row, row + std::ptrdiff_t{4} * picture.width, &sheet.rgba[sheet.offset(left, top + y)]);
+    }
+}
+
+}  // namespace
+
+ContactSheet::ContactSheet(std::filesystem::path file) : file_(std::move(file)) {}
+
+void ContactSheet::add(const Frame& frame) {
+    if (frame.number % every_ != 0) {
+        return;
+    }
+    frames_.push_back({scaled_down(frame.picture, kThumbnail), frame.number, frame.time});
+    if (frames_.size() > kMostFrames) {
+        every_ *= 2;
+        std::erase_if(frames_, [this](const Frame& kept) { return kept.number % every_ != 0; });
+    }
+}
+
+void ContactSheet::finish() {
+    if (!frames_.empty()) {
+        write_png(sheet(), file_);
+    }
+}
+
+Picture ContactSheet::sheet() const {
+    const Picture& first = frames_.front().picture;
+    const int columns = columns_for(frames_.size(), first);
+    const int rows = (static_cast<int>(frames_.size()) + columns - 1) / columns;
+    Picture sheet;
+    sheet.width = columns * (first.width + kGap) + kGap;
+    sheet.height = rows * (first.height + kGap) + kGap;
+    sheet.rgba.assign(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height),
+                      kPaper);
+    for (std::size_t i = 3; i < sheet.rgba.size(); i += 4) {
+        sheet.rgba[i] = 255;
+    }
+    const auto left = [&](std::size_t i) {
+        return kGap + static_cast<int>(i) % columns * (first.width + kGap);
+    };
+    const auto top = [&](std::size_t i) {
+        return kGap + static_cast<int>(i) / columns * (first.height + kGap);
+    };
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        copy_into(sheet, frames_[i].picture, left(i), top(i));
+    }
+    const Fonts fonts;
+    const Canvas canvas(sheet, fonts);
+    const TextStyle style = {kTextSize, true, {1, 1, 1, 1}, 0.0, 1};
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        const std::string text = fixed(frames_[i].time, 2) + " s";
+        const Eigen::Vector2d size = canvas.text_size(text, style);
+        canvas.label(left(i) + 6 + 0.5 * size.x(), top(i) + first.height - 4 - 0.5 * size.y(), text, style);
+    }
+    return canvas.picture();
+}
+
+}  // namespace campuswalk::engine::render

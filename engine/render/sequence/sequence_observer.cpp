@@ -1,0 +1,54 @@
+#include "engine/render/sequence/sequence_observer.h"
+
+#include <cmath>
+#include <utility>
+
+namespace campuswalk::engine::render {
+namespace {
+
+constexpr double kRounding = 1e-9;  ///< of a time, in times of `every`
+
+}  // namespace
+
+SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
+                                   std::vector<std::unique_ptr<FrameSink>> sinks)
+    : campus_(campus), settings_(std::move(settings)), queue_(std::move(sinks)) {}
+
+void SequenceObserver::begin(const Walk& walk) {
+    profile_ = walk.avatar;
+    trail_.clear();
+}
+
+void SequenceObserver::frame(const FrameRecord& record) {
+    trail_.follow(record.avatar);
+    if (!is_due(record.time)) {
+        return;
+    }
+    if (!painter_) {
+        painter_ = std::make_unique<SnapshotPainter>(campus_, settings_.drawing);
+    }
+    const std::vector<Eigen::Vector3d> path = trail_.path();
+    Shot shot;
+    shot.camera = settings_.camera;
+    shot.avatar = record.avatar;
+    shot.profile = profile_;
+    shot.stride = trail_.stride();
+    shot.open_popups = record.open_popups;
+    shot.path = path;
+    queue_.add({painter_->draw(shot), taken_++, record.time});
+}
+
+void SequenceObserver::end() {
+    queue_.finish();
+}
+
+bool SequenceObserver::is_due(double time) {
+    const double now = time / settings_.every + kRounding;
+    if (now < next_) {
+        return false;
+    }
+    next_ = std::floor(now) + 1.0;
+    return true;
+}
+
+}  // namespace campuswalk::engine::render

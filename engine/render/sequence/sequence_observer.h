@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/observers/observer.h"
+#include "engine/render/sequence/frame_queue.h"
+#include "engine/render/snapshot_painter.h"
+#include "engine/render/walk_trail.h"
+#include "scene/campus.h"
+
+namespace campuswalk::engine::render {
+
+/// Draws what is to be seen at even times of a walk.
+struct SequenceSettings {
+    double every = 0.5;     ///< simulated seconds; no more than a frame a tick
+    CameraSettings camera;  ///< what each is taken with
+    SnapshotSettings drawing;
+};
+
+/// Takes the first frame at a walk's first tick, and the others as their times come.
+class SequenceObserver final : public Observer {
+public:
+    /// `campus` must outlive it.
+    SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
+                     std::vector<std::unique_ptr<FrameSink>> sinks);
+
+    void begin(const Walk& walk) override;
+    /// Throws RenderError when the machine can't draw, and what a sink threw at a frame before.
+    void frame(const FrameRecord& record) override;
+    void end() override;
+
+private:
+    bool is_due(double time);
+
+    const scene::Campus& campus_;
+    SequenceSettings settings_;
+    std::unique_ptr<SnapshotPainter> painter_;  ///< none before the first frame
+    AvatarProfile profile_;
+    WalkTrail trail_;
+    std::size_t taken_ = 0;
+    double next_ = 0.0;  ///< times of `every`
+    FrameQueue queue_;
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,199 @@
+// Animations are taken apart again by other code than made them.
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <string>
+
+#include <gif_lib.h>
+#include <gtest/gtest.h>
+
+#include "engine/render/read_png.h"
+#include "engine/render/sequence/animated_gif.h"
+#include "engine/render/sequence/animated_png.h"
+#include "engine/render/sequence/contact_sheet.h"
+#include "engine/render/sequence/frame_files.h"
+#include "tests/engine/render/color_names.h"
+#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/scratch_folder.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+std::vector<Picture> three_pictures(int width, int height) {
+    std::mt19937 random(5);
+    return {noise(width, height, random), plain_picture(width, height, {10, 200, 90}),
+            noise(width, height, random)};
+}
+
+void feed(FrameSink& sink, const std::vector<Picture>& pictures) {
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        sink.add({pictures[i], i, 0.5 * static_cast<double>(i)});
+    }
+    sink.finish();
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::uint32_t number(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) {
+        value = (value << 8U) | static_cast<std::uint8_t>(bytes[i]);
+    }
+    return value;
+}
+
+struct Chunk {
+    std::string kind;
+    std::string data;
+    std::string whole;
+};
+
+std::vector<Chunk> chunks_of(const std::string& bytes) {
+    std::vector<Chunk> chunks;
+    for (std::size_t at = 8; at < bytes.size();) {
+        const std::size_t size = number(bytes, at);
+        chunks.push_back({bytes.substr(at + 4, 4), bytes.substr(at + 8, size), bytes.substr(at, size + 12)});
+        at += size + 12;
+    }
+    return chunks;
+}
+
+TEST(AnimatedPng, ShowsItsFirstFrameToThoseWhoKnowNoAnimations) {
+    const ScratchFolder folder;
+    const std::vector<Picture> pictures = three_pictures(40, 30);
+    AnimatedPng animation(folder.path() / "a.png", 0.25);
+    feed(animation, pictures);
+    // libspng checks every chunk's checksum, those that it doesn't know too.
+    EXPECT_EQ(read_png(folder.path() / "a.png").rgba, pictures[0].rgba);
+}
+
+TEST(AnimatedPng, HoldsEveryFrame) {
+    const ScratchFolder folder;
+    const std::vector<Picture> pictures = three_pictures(40, 30);
+    AnimatedPng animation(folder.path() / "a.png", 0.25);
+    feed(animation, pictures);
+    const std::string bytes = bytes_of(folder.path() / "a.png");
+    const std::vector<Chunk> chunks = chunks_of(bytes);
+    std::string kinds;
+    for (const Chunk& chunk : chunks) {
+        kinds += chunk.kind + " ";
+    }
+    EXPECT_EQ(kinds, "IHDR acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
+    EXPECT_EQ(number(chunks[1].data, 0), 3U);
+    EXPECT_EQ(number(chunks[1].data, 4), 0U) << "for ever";
+    std::uint32_t sequence = 0;
+    for (const Chunk& chunk : chunks) {
+        if (chunk.kind == "fcTL") {
+            EXPECT_EQ(number(chunk.data, 0), sequence++);
+            EXPECT_EQ(number(chunk.data, 4), 40U);
+            EXPECT_EQ(number(chunk.data, 8), 30U);
+            EXPECT_EQ(number(chunk.data, 20), (250U << 16U) | 1000U) << "a quarter of a second";
+        } else if (chunk.kind == "fdAT") {
+            EXPECT_EQ(number(chunk.data, 0), sequence++);
+        }
+    }
+}
+
+TEST(AnimatedPng, IsTheSameBytesForTheSameFramesAndNoFileWithoutAny) {
+    const ScratchFolder folder;
+    const std::vector<Picture> pictures = three_pictures(40, 30);
+    for (const char* name : {"a.png", "b.png"}) {
+        AnimatedPng animation(folder.path() / name, 0.25);
+        feed(animation, pictures);
+    }
+    EXPECT_EQ(bytes_of(folder.path() / "a.png"), bytes_of(folder.path() / "b.png"));
+    AnimatedPng none(folder.path() / "none.png", 0.25);
+    feed(none, {});
+    AnimatedGif none_either(folder.path() / "none.gif", 0.25);
+    feed(none_either, {});
+    EXPECT_EQ(folder.contents().size(), 2U);
+}
+
+TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
+    const ScratchFolder folder;
+    const std::vector<Picture> pictures = three_pictures(48, 32);
+    {
+        AnimatedGif animation(folder.path() / "a.gif", 0.5);
+        feed(animation, pictures);
+    }
+    int error = 0;
+    const auto close = [](GifFileType* gif) { DGifCloseFile(gif, nullptr); };
+    const std::unique_ptr<GifFileType, decltype(close)> gif(
+        DGifOpenFileName((folder.path() / "a.gif").c_str(), &error), close);
+    ASSERT_TRUE(gif);
+    ASSERT_EQ(DGifSlurp(gif.get()), GIF_OK);
+    ASSERT_EQ(gif->ImageCount, 3);
+    EXPECT_EQ(gif->SWidth, 48);
+    for (int i = 0; i < 3; ++i) {
+        GraphicsControlBlock control;
+        ASSERT_EQ(DGifSavedExtensionToGCB(gif.get(), i, &control), GIF_OK);
+        EXPECT_EQ(control.DelayTime, 50);
+        const GifByteType* pixels = gif->SavedImages[i].RasterBits;
+        std::array<double, 3> means = {0, 0, 0};
+        std::array<double, 3> wanted = {0, 0, 0};
+        for (int y = 0; y < 32; ++y) {
+            for (int x = 0; x < 48; ++x) {
+                const GifColorType& color = gif->SColorMap->Colors[pixels[48 * y + x]];
+                const auto exact = pictures[static_cast<std::size_t>(i)].pixel(x, y);
+                const std::array<int, 3> got = {color.Red, color.Green, color.Blue};
+                for (std::size_t c = 0; c < 3; ++c) {
+                    // A step of 5 or 6 between the levels is 51 or 42.5.
+                    EXPECT_LE(std::abs(got[c] - exact[c]), c == 1 ? 44 : 52);
+                    means[c] += got[c] / 1536.0;
+                    wanted[c] += exact[c] / 1536.0;
+                }
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(means[c], wanted[c], 2.0) << "dithering keeps the mean";
+        }
+    }
+}
+
+TEST(ContactSheet, ShowsFramesInRows) {
+    const ScratchFolder folder;
+    ContactSheet sheet(folder.path() / "sheet.png");
+    std::vector<Picture> pictures(7, plain_picture(480, 270, {200, 0, 0}));
+    pictures[6] = plain_picture(480, 270, {0, 0, 200});
+    feed(sheet, pictures);
+    const Picture drawn = read_png(folder.path() / "sheet.png");
+    // Three columns of thumbnails 240 x 135 with gaps of 8.
+    EXPECT_EQ(drawn.width, 3 * 248 + 8);
+    EXPECT_EQ(drawn.height, 3 * 143 + 8);
+    EXPECT_EQ(color_name(drawn, 20, 20), "red");
+    EXPECT_EQ(color_name(drawn, 20, 2 * 143 + 20), "blue");
+    EXPECT_EQ(color_name(drawn, 2 * 248 + 20, 2 * 143 + 20), "grey") << "nothing there";
+}
+
+TEST(ContactSheet, LeavesFramesOutOfALongWalk) {
+    const ScratchFolder folder;
+    ContactSheet sheet(folder.path() / "sheet.png");
+    feed(sheet, std::vector<Picture>(500, plain_picture(16, 9, {200, 0, 0})));
+    const Picture drawn = read_png(folder.path() / "sheet.png");
+    EXPECT_LE(drawn.width, 10 * 24 + 8);
+    EXPECT_LE(drawn.height, 13 * 17 + 8) << "120 frames at most, ten a row";
+}
+
+TEST(FrameFiles, ReplaceThoseOfAnEarlierWalk) {
+    const ScratchFolder folder;
+    {
+        FrameFiles files(folder.path() / "frames");
+        feed(files, std::vector<Picture>(12, plain_picture(8, 8, {1, 2, 3})));
+    }
+    std::ofstream(folder.path() / "frames" / "frame-mine.png") << "not one of ours";
+    FrameFiles files(folder.path() / "frames");
+    feed(files, three_pictures(8, 8));
+    EXPECT_EQ(folder.contents(), (std::vector<std::filesystem::path>{
+                                     "frames", "frames/frame-00001.png", "frames/frame-00002.png",
+                                     "frames/frame-00003.png", "frames/frame-mine.png"}));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,92 @@
+#include "engine/render/sequence/frame_queue.h"
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+/// What became of the frames, whoever asks.
+struct Seen {
+    std::vector<std::size_t> numbers;
+    std::vector<std::thread::id> threads;
+    std::atomic<int> in_hand = 0;
+    bool finished = false;
+};
+
+class Keeper final : public FrameSink {
+public:
+    explicit Keeper(Seen& seen, std::size_t bad = 1'000'000) : seen_(seen), bad_(bad) {}
+    void add(const Frame& frame) override {
+        if (frame.number == bad_) {
+            throw std::runtime_error("the disk is full");
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        seen_.numbers.push_back(frame.number);
+        seen_.threads.push_back(std::this_thread::get_id());
+        --seen_.in_hand;
+    }
+    void finish() override { seen_.finished = true; }
+
+private:
+    Seen& seen_;
+    std::size_t bad_;
+};
+
+std::vector<std::unique_ptr<FrameSink>> sinks(std::unique_ptr<FrameSink> one) {
+    std::vector<std::unique_ptr<FrameSink>> all;
+    all.push_back(std::move(one));
+    return all;
+}
+
+TEST(FrameQueue, HandsOverEveryFrameInOrderOnAnotherThread) {
+    Seen seen;
+    FrameQueue queue(sinks(std::make_unique<Keeper>(seen)));
+    int most = 0;
+    for (std::size_t i = 0; i < 100; ++i) {
+        queue.add({{}, i, 0.0});
+        most = std::max(most, ++seen.in_hand);
+    }
+    queue.finish();
+    ASSERT_EQ(seen.numbers.size(), 100U);
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_EQ(seen.numbers[i], i);
+        EXPECT_NE(seen.threads[i], std::this_thread::get_id());
+    }
+    EXPECT_TRUE(seen.finished);
+    EXPECT_LE(most, 7) << "who draws faster than can be written is held up";
+}
+
+TEST(FrameQueue, TellsOfWhatWentWrong) {
+    Seen seen;
+    FrameQueue queue(sinks(std::make_unique<Keeper>(seen, 3)));
+    EXPECT_THROW(
+        {
+            for (std::size_t i = 0; i < 100; ++i) {
+                queue.add({{}, i, 0.0});
+            }
+        },
+        std::runtime_error);
+    EXPECT_EQ(seen.numbers.size(), 3U);
+    EXPECT_THROW(queue.finish(), std::runtime_error);
+    EXPECT_FALSE(seen.finished);
+}
+
+TEST(FrameQueue, GivesUpWithoutFinish) {
+    Seen seen;
+    {
+        FrameQueue queue(sinks(std::make_unique<Keeper>(seen)));
+        queue.add({{}, 0, 0.0});
+    }
+    EXPECT_FALSE(seen.finished);
+    FrameQueue nothing({});
+    nothing.finish();
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

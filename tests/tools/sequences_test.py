@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""`run --every`, `--contact-sheet`, `--animation`, `--video`. `sequences_test.py PROGRAM [--without-rendering]`."""
+
+import json
+import os
+import struct
+import sys
+import unittest
+
+from program import WALK, ProgramCase, main
+
+WITHOUT_RENDERING = "--without-rendering" in sys.argv
+
+# Stands in for the real one: keeps what it is told and what it is given.
+FFMPEG = """#!/bin/sh
+echo "$@" > "$FFMPEG_TOLD"
+for last; do :; done
+cat > "$last"
+"""
+
+
+class Sequences(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        self.write("short.walk.yaml", WALK.replace("avatar: adult", "avatar: adult\ncamera: {width: 64, height: 48}"))
+
+    def frames(self, folder="out/short/frames"):
+        return sorted(name for name in self.contents() if name.startswith(folder + "/"))
+
+    def size_of(self, name):
+        return struct.unpack(">II", self.read(name)[16:24])
+
+    def refused(self, complaint, *arguments, **options):
+        before = self.contents()
+        outcome = self.run_program("run", "short.walk.yaml", *arguments, **options)
+        self.assertEqual((outcome.code, outcome.out, outcome.complaints), (2, "", [complaint]))
+        self.assertEqual(self.contents(), before)
+
+
+@unittest.skipIf(WITHOUT_RENDERING, "this build draws nothing")
+class Drawn(Sequences):
+    def test_frames(self):
+        plain = self.passes("run", "short.walk.yaml").out
+        self.assertNotIn("out", self.contents())
+        outcome = self.passes("run", "short.walk.yaml", "--every", "0.5")
+        self.assertEqual(outcome.out, plain, "drawing changes no log")
+        seconds = [float(line.split()[1]) for line in outcome.lines if line[:1].isdigit()][-1]
+        frames = self.frames()
+        self.assertEqual(frames[0], "out/short/frames/frame-00001.png")
+        self.assertEqual(len(frames), int(seconds / 0.5 + 1e-6) + 1)
+        self.assertEqual(self.size_of(frames[0]), (64, 48))
+        self.assertNotEqual(self.read(frames[0]), self.read(frames[5]))
+        self.passes("run", "short.walk.yaml", "--every", "2")
+        self.assertEqual(len(self.frames()), int(seconds / 2 + 1e-6) + 1, "those of the run before are gone")
+
+    def test_frames_are_the_same_bytes_with_any_number_of_workers(self):
+        self.write("other.walk.yaml", self.read("short.walk.yaml"))
+        for folder, workers in (("one", "1"), ("two", "2")):
+            self.passes("run", ".", "--every", "1", "--animation", "apng", "--animation", "gif", "--contact-sheet",
+                        "-j", workers, "--output", folder)
+        for name in ("animation.png", "animation.gif", "contact-sheet.png", "frames/frame-00003.png"):
+            for walk in ("short", "other"):
+                self.assertEqual(self.read("one/%s/%s" % (walk, name)), self.read("two/%s/%s" % (walk, name)))
+
+    def test_views_and_sizes(self):
+        pictures = []
+        for view in ("first_person", "third_person", "top"):
+            self.passes("run", "short.walk.yaml", "--every", "1", "--frame-view", view, "--frame-width", "40")
+            self.assertEqual(self.size_of(self.frames()[0]), (40, 30))
+            pictures.append(self.read(self.frames()[0]))
+        self.assertEqual(len(set(pictures)), 3)
+
+    def test_what_is_put_together_without_frames(self):
+        self.passes("run", "short.walk.yaml", "--contact-sheet", "--animation=apng", "--animation=gif", "--reporter",
+                    "json=report.json")
+        self.assertEqual(self.frames(), [])
+        made = [(each["name"], each["path"], each["media_type"])
+                for each in json.loads(self.read("report.json"))["results"][0]["artifacts"]]
+        self.assertEqual(made, [("contact sheet", "short/contact-sheet.png", "image/png"),
+                                ("animation", "short/animation.png", "image/apng"),
+                                ("animation", "short/animation.gif", "image/gif")])
+        self.assertIn(b"acTL", self.read("out/short/animation.png")[:60])
+        self.assertEqual(self.read("out/short/animation.gif")[:6], b"GIF89a")
+
+    def test_video(self):
+        os.makedirs(self.path("bin"))
+        self.write("bin/ffmpeg", FFMPEG)
+        os.chmod(self.path("bin/ffmpeg"), 0o755)
+        environment = {**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"],
+                       "FFMPEG_TOLD": self.path("told")}
+        self.passes("run", "short.walk.yaml", "--video", "--every", "0.25", env=environment)
+        told = self.read("told").decode()
+        self.assertIn("-pix_fmt rgba -video_size 64x48 -framerate 4.000000 -i pipe:0", told)
+        self.assertEqual(len(self.read("out/short/video.mp4")), len(self.frames()) * 64 * 48 * 4)
+        self.write("bin/ffmpeg", "#!/bin/sh\necho no such codec >&2\nexit 1\n")
+        os.remove(self.path("out/short/video.mp4"))
+        outcome = self.run_program("run", "short.walk.yaml", "--video", env=environment)
+        self.assertEqual(outcome.code, 3)
+        self.assertIn("no such codec", outcome.err)
+        self.assertRegex(outcome.err, "error: can't write out/short/video.mp4: ffmpeg ")
+        self.assertEqual([name for name in self.contents() if "video" in name], [])
+
+    def test_video_without_ffmpeg(self):
+        os.makedirs(self.path("bin"))
+        self.refused("--video: error bad-value: the program ffmpeg makes videos, and it isn't installed: apt-get install "
+                     "ffmpeg, or use --animation apng", "--video", env={**os.environ, "PATH": self.path("bin")})
+
+    def test_nothing_to_draw_with(self):
+        for arguments in (("--every", "1"), ("--contact-sheet",)):
+            self.refused("--every: error bad-value: no pictures are drawn with --rendering-backend none", *arguments,
+                         "--rendering-backend", "none")
+
+    def test_output_that_cannot_be_written(self):
+        self.refused("room.obj/short: error output-unwritable: pictures can't be saved here: 'room.obj' is not a folder",
+                     "--every", "1", "--output", "room.obj")
+
+
+@unittest.skipUnless(WITHOUT_RENDERING, "this build draws")
+class NothingIsDrawn(Sequences):
+    def test_it_is_said(self):
+        self.refused("--every: error bad-value: this build has no rendering: configure with CAMPUSWALK_RENDER=ON",
+                     "--every", "1")
+
+
+if __name__ == "__main__":
+    if WITHOUT_RENDERING:
+        sys.argv.remove("--without-rendering")
+    main()

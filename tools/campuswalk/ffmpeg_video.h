@@ -1,0 +1,41 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+
+#include "engine/render/sequence/frame_sink.h"
+
+namespace campuswalk::tools {
+
+/// Whether a program `ffmpeg` is where programs are looked for.
+bool has_ffmpeg();
+
+/// Frames as H.264 in MP4, by the program ffmpeg, which gets their bytes through a pipe.
+class FfmpegVideo final : public engine::render::FrameSink {
+public:
+    /// A frame is shown for so many seconds.
+    FfmpegVideo(std::filesystem::path file, double seconds_a_frame);
+    /// Ends ffmpeg, and leaves no half-written file.
+    ~FfmpegVideo() override;
+    FfmpegVideo(const FfmpegVideo&) = delete;
+    FfmpegVideo& operator=(const FfmpegVideo&) = delete;
+
+    void add(const engine::render::Frame& frame) override;
+    void finish() override;
+
+private:
+    void start(const engine::render::Picture& picture);
+    /// Closes the pipe and waits. Whether all went well.
+    bool wait_for_end();
+    [[noreturn]] void fail(const std::string& why) const;
+
+    std::filesystem::path file_;
+    std::filesystem::path part_;  ///< what ffmpeg writes; renamed in the end
+    double seconds_a_frame_;
+    pid_t process_ = -1;
+    int pipe_ = -1;
+};
+
+}  // namespace campuswalk::tools

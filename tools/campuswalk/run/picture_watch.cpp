@@ -1,0 +1,86 @@
+#include "tools/campuswalk/run/picture_watch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include "tools/campuswalk/complaints.h"
+#include "tools/campuswalk/picture_verdicts.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+bool expects_pictures(const engine::Walk& walk) {
+    return std::ranges::any_of(walk.expectations, engine::is_about_pictures);
+}
+
+}  // namespace
+
+bool must_fail_in_pictures(const engine::Walk& walk) {
+    const std::vector<std::string> codes = engine::picture_failure_codes();
+    return walk.status.kind == engine::WalkStatus::Kind::xfail && expects_pictures(walk) &&
+           (walk.status.codes.empty() || std::ranges::any_of(walk.status.codes, [&](const std::string& code) {
+                return std::ranges::find(codes, code) != codes.end();
+            }));
+}
+
+PictureWatch::PictureWatch(const Case& played, const PlaySettings& settings)
+    : played_(played), settings_(settings) {
+    const LoadedWalk& loaded = *played.walk;
+    const std::filesystem::path folder = settings.output / played.folder;
+    taker_ = make_snapshot_taker(*loaded.campus, folder, settings.backend);
+    if (settings.sequence.any()) {
+        sequence_ =
+            make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence, settings.backend);
+    }
+}
+
+std::vector<engine::Observer*> PictureWatch::observers() {
+    std::vector<engine::Observer*> all = {taker_.get()};
+    if (sequence_) {
+        all.push_back(sequence_.get());
+    }
+    if (expects_pictures(played_.walk->walk)) {
+        all.push_back(&moments_);
+    }
+    return all;
+}
+
+std::vector<engine::Artifact> PictureWatch::judge(std::vector<engine::Failure>& failures) const {
+    const engine::Walk& walk = played_.walk->walk;
+    if (!expects_pictures(walk)) {
+        return {};
+    }
+    JudgedPictures judged =
+        judge_pictures({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
+                        settings_.update, settings_.tolerance, moments_, taker_->sights()});
+    for (const std::filesystem::path& file : judged.written) {
+        complain_line("wrote " + file.generic_string());
+    }
+    std::ranges::move(judged.failures, std::back_inserter(failures));
+    return std::move(judged.artifacts);
+}
+
+std::vector<engine::Artifact> PictureWatch::sequence_files() const {
+    const SequenceWish& wish = settings_.sequence;
+    std::vector<engine::Artifact> files;
+    const auto add = [&](const std::string& name, const std::string& file, const std::string& media_type) {
+        files.push_back({name, played_.folder + "/" + file, media_type});
+    };
+    if (wish.contact_sheet) {
+        add("contact sheet", kContactSheetFile, "image/png");
+    }
+    for (const AnimationKind& kind : animation_kinds()) {
+        if (std::ranges::find(wish.animations, kind.name) != wish.animations.end()) {
+            add("animation", kind.file, kind.media_type);
+        }
+    }
+    if (wish.video) {
+        add("video", kVideoFile, "video/mp4");
+    }
+    return files;
+}
+
+}  // namespace campuswalk::tools

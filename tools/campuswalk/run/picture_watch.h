@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/expect/failure.h"
+#include "engine/observers/observer.h"
+#include "engine/observers/snapshot_moments.h"
+#include "engine/report/walk_result.h"
+#include "tools/campuswalk/pictures.h"
+#include "tools/campuswalk/run/plan.h"
+#include "tools/campuswalk/run/play.h"
+
+namespace campuswalk::tools {
+
+/// Without pictures nobody can tell whether such a walk fails as it says it must.
+bool must_fail_in_pictures(const engine::Walk& walk);
+
+/// The pictures of a walk that is played: they are taken, then judged, then told of.
+class PictureWatch {
+public:
+    /// Both must outlive it.
+    PictureWatch(const Case& played, const PlaySettings& settings);
+
+    /// Alive as long as this.
+    std::vector<engine::Observer*> observers();
+
+    /// When the walk has ended: appends what its expectations of pictures found, says on standard error what
+    /// was written to be kept, and gives the pictures that show what differs.
+    std::vector<engine::Artifact> judge(std::vector<engine::Failure>& failures) const;
+
+    /// What was made of the walk's frames; not each of them, which can be thousands.
+    std::vector<engine::Artifact> sequence_files() const;
+
+private:
+    const Case& played_;
+    const PlaySettings& settings_;
+    std::unique_ptr<SnapshotTaker> taker_;
+    std::unique_ptr<engine::Observer> sequence_;  ///< null when none is wished for
+    engine::SnapshotMoments moments_;
+};
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/script/walk.h"
+
+namespace campuswalk::tools {
+
+/// What is to be made of a walk besides its snapshots: pictures at even times, and what is put together from
+/// them.
+struct SequenceWish {
+    std::optional<double> every;          ///< simulated seconds; frames are kept as files
+    bool contact_sheet = false;           ///< all of them on one picture
+    std::vector<std::string> animations;  ///< names of animation_kinds()
+    bool video = false;                   ///< by ffmpeg
+    std::optional<engine::View> view;     ///< the walk's own camera without
+    std::optional<int> width;             ///< pixels, the height in proportion; as the walk says without
+
+    bool any() const { return every || contact_sheet || !animations.empty() || video; }
+};
+
+struct AnimationKind {
+    const char* name = "";  ///< as `run --animation` takes it
+    const char* file = "";  ///< in the walk's folder
+    const char* media_type = "";
+};
+
+const std::vector<AnimationKind>& animation_kinds();
+
+}  // namespace campuswalk::tools
