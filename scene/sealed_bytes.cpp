@@ -21,7 +21,8 @@ static_assert(sizeof(Seal) == kSealBytes);
 
 }  // namespace
 
-SealedWriter::SealedWriter(const FileKind& kind) {
+SealedWriter::SealedWriter(const FileKind& kind, std::size_t expected_bytes) {
+    bytes_.reserve(expected_bytes);
     Seal seal;
     seal.magic = kind.magic;
     seal.version = kind.version;

@@ -39,7 +39,8 @@ concept Plain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
 class SealedWriter {
 public:
-    explicit SealedWriter(const FileKind& kind);
+    /// `expected_bytes` saves moving what is written already; more or less may come.
+    explicit SealedWriter(const FileKind& kind, std::size_t expected_bytes = 0);
 
     template <Plain T>
     void put(T value) {

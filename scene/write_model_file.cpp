@@ -72,10 +72,25 @@ void put_each(SealedWriter& out, const std::vector<Item>& items) {
     }
 }
 
+/// About the size of the file: vertices, triangles and pixels are nearly all of it.
+std::size_t size_of(const Model& model) {
+    constexpr std::size_t kTheRest = 1U << 20U;
+    std::size_t size = kTheRest;
+    for (const Texture& texture : model.textures) {
+        size += texture.rgba.size();
+    }
+    for (const Mesh& mesh : model.meshes) {
+        size += std::span(mesh.positions).size_bytes() + std::span(mesh.normals).size_bytes() +
+                std::span(mesh.uvs).size_bytes() + std::span(mesh.colors).size_bytes() +
+                std::span(mesh.triangles).size_bytes();
+    }
+    return size;
+}
+
 }  // namespace
 
 std::vector<std::byte> write_model_file(const ImportedModel& imported) {
-    SealedWriter out(kModelFile);
+    SealedWriter out(kModelFile, size_of(imported.model));
     put_each(out, imported.warnings);
     put_each(out, imported.requests);
     out.put_text(imported.model.file);

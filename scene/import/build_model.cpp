@@ -33,7 +33,7 @@ public:
 private:
     std::optional<MeshIndex> convert_one(std::size_t number, const std::string& node);
     void report_repairs(const TidiedMesh& tidied, const std::string& node);
-    void report_no_triangle(const RawMesh& raw, const std::string& node);
+    void report_no_triangle(const std::string& node);
     void error(const char* code, const std::string& message) {
         diagnostics_.error(file_.mark, code, message);
     }
@@ -63,12 +63,8 @@ void Import::check_nodes() {
     }
 }
 
-/// Nothing in it can be walked on: a mistake when it was made for triangles, else part of the drawing's
-/// lines.
-void Import::report_no_triangle(const RawMesh& raw, const std::string& node) {
-    if (raw.points_and_lines > 0) {
-        return;
-    }
+/// Nothing in it can be walked on.
+void Import::report_no_triangle(const std::string& node) {
     const std::string message =
         file_.file + ": the mesh of node " + in_quotes(node) + " has no triangle; give it faces or remove it";
     if (if_empty_ == EmptyModel::refuse) {
@@ -91,23 +87,26 @@ void Import::report_repairs(const TidiedMesh& tidied, const std::string& node) {
 }
 
 std::optional<MeshIndex> Import::convert_one(std::size_t number, const std::string& node) {
-    const RawMesh raw = source_.mesh(number);
+    RawMesh raw = source_.mesh(number);
     if (raw.points_and_lines > 0 && points_and_lines_ == 0) {
         points_and_lines_node_ = node;
     }
     points_and_lines_ += raw.points_and_lines;
-    TidiedMesh tidied = tidy_mesh(raw, source_.flat_normals());
+    const std::size_t material = raw.material < materials_.size() ? raw.material : 0;
+    const bool has_points_and_lines = raw.points_and_lines > 0;
+    TidiedMesh tidied = tidy_mesh(std::move(raw), source_.flat_normals());
     if (tidied.index_out_of_range) {
         error("bad-model",
               file_.file + ": a face of node " + in_quotes(node) + " uses a vertex that is not there");
     } else if (tidied.position_not_finite) {
         error("bad-vertex", file_.file + ": a vertex of node " + in_quotes(node) + " is NaN or infinite");
     } else if (tidied.mesh.triangles.empty()) {
-        report_no_triangle(raw, node);
+        if (!has_points_and_lines) {  // else part of the drawing's lines
+            report_no_triangle(node);
+        }
     } else {
         report_repairs(tidied, node);
-        tidied.mesh.material =
-            static_cast<MaterialIndex>(raw.material < materials_.size() ? raw.material : 0);
+        tidied.mesh.material = static_cast<MaterialIndex>(material);
         model_.meshes.push_back(std::move(tidied.mesh));
         return static_cast<MeshIndex>(model_.meshes.size() - 1);
     }

@@ -136,9 +136,47 @@ void append_indexed(const VertexSource& vertices, const RawMesh& source, TidiedM
     }
 }
 
+bool all_vertices_used(const RawMesh& source) {
+    std::vector<bool> used(source.positions.size(), false);
+    for (const auto& t : source.triangles) {
+        used[t[0]] = true;
+        used[t[1]] = true;
+        used[t[2]] = true;
+    }
+    return std::ranges::find(used, false) == used.end();
+}
+
+/// Makes the normals unit length; false, with some of them made, when one has no direction.
+bool normalize(std::vector<Eigen::Vector3f>& normals) {
+    for (Eigen::Vector3f& normal : normals) {
+        const Eigen::Vector3d n = normal.cast<double>();
+        const double length = n.norm();
+        if (!std::isfinite(length) || length <= 0.0) {
+            return false;
+        }
+        normal = (n / length).cast<float>();
+    }
+    return true;
+}
+
+/// Most meshes of large files need no repair: nothing is copied. False, with nothing done, for others.
+bool take_whole(RawMesh& source, TidiedMesh& out) {
+    const bool finite_uvs = std::ranges::all_of(source.uvs, [](const auto& uv) { return uv.allFinite(); });
+    std::vector<Eigen::Vector3f> normals = source.normals;
+    if (!finite_uvs || !normalize(normals) || !all_vertices_used(source)) {
+        return false;
+    }
+    out.mesh.positions = std::move(source.positions);
+    out.mesh.normals = std::move(normals);
+    out.mesh.uvs = std::move(source.uvs);
+    out.mesh.colors = std::move(source.colors);
+    out.mesh.triangles = std::move(source.triangles);
+    return true;
+}
+
 }  // namespace
 
-TidiedMesh tidy_mesh(const RawMesh& source, bool flat_normals) {
+TidiedMesh tidy_mesh(RawMesh source, bool flat_normals) {
     TidiedMesh out;
     out.mesh.name = source.name;
     if (!indices_in_range(source)) {
@@ -149,9 +187,12 @@ TidiedMesh tidy_mesh(const RawMesh& source, bool flat_normals) {
         out.position_not_finite = true;
         return out;
     }
+    const bool every_corner_its_own = source.positions.size() >= source.triangles.size() * 3;
+    if (!source.normals.empty() && !every_corner_its_own && take_whole(source, out)) {
+        return out;
+    }
     const VertexSource vertices(source, flat_normals);
     out.mesh.triangles.resize(source.triangles.size());
-    const bool every_corner_its_own = source.positions.size() >= source.triangles.size() * 3;
     if (source.normals.empty() || every_corner_its_own) {
         append_welded(vertices, source.triangles.size() * 3, out);
     } else {

@@ -35,7 +35,7 @@ struct TidiedMesh {
 /// Checks a mesh and makes it whole: unit normals (made where there are none, flat as glTF demands or
 /// creased), and vertices that are equal to the bit joined when every corner came with its own. When one of
 /// the two errors is set the mesh is empty.
-TidiedMesh tidy_mesh(const RawMesh& source, bool flat_normals);
+TidiedMesh tidy_mesh(RawMesh source, bool flat_normals);
 
 /// Swaps the winding of every triangle.
 void flip_winding(Mesh& mesh);
