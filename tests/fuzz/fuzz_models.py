@@ -55,7 +55,7 @@ def one(program, folder, name, extension, data):
         file.write(data)
     start = time.monotonic()
     try:
-        done = subprocess.run([program, "info", "--json", os.path.basename(path)], cwd=folder, stdin=subprocess.DEVNULL,
+        done = subprocess.run([program, "info", "--json", "--no-cache", os.path.basename(path)], cwd=folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=SECONDS, check=False)
         result = (done.returncode, done.stderr.decode("utf-8", "replace"))
     except subprocess.TimeoutExpired:

@@ -27,7 +27,7 @@ def models_in(folder):
 
 def look_into(program, folder, name):
     """The exit code, the triangles and what was said."""
-    done = subprocess.run([program, "info", "--json", name], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
+    done = subprocess.run([program, "info", "--json", "--no-cache", name], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
                           check=False, timeout=SECONDS)
     said = done.stderr.decode("utf-8").splitlines()
     if done.returncode != 0:
