@@ -8,8 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/ray.h"
-
 namespace campuswalk::collision {
 
 namespace {
@@ -85,34 +83,21 @@ ClosedParts::ClosedParts(const TriangleMesh& mesh) {
         const Triangle t = corners(mesh, i);
         parts[sets.find(vertex[mesh.triangles[i][0]])].volume += t.a.dot(t.b.cross(t.c));
     }
+    std::vector<bool> members(mesh.triangles.size());
+    bool some = false;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Part& part = parts[sets.find(vertex[mesh.triangles[i][0]])];
         if (part.closed && part.volume > 0.0) {
-            triangles_.push_back(corners(mesh, i));
+            members[i] = some = true;
+            const Triangle t = corners(mesh, i);
+            bounds_.extend(t.a);
+            bounds_.extend(t.b);
+            bounds_.extend(t.c);
         }
     }
-}
-
-bool ClosedParts::contains(const Vec3& point) const {
-    // An odd direction, so that edges and corners of upright geometry are unlikely to lie on it.
-    const Vec3 direction(0.5377, 0.7389, 0.4061);
-    Aabb box;
-    for (const Triangle& t : triangles_) {
-        box.extend(t.a);
-        box.extend(t.b);
-        box.extend(t.c);
+    if (some) {
+        members_ = std::move(members);
     }
-    if (!box.overlaps({point, point})) {
-        return false;
-    }
-    const Ray ray{point, point + 2.0 * (box.max - box.min).norm() * direction};
-    int winding = 0;
-    for (const Triangle& t : triangles_) {
-        if (hit(ray, t)) {
-            winding += (t.b - t.a).cross(t.c - t.a).dot(direction) > 0.0 ? 1 : -1;
-        }
-    }
-    return winding > 0;
 }
 
 }  // namespace campuswalk::collision

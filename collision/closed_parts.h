@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "collision/shapes.h"
@@ -15,13 +15,15 @@ public:
     /// Corners at the same float32 position count as one vertex, whatever their indices.
     explicit ClosedParts(const TriangleMesh& mesh);
 
-    bool empty() const { return triangles_.empty(); }
-
-    /// Is `point` (mesh frame) inside a part? By the winding number along one fixed direction.
-    bool contains(const Vec3& point) const;
+    bool empty() const { return members_.empty(); }
+    /// Whether the mesh's triangle belongs to one. Ask only when there are parts.
+    bool has(std::size_t triangle) const { return members_[triangle]; }
+    /// Of all of them together.
+    const Aabb& bounds() const { return bounds_; }
 
 private:
-    std::vector<Triangle> triangles_;
+    std::vector<bool> members_;  ///< by triangle; none without parts
+    Aabb bounds_;
 };
 
 }  // namespace campuswalk::collision

@@ -112,6 +112,28 @@ void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& 
     std::sort(out.begin(), out.end(), before);
 }
 
+bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters,
+               Instructions instructions) {
+    // An odd direction, so that edges and corners of upright geometry are unlikely to lie on it.
+    const Vec3 direction(0.5377, 0.7389, 0.4061);
+    const ClosedParts& parts = mesh.closed_parts();
+    const Aabb& box = parts.bounds();
+    if (parts.empty() || !box.overlaps({point, point})) {
+        return false;
+    }
+    const Ray ray{point, point + 2.0 * (box.max - box.min).norm() * direction};
+    int winding = 0;
+    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+        if (parts.has(t) && hit(ray, triangle)) {
+            const Vec3 normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+            winding += normal.dot(direction) > 0.0 ? 1 : -1;
+        }
+        return limit;
+    };
+    follow(mesh, ray, meet, counters, instructions);
+    return winding > 0;
+}
+
 MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters) {
     MeshPoint best;
     best.distance = std::numeric_limits<double>::infinity();

@@ -50,6 +50,11 @@ bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counter
 void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
                 Instructions instructions = usual_instructions());
 
+/// Is the point inside a closed part of the mesh (closed_parts.h)? By the winding number along one fixed
+/// direction.
+bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters,
+               Instructions instructions = usual_instructions());
+
 /// Replaces `out` by the triangles that have a point in the filled box (see triangle_box_overlap.h),
 /// ascending. X_mesh_box is a rotation and a shift.
 void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,

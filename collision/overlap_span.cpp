@@ -48,8 +48,8 @@ void merge(std::optional<OverlapSpan>& total, const OverlapSpan& span) {
 
 std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const Segment& segment,
                                         double radius, const Vec3& move, QueryCounters& counters) {
-    const bool inside_at_start = contains(world.object(id), segment.a);
-    const bool inside_at_end = contains(world.object(id), segment.a + move);
+    const bool inside_at_start = contains(world.object(id), segment.a, counters);
+    const bool inside_at_end = contains(world.object(id), segment.a + move, counters);
     OverlapSpan inside;
     inside.at_start = inside_at_start;
     inside.at_end = inside_at_end;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "collision/closest.h"
-#include "collision/mesh_collider.h"
+#include "collision/mesh_query.h"
 #include "collision/obstacle.h"
 #include "collision/trigonometry.h"
 
@@ -14,12 +14,12 @@ namespace campuswalk::collision {
 
 namespace {
 
-bool inside(const std::shared_ptr<const MeshCollider>& mesh, const Vec3& local) {
-    return mesh->closed_parts().contains(local);
+bool inside(const std::shared_ptr<const MeshCollider>& mesh, const Vec3& local, QueryCounters& counters) {
+    return is_inside(*mesh, local, counters);
 }
 
 template <typename Solid>
-bool inside(const Solid& solid, const Vec3& local) {
+bool inside(const Solid& solid, const Vec3& local, QueryCounters& /*counters*/) {
     return closest(Segment{local, local}, solid, Pose{}).distance <= 0.0;
 }
 
@@ -128,7 +128,8 @@ private:
         box.extend(point);
         std::vector<ObjectId> around;
         world_.candidates(box, filter_, around);
-        return std::ranges::any_of(around, [&](ObjectId id) { return contains(world_.object(id), point); });
+        return std::ranges::any_of(
+            around, [&](ObjectId id) { return contains(world_.object(id), point, counters_); });
     }
 
     bool free(const Vec3& offset) const {
@@ -167,9 +168,9 @@ private:
 
 }  // namespace
 
-bool contains(const Object& object, const Vec3& point) {
+bool contains(const Object& object, const Vec3& point, QueryCounters& counters) {
     const Vec3 local = object.X_world_shape.inverse_apply(point);
-    return std::visit([&](const auto& shape) { return inside(shape, local); }, object.shape);
+    return std::visit([&](const auto& shape) { return inside(shape, local, counters); }, object.shape);
 }
 
 std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filter, const Vec3& foot,
@@ -193,7 +194,7 @@ std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filte
     std::vector<ObjectId> around;
     world.candidates(box, filter, around);
     for (const ObjectId id : around) {
-        if (contains(world.object(id), body.a)) {
+        if (contains(world.object(id), body.a, counters)) {
             return id;
         }
     }

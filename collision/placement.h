@@ -8,7 +8,7 @@
 namespace campuswalk::collision {
 
 /// Is `point` (world coordinates) inside the object: a convex solid, or a closed part of a mesh?
-bool contains(const Object& object, const Vec3& point);
+bool contains(const Object& object, const Vec3& point, QueryCounters& counters);
 
 /// The object that a capsule standing at `foot` would overlap or be inside of; none when the place is free.
 /// Of several, the one that is met deepest, then the lowest id.

@@ -56,7 +56,7 @@ void NoPenetrationJudge::see(const FrameRecord& record, const Moment& now) {
     box.extend(middle);
     campus_->world.candidates(box, filter, around_);
     for (const collision::ObjectId id : around_) {
-        if (deepest_ < radius && collision::contains(campus_->world.object(id), middle)) {
+        if (deepest_ < radius && collision::contains(campus_->world.object(id), middle, counters)) {
             see_depth(id, radius, now);
         }
     }

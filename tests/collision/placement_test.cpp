@@ -33,6 +33,7 @@ std::optional<Vec3> free_place_at(const World& world, const Vec3& foot, double s
 TEST(Contains, SolidsAsTheirSignedDistanceSays) {
     Dice dice(100);
     int inside = 0;
+    QueryCounters counters;
     for (int i = 0; i < 5000; ++i) {
         Object object;
         object.shape = support::random_solid(dice);
@@ -40,7 +41,7 @@ TEST(Contains, SolidsAsTheirSignedDistanceSays) {
         const Vec3 p = dice.in_cube(1.0);
         const double distance = support::signed_distance(object, Line{p, p});
         if (std::abs(distance) > 1e-9) {
-            ASSERT_EQ(contains(object, p), distance < 0.0) << i;
+            ASSERT_EQ(contains(object, p, counters), distance < 0.0) << i;
         }
         inside += distance < 0.0 ? 1 : 0;
     }
@@ -55,9 +56,11 @@ TEST(Contains, ClosedMeshesAsTheirSolidAngleSays) {
     Object object;
     object.shape = std::make_shared<const MeshCollider>(mesh);
     object.X_world_shape = support::random_pose(dice, 100.0);
+    QueryCounters counters;
     for (int i = 0; i < 2000; ++i) {
         const Vec3 local = dice.in_cube(3.0);
-        ASSERT_EQ(contains(object, object.X_world_shape * local), winding_number(mesh, local) > 0.5);
+        ASSERT_EQ(contains(object, object.X_world_shape * local, counters),
+                  winding_number(mesh, local) > 0.5);
     }
 }
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "collision/closed_parts.h"
 #include "tests/support/mesh_volume.h"
+#include "tests/support/solid_mesh.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -25,7 +25,7 @@ TEST(MeshParts, ABoxIsClosedAndWhereItShouldBe) {
     MeshParts(mesh).add_box(quarter_turn_about_y(), {0.0, 1.0, 2.0}, {1.0, 0.5, 0.25});
     EXPECT_EQ(mesh.triangles.size(), 12U);
     EXPECT_NEAR(support::enclosed_volume(mesh), 2.0 * 1.0 * 0.5, 1e-6);
-    const collision::ClosedParts parts(mesh);
+    const support::SolidMesh parts(mesh);
     EXPECT_TRUE(parts.contains({12.0, 1.0, 5.9}));
     EXPECT_FALSE(parts.contains({12.3, 1.0, 5.0}));
     EXPECT_FALSE(parts.contains({12.0, 1.6, 5.0}));
@@ -35,8 +35,8 @@ TEST(MeshParts, ABallIsClosedAndBumpy) {
     TriangleMesh smooth;
     MeshParts(smooth).add_ball(Vec3(1.0, 2.0, 3.0), Vec3(2.0, 1.0, 1.0), 40, 30, [] { return 1.0; });
     EXPECT_NEAR(support::enclosed_volume(smooth), 4.0 / 3.0 * 3.14159265 * 2.0, 0.1);
-    EXPECT_TRUE(collision::ClosedParts(smooth).contains({2.9, 2.0, 3.0}));
-    EXPECT_FALSE(collision::ClosedParts(smooth).contains({1.0, 3.01, 3.0}));
+    EXPECT_TRUE(support::SolidMesh(smooth).contains({2.9, 2.0, 3.0}));
+    EXPECT_FALSE(support::SolidMesh(smooth).contains({1.0, 3.01, 3.0}));
     TriangleMesh half;
     MeshParts(half).add_ball(Vec3(1.0, 2.0, 3.0), Vec3(2.0, 1.0, 1.0), 40, 30, [] { return 0.5; });
     EXPECT_NEAR(support::enclosed_volume(half), support::enclosed_volume(smooth) / 8.0, 1e-3);

@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "collision/closed_parts.h"
 #include "collision/mesh_contacts.h"
 #include "scene/procedural/cylinder.h"
 #include "scene/procedural/teapot.h"
 #include "tests/support/mesh_volume.h"
+#include "tests/support/solid_mesh.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -50,7 +50,7 @@ TEST(Cylinder, IsClosedAndFacesOutward) {
     }
     // A prism of 64 sides: 64 / 2 r^2 sin(2 pi / 64) h.
     EXPECT_NEAR(support::enclosed_volume(mesh), 32.0 * 1.4 * 1.4 * 0.0980171403 * 2.5, 1e-4);
-    const collision::ClosedParts parts(mesh);
+    const support::SolidMesh parts(mesh);
     EXPECT_TRUE(parts.contains({1.39, 0.0, 1.24}));
     EXPECT_FALSE(parts.contains({1.41, 0.0, 0.0}));
     EXPECT_FALSE(parts.contains({0.0, 0.0, 1.26}));

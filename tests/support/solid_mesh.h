@@ -1,0 +1,29 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "collision/mesh_query.h"
+
+namespace campuswalk::support {
+
+/// A mesh that can be asked what is inside it. Both layouts are, and must agree.
+class SolidMesh {
+public:
+    explicit SolidMesh(const collision::TriangleMesh& mesh)
+        : wide_(mesh, collision::Layout::wide), paper_(mesh, collision::Layout::paper) {}
+
+    bool contains(const collision::Vec3& point) const {
+        collision::QueryCounters counters;
+        const bool inside = collision::is_inside(wide_, point, counters);
+        if (collision::is_inside(paper_, point, counters) != inside) {
+            throw std::logic_error("the layouts disagree about what is inside");
+        }
+        return inside;
+    }
+
+private:
+    collision::MeshCollider wide_;
+    collision::MeshCollider paper_;
+};
+
+}  // namespace campuswalk::support
