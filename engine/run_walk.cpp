@@ -1,5 +1,6 @@
 #include "engine/run_walk.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -26,6 +27,24 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
     event.kind = kind;
     event.object = std::move(object);
     return event;
+}
+
+/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect
+/// isn't judged".
+std::string told_undecided(const std::vector<SourceMark>& marks) {
+    constexpr std::size_t kMostListed = 8;
+    if (marks.empty()) {
+        return "";
+    }
+    std::string lines;
+    const std::size_t listed = std::min(marks.size(), kMostListed);
+    for (std::size_t i = 0; i < listed; ++i) {
+        const bool last = i + 1 == marks.size();
+        lines += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(marks[i].line);
+    }
+    lines += marks.size() > listed ? ", …" : "";
+    return "; the walk stops here, so what line" + std::string(marks.size() == 1 ? " " : "s ") + lines +
+           (marks.size() == 1 ? " expects" : " expect") + " isn't judged";
 }
 
 /// Set when the failure's line is one of a file that the walk includes.
@@ -86,11 +105,13 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
     last.events = closing;
     jury.see_closing(last);
     if (const auto& stop = simulation.stop()) {
-        summary.failures.push_back({stop->mark, stop->code, stop->message,
-                                    stop->scene ? *stop->scene : scene_of(jury.now(), campus, walk.avatar)});
-    }
-    for (Failure& failure : jury.verdicts()) {
-        summary.failures.push_back(std::move(failure));
+        Jury::StoppedVerdicts verdicts = jury.verdicts_when_stopped();
+        summary.failures = std::move(verdicts.failures);
+        summary.failures.insert(summary.failures.begin(),
+                                {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
+                                 stop->scene ? *stop->scene : scene_of(jury.now(), campus, walk.avatar)});
+    } else {
+        summary.failures = jury.verdicts();
     }
     summary.passed = summary.failures.empty();
     summary.events += static_cast<std::int64_t>(summary.failures.size());

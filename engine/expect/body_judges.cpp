@@ -73,14 +73,14 @@ void NoPenetrationJudge::see_depth(collision::ObjectId object, double depth, con
 Finding NoPenetrationJudge::finding(bool /*ended*/) const {
     constexpr double kMillimetres = 1000.0;
     if (!inside_) {
-        return {true, expected_->mark, "the body was inside nothing", std::nullopt};
+        return {true, expected_->mark, "the body was inside nothing", std::nullopt, true};
     }
     const bool met = deepest_ <= expected_->tolerance;
     return {met, expected_->mark,
             "the body was " + fixed(deepest_ * kMillimetres, 2) + " mm inside " +
                 campus_->objects[*inside_].id + " " + at_time(when_->time) +
                 (met ? "" : ", expected at most " + fixed(expected_->tolerance * kMillimetres, 2) + " mm"),
-            when_};
+            when_, met};
 }
 
 // ---- grounded -------------------------------------------------------------------------------------------
@@ -101,16 +101,17 @@ void GroundedJudge::see(const FrameRecord& record, const Moment& now) {
 
 Finding GroundedJudge::finding(bool /*ended*/) const {
     if (airborne_ == 0) {
-        return {true, expected_->mark, "the avatar was on the ground all the time", std::nullopt};
+        return {true, expected_->mark, "the avatar was on the ground all the time", std::nullopt, true};
     }
     const double most = (1.0 - expected_->ratio) * static_cast<double>(ticks_);
     const bool met = static_cast<double>(airborne_) <= most + 1e-9;
+    const bool always = expected_->ratio >= 1.0;
     return {
         met, expected_->mark,
         "the avatar was off the ground in " + std::to_string(airborne_) + " of " + std::to_string(ticks_) +
             " ticks, first " + at_time(first_->time) +
             (met ? "" : ", expected at most " + fixed(100.0 * (1.0 - expected_->ratio), 1) + " % of them"),
-        first_};
+        first_, !always};
 }
 
 // ---- blocked_by -----------------------------------------------------------------------------------------
@@ -138,7 +139,7 @@ Finding BlockedByJudge::finding(bool /*ended*/) const {
     return {false, expected_->mark,
             "the avatar was never blocked by '" + expected_->object.glob + "'" +
                 (other_.empty() ? "" : ", but " + other_),
-            std::nullopt};
+            std::nullopt, true};
 }
 
 // ---- stuck ----------------------------------------------------------------------------------------------
@@ -168,7 +169,7 @@ Finding StuckJudge::finding(bool /*ended*/) const {
             "the avatar was never stuck" +
                 (expected_->by.glob == "*" ? "" : " by '" + expected_->by.glob + "'") +
                 (other_.empty() ? "" : ", but " + other_),
-            std::nullopt};
+            std::nullopt, true};
 }
 
 // ---- fell -----------------------------------------------------------------------------------------------
@@ -185,7 +186,7 @@ Finding FellJudge::finding(bool /*ended*/) const {
     if (when_) {
         return {true, expected_->mark, "the avatar fell off the world " + at_time(when_->time), when_};
     }
-    return {false, expected_->mark, "the avatar did not fall off the world", std::nullopt};
+    return {false, expected_->mark, "the avatar did not fall off the world", std::nullopt, true};
 }
 
 }  // namespace campuswalk::engine

@@ -38,7 +38,7 @@ Finding SequenceJudge::finding(bool /*ended*/) const {
     if (!early_[met_].empty()) {
         message += ", only before: " + early_[met_];
     }
-    return {false, missing.mark, std::move(message), std::nullopt};
+    return {false, missing.mark, std::move(message), std::nullopt, true};
 }
 
 // ---- never ----------------------------------------------------------------------------------------------
@@ -55,7 +55,7 @@ void NeverJudge::see(const FrameRecord& record, const Moment& now) {
 Finding NeverJudge::finding(bool /*ended*/) const {
     const std::string event = "'" + told(expected_->event) + "'";
     if (times_ == 0) {
-        return {true, expected_->event.mark, event + " never happened", std::nullopt};
+        return {true, expected_->event.mark, event + " never happened", std::nullopt, true};
     }
     return {false, expected_->event.mark,
             event + " happened " + told_times(times_) + ", first " + first_event_, first_};
@@ -80,7 +80,7 @@ Finding CountJudge::finding(bool /*ended*/) const {
     return {wanted.empty(), expected_->mark,
             "'" + told(expected_->event) + "' happened " + told_times(times_) +
                 (wanted.empty() ? "" : ", expected " + wanted),
-            too_many_};
+            too_many_, still_open(expected_->times, times_)};
 }
 
 // ---- within ---------------------------------------------------------------------------------------------
@@ -120,16 +120,17 @@ Finding WithinJudge::finding(bool ended) const {
     }
     if (times_ == 0) {
         return {false, expected_->after.mark,
-                "'" + told(expected_->after) + "' never came, so nothing could follow it", std::nullopt};
+                "'" + told(expected_->after) + "' never came, so nothing could follow it", std::nullopt,
+                true};
     }
     if (ended && !waits_.empty()) {
         return {false, expected_->mark, told_miss(waits_.front()) + ": the walk was over by then",
-                std::nullopt};
+                std::nullopt, true};
     }
     return {true, expected_->mark,
             "'" + told(expected_->event) + "' came within " + fixed(expected_->seconds, 3) + " s after '" +
                 told(expected_->after) + "', which came " + told_times(times_),
-            std::nullopt};
+            std::nullopt, true};
 }
 
 }  // namespace campuswalk::engine

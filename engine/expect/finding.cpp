@@ -6,6 +6,12 @@
 
 namespace campuswalk::engine {
 
+namespace {
+
+constexpr double kHalfOfLastDigit = 0.0005;  // of what is told
+
+}  // namespace
+
 std::string told(const Event& event, double time) {
     return std::string(name_of(event.kind)) + " " + event.object + " " + at_time(time);
 }
@@ -16,6 +22,20 @@ std::string at_time(double time) {
 
 std::string told_times(int count) {
     return count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+bool still_open(const Limits<int>& limits, int count) {
+    const bool too_many =
+        (limits.equals && count > *limits.equals) || (limits.at_most && count > *limits.at_most);
+    const bool bounded = limits.equals || limits.at_most;
+    return !too_many && (bounded || !broken_limit(limits, count).empty());
+}
+
+bool still_open(const Limits<double>& limits, double value) {
+    const bool too_much = (limits.equals && value > *limits.equals + kHalfOfLastDigit) ||
+                          (limits.at_most && value > *limits.at_most);
+    const bool bounded = limits.equals || limits.at_most;
+    return !too_much && (bounded || !broken_limit(limits, value, "").empty());
 }
 
 std::string broken_limit(const Limits<int>& limits, int count) {
@@ -32,7 +52,6 @@ std::string broken_limit(const Limits<int>& limits, int count) {
 }
 
 std::string broken_limit(const Limits<double>& limits, double value, const std::string& unit) {
-    constexpr double kHalfOfLastDigit = 0.0005;
     if (limits.equals && std::abs(value - *limits.equals) > kHalfOfLastDigit) {
         return "exactly " + fixed(*limits.equals, 3) + unit;
     }

@@ -16,6 +16,7 @@ struct Finding {
     SourceMark mark;             ///< what of the expectation to point at
     std::string told;            ///< on a line
     std::optional<Moment> when;  ///< when it was decided; none: not before the end
+    bool open = false;           ///< had the walk gone on, it might have become otherwise
 };
 
 // How findings are worded.
@@ -30,6 +31,9 @@ std::string told_times(int count);
 // What a number should have been, "at least 2"; empty when it is.
 
 std::string broken_limit(const Limits<int>& limits, int count);
+/// Whether a number that only grows may still come within its limits, or leave them.
+bool still_open(const Limits<int>& limits, int count);
+bool still_open(const Limits<double>& limits, double value);
 /// `unit` with a space before it; three decimals are told, and to three they are equal.
 std::string broken_limit(const Limits<double>& limits, double value, const std::string& unit);
 

@@ -55,15 +55,24 @@ void Judge::see(const FrameRecord& record, const Moment& now) {
     std::visit([&](auto& judge) { judge.see(record, now); }, judge_);
 }
 
+Finding Judge::finding(bool ended) const {
+    return std::visit([&](const auto& judge) { return judge.finding(ended); }, judge_);
+}
+
+std::optional<SourceMark> Judge::undecided() const {
+    const Finding found = finding(true);
+    return found.met == negated_ && found.open ? std::optional(found.mark) : std::nullopt;
+}
+
 std::optional<Failure> Judge::failure(bool ended, const Moment& now) const {
-    const Finding finding = std::visit([&](const auto& judge) { return judge.finding(ended); }, judge_);
-    if (finding.met != negated_) {
+    const Finding found = finding(ended);
+    if (found.met != negated_) {
         return std::nullopt;
     }
     const std::string name(name_);
-    return Failure{finding.mark, negated_ ? "not-" + name : name,
-                   negated_ ? "not expected, but " + finding.told : finding.told,
-                   scene_of(finding.when.value_or(now), *campus_, *avatar_)};
+    return Failure{found.mark, negated_ ? "not-" + name : name,
+                   negated_ ? "not expected, but " + found.told : found.told,
+                   scene_of(found.when.value_or(now), *campus_, *avatar_)};
 }
 
 // ---- at the end -----------------------------------------------------------------------------------------
@@ -95,6 +104,18 @@ std::vector<Failure> Jury::verdicts() const {
         }
     }
     return failures;
+}
+
+Jury::StoppedVerdicts Jury::verdicts_when_stopped() const {
+    StoppedVerdicts verdicts;
+    for (const Judge& judge : judges_) {
+        if (auto mark = judge.undecided()) {
+            verdicts.undecided.push_back(std::move(*mark));
+        } else if (auto failure = judge.failure(true, chronicle_.now())) {
+            verdicts.failures.push_back(std::move(*failure));
+        }
+    }
+    return verdicts;
 }
 
 // ---- in steps -------------------------------------------------------------------------------------------

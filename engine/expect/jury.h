@@ -34,7 +34,13 @@ public:
     /// decided `now`.
     std::optional<Failure> failure(bool ended, const Moment& now) const;
 
+    /// What of the expectation isn't as expected at a walk's end, if it might have become so had the walk
+    /// gone on.
+    std::optional<SourceMark> undecided() const;
+
 private:
+    Finding finding(bool ended) const;
+
     Judge(PlainJudge judge, const scene::Campus& campus, const AvatarProfile& avatar)
         : judge_(std::move(judge)), campus_(&campus), avatar_(&avatar) {}
 
@@ -58,6 +64,14 @@ public:
 
     /// In the order of the file; empty when everything was as expected.
     std::vector<Failure> verdicts() const;
+
+    /// Of a walk that a step or its time-out stopped: what nothing that was still to come could have mended,
+    /// and what else isn't as expected. The latter is the stop's fault.
+    struct StoppedVerdicts {
+        std::vector<Failure> failures;
+        std::vector<SourceMark> undecided;
+    };
+    StoppedVerdicts verdicts_when_stopped() const;
     /// Where the walk is, or ended.
     const Moment& now() const { return chronicle_.now(); }
 

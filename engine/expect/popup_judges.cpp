@@ -60,7 +60,7 @@ Finding PopupJudge::finding(bool /*ended*/) const {
     if (!wanted.empty()) {
         message += ", expected " + wanted + (other_.empty() ? "" : "; " + other_);
     }
-    return {wanted.empty(), expected_->mark, message, when_};
+    return {wanted.empty(), expected_->mark, message, when_, still_open(expected_->times, times_)};
 }
 
 // ---- visits ---------------------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ Finding VisitsJudge::finding(bool /*ended*/) const {
             message += (listed == 1 ? "" : ", ") + building;
         }
     }
-    return {false, expected_->mark, message + (listed > kMostListed ? ", …" : ""), std::nullopt};
+    return {false, expected_->mark, message + (listed > kMostListed ? ", …" : ""), std::nullopt, true};
 }
 
 }  // namespace campuswalk::engine

@@ -51,7 +51,7 @@ Finding ReachesJudge::finding(bool /*ended*/) const {
             expected_->target.label +
                 (met ? " was reached: " + came
                      : " was not reached: " + came + ", expected " + metres(expected_->within)),
-            when_};
+            when_, !met};
 }
 
 // ---- near -----------------------------------------------------------------------------------------------
@@ -82,13 +82,14 @@ Finding NearJudge::finding(bool /*ended*/) const {
     if (!last_) {
         const EventPattern& at = expected_->at.value_or(EventPattern{});
         return {false, at.mark,
-                "'" + told(at) + "' never came, so nothing was near " + expected_->target.label,
-                std::nullopt};
+                "'" + told(at) + "' never came, so nothing was near " + expected_->target.label, std::nullopt,
+                true};
     }
     const Place& place = first_ ? *first_ : *last_;
     const bool met = place.distance <= expected_->within;
     return {met, expected_->mark,
-            told_place(place) + (met ? "" : ", expected within " + metres(expected_->within)), place.moment};
+            told_place(place) + (met ? "" : ", expected within " + metres(expected_->within)), place.moment,
+            !first_};
 }
 
 // ---- duration and distance ------------------------------------------------------------------------------
@@ -98,7 +99,7 @@ Finding DurationJudge::finding(bool ended) const {
     return {wanted.empty(), expected_->mark,
             (ended ? "the walk took " : "the walk had taken ") + fixed(time_, 3) + " s" +
                 (wanted.empty() ? "" : ", expected " + wanted),
-            std::nullopt};
+            std::nullopt, still_open(expected_->seconds, time_)};
 }
 
 Finding DistanceJudge::finding(bool ended) const {
@@ -106,7 +107,7 @@ Finding DistanceJudge::finding(bool ended) const {
     return {wanted.empty(), expected_->mark,
             (ended ? "the avatar went " : "the avatar had gone ") + metres(distance_) +
                 (wanted.empty() ? "" : ", expected " + wanted),
-            std::nullopt};
+            std::nullopt, still_open(expected_->metres, distance_)};
 }
 
 }  // namespace campuswalk::engine

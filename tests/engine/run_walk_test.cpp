@@ -192,15 +192,38 @@ TEST(RunWalk, LetsExpectationsSeeTheWholeWalk) {
     EXPECT_TRUE(summary.passed) << summary.failures.at(0).message;
 }
 
-TEST(RunWalk, PutsTheStopBeforeTheExpectations) {
+/// A stroll that ends at a wall.
+WalkSummary stopped_stroll(std::vector<Expectation> expectations) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3});
     Walk walk = stroll_walk();
-    walk.expectations = {expect_reaches({"goal", {0, 0, -8}, false}, 0.5)};
-    const WalkSummary summary = run_walk(campus, walk, {});
+    walk.expectations = std::move(expectations);
+    return run_walk(campus, walk, {});
+}
+
+TEST(RunWalk, PutsTheStopBeforeWhatNothingCouldMend) {
+    const WalkSummary summary =
+        stopped_stroll({expect_never("walk.start"), expect_never("collision.enter nothing")});
     ASSERT_EQ(summary.failures.size(), 2U);
     EXPECT_EQ(summary.failures[0].code, "blocked");
-    EXPECT_EQ(summary.failures[1].code, "reaches");
+    EXPECT_EQ(summary.failures[0].message.find("isn't judged"), std::string::npos);
+    EXPECT_EQ(summary.failures[1].code, "never");
+}
+
+TEST(RunWalk, SaysWhatAStopLeavesOpen) {
+    const ExpectReaches goal = expect_reaches({"goal", {0, 0, -8}, false}, 0.5, 9);
+    const auto told = [](const WalkSummary& summary) {
+        EXPECT_EQ(summary.failures.size(), 1U);
+        return summary.failures.at(0).message;
+    };
+    const std::string plain = told(stopped_stroll({}));
+    EXPECT_EQ(told(stopped_stroll({goal})),
+              plain + "; the walk stops here, so what line 9 expects isn't judged");
+    EXPECT_EQ(told(stopped_stroll(
+                  {goal, expect_sequence({"popup.open"}, 10), expect_count("popup.open", 1, {}, {}, 12)})),
+              plain + "; the walk stops here, so what lines 9, 11 and 12 expect isn't judged");
+    EXPECT_EQ(told(stopped_stroll(std::vector<Expectation>(10, goal))),
+              plain + "; the walk stops here, so what lines 9, 9, 9, 9, 9, 9, 9, 9, … expect isn't judged");
 }
 
 // ---- the hash -------------------------------------------------------------------------------------------

@@ -38,6 +38,64 @@ TEST(Jury, IsContentWithoutExpectations) {
     EXPECT_TRUE(jury.verdicts().empty());
 }
 
+// ---- of a walk that was stopped -------------------------------------------------------------------------
+
+/// Codes of failures, and lines of what is left undecided, when a walk stops after two events and 3 m.
+std::string when_stopped(const Expectation& expectation) {
+    Walk walk;
+    walk.expectations = {expectation};
+    const scene::Campus campus = empty_campus();
+    Jury jury(campus, walk);
+    Frames(jury)
+        .tick({"walk.start me"})
+        .after_metres(3)
+        .in_the_air(true)
+        .tick({"popup.open a", "avatar.stuck me"});
+    const Jury::StoppedVerdicts verdicts = jury.verdicts_when_stopped();
+    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), jury.verdicts().size());
+    return !verdicts.failures.empty() ? "fails" : !verdicts.undecided.empty() ? "open" : "holds";
+}
+
+TEST(StoppedJury, FailsWhatNothingCouldMend) {
+    for (const Expectation& lost : std::vector<Expectation>{
+             expect_never("popup.open"), expect_count("popup.open", 0), expect_count("popup.open", {}, {}, 0),
+             ExpectWithin{kMark, pattern("walk.start"), pattern("avatar.fell"), 0.05},
+             ExpectNear{kMark, {"far", {9, 0, 0}, true}, 1.0, pattern("popup.open")},
+             ExpectDuration{kMark, {{}, {}, 0.05}}, ExpectDistance{kMark, {{}, {}, 2.0}},
+             ExpectGrounded{kMark, 1.0}, ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}},
+             ExpectNot{kMark, expect_sequence({"walk.start", "popup.open"})}}) {
+        EXPECT_EQ(when_stopped(lost), "fails") << lost.index();
+    }
+}
+
+TEST(StoppedJury, LeavesOpenWhatMightHaveCome) {
+    int place = 0;
+    for (const Expectation& open : std::vector<Expectation>{
+             expect_sequence({"popup.open", "popup.close"}), expect_count("popup.open", 2),
+             expect_count("popup.open", {}, 2),
+             ExpectWithin{kMark, pattern("popup.open"), pattern("popup.close"), 5.0},
+             ExpectWithin{kMark, pattern("avatar.jump"), pattern("avatar.landed"), 5.0},
+             ExpectPopup{kMark, {kMark, "b"}}, expect_reaches({"far", {9, 0, 0}, true}, 1.0),
+             ExpectNear{kMark, {"far", {9, 0, 0}, true}, 1.0, std::nullopt},
+             ExpectNear{kMark, {"here", {0, 0, 0}, true}, 1.0, pattern("avatar.fell")},
+             ExpectDuration{kMark, {5.0, {}, {}}}, ExpectDistance{kMark, {{}, 5.0, {}}},
+             ExpectGrounded{kMark, 0.9}, ExpectBlockedBy{kMark, {kMark, "wall"}},
+             ExpectStuck{kMark, {kMark, "wall"}}, ExpectFell{kMark},
+             ExpectNot{kMark, expect_never("avatar.fell")}, ExpectNot{kMark, ExpectNoPenetration{kMark}},
+             ExpectNot{kMark, expect_count("popup.open", 1)}}) {
+        EXPECT_EQ(when_stopped(open), "open") << place;
+        ++place;
+    }
+}
+
+TEST(StoppedJury, IsContentWithWhatHolds) {
+    for (const Expectation& held : std::vector<Expectation>{
+             expect_never("avatar.fell"), expect_count("popup.open", 1), expect_sequence({"popup.open"}),
+             ExpectNot{kMark, ExpectFell{kMark}}, ExpectNoPenetration{kMark}}) {
+        EXPECT_EQ(when_stopped(held), "holds") << held.index();
+    }
+}
+
 // ---- not ------------------------------------------------------------------------------------------------
 
 TEST(Not, FailsWhereWhatItNamesIsMet) {
