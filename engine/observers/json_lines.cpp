@@ -44,11 +44,18 @@ std::string line_of(const Json& json) {
 }  // namespace
 
 void JsonLines::begin(const Walk& walk) {
-    sink_(line_of({{"walk_log", 1},
+    Json header = {{"walk_log", 1},
                    {"walk", walk.name},
                    {"campus", walk.campus_name},
                    {"tps", walk.sim.ticks_per_second},
-                   {"seed", walk.sim.seed}}));
+                   {"seed", walk.sim.seed}};
+    if (!walk.project.empty()) {
+        header["project"] = walk.project;
+    }
+    if (walk.timeout) {
+        header["timeout"] = *walk.timeout;  // to the bit: whoever walks it again needs it so
+    }
+    sink_(line_of(header));
 }
 
 void JsonLines::frame(const FrameRecord& record) {

@@ -57,6 +57,7 @@ void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
     fields("file", result.file);
     fields("name", result.name);
     fields("project", result.project);
+    fields("config", result.config);
     fields("repetition", result.repetition);
     fields("tags", result.tags);
     fields("status_reason", result.status_reason);
@@ -67,6 +68,7 @@ void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
     fields("campus", result.campus);
     fields("ticks_per_second", result.ticks_per_second);
     fields("seed", result.seed);
+    fields("timeout", result.timeout);
     fields("ticks", result.ticks);
     fields("events", result.events);
     fields("distance", result.distance);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -58,6 +59,9 @@ Json json_of(const Eigen::Vector3d& value) {
 }
 Json json_of(Outcome value) {
     return std::string(name_of(value));
+}
+Json json_of(const std::optional<double>& value) {
+    return value ? json_of(*value) : Json();
 }
 /// As logs have it: readers whose numbers are all doubles keep its bits too.
 Json json_of(const Hash<const std::uint64_t>& hash) {
@@ -141,6 +145,13 @@ void read(const Json& json, const std::string& where, double& value) {
         refuse(where, "a number", json);
     }
     value = json.get<double>();
+}
+void read(const Json& json, const std::string& where, std::optional<double>& value) {
+    if (json.is_null()) {
+        value.reset();
+    } else {
+        read(json, where, value.emplace());
+    }
 }
 void read(const Json& json, const std::string& where, Eigen::Vector3d& value) {
     if (!json.is_array() || json.size() != 3) {

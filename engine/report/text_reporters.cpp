@@ -97,8 +97,15 @@ private:
         for (const std::string& complaint : result.complaints) {
             say("   " + printable(complaint));
         }
+        const FailureScene* before = nullptr;
         for (const Failure& failure : result.failures) {
-            tell_failure(failure);
+            say("   " + headline_of(failure));
+            if (before != nullptr && is_same(*before, failure.scene)) {
+                say("     at the same moment");
+            } else {
+                tell_scene(failure.scene);
+            }
+            before = &failure.scene;
         }
         for (const Artifact& artifact : result.artifacts) {
             const std::string folder = style_.folder.empty() ? "" : printable(style_.folder) + "/";
@@ -106,15 +113,18 @@ private:
         }
     }
 
-    void tell_failure(const Failure& failure) {
-        say("   " + headline_of(failure));
-        if (const std::string place = place_of(failure.scene); !place.empty()) {
+    static bool is_same(const FailureScene& a, const FailureScene& b) {
+        return place_of(a) == place_of(b) && !place_of(a).empty() && a.last_events == b.last_events;
+    }
+
+    void tell_scene(const FailureScene& scene) {
+        if (const std::string place = place_of(scene); !place.empty()) {
             say("     " + place);
         }
-        if (!failure.scene.last_events.empty()) {
+        if (!scene.last_events.empty()) {
             say("     the last events before it:");
         }
-        for (const std::string& event : failure.scene.last_events) {
+        for (const std::string& event : scene.last_events) {
             say("       " + printable(event));
         }
     }

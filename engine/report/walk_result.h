@@ -33,6 +33,7 @@ struct WalkResult {
     std::string file;     ///< the walk file as found, relative to where the run was started, with `/`
     std::string name;     ///< NAME of NAME.walk.yaml
     std::string project;  ///< of walks.config.yaml; empty without
+    std::string config;   ///< that file, as found, when there is a project
     int repetition = 0;   ///< of --repeat-each, from 0
     std::vector<std::string> tags;
     std::string status_reason;  ///< of a skip or an xfail
@@ -44,6 +45,7 @@ struct WalkResult {
     std::string campus;
     int ticks_per_second = 60;
     std::uint64_t seed = 0;
+    std::optional<double> timeout;  ///< simulated seconds for all of it, whoever said so
     Tick ticks = 0;
     std::int64_t events = 0;
     double distance = 0.0;  ///< metres

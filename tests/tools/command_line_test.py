@@ -56,7 +56,9 @@ class Usage(ProgramCase):
         self.refused(["info"], "SCENE is required", "info ")
         self.refused(["snapshot", "-o", "a.png"], "CAMPUS is required", "snapshot ")
         self.refused(["snapshot", "a.campus.yaml"], "--output is required", "snapshot ")
-        self.refused(["run", "--fast", "a"], "The following argument was not expected: --fast", "run ")
+        self.refused(["run", "--zoom", "a"], "The following argument was not expected: --zoom", "run ")
+        self.refused(["run", "--tags=a"], "The following argument was not expected: --tags=a (did you mean '--tag'?)",
+                     "run ")
         self.refused(["info", "a.obj", "b.obj"], "The following argument was not expected: b.obj", "info ")
         self.refused(["run", "a", "--log"], "--log: 1 required FILE missing", "run ")
 
@@ -89,7 +91,10 @@ class Run(ProgramCase):
         starts = [line.split(": ")[:2] for line in outcome.complaints]
         self.assertEqual(starts[:2], [["short.walk.yaml:9:12", "error never"], ["short.walk.yaml:10:12", "error count"]])
         self.assertRegex(outcome.complaints[-1], r"^short: FAIL after ")
-        self.assertEqual(len(outcome.complaints), 3)
+        pictures = [line.partition(": ")[2] for line in outcome.complaints[2:-1]]
+        self.assertIn(pictures, ([], [f"out/short/failure-{name}.png" for name in ("eyes", "above", "2-eyes", "2-above")]))
+        for name in pictures:  # none where nothing can be drawn
+            self.assertTrue(self.read(name).startswith(b"\x89PNG"))
         self.assertIn("'trigger.enter' happened once, expected exactly 3", outcome.complaints[1])
         failures = [line for line in outcome.lines if " expect.fail " in line]
         self.assertEqual(len(failures), 2)

@@ -118,7 +118,7 @@ class Replay(Compare):
         """A line of a report about short.walk.yaml."""
         end = json.loads(self.lines("a.jsonl")[-1])
         return json.dumps({"id": "short.walk.yaml", "file": "short.walk.yaml", "name": "short", "project": "",
-                           "repetition": 0, "tags": [], "status_reason": "", "expected_to_fail": False,
+                           "config": "", "timeout": None, "repetition": 0, "tags": [], "status_reason": "", "expected_to_fail": False,
                            "outcome": "passed", "failures": [], "complaints": [], "campus": "small",
                            "ticks_per_second": 60, "seed": 0, "ticks": end["tick"], "events": end["events"],
                            "distance": end["dist"], "hash": end["hash"], "artifacts": [], **changes})
@@ -127,7 +127,7 @@ class Replay(Compare):
         self.write("r.jsonl", "\n".join((json.dumps({"campuswalk_results": 1, "cases": len(results)}), *results)))
 
     def test_a_log_prints_again(self):
-        outcome = self.passes("replay", "a.jsonl", "--walk", "short.walk.yaml")
+        outcome = self.passes("replay", "--walk", "short.walk.yaml", "a.jsonl")
         self.assertEqual(outcome.out, self.passes("run", "short.walk.yaml").out)
 
     def test_a_log_is_verified(self):
@@ -150,6 +150,33 @@ class Replay(Compare):
         outcome = self.run_program("replay", "r.jsonl", "--verify")
         self.assertEqual(outcome.code, 1)
         self.assertRegex(outcome.lines[1], "^DIFFERS short.walk.yaml: hash [0-9a-f]{16}, was 00000000000000ab$")
+
+    def test_a_run_in_projects_with_a_seed_and_a_timeout(self):
+        self.write("walks.config.yaml", "timeout: 50\nprojects: {near: {spawn: {at: [0, 0, 3]}}, plain: }\n")
+        outcome = self.run_program("run", "short.walk.yaml", "--seed", "18446744073709551615", "--timeout", "1.5",
+                                   "--jsonl", "c.jsonl", "--log", "c.log", "--reporter", "jsonl=r.jsonl")
+        self.assertEqual(outcome.code, 1)
+        headers = [line for line in self.lines("c.log") if line.startswith("#")]
+        self.assertEqual(headers, ["# walk-log 1 walk=short campus=small tps=60 seed=18446744073709551615 "
+                                   f"project={name} timeout=1.500" for name in ("near", "plain")])
+        ends = [json.loads(line)["tick"] for line in self.lines("c.jsonl") if "walk.end" in line]
+        self.assertEqual(ends, [90, 90])
+        same = ["same    short.walk.yaml near", "same    short.walk.yaml plain", "2 of 2 walks went the same again"]
+        self.assertEqual(self.passes("replay", "r.jsonl", "--verify").lines, same)
+        log = ("replay", "c.jsonl", "--walk", "short.walk.yaml")
+        self.assertEqual(self.passes(*log, "--verify").lines, same)
+        self.assertEqual([line for line in self.passes(*log).lines if "expect.fail" not in line],
+                         [line for line in self.lines("c.log") if "expect.fail" not in line])
+        # What the project says now decides, and which file it is in.
+        os.rename(self.path("walks.config.yaml"), self.path("other/old.config.yaml"))
+        self.refused((*log, "--verify"), "c.jsonl:1:1: error missing-file: it was run in the project 'near', and there "
+                     "is no walks.config.yaml here or above; name it with --config")
+        self.assertEqual(self.passes("replay", "r.jsonl", "--verify", "--config", "other/old.config.yaml").lines, same)
+        self.write("walks.config.yaml", "projects: {near: {spawn: {at: [0, 0, 4]}}, plain: }\n")
+        self.assertEqual(self.run_program(*log, "--verify").code, 1)
+        self.write("walks.config.yaml", "projects: {plain: }\n")
+        self.refused(("replay", "r.jsonl", "--verify"), "r.jsonl:2:1: error unknown-name: walks.config.yaml has no "
+                     "project 'near' any more; name another file with --config")
 
     def test_what_can_not_be_replayed(self):
         self.refused(("replay", "a.jsonl", "--verify"), "a.jsonl:1:1: error unknown-walk: a log doesn't say where its "

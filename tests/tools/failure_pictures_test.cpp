@@ -1,4 +1,6 @@
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -79,14 +81,14 @@ TEST(MapPicture, ShowsTheWayWalkedAndTheAvatarAtItsEnd) {
 }
 
 /// A walk into the wall, with what came of it.
-class FailurePictures : public testing::Test {
+class DrawnFailures : public testing::Test {
 protected:
-    FailurePictures() { failures_ = engine::run_walk(campus_, walk_, {}).failures; }
+    DrawnFailures() { failures_ = engine::run_walk(campus_, walk_, {}).failures; }
 
-    std::vector<std::string> drawn() const {
+    std::vector<std::string> drawn(const fs::path& folder = "stroll") {
         std::vector<std::string> paths;
         for (const engine::Artifact& artifact :
-             draw_failures(campus_, walk_, failures_, folder_.path() / "out", "stroll", Backend::automatic)) {
+             pictures_.draw(campus_, walk_, failures_, folder_.path() / "out", folder, Backend::automatic)) {
             EXPECT_TRUE(fs::is_regular_file(folder_.path() / "out" / artifact.path)) << artifact.path;
             EXPECT_EQ(artifact.media_type, "image/png");
             paths.push_back(artifact.name + ": " + artifact.path);
@@ -100,13 +102,19 @@ protected:
         failures_.push_back(failure);
     }
 
+    std::string bytes(const std::string& path) const {
+        std::ifstream stream(folder_.path() / "out" / path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
     support::TemporaryFolder folder_;
     scene::Campus campus_ = small_campus(false);
+    FailurePictures pictures_;  // must go before the campus
     engine::Walk walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), engine::walk_to(0, -10)});
     std::vector<engine::Failure> failures_;
 };
 
-TEST_F(FailurePictures, AreTwoAMoment) {
+TEST_F(DrawnFailures, AreTwoAMoment) {
     ASSERT_EQ(failures_.size(), 1U);
     failures_.clear();
     fail_at(30);
@@ -118,13 +126,31 @@ TEST_F(FailurePictures, AreTwoAMoment) {
                                               "failure at 1.00 s from above: stroll/failure-2-above.png"));
 }
 
-TEST_F(FailurePictures, AreNoneWithoutAFailure) {
+TEST_F(DrawnFailures, AreTheSameAfterThoseOfOtherWalks) {
+    failures_.clear();
+    fail_at(60);
+    drawn("first");
+    const scene::Campus other = small_campus(true);
+    pictures_.draw(other, walk_, failures_, folder_.path() / "out", "other", Backend::automatic);
+    failures_[0].scene.tick = 10;
+    drawn("between");
+    failures_[0].scene.tick = 60;
+    drawn("again");
+    for (const std::string name : {"/failure-eyes.png", "/failure-above.png"}) {
+        EXPECT_FALSE(bytes("first" + name).empty());
+        EXPECT_EQ(bytes("again" + name), bytes("first" + name)) << name;
+        EXPECT_NE(bytes("between" + name), bytes("first" + name)) << name;
+        EXPECT_NE(bytes("other" + name), bytes("first" + name)) << name;
+    }
+}
+
+TEST_F(DrawnFailures, AreNoneWithoutAFailure) {
     failures_.clear();
     EXPECT_TRUE(drawn().empty());
     EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
 
-TEST_F(FailurePictures, OfAMomentAfterTheLastTickAreThoseOfTheLast) {
+TEST_F(DrawnFailures, OfAMomentAfterTheLastTickAreThoseOfTheLast) {
     failures_.clear();
     fail_at(1000000);
     const std::vector<std::string> last = drawn();
@@ -132,7 +158,7 @@ TEST_F(FailurePictures, OfAMomentAfterTheLastTickAreThoseOfTheLast) {
     EXPECT_THAT(last[0], testing::EndsWith("stroll/failure-eyes.png"));
 }
 
-TEST_F(FailurePictures, ThatCannotBeWrittenSaySo) {
+TEST_F(DrawnFailures, ThatCannotBeWrittenSaySo) {
     folder_.write("out/stroll", "in the way");
     EXPECT_THROW(drawn(), std::runtime_error);
 }

@@ -34,7 +34,7 @@ const Lines kLog = {kHeader, kStart, kEnter, end_line("pass", 1)};
 class GoldenLog : public testing::Test {
 protected:
     GoldenCheck check(const Lines& lines, UpdateSnapshots mode, const std::string& project = "") const {
-        return check_golden(walk_, project, lines, mode);
+        return check_golden(walk_, project, lines, mode, false);
     }
     std::string file(const std::string& name = "log.jsonl") const {
         std::ifstream stream(folder_.path() / "visit.walk.yaml-snapshots" / name);
@@ -52,6 +52,30 @@ protected:
     const std::string text_ = kHeader + "\n" + kStart + "\n" + kEnter + "\n" + end_line("pass", 1) + "\n";
     const Lines other_ = {kHeader, kStart, end_line("pass", 0)};
 };
+
+TEST_F(GoldenLog, IsNotWrittenOfAWalkThatFails) {
+    for (const UpdateSnapshots mode :
+         {UpdateSnapshots::all, UpdateSnapshots::changed, UpdateSnapshots::missing}) {
+        const GoldenCheck checked = check_golden(walk_, "", kLog, mode, true);
+        EXPECT_FALSE(checked.failure);
+        EXPECT_TRUE(checked.written.empty());
+        EXPECT_EQ(checked.withheld, golden_log_file(walk_, ""));
+        EXPECT_FALSE(fs::exists(golden_log_file(walk_, "")));
+    }
+    check(kLog, UpdateSnapshots::all);
+    EXPECT_FALSE(check_golden(walk_, "", other_, UpdateSnapshots::changed, true).withheld.empty());
+    EXPECT_EQ(file(), text_);
+    EXPECT_TRUE(check_golden(walk_, "", kLog, UpdateSnapshots::changed, true).withheld.empty())
+        << "is as it was";
+    EXPECT_TRUE(check_golden(walk_, "", other_, UpdateSnapshots::missing, true).failure) << "is compared";
+}
+
+TEST_F(GoldenLog, IsTheSameWithATimeoutThatWasNotReached) {
+    const std::string header = kHeader.substr(0, kHeader.size() - 1);
+    EXPECT_EQ(complaint({header + R"(,"timeout":60.0})", kStart, kEnter, end_line("pass", 1)}), "");
+    EXPECT_THAT(complaint({header + R"(,"project":"near"})", kStart, kEnter, end_line("pass", 1)}),
+                HasSubstr("project=near is new"));
+}
 
 TEST_F(GoldenLog, IsWrittenWhereItIsMissing) {
     const GoldenCheck checked = check(kLog, UpdateSnapshots::missing);

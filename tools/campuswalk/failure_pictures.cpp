@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/decimals.h"
@@ -46,11 +49,11 @@ std::string caption_of(std::span<const engine::Failure> failures, engine::Tick t
 /// Draws moments of one walk; they are shown in order.
 class FailurePainter {
 public:
-    FailurePainter(const scene::Campus& campus, const engine::Walk& walk, fs::path output, fs::path folder,
-                   Backend backend)
+    FailurePainter(const scene::Campus& campus, const engine::Walk& walk, render::SnapshotPainter& painter,
+                   fs::path output, fs::path folder)
         : campus_(campus),
           walk_(walk),
-          painter_(campus, settings(backend)),
+          painter_(painter),
           output_(std::move(output)),
           folder_(std::move(folder)) {}
 
@@ -74,13 +77,6 @@ public:
     const std::vector<engine::Artifact>& artifacts() const { return artifacts_; }
 
 private:
-    render::SnapshotSettings settings(Backend backend) const {
-        render::SnapshotSettings settings = settings_for(campus_, backend);
-        settings.caption = true;
-        settings.minimap = false;  // the picture from above says more
-        return settings;
-    }
-
     void keep(const render::Picture& picture, const std::string& view, const std::string& words,
               double time) {
         const std::string number = moments_ == 1 ? "" : std::to_string(moments_) + "-";
@@ -92,7 +88,7 @@ private:
 
     const scene::Campus& campus_;
     const engine::Walk& walk_;
-    render::SnapshotPainter painter_;
+    render::SnapshotPainter& painter_;
     fs::path output_;
     fs::path folder_;
     std::size_t moments_ = 0;
@@ -101,14 +97,44 @@ private:
 
 }  // namespace
 
-std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
-                                            std::span<const engine::Failure> failures, const fs::path& output,
-                                            const fs::path& folder, Backend backend) {
+/// One a campus. A process that plays many of them keeps a few.
+class FailurePictures::Painters {
+public:
+    render::SnapshotPainter& of(const scene::Campus& campus, Backend backend) {
+        constexpr std::size_t kMost = 4;
+        auto found = painters_.find(&campus);
+        if (found == painters_.end()) {
+            if (painters_.size() >= kMost) {
+                painters_.clear();
+            }
+            found = painters_.emplace(&campus, make(campus, backend)).first;
+        }
+        return *found->second;
+    }
+
+private:
+    static std::unique_ptr<render::SnapshotPainter> make(const scene::Campus& campus, Backend backend) {
+        render::SnapshotSettings settings = settings_for(campus, backend);
+        settings.caption = true;
+        settings.minimap = false;  // the picture from above says more
+        return std::make_unique<render::SnapshotPainter>(campus, std::move(settings));
+    }
+
+    std::map<const scene::Campus*, std::unique_ptr<render::SnapshotPainter>> painters_;
+};
+
+FailurePictures::FailurePictures() : painters_(std::make_unique<Painters>()) {}
+FailurePictures::~FailurePictures() = default;
+
+std::vector<engine::Artifact> FailurePictures::draw(const scene::Campus& campus, const engine::Walk& walk,
+                                                    std::span<const engine::Failure> failures,
+                                                    const fs::path& output, const fs::path& folder,
+                                                    Backend backend) {
     const std::vector<engine::Tick> moments = moments_of(failures);
     if (moments.empty()) {
         return {};
     }
-    FailurePainter painter(campus, walk, output, folder, backend);
+    FailurePainter painter(campus, walk, painters_->of(campus, backend), output, folder);
     engine::Simulation simulation(campus, walk);
     render::WalkTrail trail;
     auto next = moments.begin();

@@ -23,6 +23,8 @@ struct GoldenCheck {
     std::optional<engine::Failure> failure;
     /// The file that was written, as the walk file's path leads to it; empty when none was.
     std::filesystem::path written;
+    /// The file that would have been written, had the walk not failed; likewise.
+    std::filesystem::path withheld;
 };
 
 /// `NAME.walk.yaml-snapshots/[PROJECT-]FILE` beside the walk file: where what runs are compared with is kept.
@@ -33,9 +35,10 @@ std::filesystem::path kept_file(const std::filesystem::path& walk_file, const st
 std::filesystem::path golden_log_file(const std::filesystem::path& walk_file, const std::string& project);
 
 /// Compares a run's log, as engine::JsonLines gives it, with the walk's golden one. Verdicts don't count:
-/// what is expected of a walk doesn't change where it goes. A file is written whole or not at all, and
+/// what is expected of a walk doesn't change where it goes. Nothing is written of a walk that `fails` as far
+/// as is known: what a golden log holds must have been right once. A file is written whole or not at all, and
 /// processes may do so at the same time. Throws std::runtime_error when it can't be read or written.
 GoldenCheck check_golden(const std::filesystem::path& walk_file, const std::string& project,
-                         std::span<const std::string> lines, UpdateSnapshots mode);
+                         std::span<const std::string> lines, UpdateSnapshots mode, bool fails);
 
 }  // namespace campuswalk::tools

@@ -112,7 +112,17 @@ std::optional<LogHeader> log_header(std::string_view line) {
     if (!is_header(json)) {
         return std::nullopt;
     }
-    return LogHeader{text_in(json, "walk"), text_in(json, "campus"), text_in(json, "project")};
+    LogHeader header;
+    header.walk = text_in(json, "walk");
+    header.campus = text_in(json, "campus");
+    header.project = text_in(json, "project");
+    if (const auto seed = json.find("seed"); seed != json.end() && seed->is_number_unsigned()) {
+        header.seed = seed->get<std::uint64_t>();
+    }
+    if (const auto timeout = json.find("timeout"); timeout != json.end() && timeout->is_number()) {
+        header.timeout = timeout->get<double>();
+    }
+    return header;
 }
 
 std::optional<LoggedEvent> logged_event(std::string_view line) {

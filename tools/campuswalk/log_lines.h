@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,8 @@ struct LogHeader {
     std::string walk;
     std::string campus;
     std::string project;
+    std::uint64_t seed = 0;
+    std::optional<double> timeout;  ///< simulated seconds
 };
 std::optional<LogHeader> log_header(std::string_view line);
 

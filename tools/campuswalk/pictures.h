@@ -48,15 +48,30 @@ std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campu
 /// Whether a video can be made: it takes a program of others.
 bool can_make_videos();
 
-/// The moments of a walk's failures, each from the avatar's eyes and from above with the way walked so far:
-/// `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second moment on.
-/// Failures of one tick share their pictures, and later ones than the fourth moment get none. The walk is
-/// played again up to there. Returns what was written, paths relative to `output`. Throws
-/// std::runtime_error when it can't be drawn or written.
-std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
-                                            std::span<const engine::Failure> failures,
-                                            const std::filesystem::path& output,
-                                            const std::filesystem::path& folder, Backend backend);
+/// Draws the moments of walks' failures. What draws a campus is kept for the walks that follow: it takes
+/// longer to make than the pictures.
+class FailurePictures {
+public:
+    FailurePictures();
+    ~FailurePictures();
+    FailurePictures(const FailurePictures&) = delete;
+    FailurePictures& operator=(const FailurePictures&) = delete;
+
+    /// Each moment from the avatar's eyes and from above with the way walked so far: `failure[-N]-eyes.png`
+    /// and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second moment on. Failures of one
+    /// tick share their pictures, and later ones than the fourth moment get none. The walk is played again up
+    /// to there. Returns what was written, paths relative to `output`. `campus` must outlive this,
+    /// and `backend` be the same each time. Throws
+    /// std::runtime_error when it can't be drawn or written.
+    std::vector<engine::Artifact> draw(const scene::Campus& campus, const engine::Walk& walk,
+                                       std::span<const engine::Failure> failures,
+                                       const std::filesystem::path& output,
+                                       const std::filesystem::path& folder, Backend backend);
+
+private:
+    class Painters;
+    std::unique_ptr<Painters> painters_;
+};
 
 /// The end of a way from above, with the way; the avatar looks where it leads. `way` has at least one point.
 void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,

@@ -20,9 +20,14 @@ std::vector<std::string> files_of(const engine::SnapshotStep&) {
     return {};
 }
 
-std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
-                                            std::span<const engine::Failure>, const std::filesystem::path&,
-                                            const std::filesystem::path&, Backend) {
+class FailurePictures::Painters {};
+FailurePictures::FailurePictures() = default;
+FailurePictures::~FailurePictures() = default;
+
+std::vector<engine::Artifact> FailurePictures::draw(const scene::Campus&, const engine::Walk&,
+                                                    std::span<const engine::Failure>,
+                                                    const std::filesystem::path&,
+                                                    const std::filesystem::path&, Backend) {
     assert(false);
     return {};
 }

@@ -4,8 +4,12 @@
 #include <array>
 #include <cinttypes>
 #include <cstdio>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "config/loader/walks_config.h"
 #include "engine/observers/text_log.h"
 #include "engine/run_walk.h"
 #include "scene/diagnostic.h"
@@ -13,9 +17,12 @@
 #include "tools/campuswalk/log_output.h"
 #include "tools/campuswalk/read_lines.h"
 #include "tools/campuswalk/recorded_walks.h"
+#include "tools/campuswalk/run/find_walks.h"
 #include "tools/campuswalk/walk_loader.h"
 
 namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -23,21 +30,66 @@ std::string title_of(const RecordedWalk& walk) {
     return walk.file.generic_string() + (walk.project.empty() ? "" : " " + walk.project);
 }
 
+/// Makes walks as they were run: in their project, with their seed and time-out.
+class RecordedLoader {
+public:
+    explicit RecordedLoader(const ReplayOptions& options) : options_(options) {}
+
+    LoadedWalk load(const RecordedWalk& recorded) {
+        config::SharedRun run = loader_.read(recorded.file, overrides_of(recorded));
+        run.walk.project = recorded.project;
+        run.walk.sim.seed = recorded.seed;
+        run.walk.timeout = recorded.timeout;
+        return loader_.ready(std::move(run));
+    }
+
+private:
+    config::Overrides overrides_of(const RecordedWalk& recorded) {
+        if (recorded.project.empty()) {
+            return {};
+        }
+        const config::WalksConfig& config = config_of(recorded);
+        const auto found = std::ranges::find(config.projects, recorded.project, &config::ProjectConfig::name);
+        if (found == config.projects.end()) {
+            throw about(recorded, "unknown-name",
+                        config.file.generic_string() + " has no project '" + recorded.project +
+                            "' any more; name another file with --config");
+        }
+        return found->overrides;
+    }
+
+    const config::WalksConfig& config_of(const RecordedWalk& recorded) {
+        const std::optional<fs::path> file = options_.config           ? options_.config
+                                             : recorded.config.empty() ? config::find_walks_config(".")
+                                                                       : recorded.config;
+        if (!file) {
+            throw about(recorded, "missing-file",
+                        "it was run in the project '" + recorded.project +
+                            "', and there is no walks.config.yaml here or above; name it with --config");
+        }
+        const auto [known, is_new] = configs_.try_emplace(*file);
+        if (is_new) {
+            known->second = config::load_walks_config(as_seen_from_here(*file));
+        }
+        return known->second;
+    }
+
+    scene::InputError about(const RecordedWalk& recorded, const char* code,
+                            const std::string& message) const {
+        return scene::InputError({options_.run.string(), static_cast<int>(recorded.line), 1}, code, message);
+    }
+
+    const ReplayOptions& options_;
+    WalkLoader loader_;
+    std::map<fs::path, config::WalksConfig> configs_;
+};
+
 /// All of them, so that nothing is walked when one can't be.
 std::vector<LoadedWalk> load_all(const ReplayOptions& options, const std::vector<RecordedWalk>& recorded) {
-    WalkLoader loader;
+    RecordedLoader loader(options);
     std::vector<LoadedWalk> loaded;
     for (const RecordedWalk& walk : recorded) {
-        if (!walk.hash && options.verify) {
-            loaded.emplace_back();
-            continue;
-        }
-        if (!walk.project.empty()) {
-            throw scene::InputError(
-                {options.run.string(), static_cast<int>(walk.line), 1}, "project",
-                "walks of a project can't be replayed yet; run them with --project " + walk.project);
-        }
-        loaded.push_back(loader.load_walk(walk.file));
+        loaded.push_back(walk.hash || !options.verify ? loader.load(walk) : LoadedWalk());
     }
     return loaded;
 }

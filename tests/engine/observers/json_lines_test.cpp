@@ -43,6 +43,11 @@ TEST(JsonLines, BeginsWithWhatTheWalkRanWith) {
     json.begin(walk);
     EXPECT_EQ(header,
               R"({"walk_log":1,"walk":"first-tour","campus":"demo","tps":60,"seed":18446744073709551615})");
+    walk.project = "robot";
+    walk.timeout = 0.1;
+    json.begin(walk);
+    EXPECT_TRUE(header.ends_with(R"(,"seed":18446744073709551615,"project":"robot","timeout":0.1})"))
+        << header;
 }
 
 TEST(JsonLines, IsAnObjectAnEventWithItsFieldsInOrder) {

@@ -69,6 +69,10 @@ TEST(TextLog, SaysWhatTheWalkRanWith) {
     walk.sim.seed = 18446744073709551615ULL;
     log.begin(walk);
     EXPECT_EQ(header, "# walk-log 1 walk=\"up the hill\" campus=north tps=120 seed=18446744073709551615");
+    walk.project = "robot";
+    walk.timeout = 0.1;
+    log.begin(walk);
+    EXPECT_TRUE(header.ends_with(" seed=18446744073709551615 project=robot timeout=0.100")) << header;
 }
 
 TEST(TextLog, IsSilentWhenNothingHappened) {

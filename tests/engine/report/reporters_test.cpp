@@ -81,6 +81,19 @@ xfail walks/door.walk.yaml                              4.0 s  5.0 m  the door i
 )");
 }
 
+TEST(ListReporter, TellsAMomentOnce) {
+    WalkResult result = failed_result("visit");
+    const Failure failure = result.failures[0];
+    result.failures.push_back(failure);
+    result.failures.push_back(failure);
+    result.failures[2].scene.tick += 1;
+    result.failures[2].scene.time += 1.0 / 60.0;
+    const std::string text = written("list", {{result}});
+    EXPECT_THAT(text, HasSubstr("walls\"\n     at the same moment\n   walks/visit.walk.yaml:12:5: error "));
+    EXPECT_THAT(text, HasSubstr("at 4.050 s"));
+    EXPECT_THAT(text, HasSubstr("at 4.067 s"));
+}
+
 TEST(ListReporter, SaysWhyACaseIsNoneOfThese) {
     const std::string text = written("list", mixed_report());
     EXPECT_THAT(text,

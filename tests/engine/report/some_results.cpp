@@ -22,6 +22,7 @@ WalkResult full_result() {
     result.file = "walks/visit.walk.yaml";
     result.name = "visit";
     result.project = "kiosk";
+    result.config = "walks.config.yaml";
     result.repetition = 2;
     result.tags = {"smoke", "library"};
     result.status_reason = "the door is to be widened";
@@ -32,6 +33,7 @@ WalkResult full_result() {
     result.campus = "school";
     result.ticks_per_second = 120;
     result.seed = 18446744073709551615ULL;
+    result.timeout = 12.1;
     result.ticks = 486;
     result.events = 17;
     result.distance = 12.345678901234567;

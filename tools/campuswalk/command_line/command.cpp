@@ -30,6 +30,22 @@ std::string mistake_before_a_command(const CLI::App& app) {
            scene::did_you_mean(word, names);
 }
 
+/// CLI11 names what it doesn't know, but not what may have been meant.
+std::string mistake_in_a_command(const CLI::App& app, const CLI::Error& error) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    for (const std::string& word : app.remaining()) {
+        if (word.starts_with("--")) {
+            return error.what() + scene::did_you_mean(word.substr(0, word.find('=')), names);
+        }
+    }
+    return error.what();
+}
+
 std::string explanation(const CLI::App* app, const CLI::Error& error) {
     std::string path = app->get_name();
     while (!app->get_subcommands().empty()) {
@@ -37,8 +53,8 @@ std::string explanation(const CLI::App* app, const CLI::Error& error) {
         path += " " + app->get_name();
     }
     const bool has_commands = !app->get_subcommands({}).empty();
-    return "error: " + (has_commands ? mistake_before_a_command(*app) : error.what()) + "\nsee " + path +
-           " --help\n";
+    return "error: " + (has_commands ? mistake_before_a_command(*app) : mistake_in_a_command(*app, error)) +
+           "\nsee " + path + " --help\n";
 }
 
 /// `choice` shows its words as "a|b|c"; nothing else has a '|' in what is shown for its value.
@@ -154,7 +170,7 @@ void Command::option(const Spelling& spelling, std::vector<std::string>& target)
     add_option(spelling, target).allow_extra_args(!spelling.names.starts_with('-'));
 }
 void Command::option(const Spelling& spelling, std::vector<std::filesystem::path>& target) {
-    add_option(spelling, target);
+    add_option(spelling, target).allow_extra_args(!spelling.names.starts_with('-'));
 }
 void Command::option(const Spelling& spelling, int& target, const Limits<int>& limits) {
     add_number(spelling, target, limits);

@@ -17,6 +17,11 @@ void add_replay(Command program, Chosen& chosen) {
     command.option(
         {.names = "--walk", .help = "A walk file that a log tells of; reports name theirs", .value = "FILE"},
         options->walks);
+    command.option({.names = "--config",
+                    .help = "The walks.config.yaml with the walks' projects; without, the one that a report "
+                            "names, for a log the one here or above",
+                    .value = "FILE"},
+                   options->config);
     command.flag({.names = "--verify", .help = "Compare the hashes instead of printing the log"},
                  options->verify);
     add_cache_flag(command);

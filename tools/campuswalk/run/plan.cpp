@@ -59,18 +59,6 @@ public:
     }
 
 private:
-    static Selector selector_of(const ProjectConfig& project) {
-        Selector selector;
-        if (project.grep) {
-            selector.require(project.grep->text, project.grep->mark);
-        }
-        if (project.grep_invert) {
-            selector.refuse(project.grep_invert->text, project.grep_invert->mark);
-        }
-        selector.require_tag(project.tags);
-        return selector;
-    }
-
     void read_all(Plan& plan) {
         const std::vector<fs::path> files = find_walks(settings_.paths);
         const std::vector<std::string> names = output_names(files);
@@ -91,6 +79,7 @@ private:
         result.file = file.generic_string();
         result.name = name_of(file);
         result.project = project.name;
+        result.config = project.name.empty() ? "" : settings_.config.generic_string();
         result.id = result.file + (project.name.empty() ? "" : " " + project.name);
         candidate.folder = folder + (project.name.empty() ? "" : "/" + project.name);
         try {
@@ -119,6 +108,7 @@ private:
         result.campus = walk.campus_name;
         result.ticks_per_second = walk.sim.ticks_per_second;
         result.seed = walk.sim.seed;
+        result.timeout = walk.timeout;
         if (walk.status.kind == WalkStatus::Kind::skip) {
             result.outcome = Outcome::skipped;
         }
@@ -220,6 +210,18 @@ private:
 };
 
 }  // namespace
+
+Selector selector_of(const ProjectConfig& project) {
+    Selector selector;
+    if (project.grep) {
+        selector.require(project.grep->text, project.grep->mark);
+    }
+    if (project.grep_invert) {
+        selector.refuse(project.grep_invert->text, project.grep_invert->mark);
+    }
+    selector.require_tag(project.tags);
+    return selector;
+}
 
 Plan make_plan(const RunSettings& settings, PlanOptions options) {
     return Planner(settings, std::move(options)).plan();

@@ -36,6 +36,9 @@ struct PlanOptions {
     std::optional<std::uint64_t> seed;
 };
 
+/// Which walks a project plays. Throws scene::InputError (bad-regex).
+Selector selector_of(const config::ProjectConfig& project);
+
 /// Reads and checks every walk that is wanted; those with mistakes become cases that say so, after their
 /// mistakes have been printed. Throws scene::InputError for what concerns the run as a whole.
 Plan make_plan(const RunSettings& settings, PlanOptions options);

@@ -15,7 +15,6 @@
 #include "engine/report/outcome.h"
 #include "engine/run_walk.h"
 #include "tools/campuswalk/complaints.h"
-#include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/interrupt.h"
 #include "tools/campuswalk/run/picture_watch.h"
 #include "tools/campuswalk/run/records.h"
@@ -141,20 +140,32 @@ const engine::ExpectLog* golden_log_of(const engine::Walk& walk) {
     return nullptr;
 }
 
+/// Whether the walk isn't as it should be, whatever its log is like.
+bool fails_otherwise(const std::vector<engine::Failure>& failures, const engine::WalkStatus& status) {
+    const bool may_be_the_log =
+        status.kind == engine::WalkStatus::Kind::xfail &&
+        (status.codes.empty() ? failures.empty()
+                              : std::ranges::find(status.codes, "log") != status.codes.end());
+    return !may_be_the_log && engine::judge_outcome(failures, status).outcome == Outcome::failed;
+}
+
 void add_golden_failure(const Case& played, const PlaySettings& settings, const Listener& listener,
                         std::vector<engine::Failure>& failures) {
     const engine::ExpectLog* expected = golden_log_of(played.walk->walk);
     if (expected == nullptr) {
         return;
     }
-    GoldenCheck check =
-        check_golden(played.result.file, played.result.project, listener.kept(), settings.update);
+    GoldenCheck check = check_golden(played.result.file, played.result.project, listener.kept(),
+                                     settings.update, fails_otherwise(failures, played.walk->walk.status));
     if (check.failure) {
         check.failure->mark = expected->mark;
         failures.push_back(std::move(*check.failure));
     }
     if (!check.written.empty()) {
         complain_line("wrote " + check.written.generic_string());
+    }
+    if (!check.withheld.empty()) {
+        complain_line("not written, because the walk fails: " + check.withheld.generic_string());
     }
 }
 
@@ -165,7 +176,8 @@ void fill(WalkResult& result, const engine::WalkSummary& summary) {
     result.hash = summary.hash;
 }
 
-void play_into(WalkResult& result, const Case& played, const PlaySettings& settings, Listener& listener) {
+void play_into(WalkResult& result, const Case& played, const PlaySettings& settings,
+               FailurePictures& failure_pictures, Listener& listener) {
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
     std::vector<engine::Observer*> observers = {&listener, &interrupt};
@@ -201,15 +213,15 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
         std::ranges::move(pictures->sequence_files(), std::back_inserter(result.artifacts));
     }
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
-        std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
-                                                            settings.output, played.folder, settings.backend);
+        std::vector<engine::Artifact> drawn = failure_pictures.draw(
+            *loaded.campus, loaded.walk, result.failures, settings.output, played.folder, settings.backend);
         std::ranges::move(drawn, std::back_inserter(result.artifacts));
     }
 }
 
 }  // namespace
 
-WalkResult play(const Case& played, const PlaySettings& settings, const Say& say) {
+WalkResult play(const Case& played, const PlaySettings& settings, FailurePictures& pictures, const Say& say) {
     WalkResult result = played.result;
     if (!settings.pictures && must_fail_in_pictures(played.walk->walk)) {
         result.outcome = Outcome::skipped;
@@ -218,7 +230,7 @@ WalkResult play(const Case& played, const PlaySettings& settings, const Say& say
     }
     Listener listener(say, settings, golden_log_of(played.walk->walk) != nullptr);
     try {
-        play_into(result, played, settings, listener);
+        play_into(result, played, settings, pictures, listener);
     } catch (const Interrupted&) {
         result.outcome = Outcome::interrupted;
     } catch (const std::exception& error) {

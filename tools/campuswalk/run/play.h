@@ -7,6 +7,7 @@
 #include "engine/report/walk_result.h"
 #include "engine/script/picture_tolerance.h"
 #include "tools/campuswalk/golden_log.h"
+#include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/rendering_backend.h"
 #include "tools/campuswalk/run/plan.h"
 #include "tools/campuswalk/run/worker.h"
@@ -27,7 +28,8 @@ struct PlaySettings {
 };
 
 /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole
-/// lines.
-engine::WalkResult play(const Case& played, const PlaySettings& settings, const Say& say);
+/// lines. `pictures` is for all cases that a process plays.
+engine::WalkResult play(const Case& played, const PlaySettings& settings, FailurePictures& pictures,
+                        const Say& say);
 
 }  // namespace campuswalk::tools

@@ -67,7 +67,8 @@ int Session::run() {
     }
     WorkerPool pool(
         [this](std::size_t index, const Say& say) {
-            say(Topic::result, engine::to_json_line(play(plan_.cases[index], settings_.play, say)));
+            say(Topic::result,
+                engine::to_json_line(play(plan_.cases[index], settings_.play, pictures_, say)));
         },
         settings_.pool);
     PoolListener listener;
@@ -136,7 +137,7 @@ void Session::tell(WalkResult result) {
         events_->flush();
     }
     if (settings_.told_on_standard_error) {
-        for (const std::string& line : verdict_lines(result)) {
+        for (const std::string& line : verdict_lines(result, settings_.play.output)) {
             complain_line(line);
         }
     }

@@ -57,7 +57,8 @@ private:
     LogOutput* events_;
     LastRunWriter* last_run_;
     Progress progress_;
-    std::vector<bool> over_;  ///< of each case: its result is known
+    FailurePictures pictures_;  ///< of the process that plays
+    std::vector<bool> over_;    ///< of each case: its result is known
     std::size_t told_ = 0;
     int failures_ = 0;
     engine::WalkResult first_;  ///< repetition of the walk that is being told of

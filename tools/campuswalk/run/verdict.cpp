@@ -42,13 +42,18 @@ bool is_good(const WalkResult& result) {
     return result.outcome == Outcome::passed || result.outcome == Outcome::skipped;
 }
 
-std::vector<std::string> verdict_lines(const WalkResult& result) {
+std::vector<std::string> verdict_lines(const WalkResult& result, const std::filesystem::path& output) {
     std::vector<std::string> lines;
     const bool as_expected = result.expected_to_fail && result.outcome == Outcome::passed;
     if (result.outcome == Outcome::failed) {
         for (const engine::Failure& failure : result.failures) {
             lines.push_back(
                 scene::to_string({scene::Severity::error, failure.mark, failure.code, failure.message}));
+        }
+        for (const engine::Artifact& artifact : result.artifacts) {
+            if (artifact.name.starts_with("failure ")) {
+                lines.push_back(artifact.name + ": " + (output / artifact.path).generic_string());
+            }
         }
     }
     const std::string name = shown_name(result);

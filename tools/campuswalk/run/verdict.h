@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@ namespace campuswalk::tools {
 /// Whether the case is as it should be: passed or skipped.
 bool is_good(const engine::WalkResult& result);
 
-/// What a person is told on standard error, a line each: failures with their places, then how it ended.
-std::vector<std::string> verdict_lines(const engine::WalkResult& result);
+/// What a person is told on standard error, a line each: failures with their places and, below `output`,
+/// their pictures, then how it ended.
+std::vector<std::string> verdict_lines(const engine::WalkResult& result, const std::filesystem::path& output);
 
 /// Of a run with these results: what went wrong while running goes before bad input, that before failures.
 int exit_code_for(const std::vector<engine::WalkResult>& results);
