@@ -29,22 +29,28 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
     return event;
 }
 
-/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect
-/// isn't judged".
+/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect isn't
+/// judged".
 std::string told_undecided(const std::vector<SourceMark>& marks) {
     constexpr std::size_t kMostListed = 8;
-    if (marks.empty()) {
+    std::vector<int> lines;
+    for (const SourceMark& mark : marks) {
+        if (std::ranges::find(lines, mark.line) == lines.end()) {
+            lines.push_back(mark.line);
+        }
+    }
+    if (lines.empty()) {
         return "";
     }
-    std::string lines;
-    const std::size_t listed = std::min(marks.size(), kMostListed);
-    for (std::size_t i = 0; i < listed; ++i) {
-        const bool last = i + 1 == marks.size();
-        lines += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(marks[i].line);
+    std::string list;
+    for (std::size_t i = 0; i < std::min(lines.size(), kMostListed); ++i) {
+        const bool last = i + 1 == lines.size();
+        list += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(lines[i]);
     }
-    lines += marks.size() > listed ? ", …" : "";
-    return "; the walk stops here, so what line" + std::string(marks.size() == 1 ? " " : "s ") + lines +
-           (marks.size() == 1 ? " expects" : " expect") + " isn't judged";
+    list += lines.size() > kMostListed ? ", …" : "";
+    const bool one = lines.size() == 1;
+    return "; the walk stops here, so what line" + std::string(one ? " " : "s ") + list +
+           (one ? " expects" : " expect") + " isn't judged";
 }
 
 /// Set when the failure's line is one of a file that the walk includes.

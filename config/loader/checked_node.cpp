@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "config/loader/complaint_limit.h"
+#include "config/loader/text_positions.h"
 #include "config/loader/wording.h"
 
 namespace campuswalk::config {
@@ -36,6 +37,14 @@ std::string_view kind_name(const YamlNode& node) {
 
 void CheckedNode::complain(std::string code, std::string message) const {
     add_complaint(*diagnostics_, mark(), std::move(code), std::move(message));
+}
+
+void CheckedNode::complain_in_text(std::size_t byte, std::string code, std::string message) const {
+    SourceMark at = mark();
+    if (node_->text_column > 0) {
+        at.column = node_->text_column + static_cast<int>(count_characters(node_->text.substr(0, byte)));
+    }
+    add_complaint(*diagnostics_, std::move(at), std::move(code), std::move(message));
 }
 
 bool CheckedNode::require_scalar(std::string_view wanted) const {

@@ -38,6 +38,8 @@ public:
     const std::string& file() const { return *file_; }
     scene::SourceMark mark() const { return {*file_, node_->line, node_->column}; }
     void complain(std::string code, std::string message) const;
+    /// At a byte of its text where that can be told, otherwise at its start.
+    void complain_in_text(std::size_t byte, std::string code, std::string message) const;
     scene::DiagnosticList& diagnostics() const { return *diagnostics_; }
 
     bool is_null() const { return node_->kind == YamlNode::Kind::null; }

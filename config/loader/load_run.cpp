@@ -83,7 +83,23 @@ public:
         read_walk(map, names, walk_file_, run.walk);
         map.refuse_other_keys();
         replace_spawn(names, run.walk);
+        run.avatar_file = avatar_file_;
         return run;
+    }
+
+    void check() {
+        engine::Walk walk;
+        std::shared_ptr<const CampusDescription> campus;
+        if (overrides_.campus) {
+            campus = campus_of(node_of(overrides_.campus, "'campus'"), overrides_.campus.folder, walk);
+        }
+        const CampusNames names(campus.get());
+        if (overrides_.avatar) {
+            read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, names);
+        }
+        if (overrides_.spawn) {
+            names.standing(node_of(overrides_.spawn, "'spawn'"));
+        }
     }
 
 private:
@@ -93,20 +109,20 @@ private:
 
     std::shared_ptr<const CampusDescription> read_campus_of(CheckedMap& map, engine::Walk& walk) {
         const auto own = map.require("campus");
-        auto written = own ? own->line() : std::nullopt;
-        SourceMark asked_at = own ? own->mark() : SourceMark();
-        fs::path folder = folder_;
         if (overrides_.campus) {
-            const CheckedNode node = node_of(overrides_.campus, "'campus'");
-            written = node.line();
-            asked_at = node.mark();
-            folder = overrides_.campus.folder;
+            return campus_of(node_of(overrides_.campus, "'campus'"), overrides_.campus.folder, walk);
         }
+        return own ? campus_of(*own, folder_, walk) : nullptr;
+    }
+
+    std::shared_ptr<const CampusDescription> campus_of(const CheckedNode& node, const fs::path& folder,
+                                                       engine::Walk& walk) {
+        const auto written = node.line();
         if (!written) {
             return nullptr;
         }
         walk.campus = folder / *written;
-        std::shared_ptr<const CampusDescription> campus = described(walk.campus, asked_at);
+        std::shared_ptr<const CampusDescription> campus = described(walk.campus, node.mark());
         walk.campus_name = campus ? campus->name : "";
         return campus;
     }
@@ -153,6 +169,7 @@ private:
         const std::optional<std::string> name = kebab_name(node);
         const auto file =
             name ? find_avatar(node, *name, avatar_folders(folder, search_.avatars)) : std::nullopt;
+        avatar_file_ = file.value_or(fs::path());
         return file ? open_avatar(*file, node.mark(), diagnostics_) : AvatarProfile{};
     }
 
@@ -166,8 +183,9 @@ private:
         *spawn = {node.mark(), std::move(standing.label), standing.position, standing.yaw.value_or(0.0)};
     }
 
-    fs::path walk_file_;
+    fs::path walk_file_;  ///< empty without a walk
     fs::path folder_;
+    fs::path avatar_file_;
     const SearchPaths& search_;
     const Overrides& overrides_;
     CampusDescriptions& campuses_;
@@ -187,6 +205,12 @@ SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides)
     run.walk.mark = mark;
     throw_in_order(diagnostics, mark);
     return run;
+}
+
+void RunLoader::check(const Overrides& overrides) {
+    DiagnosticList diagnostics;
+    RunReader({}, search_, overrides, campuses_, diagnostics).check();
+    throw_in_order(diagnostics, {});
 }
 
 Run load_run(const fs::path& walk_file, const SearchPaths& search) {

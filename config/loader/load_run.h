@@ -28,6 +28,7 @@ struct Run {
 struct SharedRun {
     engine::Walk walk;
     std::shared_ptr<const scene::CampusDescription> campus;
+    std::filesystem::path avatar_file;  ///< empty when it names no profile
 };
 
 using CampusDescriptions = std::map<std::string, std::shared_ptr<const scene::CampusDescription>>;
@@ -49,6 +50,9 @@ public:
 
     /// As load_run, with some of the walk's values replaced.
     SharedRun load(const std::filesystem::path& walk_file, const Overrides& overrides = {});
+
+    /// Reads what the values themselves name, as far as they tell it without a walk.
+    void check(const Overrides& overrides);
 
 private:
     SearchPaths search_;

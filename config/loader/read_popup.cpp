@@ -20,8 +20,9 @@ void check_variables(const CheckedNode& node, const std::string& text,
     }
     for (const engine::TextPart& part : *parts) {
         if (part.is_variable && std::ranges::find(known, part.text) == known.end()) {
-            node.complain("unknown-name", node.what() + " can't say " + in_quotes("{" + part.text + "}") +
-                                              suggestion_or_list(part.text, known));
+            node.complain_in_text(part.at, "unknown-name",
+                                  node.what() + " can't say " + in_quotes("{" + part.text + "}") +
+                                      suggestion_or_list(part.text, known));
         }
     }
 }

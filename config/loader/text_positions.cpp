@@ -10,11 +10,6 @@ constexpr std::string_view kBlank = " \t\n";
 constexpr std::size_t kStride = 256;     // bytes
 constexpr std::size_t kFarthest = 4096;  // bytes that are searched for the place of an empty value
 
-std::size_t count_characters(std::string_view bytes) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        bytes, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 bool is_spelled_null(std::string_view rest) {
     const std::string_view word = rest.substr(0, rest.find_first_of(" \t\n,]}"));
     return word == "~" || word == "null" || word == "Null" || word == "NULL";
@@ -35,6 +30,11 @@ std::string_view without_comment(std::string_view line) {
 }
 
 }  // namespace
+
+std::size_t count_characters(std::string_view bytes) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        bytes, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 TextPositions::TextPositions(std::string_view text) : text_(text), line_starts_{0} {
     for (std::size_t i = 0; i < text.size(); ++i) {

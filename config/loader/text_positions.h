@@ -12,6 +12,9 @@ struct TextPosition {
     int column = 0;
 };
 
+/// Of UTF-8.
+std::size_t count_characters(std::string_view bytes);
+
 /// Turns byte offsets into lines and columns. The text must outlive it.
 class TextPositions {
 public:

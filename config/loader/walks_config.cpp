@@ -32,7 +32,7 @@ public:
     void read(CheckedMap& map, WalksConfig& config) const {
         if (const auto walks = map.find("walks")) {
             for (const CheckedNode& entry : walks->items_or_one("an entry of 'walks'")) {
-                config.walks.push_back(path(entry).value_or(fs::path()));
+                config.walks.push_back({entry.mark(), path(entry).value_or(fs::path())});
             }
         }
         if (const auto output = map.find("output")) {

@@ -17,6 +17,11 @@ struct MarkedText {
     std::string text;
 };
 
+struct MarkedPath {
+    scene::SourceMark mark;
+    std::filesystem::path path;
+};
+
 struct ConfiguredReporter {
     scene::SourceMark mark;
     std::string name;
@@ -37,7 +42,7 @@ struct ProjectConfig {
 /// `walks.config.yaml`. Paths are resolved against its folder.
 struct WalksConfig {
     std::filesystem::path file;
-    std::vector<std::filesystem::path> walks;  ///< files, or folders to look for *.walk.yaml in
+    std::vector<MarkedPath> walks;  ///< files, or folders to look for *.walk.yaml in
     std::optional<std::filesystem::path> output;
     std::vector<ConfiguredReporter> reporters;
     std::optional<int> workers;

@@ -71,6 +71,7 @@ public:
         if (node->quoted && is_quote_unclosed(text_, static_cast<std::size_t>(mark.pos))) {
             throw Refusal{mark, "yaml-syntax", "this quote is never closed"};
         }
+        node->text_column = text_column(static_cast<std::size_t>(mark.pos), value);
         add(std::move(node), anchor);
     }
 
@@ -116,6 +117,16 @@ private:
         node->line = at.line;
         node->column = at.column;
         return node;
+    }
+
+    /// 0 for what is escaped, folded or a block.
+    int text_column(std::size_t at, const std::string& value) const {
+        const bool quote = at < text_.size() && (text_[at] == '"' || text_[at] == '\'');
+        const std::size_t start = at + (quote ? 1 : 0);
+        const bool as_it_is = start < text_.size() && text_.substr(start, value.size()) == value;
+        return as_it_is && value.find('\n') == std::string::npos
+                   ? positions_.of(static_cast<int>(start)).column
+                   : 0;
     }
 
     void refuse_tag(const YAML::Mark& mark, const std::string& tag) {

@@ -18,6 +18,7 @@ struct YamlNode {
     int line = 0;
     int column = 0;
     std::string text;     ///< scalar: without quotes
+    int text_column = 0;  ///< scalar: where its text begins, if that stands on one line as it is; otherwise 0
     bool quoted = false;  ///< scalar: in quotes or a block, so never a number or a truth value
     std::vector<std::shared_ptr<const YamlNode>> items;  ///< sequence
     std::vector<Entry> entries;                          ///< map, in the file's order, keys distinct

@@ -73,7 +73,7 @@ std::optional<std::vector<TextPart>> text_parts(const std::string& text) {
             if (end == std::string::npos) {
                 return std::nullopt;
             }
-            parts.push_back({true, text.substr(i + 1, end - i - 1)});
+            parts.push_back({true, text.substr(i + 1, end - i - 1), i});
             parts.emplace_back();
             i = end;
         }

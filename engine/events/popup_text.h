@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +12,8 @@ namespace campuswalk::engine {
 /// A stretch of a pop-up's title or text.
 struct TextPart {
     bool is_variable = false;
-    std::string text;  ///< as it is, or the variable's name
+    std::string text;    ///< as it is, or the variable's name
+    std::size_t at = 0;  ///< of a variable: the byte of the text where its brace is
 };
 
 /// `{name}` is a variable, `{{` and `}}` are braces, and so is a `}` by itself. None when a `{` is never

@@ -71,14 +71,31 @@ TEST_F(ReadPopup, ReadsFreeFields) {
 
 TEST_F(ReadPopup, ComplainsOfVariablesThatNothingStandsFor) {
     EXPECT_THAT(about("title: \"{title}\", text: \"{visit} and {id\""),
-                ElementsAre(testing::StartsWith("a.campus.yaml:3:22: error unknown-name: 'title' can't say "
+                ElementsAre(testing::StartsWith("a.campus.yaml:3:23: error unknown-name: 'title' can't say "
                                                 "'{title}'"),
                             "a.campus.yaml:3:39: error bad-value: 'text' has a '{' that is not closed; write "
                             "'{{' for a brace"));
     EXPECT_THAT(
         about("title: Hut, text: \"{visit}\""),
-        ElementsAre("a.campus.yaml:3:33: error unknown-name: 'text' can't say '{visit}' (did you mean "
+        ElementsAre("a.campus.yaml:3:34: error unknown-name: 'text' can't say '{visit}' (did you mean "
                     "'visits'?)"));
+}
+
+TEST_F(ReadPopup, PointsAtTheVariableWhereTheTextStandsAsItIs) {
+    const auto columns = [&](const std::string& text) {
+        std::vector<int> found;
+        for (const std::string& complaint : about("title: Hut, text: " + text)) {
+            found.push_back(std::stoi(complaint.substr(complaint.find(":3:") + 3)));
+        }
+        return found;
+    };
+    constexpr int kText = 33;
+    EXPECT_THAT(columns("'{a}{visits}{b}'"), ElementsAre(kText + 1, kText + 12));
+    EXPECT_THAT(columns("\"\u00d6ffnet {visits} {visti}\""), ElementsAre(kText + 1 + 16))
+        << "characters count";
+    EXPECT_THAT(columns("\"tab\\t{a}\""), ElementsAre(kText)) << "escaped: where the text begins";
+    EXPECT_THAT(columns("'it''s {a}'"), ElementsAre(kText));
+    EXPECT_THAT(columns("&name '{a}'"), ElementsAre(kText));
 }
 
 TEST_F(ReadPopup, ComplainsOfFieldsThatAreThereAlready) {

@@ -53,7 +53,10 @@ projects:
   grown-up: {campus: b.campus.yaml, spawn: gate, grep: "stairs|ramp", grep_invert: slow}
   as-is:
 )");
-    EXPECT_THAT(read.walks, ElementsAre(folder_.path("walks"), folder_.path("more/one.walk.yaml")));
+    ASSERT_EQ(read.walks.size(), 2U);
+    EXPECT_EQ(read.walks[0].path, folder_.path("walks"));
+    EXPECT_EQ(read.walks[1].path, folder_.path("more/one.walk.yaml"));
+    EXPECT_EQ(std::pair(read.walks[1].mark.line, read.walks[1].mark.column), std::pair(2, 16));
     EXPECT_EQ(read.output, folder_.path("results"));
     ASSERT_EQ(read.reporters.size(), 2U);
     EXPECT_EQ(read.reporters[0].name, "list");

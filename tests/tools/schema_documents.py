@@ -94,8 +94,9 @@ class Documents:
             yield from self._below(name, value, trail + (key,), self._wrapper(name, schema, key, trail, wrap), entered,
                                    is_property=True)
         if isinstance(schema.get("additionalProperties"), dict):
+            key = schema.get("propertyNames", {}).get("enum", ["gate"])[0]
             yield from self._below(name, schema["additionalProperties"], trail + ("NAME",),
-                                   lambda value: wrap({"gate": value}), entered)
+                                   lambda value: wrap({key: value}), entered)
 
     def _wrapper(self, name, schema, key, trail, wrap):
         if not trail:

@@ -2,6 +2,7 @@
 """`validate`: folders, steps files, and its findings as JSON, SARIF and GitHub's workflow commands."""
 
 import json
+import os
 import re
 
 import jsonschema
@@ -91,6 +92,33 @@ class Validate(ProgramCase):
         self.assertEqual(outcome.complaints, [
             "lap.steps.yaml:2:12: error bad-value: 'spawn' can only be the first step; later it is 'teleport'",
             "lap.steps.yaml:3:14: error include-cycle: lap.steps.yaml includes itself, by way of this line"])
+
+    def test_what_a_config_names(self):
+        os.remove(self.path("broken.walk.yaml"))
+        self.write("walks/one.walk.yaml", WALK.replace("campus: small", "campus: ../small") + "tags: [one]\n")
+        self.write("east.campus.yaml", CAMPUS.replace("start:", "porch:"))
+        whole = "walks: [walks, short.walk.yaml]\nreporters: [list, {junit: a.xml}]\nprojects:\n  plain:\n"
+        self.write("walks.config.yaml", whole + "  low: {avatar: {profile: adult, height: 1.7}, spawn: {at: [0, 0, 3]}}\n")
+        self.assertEqual(self.passes("validate", "walks.config.yaml").lines, ["walks.config.yaml: ok: 2 projects"])
+        self.write("walks.config.yaml", "walks: [walks, none]\nreporters: [junti]\nprojects:\n"
+                                        "  a: {campus: none.campus.yaml}\n"
+                                        "  b: {avatar: {profile: chidl}}\n"
+                                        "  c: {campus: east.campus.yaml, spawn: stat}\n"
+                                        "  d: {spawn: stat}\n"
+                                        "  e: {grep: 'a('}\n"
+                                        "  f: {campus: east.campus.yaml}\n"
+                                        "  g: {campus: east.campus.yaml, tags: none}\n")
+        outcome = self.run_program("validate", "walks.config.yaml")
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertEqual([" ".join(line.split()[:3]) for line in outcome.complaints], [
+            "walks.config.yaml:2:13: error unknown-name:",
+            "walks.config.yaml:1:16: error missing-file:",
+            "walks.config.yaml:4:15: error missing-file:",
+            "walks.config.yaml:5:25: error unknown-name:",
+            "walks.config.yaml:6:40: error unknown-name:",
+            "walks.config.yaml:7:14: error unknown-name:",
+            "walks.config.yaml:8:13: error bad-regex:",
+            "walks/one.walk.yaml:4:12: error unknown-name:"])
 
     def test_a_mistake_that_files_share_is_told_once(self):
         self.write("small.campus.yaml", CAMPUS.replace("[0, 0, 5]", "[0, 0]"))

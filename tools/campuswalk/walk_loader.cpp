@@ -53,10 +53,19 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
                                                        const scene::CampusDescription& description,
                                                        std::vector<scene::Diagnostic>& warnings) {
     std::error_code none;
-    std::shared_ptr<const scene::Campus>& campus = campuses_[fs::weakly_canonical(file, none)];
+    const fs::path key = fs::weakly_canonical(file, none);
+    if (const auto known = broken_.find(key); known != broken_.end()) {
+        throw known->second;  // models take long to read, and a thousand walks may be on them
+    }
+    std::shared_ptr<const scene::Campus>& campus = campuses_[key];
     if (!campus) {
-        campus = std::make_shared<scene::Campus>(scene::load_campus(
-            description, collision::make_bullet_broad_phase(), warnings, model_importer(), wanted_cache()));
+        try {
+            campus = std::make_shared<scene::Campus>(scene::load_campus(
+                description, collision::make_bullet_broad_phase(), warnings, model_importer(), wanted_cache()));
+        } catch (const scene::InputError& error) {
+            broken_.emplace(key, error);
+            throw;
+        }
     }
     return campus;
 }

@@ -32,6 +32,8 @@ public:
 
     /// What is written; the campus' models aren't looked at.
     config::SharedRun read(const std::filesystem::path& walk_file, const config::Overrides& overrides = {});
+    /// What a project names, without a walk; see config::RunLoader::check.
+    void check(const config::Overrides& overrides) { loader_.check(overrides); }
     /// Builds the campus if it isn't yet, and checks the walk against it.
     LoadedWalk ready(config::SharedRun run);
 
@@ -45,6 +47,7 @@ private:
     Told warn_;
     config::RunLoader loader_;
     std::map<std::filesystem::path, std::shared_ptr<const scene::Campus>> campuses_;
+    std::map<std::filesystem::path, scene::InputError> broken_;  ///< what was wrong with campuses
 };
 
 /// Where the program's own files are: beside the source tree it was built in, or installed.

@@ -8,8 +8,8 @@ namespace campuswalk::tools {
 
 void add_validate(Command program, Chosen& chosen) {
     const auto options = std::make_shared<ValidateOptions>();
-    Command command =
-        program.add("validate", "Check walks, campuses, steps and avatars without running anything");
+    Command command = program.add(
+        "validate", "Check walks, campuses, steps, avatars and walks.config.yaml without running anything");
     command.option(
         {.names = "PATH",
          .help = "*.walk.yaml, *.campus.yaml, *.steps.yaml, *.avatar.yaml, or folders with such files",

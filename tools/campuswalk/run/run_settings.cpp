@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <thread>
 
 #include "engine/report/make_reporter.h"
@@ -52,20 +53,6 @@ std::vector<ProjectConfig> projects_for(const RunOptions& options, const WalksCo
         }
     }
     return projects.empty() ? std::vector<ProjectConfig>(1) : projects;
-}
-
-void check_reporter(const std::string& name, const SourceMark& mark) {
-    std::vector<std::string> known = engine::reporter_names();
-    known.emplace_back("log");
-    if (std::ranges::find(known, name) == known.end()) {
-        std::string list;
-        for (const std::string& each : known) {
-            list += (list.empty() ? "" : ", ") + each;
-        }
-        throw InputError(
-            mark, "unknown-name",
-            "there is no reporter '" + name + "'" + scene::did_you_mean(name, known) + "; there are " + list);
-    }
 }
 
 std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConfig& config, bool single) {
@@ -134,7 +121,10 @@ UpdateSnapshots updates_for(const RunOptions& options, const Environment& enviro
 }
 
 std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& config) {
-    std::vector<fs::path> paths = options.paths.empty() ? config.walks : options.paths;
+    std::vector<fs::path> paths = options.paths;
+    if (paths.empty()) {
+        std::ranges::transform(config.walks, std::back_inserter(paths), &config::MarkedPath::path);
+    }
     std::ranges::transform(paths, paths.begin(), as_seen_from_here);
     return paths.empty() ? std::vector<fs::path>{"."} : paths;
 }
@@ -144,6 +134,20 @@ std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& co
 std::optional<std::string> environment_variable(const std::string& name) {
     const char* value = std::getenv(name.c_str());
     return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
+}
+
+void check_reporter(const std::string& name, const SourceMark& mark) {
+    std::vector<std::string> known = engine::reporter_names();
+    known.emplace_back("log");
+    if (std::ranges::find(known, name) == known.end()) {
+        std::string list;
+        for (const std::string& each : known) {
+            list += (list.empty() ? "" : ", ") + each;
+        }
+        throw InputError(
+            mark, "unknown-name",
+            "a reporter must be one of " + list + ", not '" + name + "'" + scene::did_you_mean(name, known));
+    }
 }
 
 RunSettings settle(const RunOptions& options, const Environment& environment) {

@@ -8,6 +8,7 @@
 
 #include "config/loader/walks_config.h"
 #include "engine/script/picture_tolerance.h"
+#include "scene/diagnostic.h"
 #include "tools/campuswalk/run/run_options.h"
 #include "tools/campuswalk/run/shard.h"
 
@@ -41,6 +42,9 @@ struct RunSettings {
 
 /// Throws scene::InputError for what can't be meant, as an unknown reporter or project.
 RunSettings settle(const RunOptions& options, const Environment& environment);
+
+/// Throws scene::InputError (unknown-name) when there is no such reporter.
+void check_reporter(const std::string& name, const scene::SourceMark& mark);
 
 /// What reports alone need of it.
 RunSettings settle_reports(const RunOptions& options, const Environment& environment);

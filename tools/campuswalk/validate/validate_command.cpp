@@ -6,9 +6,9 @@
 #include <string>
 #include <system_error>
 
-#include "config/loader/walks_config.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/validate/check_config.h"
 #include "tools/campuswalk/validate/findings.h"
 #include "tools/campuswalk/validate/found_files.h"
 #include "tools/campuswalk/walk_loader.h"
@@ -54,7 +54,7 @@ std::string check(WalkLoader& loader, const fs::path& file) {
         case FileKind::steps:
             return count(config::load_steps(file).size(), "step");
         case FileKind::config:
-            return count(config::load_walks_config(file).projects.size(), "project");
+            return count(check_config(loader, file), "project");
         case FileKind::walk:
             break;
     }
