@@ -37,6 +37,20 @@ class Bench(ProgramCase):
                                           ("--csv: 1 required FILE missing", "--csv")):
             self.refused(complaint, "table1", option, *value, where="bench table1")
 
+    def test_every_case_takes_the_same_options(self):
+        self.write("file", "")
+        for case in ("million", "nested", "trees", "campus", "walk"):
+            self.refused("--rounds: Value 100001 not in range 1 to 100000", case, "--quick", "--rounds", "100001",
+                         where="bench " + case)
+            outcome = self.run_program("bench", case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: ")
+
+    def test_cases_in_small(self):
+        for name, cases in (("trees", ["build", "memory"]), ("campus", ["rays", "probes", "avatars", "points"])):
+            self.passes("bench", name, "--quick", "--csv", name + ".csv")
+            self.assertEqual(list(dict.fromkeys(row["case"] for row in self.rows(name + ".csv"))), cases)
+
     def test_output_that_cannot_be_written_is_seen_before_the_run(self):
         self.write("file", "")
         outcome = self.run_program("bench", "table1", "--csv", "file/a.csv")

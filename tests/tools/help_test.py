@@ -4,7 +4,7 @@
 import re
 
 import schema_documents
-from program import ProgramCase, main
+from program import CAMPUS, ProgramCase, main
 
 SCHEMAS = schema_documents.load_all()
 
@@ -50,6 +50,21 @@ class Help(ProgramCase):
             first, *others = line.split()
             named |= {first} | {first.split(".")[0] + other for other in others}
         self.assertEqual(set(known) - {"…"} - named, set())
+
+    def test_variables_that_windows_have(self):
+        """The loader lists them when it meets one that it doesn't know."""
+        self.write("small.campus.yaml", CAMPUS.replace("A wall", "'{qqqq}'").replace("text: '{qqqq}'", "text: '{qqqq}' #"))
+        known = self.run_program("validate", "small.campus.yaml").err.partition("known here: ")[2].strip().split(", ")
+        self.assertGreater(len(known), 5)
+        text = self.passes("help", "popups").out
+        self.assertEqual([name for name in known if "{" + name + "}" not in text], [])
+        self.assertLessEqual({"once", "cooldown", "dwell"}, set(re.findall(r"(?m)^  ([a-z_]+)  ", text)))
+
+    def test_reporters_that_there_are(self):
+        known = self.run_program("run", "--reporter", "qqqq").err.partition("must be one of ")[2].partition(", not")[0].split(", ")
+        self.assertGreater(len(known), 6)
+        named = re.findall(r"(?m)^  ([a-z]+)  ", self.passes("help", "reports").out)
+        self.assertEqual(set(known) - set(named), set())
 
     def test_unknown_topic(self):
         outcome = self.run_program("help", "stesp")

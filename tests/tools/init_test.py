@@ -2,6 +2,9 @@
 """`init`: what it makes runs, in whatever folder, and nothing that was there is touched."""
 
 import os
+import subprocess
+
+import yaml
 
 from program import ProgramCase, main
 
@@ -48,6 +51,27 @@ class Init(ProgramCase):
     def test_where_nothing_can_be_written(self):
         self.refused(["room.obj/new"], "room.obj/new: error output-unwritable: nothing can be written here: 'room.obj' "
                                        "is not a folder")
+
+    def test_what_the_workflow_does(self):
+        """Its commands, where its other steps would have put campuswalk; that is built by tools/run."""
+        self.passes("init", "one")
+        self.write("one/.campuswalk/tools/run", '#!/bin/sh\nexec "%s" run --rendering-backend none "$@"\n' % self.program)
+        os.chmod(self.path("one/.campuswalk/tools/run"), 0o755)
+        os.makedirs(self.path("one/.campuswalk/build/release"))
+        os.symlink(self.program, self.path("one/.campuswalk/build/release/campuswalk"))
+        steps = yaml.safe_load(self.read("one/.github/workflows/walks.yml"))["jobs"]["walks"]["steps"]
+        ours = [step["run"] for step in steps if ".campuswalk/" in step.get("run", "")]
+        self.assertEqual(len(ours), 2)
+        for command in ours:
+            done = subprocess.run(["sh", "-e", "-c", command], cwd=self.path("one"), stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
+                                  env={**os.environ, "CI": "true", "GITHUB_ACTIONS": "true"})
+            self.assertEqual(done.returncode, 0, done.stdout)
+        [kept] = [step["with"]["path"] for step in steps if "upload-artifact" in step.get("uses", "")]
+        self.assertIn(f"one/{kept}/junit.xml", self.contents())
+        [told] = [step for step in steps if "exit 1" in step.get("run", "")]
+        self.assertIn("vars.CAMPUSWALK == ''", told["if"])
+        self.assertEqual(subprocess.run(["sh", "-e", "-c", told["run"]], check=False, stdout=subprocess.DEVNULL).returncode, 1)
 
     def test_unknown_template(self):
         outcome = self.run_program("init", "new", "--template", "castle")

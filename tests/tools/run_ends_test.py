@@ -212,6 +212,31 @@ class Again(ManyWalks):
         self.assertIn("5 passed, 1 failed", out)
         self.assertIn("\n1 passed", out)  # the one that changed
 
+    def test_watch_plays_what_a_file_is_for(self):
+        self.write("avatars/child.avatar.yaml", "height: 1.3\nradius: 0.2\neye_height: 1.2\n")
+        self.write("lap.steps.yaml", "steps: [{wait: 0.1}]\n")
+        self.write("models/room.obj", self.read("room.obj"))
+        self.write("models/own.campus.yaml", self.read("small.campus.yaml"))
+        self.write("a.walk.yaml", WALK.replace("adult", "child"))
+        self.write("b.walk.yaml", WALK.replace("  - turn: 180", "  - turn: 180\n  - include: lap.steps.yaml"))
+        self.write("c.walk.yaml", WALK.replace("small.campus", "models/own.campus"))
+        self.write("d.walk.yaml", WALK.replace("small.campus", "models/own.campus"))
+        watching = self.start("--watch", "--reporter", "dot", "--reporter", "jsonl=r.jsonl")
+
+        def played():
+            self.assertEqual(watching.stderr.readline(), b"watching; Ctrl-C ends it\n")
+            return "".join(result["name"] for result in self.results("r.jsonl"))
+        self.assertEqual(played(), "abcdef")
+        for file, walks in (("avatars/child.avatar.yaml", "a"), ("lap.steps.yaml", "b"), ("models/own.campus.yaml", "cd"),
+                            ("models/room.obj", "cd"), ("small.campus.yaml", "abef"), ("f.walk.yaml", "f"),
+                            ("avatars/giant.avatar.yaml", "abcdef")):
+            self.write(file, self.read(file) if "giant" not in file else "height: 3\n")
+            self.assertEqual(played(), walks, file)
+        os.remove(self.path("f.walk.yaml"))
+        self.assertEqual(played(), "abcde")
+        watching.send_signal(signal.SIGINT)
+        self.assertEqual(watching.wait(timeout=60), 130)
+
 
 class CutShort(ManyWalks):
     def test_interrupt_keeps_what_is_finished(self):
@@ -236,6 +261,26 @@ class CutShort(ManyWalks):
         self.assertIn(b"b.walk.yaml: the process that played the walk is gone: it was ended by signal 9 (Killed)", err)
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")],
                          ["passed", "broken", "failed", "passed", "passed", "passed"])
+
+    def test_memory_stays_flat(self):
+        """A worker's, after 200 walks and after 1,800."""
+        with open(self.program, "rb") as file:
+            if b"__asan_init" in file.read():
+                self.skipTest("AddressSanitizer keeps what is freed for a while")
+        running = self.start("-j", "1", "--repeat-each", "2000", "--reporter", "dot", "a.walk.yaml")
+
+        def memory():
+            with open(f"/proc/{running.pid}/task/{running.pid}/children", encoding="ascii") as file:
+                worker = int(file.read().split()[0])
+            with open(f"/proc/{worker}/status", encoding="ascii") as file:
+                return next(int(line.split()[1]) for line in file if line.startswith("VmRSS"))  # KiB
+        self.wait_for(lambda: self.kept() > 200)
+        early = memory()
+        self.wait_for(lambda: self.kept() > 1800)
+        late = memory()
+        running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 0)
+        self.assertLess(late - early, 512)
 
     def test_simulated_time_is_up(self):
         self.write("b.walk.yaml", ENDLESS)

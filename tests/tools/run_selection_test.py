@@ -149,6 +149,17 @@ class GoldenLog(ProgramCase):
         self.assertNotEqual(self.read(self.GOLDEN), golden)
         self.assertEqual(self.run_walk().code, 0)
 
+    def test_is_not_written_of_a_walk_that_fails(self):
+        self.write("short.walk.yaml", WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut") +
+                   "  - log: {golden: true}\n")
+        for arguments in ((), ("-u",), ("--update-snapshots=all",)):
+            outcome = self.run_walk(*arguments)
+            self.assertEqual((outcome.code, outcome.complaints[0]), (1, "not written, because the walk fails: " + self.GOLDEN))
+            self.assertNotIn(self.GOLDEN, self.contents())
+        self.write("short.walk.yaml", self.read("short.walk.yaml") + b"status: {is: xfail, failures: [never]}\n")
+        outcome = self.run_walk()  # fails as it should
+        self.assertEqual((outcome.code, outcome.complaints[0]), (0, "wrote " + self.GOLDEN))
+
     def test_is_never_written_in_ci(self):
         before = self.contents()
         self.assertEqual(self.run_walk(ci="true").code, 1)

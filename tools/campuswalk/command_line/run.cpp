@@ -86,7 +86,8 @@ void add_running(Command& command, const Options& options) {
                     .value = "SECONDS"},
                    options->kill_after, kSeconds);
     command.flag({.names = "--resume", .help = "Go on with a run that was killed"}, options->resume);
-    command.flag({.names = "--watch", .help = "Run again whenever a file changes"}, options->watch);
+    command.flag({.names = "--watch", .help = "Run again the walks that a changed file is for"},
+                 options->watch);
 }
 
 std::vector<std::string> animation_names() {

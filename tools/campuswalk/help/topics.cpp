@@ -119,14 +119,72 @@ plays every walk as an adult, and those with the tag 'ramps' as a robot, too; '-
 )";
 }
 
+std::string popups() {
+    return "The window of a building opens when the visitor meets the first of its colliders, and closes "
+           "when the "
+           "last\nis left; a collider with 'popup: false' has no part in it. Of a building:\n\n" +
+           key_table("campus.schema.json#/definitions/building") +
+           "\n'popup' may be a map, for all colliders of a building or for one of them:\n\n" +
+           key_table("campus.schema.json#/definitions/popup/anyOf/1") + R"(
+Titles and texts may hold variables:
+
+  {id} {kind} {hours} {floors}   what the building's keys say
+  {title}                        in its text: the title as it is shown
+  {visits}                       how often the window has opened, this time included
+  {time}                         when, in simulated time: mm:ss
+  {NAME}                         a field of 'info'
+  {{ }}                          braces
+
+  buildings:
+    - {id: kiosk, title: "Kiosk of {owner}", text: "{title}, visit {visits} at {time}.", info: {owner: Ada}}
+
+A variable that nothing stands for is an error with its line and column. Walks ask for windows so:
+
+  expect:
+    - popup: kiosk                                      it opens
+    - popup: {building: kiosk, body: "*visit 2 at *"}   and says this; globs
+    - sequence: [popup.open kiosk, popup.close kiosk]
+)";
+}
+
+std::string reports() {
+    return R"('campuswalk run --reporter NAME' or '--reporter NAME=FILE', several times; one at most without a file.
+
+  list     a line a walk; below a failure where it was, what was near, the last events, its pictures
+  dot      a character a walk
+  junit    XML: a suite a walk file, a case a walk; times are simulated seconds
+  tap      TAP version 14
+  json     all results and their sum; config/schema/report.schema.json says what each key means
+  jsonl    a result a line, as soon as it is known: what merge-reports and replay read
+  github   annotations in GitHub's pull requests
+  log      the events, a line each; what a single walk prints without --reporter
+
+The bytes are the same whatever the number of workers, and there is no clock and no absolute path in them.
+
+  campuswalk run --shard=1/2 --reporter jsonl=1.jsonl      on one machine
+  campuswalk run --shard=2/2 --reporter jsonl=2.jsonl      on another
+  campuswalk merge-reports 1.jsonl 2.jsonl --reporter junit=junit.xml
+
+gives what one run would have reported. 'campuswalk replay 1.jsonl --verify' walks again what a report
+tells, with the projects, seeds and time-outs of then, and compares hashes.
+
+Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and of a failure WALK/failure-eyes.png and
+failure-above.png. 'expect: [log: {golden: true}]' compares a walk's log with the one that is kept in
+NAME.walk.yaml-snapshots/log.jsonl: the first run writes it, 'run -u' writes it anew, but never of a walk
+that fails and never where CI is set.
+)";
+}
+
 constexpr std::array kTopics = {
     Topic{"walks", "What NAME.walk.yaml may say", walks},
     Topic{"steps", "What the visitor does", steps},
     Topic{"expectations", "What must happen", expectations},
     Topic{"events", "What the log tells, and how expectations name it", events},
     Topic{"campus", "What NAME.campus.yaml may say", campus},
+    Topic{"popups", "Information windows: when they open and what they say", popups},
     Topic{"avatars", "Who walks: NAME.avatar.yaml", avatars},
     Topic{"projects", "walks.config.yaml: one walk for several avatars, campuses or spawns", projects},
+    Topic{"reports", "What is told of a run, to whom, and how runs are compared", reports},
     Topic{"exit-codes", "What the program ends with", exit_codes},
 };
 

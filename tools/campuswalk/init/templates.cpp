@@ -101,7 +101,11 @@ jobs:
     steps:
       - run: apt-get update && apt-get install -y git
       - uses: actions/checkout@v4
-      # Set the variable CAMPUSWALK in the repository's settings: OWNER/NAME of the campuswalk sources.
+      - name: Where campuswalk comes from
+        if: ${{ vars.CAMPUSWALK == '' }}
+        run: |
+          echo "::error::set the variable CAMPUSWALK in the repository's settings: OWNER/NAME of its sources"
+          exit 1
       - uses: actions/checkout@v4
         with:
           repository: ${{ vars.CAMPUSWALK }}

@@ -18,15 +18,13 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <variant>
 
 #include "scene/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/run/find_walks.h"
+#include "tools/campuswalk/run/dependencies.h"
 #include "tools/campuswalk/run/interrupt.h"
 #include "tools/campuswalk/run/worker.h"
-#include "tools/campuswalk/walk_loader.h"
 
 namespace campuswalk::tools {
 
@@ -43,68 +41,6 @@ bool matters(const std::string& name) {
     const std::string extension = fs::path(name).extension().string();
     return std::ranges::find(kExtensions, extension) != kExtensions.end();
 }
-
-/// The folders with files that the walks depend on.
-class Folders {
-public:
-    explicit Folders(const RunSettings& settings) : output_(fs::absolute(settings.output, none_)) {
-        for (const fs::path& path : settings.paths) {
-            fs::is_directory(path, none_) ? add_below(path) : add(path.parent_path());
-        }
-        if (!settings.config.empty()) {
-            add(settings.config.parent_path());
-        }
-        WalkLoader loader;
-        for (const fs::path& file : find_walks(settings.paths)) {
-            for (const char* avatars : {"avatars", "config/avatars"}) {
-                add(file.parent_path() / avatars);
-            }
-            for (const config::ProjectConfig& project : settings.projects) {
-                add_what_it_names(loader, file, project.overrides);
-            }
-        }
-    }
-
-    const std::set<fs::path>& all() const { return folders_; }
-
-private:
-    void add(const fs::path& folder) {
-        const fs::path there = folder.empty() ? fs::path(".") : folder.lexically_normal();
-        if (fs::is_directory(there, none_)) {
-            folders_.insert(there);
-        }
-    }
-
-    void add_below(const fs::path& folder) {
-        add(folder);
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder, none_)) {
-            const std::string name = entry.path().filename().string();
-            const bool ours = name.ends_with("-snapshots") || fs::absolute(entry.path(), none_) == output_;
-            if (entry.is_directory(none_) && !entry.is_symlink(none_) && name.front() != '.' && !ours) {
-                add_below(entry.path());
-            }
-        }
-    }
-
-    void add_what_it_names(WalkLoader& loader, const fs::path& file, const config::Overrides& overrides) {
-        try {
-            const config::SharedRun run = loader.read(file, overrides);
-            add(run.walk.campus.parent_path());
-            for (const scene::SceneFile& scene : run.campus->scenes) {
-                add(scene.path.parent_path());
-            }
-            for (const engine::Step& step : run.walk.steps) {
-                add(std::visit([](const auto& any) { return fs::path(any.mark.file).parent_path(); }, step));
-            }
-        } catch (const scene::InputError&) {
-            add(file.parent_path());  // the run tells of its mistakes
-        }
-    }
-
-    std::error_code none_;
-    fs::path output_;
-    std::set<fs::path> folders_;
-};
 
 class FileWatch {
 public:
@@ -156,19 +92,6 @@ private:
     std::map<int, fs::path> folders_;
 };
 
-/// Walks alone can be run alone.
-std::vector<fs::path> walks_among(const std::set<fs::path>& changed) {
-    std::vector<fs::path> walks;
-    std::error_code none;
-    for (const fs::path& file : changed) {
-        if (!file.string().ends_with(".walk.yaml") || !fs::exists(file, none)) {
-            return {};
-        }
-        walks.push_back(file);
-    }
-    return walks;
-}
-
 void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
                const std::vector<fs::path>& changed) {
     std::fflush(stdout);
@@ -205,7 +128,8 @@ int watch_and_run(const RunSettings& settings, const std::function<int(const std
     watch_for_interrupts();
     std::vector<fs::path> changed;
     while (true) {
-        FileWatch watch(Folders(settings).all());  // before the run: what changes during it counts
+        const Dependencies dependencies(settings);
+        FileWatch watch(dependencies.folders());  // before the run: what changes during it counts
         run_apart(run, changed);
         if (!interrupted()) {
             complain_line("watching; Ctrl-C ends it");
@@ -214,7 +138,7 @@ int watch_and_run(const RunSettings& settings, const std::function<int(const std
         if (!files) {
             return kInterrupted;
         }
-        changed = walks_among(*files);
+        changed = dependencies.walks_of(*files);
     }
 }
 

@@ -8,9 +8,9 @@
 
 namespace campuswalk::tools {
 
-/// Runs everything, then again whenever a file changes: the walks that changed or, when it is another file
-/// (a campus, an avatar, a model), all of them. `run` is called with the walks that changed, with none for
-/// all of them, in a process of its own. Until interrupted; returns the exit code for that.
+/// Runs everything, then, whenever a file changes, the walks that are made from it, as far as that is known
+/// (dependencies.h). `run` is called with those walks, with none for all of them, in a process of its own.
+/// Until interrupted; returns the exit code for that.
 int watch_and_run(const RunSettings& settings,
                   const std::function<int(const std::vector<std::filesystem::path>&)>& run);
 
