@@ -29,8 +29,8 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
     return event;
 }
 
-/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect isn't
-/// judged".
+/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect
+/// isn't judged".
 std::string told_undecided(const std::vector<SourceMark>& marks) {
     constexpr std::size_t kMostListed = 8;
     std::vector<int> lines;

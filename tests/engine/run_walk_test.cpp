@@ -228,8 +228,9 @@ TEST(RunWalk, SaysWhatAStopLeavesOpen) {
     for (int line = 11; line < 21; ++line) {
         many.emplace_back(expect_reaches({"goal", {0, 0, -8}, false}, 0.5, line));
     }
-    EXPECT_EQ(told(stopped_stroll(many)),
-              plain + "; the walk stops here, so what lines 11, 12, 13, 14, 15, 16, 17, 18, … expect isn't judged");
+    EXPECT_EQ(
+        told(stopped_stroll(many)),
+        plain + "; the walk stops here, so what lines 11, 12, 13, 14, 15, 16, 17, 18, … expect isn't judged");
 }
 
 // ---- the hash -------------------------------------------------------------------------------------------
