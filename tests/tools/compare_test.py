@@ -96,6 +96,9 @@ class Diff(Compare):
             self.refused(both + ("--pictures", "p", "--walk", "short.walk.yaml"),
                          "--pictures: error bad-value: this build has no rendering")
             return
+        self.refused(both + ("--pictures", "p", "--walk", "short.walk.yaml", "--rendering-backend", "none"),
+                     "--rendering-backend: error bad-value: 'none' draws nothing, and a picture is asked for: use auto, "
+                     "osmesa or egl")
         self.refused(both + ("--pictures", "a.jsonl", "--walk", "short.walk.yaml"),
                      "a.jsonl: error output-unwritable: pictures can't be saved here: 'a.jsonl' is not a folder")
 
