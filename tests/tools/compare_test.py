@@ -34,7 +34,7 @@ class Diff(Compare):
     """Where two logs part."""
 
     def test_equal_logs(self):
-        self.assertEqual(self.passes("diff", "a.jsonl", "a.jsonl").out, "a.jsonl and a.jsonl are the same: 16 lines\n")
+        self.assertEqual(self.passes("diff", "a.jsonl", "a.jsonl", "--no-cache").out, "a.jsonl and a.jsonl are the same: 16 lines\n")
         respelled = "\n".join(json.dumps(json.loads(line)) for line in self.lines("a.jsonl"))
         self.write("c.jsonl", respelled)
         self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
@@ -130,7 +130,7 @@ class Replay(Compare):
         self.write("r.jsonl", "\n".join((json.dumps({"campuswalk_results": 1, "cases": len(results)}), *results)))
 
     def test_a_log_prints_again(self):
-        outcome = self.passes("replay", "--walk", "short.walk.yaml", "a.jsonl")
+        outcome = self.passes("replay", "--walk", "short.walk.yaml", "a.jsonl", "--no-cache")
         self.assertEqual(outcome.out, self.passes("run", "short.walk.yaml").out)
 
     def test_a_log_is_verified(self):

@@ -35,7 +35,7 @@ class Pictures(ProgramCase):
 
     def test_unknown_camera(self):
         before = self.contents()
-        outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", "strat", "-o", "a.png")
+        outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", "strat", "-o", "a.png", "--no-cache")
         self.assertEqual(outcome.complaints, ["--camera: error unknown-name: 'strat' is neither 'top' nor a spawn of "
                                               "small (did you mean 'start'?)"])
         self.assertEqual(outcome.code, 2)

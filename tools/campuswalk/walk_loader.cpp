@@ -60,8 +60,9 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
     std::shared_ptr<const scene::Campus>& campus = campuses_[key];
     if (!campus) {
         try {
-            campus = std::make_shared<scene::Campus>(scene::load_campus(
-                description, collision::make_bullet_broad_phase(), warnings, model_importer(), wanted_cache()));
+            campus = std::make_shared<scene::Campus>(
+                scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
+                                   model_importer(), wanted_cache()));
         } catch (const scene::InputError& error) {
             broken_.emplace(key, error);
             throw;
