@@ -4,14 +4,15 @@
 #include <optional>
 #include <utility>
 
-#include "config/loader/avatar_search.h"
 #include "config/loader/campus_names.h"
 #include "config/loader/checked_map.h"
 #include "config/loader/complaint_order.h"
 #include "config/loader/names.h"
+#include "config/loader/profile_search.h"
 #include "config/loader/read_avatar.h"
 #include "config/loader/read_camera.h"
 #include "config/loader/read_campus.h"
+#include "config/loader/read_light.h"
 #include "config/loader/read_steps.h"
 #include "config/loader/read_walk.h"
 #include "config/loader/source_text.h"
@@ -56,6 +57,43 @@ AvatarProfile open_avatar(const fs::path& path, const SourceMark& asked_at, Diag
     return profile;
 }
 
+engine::LightSettings open_light(const fs::path& path, const SourceMark& asked_at,
+                                 DiagnosticList& diagnostics) {
+    engine::LightSettings light;
+    if (const auto file = YamlFile::open(path, ".light.yaml", asked_at, diagnostics)) {
+        CheckedMap map(file->root(), "a light");
+        read_light_fields(map, light);
+        map.refuse_other_keys();
+    }
+    return light;
+}
+
+engine::LightSettings named_light(const CheckedNode& node, const fs::path& folder,
+                                  const std::vector<fs::path>& more) {
+    const std::optional<std::string> name = kebab_name(node);
+    const auto file =
+        name ? find_profile(kLights, node, *name, profile_folders(kLights, folder, more)) : std::nullopt;
+    return file ? open_light(*file, node.mark(), node.diagnostics()) : engine::LightSettings{};
+}
+
+/// A profile's name, or a map with what differs from a profile or from the day.
+engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& folder,
+                                    const std::vector<fs::path>& more) {
+    if (node.is_scalar()) {
+        return named_light(node, folder, more);
+    }
+    if (!node.is_map()) {
+        node.complain("wrong-type", "'light' must be a profile's name or {profile: NAME, …}");
+        return {};
+    }
+    CheckedMap map(node, "'light'");
+    const auto name = map.find("profile");
+    engine::LightSettings light = name ? named_light(*name, folder, more) : engine::LightSettings{};
+    read_light_fields(map, light);
+    map.refuse_other_keys();
+    return light;
+}
+
 /// Follows the names that a walk file gives of others.
 class RunReader {
 public:
@@ -79,6 +117,9 @@ public:
                 read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, names);
         } else if (avatar) {
             run.walk.avatar = read_avatar_of(*avatar, folder_, names);
+        }
+        if (const auto light = map.find("light")) {
+            run.walk.light = read_light_of(*light, folder_, search_.lights);
         }
         read_walk(map, names, walk_file_, run.walk);
         map.refuse_other_keys();
@@ -168,7 +209,8 @@ private:
     AvatarProfile named_avatar(const CheckedNode& node, const fs::path& folder) {
         const std::optional<std::string> name = kebab_name(node);
         const auto file =
-            name ? find_avatar(node, *name, avatar_folders(folder, search_.avatars)) : std::nullopt;
+            name ? find_profile(kAvatars, node, *name, profile_folders(kAvatars, folder, search_.avatars))
+                 : std::nullopt;
         avatar_file_ = file.value_or(fs::path());
         return file ? open_avatar(*file, node.mark(), diagnostics_) : AvatarProfile{};
     }
@@ -257,6 +299,25 @@ AvatarProfile load_avatar(const fs::path& avatar_file) {
     AvatarProfile profile = open_avatar(avatar_file, mark, diagnostics);
     throw_in_order(diagnostics, mark);
     return profile;
+}
+
+engine::LightSettings load_light(const fs::path& light_file) {
+    DiagnosticList diagnostics;
+    const SourceMark mark = whole_file(light_file);
+    engine::LightSettings light = open_light(light_file, mark, diagnostics);
+    throw_in_order(diagnostics, mark);
+    return light;
+}
+
+engine::LightSettings read_light_text(const std::string& text, const std::string& asked_by,
+                                      const fs::path& folder, const SearchPaths& search) {
+    DiagnosticList diagnostics;
+    engine::LightSettings light;
+    if (const auto root = parse_yaml(text, asked_by, diagnostics)) {
+        light = read_light_of(CheckedNode(*root, "'light'", asked_by, diagnostics), folder, search.lights);
+    }
+    throw_in_order(diagnostics, {asked_by, 0, 0});
+    return light;
 }
 
 }  // namespace campuswalk::config

@@ -16,6 +16,7 @@ namespace campuswalk::config {
 /// Where files that are named without a path are looked for.
 struct SearchPaths {
     std::vector<std::filesystem::path> avatars;  ///< folders with NAME.avatar.yaml, after those near the walk
+    std::vector<std::filesystem::path> lights;   ///< likewise with NAME.light.yaml
 };
 
 /// A walk with the campus it names, both read and checked for form.
@@ -73,5 +74,13 @@ engine::CameraSettings read_camera_text(const std::string& text, const std::stri
 
 /// Reads `NAME.avatar.yaml` alone.
 engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
+
+/// Reads `NAME.light.yaml` alone.
+engine::LightSettings load_light(const std::filesystem::path& light_file);
+
+/// Reads a light as it may stand in a walk: a profile's name or `{profile: night, shadows: false}`. Profiles
+/// are looked for near `folder`; complaints are of `asked_by`.
+engine::LightSettings read_light_text(const std::string& text, const std::string& asked_by,
+                                      const std::filesystem::path& folder, const SearchPaths& search);
 
 }  // namespace campuswalk::config

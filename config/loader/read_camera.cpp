@@ -79,4 +79,18 @@ engine::PictureChannels read_channels(const CheckedNode& node) {
     return channels;
 }
 
+void read_overlays(const CheckedNode& node, engine::PictureOverlays& overlays) {
+    using Overlays = engine::PictureOverlays;
+    using Overlay = bool Overlays::*;
+    constexpr std::array kOverlays = {
+        Choice<Overlay>{"path", &Overlays::path},           Choice<Overlay>{"contacts", &Overlays::contacts},
+        Choice<Overlay>{"colliders", &Overlays::colliders}, Choice<Overlay>{"triggers", &Overlays::triggers},
+        Choice<Overlay>{"labels", &Overlays::labels},       Choice<Overlay>{"compass", &Overlays::compass}};
+    for (const CheckedNode& item : node.items_or_one("an overlay")) {
+        if (const auto overlay = item.choice(kOverlays)) {
+            overlays.** overlay = true;
+        }
+    }
+}
+
 }  // namespace campuswalk::config

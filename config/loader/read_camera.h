@@ -13,4 +13,7 @@ void read_camera_fields(CheckedMap& map, const CampusNames& names, engine::Camer
 /// `channels`: one of depth, ids and normals, or a list of them.
 engine::PictureChannels read_channels(const CheckedNode& node);
 
+/// `overlays`: one of path, contacts, colliders, triggers, labels and compass, or a list of them.
+void read_overlays(const CheckedNode& node, engine::PictureOverlays& overlays);
+
 }  // namespace campuswalk::config

@@ -155,6 +155,13 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
         take_name(*name);
     }
     read_camera_fields(map, context.names, step.camera);
+    if (const auto overlays = map.find("overlays")) {
+        read_overlays(*overlays, step.overlays);
+    }
+    if (const auto level = map.find("tree_level")) {
+        constexpr int kDeepest = 40;
+        step.overlays.tree_level = level->whole_number(0, kDeepest);
+    }
     if (const auto channels = map.find("channels")) {
         step.channels = read_channels(*channels);
         // Their files stand beside other snapshots'.

@@ -7,6 +7,7 @@ const std::string_view kVersion = "#version 330 core\n";
 const std::string_view kAirChunk = R"(
 uniform vec3 to_sun;
 uniform vec3 sun_color;
+uniform float sun_disc;
 uniform vec3 zenith_color;
 uniform vec3 horizon_color;
 
@@ -28,7 +29,8 @@ vec3 sky_color(vec3 direction) {
     vec3 color = mix(zenith_color, horizon_color, haze);
     float towards_sun = max(dot(direction, to_sun), 0.0);
     float disc = 3.0 * smoothstep(0.9994, 0.9998, towards_sun);
-    color += wide_glow(towards_sun) + (0.22 * pow(towards_sun, 90.0) + disc) * sun_color * vec3(1.0, 0.92, 0.78);
+    color += wide_glow(towards_sun) +
+             (sun_disc * (0.22 * pow(towards_sun, 90.0) + disc)) * sun_color * vec3(1.0, 0.92, 0.78);
     // Below the horizon, where the campus ends: the ground's far haze.
     float down = smoothstep(0.0, 0.25, -direction.y);
     return mix(color, horizon_color * vec3(0.62, 0.63, 0.60), down);

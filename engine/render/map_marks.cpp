@@ -105,20 +105,57 @@ void draw_north_arrow(const Canvas& canvas) {
 }
 
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels) {
+    std::vector<PixelLabel> seen;
+    for (const MapLabel& label : labels) {
+        if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), label.position)) {
+            seen.push_back({label.text, *pixel});
+        }
+    }
+    draw_labels(canvas, seen);
+}
+
+void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels) {
     const double s = canvas.scale();
     const TextStyle style = {14.0 * s, true, kLine, 0.0, 1};
     std::vector<Eigen::Vector4d> taken;
-    for (const MapLabel& label : labels) {
-        const auto pixel = pixel_of(view, canvas.width(), canvas.height(), label.position);
-        if (!pixel) {
-            continue;
-        }
+    for (const PixelLabel& label : labels) {
         const Eigen::Vector2d half = 0.5 * canvas.text_size(label.text, style) + Eigen::Vector2d(4, 2) * s;
-        if (const auto box = free_place(canvas, *pixel, half, taken)) {
+        if (const auto box = free_place(canvas, label.pixel, half, taken)) {
             taken.push_back(*box);
             canvas.label(0.5 * (box->x() + box->z()), 0.5 * (box->y() + box->w()), label.text, style);
         }
     }
+}
+
+void draw_compass(const Canvas& canvas, double yaw) {
+    const double s = canvas.scale();
+    const double radius = 30.0 * s;
+    const double x = canvas.width() - kEdge * s - radius;
+    const double y = kEdge * s + radius;
+    cairo_t* cr = canvas.cairo();
+    constexpr double kFullTurn = 6.283185307179586;
+    canvas.set_ink({0.05, 0.07, 0.09, 0.45});
+    cairo_arc(cr, x, y, radius, 0.0, kFullTurn);
+    cairo_fill_preserve(cr);
+    canvas.set_ink(kLine);
+    cairo_set_line_width(cr, 2.0 * s);
+    cairo_stroke(cr);
+    cairo_save(cr);
+    cairo_translate(cr, x, y);
+    cairo_rotate(cr, yaw);  // who has turned left has north on the right
+    for (const bool north : {true, false}) {
+        const double tip = (north ? -0.82 : 0.82) * radius;
+        cairo_move_to(cr, 0.0, tip);
+        cairo_line_to(cr, 0.2 * radius, 0.0);
+        cairo_line_to(cr, -0.2 * radius, 0.0);
+        cairo_close_path(cr);
+        canvas.set_ink(north ? kArrow : kLine);
+        cairo_fill(cr);
+    }
+    cairo_restore(cr);
+    const double letter = radius + 11.0 * s;
+    canvas.label(x + letter * std::sin(yaw), y - letter * std::cos(yaw), "N",
+                 {13.0 * s, true, kLine, 0.0, 1});
 }
 
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path) {

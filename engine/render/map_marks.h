@@ -17,6 +17,12 @@ struct MapLabel {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
+/// A name to write at a place in the picture.
+struct PixelLabel {
+    std::string text;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+};
+
 /// The longest "round" length (1, 2 or 5 times a power of ten, metres) not above `metres`.
 double round_length(double metres);
 
@@ -25,6 +31,9 @@ void draw_scale_bar(const Canvas& canvas, const Viewpoint& view);
 void draw_north_arrow(const Canvas& canvas);
 /// Names at their places, moved a little where they would cover each other.
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
+void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels);
+/// Where north is for a camera with the heading `yaw`, in the upper right corner: up is ahead.
+void draw_compass(const Canvas& canvas, double yaw);
 /// The way walked so far, world points.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
 /// An arrow head of `size` pixels at (x, y) that points along the heading `yaw` on a north-up map.

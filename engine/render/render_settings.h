@@ -17,6 +17,7 @@ struct RenderSettings {
     /// Share of the sky light that vertical faces turned towards the sun gain and those turned away lose, so
     /// that walls of one room or of a house's shady sides can be told apart.
     double side_light = 0.16;
+    double sun_disc = 1.0;  ///< brightness in the sky of the sun's disc and its glow; 0 = hidden
 
     /// Added to the ambient light when the camera is in a room, less of it the more sky is open above: lamps,
     /// and the eye that adapts. A little warm, against the blue of the sky light.
@@ -35,6 +36,8 @@ struct RenderSettings {
 
     /// Samples a pixel: 1 or 4. llvmpipe has no other number; 4 costs about three times 1.
     int samples = 4;
+    bool fxaa = false;      ///< edges smoothed in the finished picture
+    int supersampling = 1;  ///< 2: drawn twice as wide and high, then averaged
     /// Ambient light is dimmed in corners and under things closer than this, metres; 0 = nowhere.
     double occlusion_radius = 0.9;
     /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.

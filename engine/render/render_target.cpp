@@ -18,9 +18,10 @@ void check_complete(const GlFunctions& gl, int width, int height, int samples) {
 
 }  // namespace
 
-void RenderTarget::check_size(const GlFunctions& gl, int width, int height) {
+void RenderTarget::check_size(const GlFunctions& gl, int width, int height, int scale) {
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    largest /= scale;
     if (width < 1 || height < 1 || width > largest || height > largest) {
         throw RenderError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                           " pixels is out of range: each side must be 1 to " + std::to_string(largest));

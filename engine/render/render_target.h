@@ -17,8 +17,8 @@ public:
     RenderTarget& operator=(const RenderTarget&) = delete;
     ~RenderTarget();
 
-    /// Throws RenderError, naming what is possible, when the driver has no picture of this size.
-    static void check_size(const GlFunctions& gl, int width, int height);
+    /// Throws RenderError, naming what is possible, when the driver has no picture `scale` times this size.
+    static void check_size(const GlFunctions& gl, int width, int height, int scale = 1);
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -10,6 +10,7 @@
 #include "engine/render/channel_pass.h"
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_campus.h"
+#include "engine/render/line_pass.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/render_error.h"
 #include "engine/render/render_target.h"
@@ -17,6 +18,7 @@
 #include "engine/render/shaders.h"
 #include "engine/render/shadow_maps.h"
 #include "engine/render/sky_view.h"
+#include "engine/render/smooth_picture.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -72,8 +74,19 @@ public:
         }
     }
 
-    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
+    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
+                 std::span<const OverlayLine> lines) {
         context_->make_current();
+        if (settings_.supersampling > 1) {
+            RenderTarget::check_size(gl_, width, height, 2);
+            return halved(draw_once(view, 2 * width, 2 * height, figure, lines));
+        }
+        const Picture picture = draw_once(view, width, height, figure, lines);
+        return settings_.fxaa ? with_smooth_edges(picture) : picture;
+    }
+
+    Picture draw_once(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
+                      std::span<const OverlayLine> lines) {
         fit_target(width, height);
         occlusion_.fit(width, height);
         Frame frame;
@@ -99,6 +112,12 @@ public:
             draw_sky(view, width, height);
         }
         draw_see_through(frame);
+        if (!lines.empty()) {
+            if (!lines_) {
+                lines_ = std::make_unique<LinePass>(gl_);
+            }
+            lines_->draw(lines, frame.clip_campus, geometry_.origin, width, height);
+        }
         return target_->finish();
     }
 
@@ -177,6 +196,7 @@ private:
     void set_air(const ShaderProgram& program) const {
         program.set("to_sun", Eigen::Vector3d(settings_.to_sun.normalized()));
         program.set("sun_color", settings_.sun_color);
+        program.set("sun_disc", settings_.sun_disc);
         program.set("zenith_color", settings_.zenith_color);
         program.set("horizon_color", settings_.horizon_color);
     }
@@ -266,6 +286,7 @@ private:
     GLuint no_vertices_ = 0;
     std::unique_ptr<RenderTarget> target_;
     std::unique_ptr<ChannelPass> channels_;  // none before the first is asked for
+    std::unique_ptr<LinePass> lines_;        // likewise
 };
 
 Renderer::Renderer(std::span<const scene::Model> models, const RenderSettings& settings,
@@ -276,8 +297,9 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Picture Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure) {
-    return drawing_->draw(view, width, height, figure);
+Picture Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
+                       std::span<const OverlayLine> lines) {
+    return drawing_->draw(view, width, height, figure, lines);
 }
 
 Channels Renderer::draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,

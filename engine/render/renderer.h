@@ -9,6 +9,7 @@
 #include "engine/render/camera.h"
 #include "engine/render/channels.h"
 #include "engine/render/gl_context.h"
+#include "engine/render/overlay_lines.h"
 #include "engine/render/picture.h"
 #include "engine/render/render_settings.h"
 #include "scene/model.h"
@@ -35,7 +36,9 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
 
     /// A picture of `width` x `height` pixels. Throws RenderError for a size that can't be drawn.
-    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {});
+    /// `lines` go over it.
+    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {},
+                 std::span<const OverlayLine> lines = {});
 
     /// What the same picture shows in numbers, as far as `choice` asks for it. Throws RenderError likewise.
     Channels draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,

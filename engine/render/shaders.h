@@ -35,6 +35,8 @@ extern const std::string_view kMaskedDepthFragment;  ///< leaves holes where the
 /// Numbers instead of colours, one program for each kind of surface as with kSurfaceFragment.
 extern const std::string_view kChannelVertex;
 extern const std::string_view kChannelFragment;
+extern const std::string_view kLineVertex;
+extern const std::string_view kLineFragment;
 extern const std::string_view kScreenVertex;  ///< for passes over a whole picture
 extern const std::string_view kOcclusionFragment;
 extern const std::string_view kBlurFragment;

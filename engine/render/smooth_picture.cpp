@@ -92,7 +92,8 @@ private:
         const int after = level ? s : e;
         const int side = std::abs(before - m) >= std::abs(after - m) ? -1 : 1;
         const double mean = (2 * (n + s + w + e) + nw + ne + sw + se) / 12.0;
-        const double alone = std::min(1.0, std::abs(mean - m) / range);
+        // Beside a straight edge a third of the neighbours are other; what has more stands out by itself.
+        const double alone = std::clamp(1.5 * std::abs(mean - m) / range - 0.5, 0.0, 1.0);
         const double by_itself = kSoftestPixel * alone * alone;
         mix(x, y, level, side, std::max(by_itself, from_steps(x, y, level, side)));
     }

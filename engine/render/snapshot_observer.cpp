@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/render/channel_files.h"
+#include "engine/render/light.h"
 #include "engine/render/png.h"
 
 namespace campuswalk::engine::render {
@@ -29,6 +30,8 @@ SnapshotObserver::~SnapshotObserver() = default;
 void SnapshotObserver::begin(const Walk& walk) {
     walk_name_ = walk.name;
     profile_ = walk.avatar;
+    light_ = walk.light;
+    painter_.reset();  // another walk may have another light
     trail_.clear();
     sights_.clear();
     for (const Expectation& expectation : walk.expectations) {
@@ -36,15 +39,23 @@ void SnapshotObserver::begin(const Walk& walk) {
             sights_[visible->snapshot] = {};
         }
     }
+    contacts_.clear();
 }
 
 void SnapshotObserver::frame(const FrameRecord& record) {
     trail_.follow(record.avatar);
+    for (const Event& event : record.events) {
+        if (event.kind == EventKind::collision_enter) {
+            contacts_.push_back(record.avatar.position);
+        }
+    }
     if (record.snapshots.empty()) {
         return;
     }
     if (!painter_) {
-        painter_ = std::make_unique<SnapshotPainter>(campus_, settings_);
+        SnapshotSettings settings = settings_;
+        settings.light = lit(settings_.light, light_);
+        painter_ = std::make_unique<SnapshotPainter>(campus_, settings);
     }
     const std::vector<Eigen::Vector3d> path = trail_.path();
     for (const SnapshotStep* step : record.snapshots) {
@@ -55,6 +66,8 @@ void SnapshotObserver::frame(const FrameRecord& record) {
         shot.stride = trail_.stride();
         shot.open_popups = record.open_popups;
         shot.path = path;
+        shot.overlays = step->overlays;
+        shot.contacts = contacts_;
         shot.caption = caption_of(walk_name_, record);
         const std::filesystem::path file = folder_ / (step->name + ".png");
         write_png(painter_->draw(shot), file);

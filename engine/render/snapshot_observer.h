@@ -42,7 +42,9 @@ private:
     std::unique_ptr<SnapshotPainter> painter_;
     std::string walk_name_;
     AvatarProfile profile_;
+    LightSettings light_;
     WalkTrail trail_;
+    std::vector<Eigen::Vector3d> contacts_;  // where the avatar touched something
     std::vector<std::filesystem::path> files_;
     SnapshotSights sights_;  ///< of those wanted; empty ones until they are taken
 };

@@ -1,6 +1,8 @@
 #include "engine/render/snapshot_painter.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <utility>
 
 #include "engine/events/popup_text.h"
@@ -17,6 +19,9 @@ constexpr double kOrbitDistance = 10.0;  // metres, around a point
 // Down from the south-west, where the sun is: both sides of a building that are seen are lit.
 constexpr double kOrbitYaw = -0.5235987755982988;
 constexpr double kOrbitPitch = -0.4363323129985824;
+
+constexpr double kSteep = 0.999;          // sine of a look that has no heading but the picture's upper edge
+constexpr double kLabelledShare = 0.002;  // of the picture: a building that shows less has no label
 
 constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
 
@@ -38,7 +43,9 @@ SnapshotPainter::SnapshotPainter(const scene::Campus& campus, SnapshotSettings s
 
 Picture SnapshotPainter::draw(const Shot& shot) {
     const Viewpoint view = viewpoint(shot);
-    const Picture picture = renderer_.draw(view, shot.camera.width, shot.camera.height, figure(shot, view));
+    const std::vector<OverlayLine> lines = overlay_lines(campus_, shot.overlays, shot.path, shot.contacts);
+    const Picture picture =
+        renderer_.draw(view, shot.camera.width, shot.camera.height, figure(shot, view), lines);
     return draw_over(picture, shot, view);
 }
 
@@ -158,6 +165,15 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
     } else if (settings_.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
         draw_minimap(canvas, minimap(), shot.avatar);
     }
+    if (shot.overlays.labels) {
+        draw_labels(canvas, labels_in(shot));
+    }
+    if (shot.overlays.compass && view.projection == Projection::perspective) {
+        const Eigen::Vector3d back = view.R_world_camera.col(2);
+        const Eigen::Vector3d up = view.R_world_camera.col(1);
+        const Eigen::Vector3d level = std::abs(back.y()) > kSteep ? Eigen::Vector3d(-up) : back;
+        draw_compass(canvas, std::atan2(level.x(), level.z()));
+    }
     draw_info_windows(canvas, windows(shot, view), settings_.max_windows);
     if (settings_.caption && !shot.caption.empty()) {
         const double s = canvas.scale();
@@ -191,17 +207,65 @@ std::optional<Eigen::Vector2d> SnapshotPainter::anchor(std::size_t building, con
     return pixel_of(view, shot.camera.width, shot.camera.height, point);
 }
 
+std::string SnapshotPainter::title_of(std::size_t index) const {
+    const scene::Building& building = campus_.description.buildings[index];
+    const std::string title = popup_title(building, {});
+    return title.empty() ? building.id : title;
+}
+
 std::vector<MapLabel> SnapshotPainter::labels() const {
     std::vector<MapLabel> all;
     for (std::size_t i = 0; i < building_bounds_.size(); ++i) {
         const scene::Bounds& box = building_bounds_[i];
         if (!box.empty()) {
-            const scene::Building& building = campus_.description.buildings[i];
-            const std::string title = popup_title(building, {});
-            all.push_back({title.empty() ? building.id : title, 0.5 * (box.min + box.max)});
+            all.push_back({title_of(i), 0.5 * (box.min + box.max)});
         }
     }
     return all;
+}
+
+// On what is seen of each building, as near to its middle as can be, the one that shows most first.
+std::vector<PixelLabel> SnapshotPainter::labels_in(const Shot& shot) {
+    struct Seen {
+        std::size_t building = 0;
+        double pixels = 0.0;
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+        double away = 1e300;  // squared, of `best` from the middle
+        Eigen::Vector2d best = Eigen::Vector2d::Zero();
+    };
+    std::vector<Seen> seen(campus_.description.buildings.size());
+    const IdPicture ids = draw_ids(shot);
+    const auto width = static_cast<std::size_t>(ids.width);
+    const auto for_each_owned = [&](const auto& take) {
+        for (std::size_t i = 0; i < ids.ids.size(); ++i) {
+            if (const auto building = ids.names[ids.ids[i]].building) {
+                take(*building,
+                     Eigen::Vector2d(static_cast<double>(i % width), static_cast<double>(i / width)));
+            }
+        }
+    };
+    for_each_owned([&](std::size_t building, const Eigen::Vector2d& pixel) {
+        seen[building].building = building;
+        seen[building].pixels += 1.0;
+        seen[building].sum += pixel;
+    });
+    // The middle of a house behind a tower is on the tower.
+    for_each_owned([&](std::size_t building, const Eigen::Vector2d& pixel) {
+        Seen& each = seen[building];
+        const double away = (pixel - each.sum / each.pixels).squaredNorm();
+        if (away < each.away) {
+            each.away = away;
+            each.best = pixel;
+        }
+    });
+    const double least = kLabelledShare * static_cast<double>(ids.ids.size());
+    std::erase_if(seen, [&](const Seen& each) { return each.pixels < least; });
+    std::ranges::stable_sort(seen, std::greater<>(), &Seen::pixels);
+    std::vector<PixelLabel> labels;
+    for (const Seen& each : seen) {
+        labels.push_back({title_of(each.building), each.best});
+    }
+    return labels;
 }
 
 const Minimap& SnapshotPainter::minimap() {

@@ -25,7 +25,7 @@ namespace campuswalk::engine::render {
 
 /// What is drawn besides the campus.
 struct SnapshotSettings {
-    RenderSettings light;
+    RenderSettings light;  ///< a walk's own light goes on top
     RenderingBackend backend = RenderingBackend::automatic;
     bool minimap = true;           ///< in views from the avatar
     double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
@@ -46,7 +46,9 @@ struct Shot {
     double stride = 0.0;  ///< phase of the avatar's step, radians
     std::span<const OpenPopup> open_popups;  ///< oldest first
     std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in View::top
-    std::string caption;                     ///< shown when SnapshotSettings::caption
+    PictureOverlays overlays;
+    std::span<const Eigen::Vector3d> contacts;  ///< where the foot point was, for the overlay
+    std::string caption;                        ///< shown when SnapshotSettings::caption
 };
 
 /// Which building and which object each pixel of a shot shows, as Channels says; nothing drawn over it
@@ -92,6 +94,8 @@ private:
     std::optional<Eigen::Vector2d> anchor(std::size_t building, const Shot& shot,
                                           const Viewpoint& view) const;
     std::vector<MapLabel> labels() const;
+    std::string title_of(std::size_t building) const;
+    std::vector<PixelLabel> labels_in(const Shot& shot);
     const Minimap& minimap();
 
     const scene::Campus& campus_;

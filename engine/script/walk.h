@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "engine/avatar.h"
+#include "engine/light.h"
 #include "engine/script/expectation.h"
 #include "engine/script/mentions.h"
 #include "scene/diagnostic.h"
@@ -56,6 +57,19 @@ struct PictureChannels {
     bool normals = false;
 
     bool any() const { return depth || ids || normals; }
+};
+
+/// What is drawn over a picture, for whoever wants to see how the campus works.
+struct PictureOverlays {
+    bool path = false;                   ///< the way walked so far
+    bool contacts = false;               ///< where something solid was touched
+    bool colliders = false;              ///< edges of what is solid or seen
+    bool triggers = false;               ///< edges of what notices who is inside
+    bool labels = false;                 ///< titles of the buildings that are in the picture
+    bool compass = false;                ///< where north is
+    std::optional<int> tree_level = {};  ///< the boxes at this level of the meshes' trees, 0 the whole mesh'
+
+    bool any_lines() const { return path || contacts || colliders || triggers || tree_level; }
 };
 
 // ---- steps --------------------------------------------------------------------------------------------
@@ -109,6 +123,7 @@ struct SnapshotStep {
     std::string name;  ///< file name without extension
     CameraSettings camera;
     PictureChannels channels;
+    PictureOverlays overlays;
 };
 
 /// Along a smooth curve through points, from where the avatar is. Ends like a walk_to to the last of them.
@@ -204,6 +219,7 @@ struct Walk {
     AvatarProfile avatar;
     SimSettings sim;
     CameraSettings camera;
+    LightSettings light;  ///< of its pictures
     std::vector<Step> steps;
     std::vector<Expectation> expectations;
 };

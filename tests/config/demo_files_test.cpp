@@ -52,5 +52,14 @@ TEST(DemoFiles, AvatarsLoad) {
     }
 }
 
+TEST(DemoFiles, LightsLoad) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files_in(kConfig / "lights", ".light.yaml")) {
+        EXPECT_TRUE(load_light(file).sun_color) << file;
+        names.push_back(file.filename().string());
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"day.light.yaml", "night.light.yaml", "overcast.light.yaml"}));
+}
+
 }  // namespace
 }  // namespace campuswalk::config

@@ -37,7 +37,9 @@ TEST_F(LoadRun, LooksForAvatarsNearTheWalkFirst) {
     folder_.write("config/avatars/robot.avatar.yaml", "speed: 1\n");
     folder_.write("elsewhere/robot.avatar.yaml", "speed: 3\n");
     const auto speed = [&] {
-        return load_run(folder_.path("deep/er/a.walk.yaml"), {{folder_.path("elsewhere")}}).walk.avatar.speed;
+        return load_run(folder_.path("deep/er/a.walk.yaml"),
+                        {.avatars = {folder_.path("elsewhere")}, .lights = {}})
+            .walk.avatar.speed;
     };
     EXPECT_EQ(speed(), 1.0);
     folder_.write("deep/avatars/robot.avatar.yaml", "speed: 2\n");

@@ -97,6 +97,24 @@ TEST_F(ReadCamera, ReadsChannels) {
     EXPECT_TRUE(!b.depth && !b.ids && b.normals);
 }
 
+TEST_F(ReadCamera, ReadsOverlays) {
+    ASSERT_THAT(folder_.about_walk(
+                    "campus: a.campus.yaml\n"
+                    "steps: [{spawn: gate}, {snapshot: {name: a, overlays: [path, labels], tree_level: 3}}, "
+                    "{snapshot: {name: b, overlays: colliders}}]\n"),
+                ElementsAre());
+    const engine::Walk walk = folder_.run().walk;
+    const auto& a = std::get<SnapshotStep>(walk.steps.at(1)).overlays;
+    EXPECT_TRUE(a.path && a.labels && !a.colliders && !a.compass && !a.contacts && !a.triggers);
+    EXPECT_EQ(a.tree_level, 3);
+    EXPECT_TRUE(std::get<SnapshotStep>(walk.steps.at(2)).overlays.colliders);
+    EXPECT_THAT(
+        folder_.about_walk("campus: a.campus.yaml\n"
+                           "steps: [{spawn: gate}, {snapshot: {name: a, overlays: grid}}]\n"),
+        ElementsAre("a.walk.yaml:2:55: error bad-value: an overlay must be one of path, contacts, colliders, "
+                    "triggers, labels, compass, not 'grid'"));
+}
+
 TEST_F(ReadCamera, ComplainsOfTargetsAndChannels) {
     EXPECT_THAT(
         folder_.about_walk(

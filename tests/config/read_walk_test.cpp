@@ -69,6 +69,7 @@ TEST_F(ReadWalk, ComplainsOfTheFileAsAWhole) {
         ElementsAre(
             "a.walk.yaml:3:1: error unknown-key: unknown key 'xpect' in a walk (did you mean 'expect'?)",
             "a.walk.yaml:4:1: error unknown-key: unknown key 'fps' in a walk; known here: campus, avatar, "
+            "light, "
             "sim, status, tags, timeout, camera, steps, expect"));
 }
 

@@ -164,8 +164,8 @@ class Validate(ProgramCase):
             "avatars/adult.avatar.yaml:1:1: error unknown-key: unknown key 'heigth' in an avatar (did you mean "
             "'height'?)",
             "small.campus.yaml:14:15: error wrong-type: 'at' must be three numbers, as in [0, 1.5, -2]",
-            "room.obj: error file-name: only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml and NAME.steps.yaml "
-            "are checked; name another file or rename this one",
+            "room.obj: error file-name: only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
+            "NAME.steps.yaml are checked; name another file or rename this one",
             "none: error missing-file: no such file; check the path"])
 
     def test_the_others_are_still_checked(self):

@@ -81,6 +81,32 @@ class Pictures(ProgramCase):
         for name in ("a.png", "a-depth.png", "a-ids.png", "a-ids.json"):
             self.assertIn(f"short/{name}", report)
 
+    def test_light(self):
+        def drawn(*light):
+            self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "a.png", "--width", "64", "--height", "48",
+                        *light)
+            return self.read("a.png")
+        day = drawn()
+        self.assertEqual(drawn("--light", "day"), day)
+        self.assertEqual(len({day, drawn("--light", "night"), drawn("--light", "overcast"),
+                              drawn("--light", "{profile: night, shadows: false}"),
+                              drawn("--light", "{anti_aliasing: fxaa}")}), 5)
+        outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "b.png", "--light", "{sun: {disc: bright}}")
+        self.assertEqual((outcome.code, outcome.complaints),
+                         (2, ["--light:1:14: error wrong-type: 'disc' must be a number, not 'bright'"]))
+        outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "b.png", "--light", "nihgt")
+        self.assertEqual((outcome.code, len(outcome.complaints)), (2, 1))
+        self.assertIn("did you mean 'night'?", outcome.err)
+
+    def test_overlays(self):
+        def drawn(*overlays):
+            self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "a.png", "--width", "160", "--height",
+                        "120", *overlays)
+            return self.read("a.png")
+        self.assertEqual(len({drawn(), drawn("--overlay", "colliders"), drawn("--overlay", "triggers"),
+                              drawn("--overlay", "labels"), drawn("--overlay", "compass"), drawn("--tree-level", "1"),
+                              drawn("--overlay", "labels", "--overlay", "compass")}), 7)
+
     def test_every_backend_draws_the_same_bytes(self):
         pictures = set()
         for backend in ("osmesa", "egl", "auto"):

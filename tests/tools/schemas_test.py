@@ -39,6 +39,7 @@ KINDS = [
     ("walk.schema.json", ".walk.yaml", WALK),
     ("steps.schema.json", ".steps.yaml", STEPS),
     ("avatar.schema.json", ".avatar.yaml", AVATAR),
+    ("light.schema.json", ".light.yaml", {"shadows": True}),
     ("walks-config.schema.json", ".config.yaml", {}),
 ]
 # What the loader says of a file's form; what comes after it, of models and places, is no matter of keys.

@@ -83,8 +83,8 @@ class Validate(ProgramCase):
         self.write("empty/notes.txt", "")
         outcome = self.run_program("validate", "empty")
         self.assertEqual((outcome.code, outcome.err), (
-            2, "empty: error no-files: there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml, .steps.yaml or "
-               "walks.config.yaml in this folder\n"))
+            2, "empty: error no-files: there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml, .light.yaml, .steps.yaml "
+               "or walks.config.yaml in this folder\n"))
 
     def test_steps_file(self):
         self.write("lap.steps.yaml", "steps:\n  - spawn: gate\n  - include: lap.steps.yaml\n")

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "engine/decimals.h"
+#include "engine/render/light.h"
 #include "engine/render/png.h"
 #include "engine/render/walk_trail.h"
 #include "engine/simulation.h"
@@ -97,30 +97,42 @@ private:
 
 }  // namespace
 
-/// One a campus. A process that plays many of them keeps a few.
+/// One a campus and light. A process that plays many of them keeps a few.
 class FailurePictures::Painters {
 public:
-    render::SnapshotPainter& of(const scene::Campus& campus, Backend backend) {
+    render::SnapshotPainter& of(const scene::Campus& campus, const engine::LightSettings& light,
+                                Backend backend) {
         constexpr std::size_t kMost = 4;
-        auto found = painters_.find(&campus);
-        if (found == painters_.end()) {
-            if (painters_.size() >= kMost) {
-                painters_.clear();
-            }
-            found = painters_.emplace(&campus, make(campus, backend)).first;
+        const auto found = std::ranges::find_if(
+            kept_, [&](const Kept& kept) { return kept.campus == &campus && kept.light == light; });
+        if (found != kept_.end()) {
+            return *found->painter;
         }
-        return *found->second;
+        if (kept_.size() >= kMost) {
+            kept_.clear();
+        }
+        kept_.push_back({&campus, light, make(campus, light, backend)});
+        return *kept_.back().painter;
     }
 
 private:
-    static std::unique_ptr<render::SnapshotPainter> make(const scene::Campus& campus, Backend backend) {
+    struct Kept {
+        const scene::Campus* campus = nullptr;
+        engine::LightSettings light;
+        std::unique_ptr<render::SnapshotPainter> painter;
+    };
+
+    static std::unique_ptr<render::SnapshotPainter> make(const scene::Campus& campus,
+                                                         const engine::LightSettings& light,
+                                                         Backend backend) {
         render::SnapshotSettings settings = settings_for(campus, backend);
+        settings.light = render::lit(settings.light, light);
         settings.caption = true;
         settings.minimap = false;  // the picture from above says more
         return std::make_unique<render::SnapshotPainter>(campus, std::move(settings));
     }
 
-    std::map<const scene::Campus*, std::unique_ptr<render::SnapshotPainter>> painters_;
+    std::vector<Kept> kept_;
 };
 
 FailurePictures::FailurePictures() : painters_(std::make_unique<Painters>()) {}
@@ -134,7 +146,7 @@ std::vector<engine::Artifact> FailurePictures::draw(const scene::Campus& campus,
     if (moments.empty()) {
         return {};
     }
-    FailurePainter painter(campus, walk, painters_->of(campus, backend), output, folder);
+    FailurePainter painter(campus, walk, painters_->of(campus, walk.light, backend), output, folder);
     engine::Simulation simulation(campus, walk);
     render::WalkTrail trail;
     auto next = moments.begin();

@@ -83,7 +83,9 @@ struct CampusPicture {
     bool plan = false;              ///< from above, all of it; of `camera` only the size counts
     engine::CameraSettings camera;  ///< View::first_person from `avatar`'s place, or one that needs nobody
     engine::AvatarState avatar;
+    engine::LightSettings light;
     engine::PictureChannels channels;  ///< go beside `file`
+    engine::PictureOverlays overlays;  ///< not on a plan
     std::filesystem::path file;
     Backend backend = Backend::automatic;
 };

@@ -2,6 +2,7 @@
 
 #include "collision/cast.h"
 #include "engine/render/channel_files.h"
+#include "engine/render/light.h"
 #include "engine/render/png.h"
 #include "engine/render/snapshot_observer.h"
 #include "tools/campuswalk/map_picture.h"
@@ -99,11 +100,14 @@ void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
 
 void draw_campus(const scene::Campus& campus, const CampusPicture& picture) {
     namespace render = engine::render;
-    render::SnapshotPainter painter(campus, settings_for(campus, picture.backend));
+    SnapshotSettings settings = settings_for(campus, picture.backend);
+    settings.light = render::lit(settings.light, picture.light);
+    render::SnapshotPainter painter(campus, settings);
     render::Shot shot;
     shot.camera = picture.camera;
     shot.avatar = picture.avatar;
     shot.nobody = true;
+    shot.overlays = picture.overlays;
     const int width = picture.camera.width;
     const int height = picture.camera.height;
     render::write_png(picture.plan ? painter.draw_plan(width, height) : painter.draw(shot), picture.file);

@@ -53,6 +53,16 @@ void aim(const SnapshotOptions& options, const scene::CampusDescription& campus,
     }
 }
 
+engine::PictureOverlays overlays_of(const SnapshotOptions& options) {
+    engine::PictureOverlays overlays = options.overlays;
+    const auto named = [&](const char* name) { return std::ranges::count(options.overlay_names, name) > 0; };
+    overlays.colliders = named("colliders");
+    overlays.compass = named("compass");
+    overlays.labels = named("labels");
+    overlays.triggers = named("triggers");
+    return overlays;
+}
+
 }  // namespace
 
 int draw_snapshot(const SnapshotOptions& options) {
@@ -65,7 +75,12 @@ int draw_snapshot(const SnapshotOptions& options) {
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     CampusPicture picture;
     aim(options, campus->description, picture);
+    if (!options.light.empty()) {
+        picture.light =
+            config::read_light_text(options.light, "--light", options.campus.parent_path(), search_paths());
+    }
     picture.channels = options.channels;
+    picture.overlays = overlays_of(options);
     picture.file = options.output;
     picture.backend = options.backend;
     draw_campus(*campus, picture);

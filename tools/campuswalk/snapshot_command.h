@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/script/walk.h"
 #include "tools/campuswalk/rendering_backend.h"
@@ -13,7 +14,10 @@ struct SnapshotOptions {
     /// "top" for a plan of everything, a spawn's name to look from there, or a camera's keys as in a walk:
     /// "{view: orbit, around: library}".
     std::string camera = "top";
+    std::string light;  ///< as in a walk: a profile's name or what differs; empty: day
     engine::PictureChannels channels;
+    engine::PictureOverlays overlays;
+    std::vector<std::string> overlay_names;  ///< go into `overlays` too
     std::filesystem::path output;
     int width = 1280;  ///< pixels
     int height = 720;  ///< pixels

@@ -14,8 +14,13 @@ namespace fs = std::filesystem;
 config::SearchPaths search_paths() {
     std::error_code none;
     const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
-    return {{folder.parent_path().parent_path() / "config" / "avatars",
-             folder.parent_path() / "share" / "campuswalk" / "config" / "avatars"}};
+    config::SearchPaths paths;
+    for (const fs::path& config : {folder.parent_path().parent_path() / "config",
+                                   folder.parent_path() / "share" / "campuswalk" / "config"}) {
+        paths.avatars.push_back(config / "avatars");
+        paths.lights.push_back(config / "lights");
+    }
+    return paths;
 }
 
 WalkLoader::WalkLoader(Told warn) : warn_(std::move(warn)), loader_(search_paths()) {}

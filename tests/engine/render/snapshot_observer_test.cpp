@@ -68,6 +68,18 @@ TEST_F(SnapshotObserverTest, TheSameWalkGivesTheSameFile) {
     EXPECT_GT(files[0].size(), 1000U);
 }
 
+TEST_F(SnapshotObserverTest, EveryWalkHasItsOwnLight) {
+    SnapshotObserver observer(campus_, folder_.path(), settings_);
+    walk(observer, 5);
+    const std::string day = bytes(observer.files().at(0));
+    walk_.light.shadows = false;
+    walk(observer, 5);
+    EXPECT_NE(bytes(observer.files().at(1)), day);
+    walk_.light = {};
+    walk(observer, 5);
+    EXPECT_EQ(bytes(observer.files().at(2)), day);
+}
+
 TEST_F(SnapshotObserverTest, MakesNoFolderForAWalkWithoutPictures) {
     SnapshotObserver observer(campus_, folder_.path() / "out", settings_);
     walk(observer, 5, false);

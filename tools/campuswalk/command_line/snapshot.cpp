@@ -53,6 +53,11 @@ void add_snapshot(Command program, Chosen& chosen) {
     const Limits<int> pixels{16, 8192};
     command.option({.names = "--width", .help = "Pixels", .show_default = true}, options->width, pixels);
     command.option({.names = "--height", .help = "Pixels", .show_default = true}, options->height, pixels);
+    command.option({.names = "--light",
+                    .help = "day, overcast, night or another NAME.light.yaml; or as in a walk: "
+                            "'{profile: night, anti_aliasing: fxaa}'",
+                    .value = "LIGHT"},
+                   options->light);
     command.option(
         {.names = "--channels",
          .help = "Of depth, ids and normals, with commas: kept beside the picture, FILE-depth.png, "
@@ -60,6 +65,13 @@ void add_snapshot(Command program, Chosen& chosen) {
          .value = "LIST",
          .check = why_no_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
+    command.choices(
+        {.names = "--overlay", .help = "Drawn over the picture, but not over a plan; several times"},
+        {"colliders", "compass", "labels", "triggers"}, options->overlay_names);
+    command.option({.names = "--tree-level",
+                    .help = "Draw the boxes at this level of the collision meshes' trees",
+                    .value = "N"},
+                   options->overlays.tree_level, Limits<int>{0, 40});
     add_rendering_backend(command, options->backend);
     add_cache_flag(command);
     command.choose(chosen, [options] { return draw_snapshot(*options); });

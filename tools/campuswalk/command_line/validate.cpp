@@ -9,13 +9,14 @@ namespace campuswalk::tools {
 void add_validate(Command program, Chosen& chosen) {
     const auto options = std::make_shared<ValidateOptions>();
     Command command = program.add(
-        "validate", "Check walks, campuses, steps, avatars and walks.config.yaml without running anything");
-    command.option(
-        {.names = "PATH",
-         .help = "*.walk.yaml, *.campus.yaml, *.steps.yaml, *.avatar.yaml, or folders with such files",
-         .value = "FILE",
-         .required = true},
-        options->paths);
+        "validate",
+        "Check walks, campuses, steps, avatars, lights and walks.config.yaml without running anything");
+    command.option({.names = "PATH",
+                    .help = "*.walk.yaml, *.campus.yaml, *.steps.yaml, *.avatar.yaml, *.light.yaml, or "
+                            "folders with such files",
+                    .value = "FILE",
+                    .required = true},
+                   options->paths);
     const std::map<std::string, ValidateFormat> formats = {{"text", ValidateFormat::text},
                                                            {"json", ValidateFormat::json},
                                                            {"sarif", ValidateFormat::sarif},

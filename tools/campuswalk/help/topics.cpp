@@ -106,6 +106,16 @@ std::string exit_codes() {
 )";
 }
 
+std::string lights() {
+    return "NAME.light.yaml says how pictures are lit. Profiles are looked for in 'lights' and "
+           "'config/lights' "
+           "beside\nthe walk and above it, then with the program: day, overcast, night. What is left out is "
+           "as by "
+           "day.\n\n" +
+           key_table("light.schema.json") +
+           "\nIn a walk: 'light: night', or 'light: {profile: night, anti_aliasing: fxaa}'.\n";
+}
+
 std::string projects() {
     return "walks.config.yaml says how 'campuswalk run' runs the walks of its folder and below; the command "
            "line "
@@ -183,6 +193,7 @@ constexpr std::array kTopics = {
     Topic{"campus", "What NAME.campus.yaml may say", campus},
     Topic{"popups", "Information windows: when they open and what they say", popups},
     Topic{"avatars", "Who walks: NAME.avatar.yaml", avatars},
+    Topic{"lights", "Sun, sky and air of pictures: NAME.light.yaml", lights},
     Topic{"projects", "walks.config.yaml: one walk for several avatars, campuses or spawns", projects},
     Topic{"reports", "What is told of a run, to whom, and how runs are compared", reports},
     Topic{"exit-codes", "What the program ends with", exit_codes},

@@ -22,8 +22,8 @@ Dependencies::Dependencies(const RunSettings& settings) {
     }
     WalkLoader loader;
     for (const fs::path& walk : find_walks(settings.paths)) {
-        for (const char* avatars : {"avatars", "config/avatars"}) {
-            add_folder(walk.parent_path() / avatars);
+        for (const char* profiles : {"avatars", "config/avatars", "lights", "config/lights"}) {
+            add_folder(walk.parent_path() / profiles);
         }
         for (const config::ProjectConfig& project : settings.projects) {
             add_walk(loader, walk, project.overrides);

@@ -14,10 +14,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, FileKind>, 5> kEndings = {{
+constexpr std::array<std::pair<std::string_view, FileKind>, 6> kEndings = {{
     {".walk.yaml", FileKind::walk},
     {".campus.yaml", FileKind::campus},
     {".avatar.yaml", FileKind::avatar},
+    {".light.yaml", FileKind::light},
     {".steps.yaml", FileKind::steps},
     {".config.yaml", FileKind::config},
 }};
@@ -37,9 +38,10 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     }
     std::ranges::sort(files, {}, [](const fs::path& file) { return file.generic_string(); });
     if (files.empty()) {
-        throw scene::InputError({folder.string(), 0, 0}, "no-files",
-                                "there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml, .steps.yaml or "
-                                "walks.config.yaml in this folder");
+        throw scene::InputError(
+            {folder.string(), 0, 0}, "no-files",
+            "there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml, .light.yaml, .steps.yaml "
+            "or walks.config.yaml in this folder");
     }
     return files;
 }

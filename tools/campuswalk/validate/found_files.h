@@ -8,7 +8,7 @@
 namespace campuswalk::tools {
 
 /// What a file is by its name.
-enum class FileKind { walk, campus, avatar, steps, config };
+enum class FileKind { walk, campus, avatar, light, steps, config };
 
 std::optional<FileKind> kind_of(const std::filesystem::path& file);
 

@@ -36,9 +36,10 @@ FileKind checked_kind(const fs::path& file) {
     const std::optional<FileKind> kind = kind_of(file);
     std::error_code none;
     if (!kind && fs::is_regular_file(file, none)) {
-        throw scene::InputError({file.string(), 0, 0}, "file-name",
-                                "only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml and NAME.steps.yaml "
-                                "are checked; name another file or rename this one");
+        throw scene::InputError(
+            {file.string(), 0, 0}, "file-name",
+            "only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
+            "NAME.steps.yaml are checked; name another file or rename this one");
     }
     return kind.value_or(FileKind::walk);
 }
@@ -51,6 +52,9 @@ std::string check(WalkLoader& loader, const fs::path& file) {
         case FileKind::avatar:
             config::load_avatar(file);
             return "an avatar";
+        case FileKind::light:
+            config::load_light(file);
+            return "a light";
         case FileKind::steps:
             return count(config::load_steps(file).size(), "step");
         case FileKind::config:
