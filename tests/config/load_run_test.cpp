@@ -74,7 +74,7 @@ TEST_F(LoadRun, TellsAllMistakesOfAllFilesAtOnceAndInOrder) {
             "a.walk.yaml:5:18: error unknown-name: no event is called 'popup.opne' (did you mean "
             "'popup.open'?)",
             "a.walk.yaml:8:1: error unknown-key: unknown key 'simulation' in a walk; known here: campus, "
-            "avatar, sim, status, tags, timeout, camera, steps, expect",
+            "avatar, light, sim, status, tags, timeout, camera, steps, expect",
             "a.campus.yaml:1:30: error bad-value: 'unit' must be one of m, cm, mm, in, ft, not 'inch'",
             "a.campus.yaml:3:10: error bad-value: 'id' must be small letters, digits and single hyphens, "
             "with '/' between words, as in library/door, not 'Ground'",

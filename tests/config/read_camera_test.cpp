@@ -133,12 +133,11 @@ TEST_F(ReadCamera, ComplainsOfTargetsAndChannels) {
             "a.walk.yaml:4:46: error unknown-name: the campus has no building, place or spawn 'hutt' "
             "(did you mean 'hut'?)",
             "a.walk.yaml:5:46: error bad-value: 'around' needs a height too: [x, y, z]",
-            "a.walk.yaml:6:31: error missing-key: a fixed camera needs 'position': [x, y, z]",
-            "a.walk.yaml:6:68: error bad-value: 'look_at' gives the direction, and so do 'yaw_deg' and "
+            "a.walk.yaml:7:68: error bad-value: 'look_at' gives the direction, and so do 'yaw_deg' and "
             "'pitch_deg'; leave one of them out",
-            "a.walk.yaml:7:43: error bad-value: a channel must be one of depth, ids, normals, not 'colors'",
-            "a.walk.yaml:9:15: error duplicate-name: the snapshot 'f-depth' stands on line 8 already",
-            "a.walk.yaml:10:49: error bad-value: 'pitch_deg' must be from -90 to 90 degrees, not '91'"));
+            "a.walk.yaml:8:43: error bad-value: a channel must be one of depth, ids, normals, not 'colors'",
+            "a.walk.yaml:10:15: error duplicate-name: the snapshot 'f-depth' stands on line 9 already",
+            "a.walk.yaml:11:49: error bad-value: 'pitch_deg' must be from -90 to 90 degrees, not '91'"));
 }
 
 TEST_F(ReadCamera, Complains) {

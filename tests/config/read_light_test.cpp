@@ -81,8 +81,8 @@ TEST_F(ReadLight, Complains) {
         ElementsAre(
             "a.walk.yaml:2:30: error bad-value: 'elevation_deg' must be from 1 to 90 degrees, not '0'",
             "a.walk.yaml:2:40: error wrong-type: 'color' must be three numbers, as in [0, 1.5, -2]",
-            "a.walk.yaml:2:68: error bad-value: a coordinate of 'zenith' must be from 0 to 100, not '-1'",
-            "a.walk.yaml:2:94: error bad-value: 'anti_aliasing' must be one of none, msaa, fxaa, "
+            "a.walk.yaml:2:67: error bad-value: 'zenith' must be from 0 to 100, not '-1'",
+            "a.walk.yaml:2:91: error bad-value: 'anti_aliasing' must be one of none, msaa, fxaa, "
             "supersampling, not 'best'"));
     folder_.write("lights/dusk.light.yaml", "sun: {colour: [1, 1, 1]}\n");
     EXPECT_THAT(

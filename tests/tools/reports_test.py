@@ -105,7 +105,8 @@ class Json(Reports):
         for way in places(whole):
             for key in at(whole, way):
                 wrong = copy.deepcopy(whole)
-                at(wrong, way)[key] = None
+                part = at(wrong, way)
+                part[key] = [] if isinstance(part[key], dict) else {}
                 self.assertFalse(check.is_valid(wrong), (way, key))
 
     def test_outcomes_are_those_of_the_code(self):
