@@ -27,6 +27,25 @@ class Pictures(ProgramCase):
         self.assertEqual(outcome.out, "")
         self.assertEqual(self.size_of("maps/plan.png"), (320, 200))
 
+    def test_map_of_a_model(self):
+        told = self.passes("info", "room.obj").out
+        outcome = self.passes("info", "room.obj", "--map", "maps/room.png")
+        self.assertEqual(outcome.out, told)
+        self.assertEqual(self.size_of("maps/room.png"), (1280, 720))
+        # From above north is up: turned about x, the room shows another side.
+        self.passes("info", "room.obj", "--up", "z", "--map", "side.png", "--rendering-backend", "osmesa")
+        self.assertNotEqual(self.read("side.png"), self.read("maps/room.png"))
+
+    def test_no_map(self):
+        self.write("bare.gltf", '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"name": "bare"}]}')
+        outcome = self.run_program("info", "bare.gltf", "--map", "bare.png")
+        self.assertEqual((outcome.code, outcome.complaints),
+                         (2, ["bare.gltf: error empty-mesh: 'bare.gltf' has no triangle, so there is no map of it"]))
+        before = self.contents()
+        outcome = self.run_program("info", "room.obj", "--map", "room.obj/map.png")
+        self.assertEqual((outcome.code, outcome.out, self.contents()), (2, "", before))
+        self.assertIn("error output-unwritable: the picture can't be written here", outcome.err)
+
     def test_view_from_a_spawn(self):
         self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "view.png", "--width", "64", "--height", "48")
         self.passes("snapshot", "small.campus.yaml", "-o", "plan.png", "--width", "64", "--height", "48")

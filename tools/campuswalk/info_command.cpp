@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "collision/broad_phase.h"
 #include "engine/decimals.h"
 #include "scene/cache/load_model.h"
 #include "scene/model_report.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
+#include "tools/campuswalk/writable_path.h"
 
 namespace campuswalk::tools {
 
@@ -91,13 +96,31 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
     }
 }
 
+void draw_map(const InfoOptions& options, scene::Model model) {
+    if (model.meshes.empty()) {
+        throw scene::InputError(options.scene.mark, "empty-mesh",
+                                "'" + options.scene.file + "' has no triangle, so there is no map of it");
+    }
+    scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
+    campus.models.push_back(std::move(model));
+    CampusPicture picture;
+    picture.plan = true;
+    picture.file = *options.map;
+    picture.backend = options.backend;
+    draw_campus(campus, picture);
+}
+
 }  // namespace
 
 int print_info(const InfoOptions& options) {
     if (options.suggest) {
         return suggest_campus(options.scene, *options.suggest, options.overwrite);
     }
-    const scene::ImportedModel imported =
+    if (options.map) {
+        require_pictures(options.backend);
+        require_writable_picture(*options.map);
+    }
+    scene::ImportedModel imported =
         load_model(options.scene, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported;
     const ModelReport report = scene::report(imported.model);
     std::vector<scene::Oddity> warnings;
@@ -111,6 +134,9 @@ int print_info(const InfoOptions& options) {
         std::printf("%s\n", text.c_str());
     } else {
         print_text(report, warnings);
+    }
+    if (options.map) {
+        draw_map(options, std::move(imported.model));
     }
     return kPass;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "scene/campus_description.h"
+#include "tools/campuswalk/rendering_backend.h"
 
 namespace campuswalk::tools {
 
@@ -12,6 +13,8 @@ struct InfoOptions {
     bool json = false;
     std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
     bool overwrite = false;                        ///< those two
+    std::optional<std::filesystem::path> map;      ///< a picture from above to write
+    Backend backend = Backend::automatic;          ///< that draws it
 };
 
 /// Prints what is in a model file and what looks odd about it. Returns the exit code.

@@ -67,10 +67,7 @@ engine::PictureOverlays overlays_of(const SnapshotOptions& options) {
 
 int draw_snapshot(const SnapshotOptions& options) {
     require_pictures(options.backend);
-    if (const std::string why = why_file_unwritable(options.output); !why.empty()) {
-        throw scene::InputError({options.output.string(), 0, 0}, "output-unwritable",
-                                "the picture can't be written here: " + why);
-    }
+    require_writable_picture(options.output);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     CampusPicture picture;

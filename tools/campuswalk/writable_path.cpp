@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "scene/diagnostic.h"
+
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
@@ -48,6 +50,13 @@ std::string why_file_unwritable(const fs::path& file) {
         return error.message();
     }
     return why_folder_unwritable(file.parent_path());
+}
+
+void require_writable_picture(const fs::path& file) {
+    if (const std::string why = why_file_unwritable(file); !why.empty()) {
+        throw scene::InputError({file.string(), 0, 0}, "output-unwritable",
+                                "the picture can't be written here: " + why);
+    }
 }
 
 }  // namespace campuswalk::tools

@@ -4,6 +4,7 @@
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/command_line/file_frame.h"
+#include "tools/campuswalk/command_line/rendering_backend.h"
 #include "tools/campuswalk/info_command.h"
 
 namespace campuswalk::tools {
@@ -30,6 +31,8 @@ void add_info(Command program, Chosen& chosen) {
         options->suggest);
     command.flag({.names = "--overwrite", .help = "What --suggest writes may be there already"},
                  options->overwrite);
+    command.option({.names = "--map", .help = "Draw it from above", .value = "FILE.png"}, options->map);
+    add_rendering_backend(command, options->backend);
     add_cache_flag(command);
     command.choose(chosen, [options] { return print_info(*options); });
 }
