@@ -11,6 +11,12 @@ namespace {
 // An address sanitizer's shadow alone is larger than any limit.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kMayLimitMemory = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool kMayLimitMemory = false;
+#else
+constexpr bool kMayLimitMemory = true;
+#endif
 #else
 constexpr bool kMayLimitMemory = true;
 #endif

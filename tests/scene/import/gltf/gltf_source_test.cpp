@@ -244,8 +244,8 @@ GltfText textured_triangle(const Json& image, const Json& texture) {
     GltfText text;
     const std::size_t positions = text.add_triangle_positions();
     const std::size_t uvs = text.add_floats({0, 0, 1, 0, 0, 1}, "VEC2");
-    text.json["images"] = {image};
-    text.json["textures"] = {texture};
+    text.json["images"] = Json::array({image});
+    text.json["textures"] = Json::array({texture});
     text.json["materials"] = {
         {{"name", "wall"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
     text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", uvs}}},
@@ -291,7 +291,7 @@ TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
     const std::string said = refusal(text);
     EXPECT_TRUE(contains(said, "KTX") && contains(said, "PNG") && contains(said, "'wall'")) << said;
     texture["source"] = 1;
-    text.json["textures"] = {texture};
+    text.json["textures"] = Json::array({texture});
     text.json["images"].push_back({{"uri", "wood.tga"}});
     EXPECT_EQ(import(text).textures.size(), 1U);
     EXPECT_EQ(warnings(), "");
