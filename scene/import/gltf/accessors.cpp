@@ -212,26 +212,26 @@ std::vector<float> Accessors::floats(std::size_t index, int components) {
     return result;
 }
 
-std::vector<Eigen::Vector3f> Accessors::vectors3(std::size_t index) {
+template <int kComponents>
+std::vector<Eigen::Matrix<float, kComponents, 1>> Accessors::vectors(std::size_t index) {
+    using Vector = Eigen::Matrix<float, kComponents, 1>;
     const Item item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
-    if (layout.components != 3) {
-        item.fail("has the type " + item.text("type") + " instead of VEC3");
+    if (layout.components != kComponents) {
+        item.fail("has the type " + item.text("type") + " instead of VEC" + std::to_string(kComponents));
     }
-    std::vector<Eigen::Vector3f> result(layout.count, Eigen::Vector3f::Zero());
-    read<float>(item, layout, {result.empty() ? nullptr : result.data()->data(), result.size() * 3});
+    std::vector<Vector> result(layout.count, Vector::Zero());
+    read<float>(item, layout,
+                {result.empty() ? nullptr : result.data()->data(), result.size() * kComponents});
     return result;
 }
 
+std::vector<Eigen::Vector3f> Accessors::vectors3(std::size_t index) {
+    return vectors<3>(index);
+}
+
 std::vector<Eigen::Vector2f> Accessors::vectors2(std::size_t index) {
-    const Item item = document_.item("accessors", index);
-    const Layout layout = layout_of(item);
-    if (layout.components != 2) {
-        item.fail("has the type " + item.text("type") + " instead of VEC2");
-    }
-    std::vector<Eigen::Vector2f> result(layout.count, Eigen::Vector2f::Zero());
-    read<float>(item, layout, {result.empty() ? nullptr : result.data()->data(), result.size() * 2});
-    return result;
+    return vectors<2>(index);
 }
 
 std::vector<std::array<std::uint8_t, 4>> Accessors::colors(std::size_t index) {

@@ -32,6 +32,8 @@ public:
 private:
     struct Layout;
     Layout layout_of(const Item& item) const;
+    template <int kComponents>
+    std::vector<Eigen::Matrix<float, kComponents, 1>> vectors(std::size_t index);
     template <typename T>
     void read(const Item& item, const Layout& layout, std::span<T> out);
     template <typename T>
