@@ -38,12 +38,20 @@ struct Texture {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// glTF 2.0's metallic-roughness material, reduced to what the renderer draws.
+/// glTF 2.0's metallic-roughness material (its section 3.9), reduced to what the renderer draws. All of its
+/// textures lie by the same texture coordinates.
 struct Material {
     std::string name;
     std::array<float, 4> base_color = {1, 1, 1, 1};  ///< linear factor, multiplies the texture
     std::optional<TextureIndex> base_color_texture;
-    std::array<float, 3> emissive = {0, 0, 0};  ///< linear
+    float metallic = 0.0F;   ///< 0 paint or stone, 1 bare metal; multiplies the texture's blue
+    float roughness = 1.0F;  ///< 0 a mirror, 1 matt; multiplies the texture's green
+    std::optional<TextureIndex> metallic_roughness_texture;  ///< of numbers, not of colours
+    std::optional<TextureIndex> normal_texture;              ///< tangent space, +Y up the picture
+    float normal_scale = 1.0F;                               ///< how strongly it bends the surface
+    std::array<float, 3> emissive = {0, 0, 0};               ///< linear, multiplies the texture; may exceed 1
+    std::optional<TextureIndex> emissive_texture;
+    bool unlit = false;  ///< its colour as it is, without light and shadow (KHR_materials_unlit)
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;  ///< for AlphaMode::mask
     bool double_sided = false;

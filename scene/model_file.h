@@ -28,7 +28,7 @@ struct ImportedModel {
 };
 
 /// Raise it with whatever changes below, in `Model`, or in what an import makes of the same files.
-inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 1};
+inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 2};
 
 /// An imported model as bytes, and back to the bit: how the import's helper process hands it over, and how
 /// the cache keeps it. Floats are stored as they lie in memory.

@@ -17,13 +17,18 @@ std::vector<Element> take_counted(SealedReader& in) {
     return in.take_all<Element>(count);
 }
 
+float take_finite(SealedReader& in) {
+    const auto number = in.take<float>();
+    if (!std::isfinite(number)) {
+        refuse("a colour in it is no number");
+    }
+    return number;
+}
+
 template <std::size_t Count>
 void take_finite(SealedReader& in, std::array<float, Count>& numbers) {
     for (float& number : numbers) {
-        number = in.take<float>();
-        if (!std::isfinite(number)) {
-            refuse("a colour in it is no number");
-        }
+        number = take_finite(in);
     }
 }
 
@@ -43,7 +48,7 @@ bool all_finite(const std::vector<Eigen::Vector3f>& vectors) {
 constexpr std::size_t kLeastDiagnostic = 36;
 constexpr std::size_t kLeastRequest = 12;
 constexpr std::size_t kLeastTexture = 28;
-constexpr std::size_t kLeastMaterial = 56;
+constexpr std::size_t kLeastMaterial = 88;
 constexpr std::size_t kLeastMesh = 52;
 constexpr std::size_t kLeastNode = 116;
 
@@ -83,21 +88,28 @@ Texture take_texture(SealedReader& in) {
     return texture;
 }
 
+std::optional<TextureIndex> take_texture_index(SealedReader& in, std::size_t textures) {
+    const bool textured = in.take_flag();
+    const std::uint32_t texture = in.take_below(textured ? textures : 1, "texture's number");
+    return textured ? std::optional(static_cast<TextureIndex>(texture)) : std::nullopt;
+}
+
 Material take_material(SealedReader& in, std::size_t textures) {
     Material material;
     material.name = in.take_text();
     take_finite(in, material.base_color);
     take_finite(in, material.emissive);
-    const bool textured = in.take_flag();
-    const std::uint32_t texture = in.take_below(textured ? textures : 1, "texture's number");
-    if (textured) {
-        material.base_color_texture = static_cast<TextureIndex>(texture);
-    }
+    material.base_color_texture = take_texture_index(in, textures);
+    material.emissive_texture = take_texture_index(in, textures);
+    material.normal_texture = take_texture_index(in, textures);
+    material.metallic_roughness_texture = take_texture_index(in, textures);
+    material.normal_scale = take_finite(in);
+    material.metallic = take_finite(in);
+    material.roughness = take_finite(in);
     material.alpha_mode = static_cast<AlphaMode>(in.take_below(3, "transparency"));
-    std::array<float, 1> cutoff{};
-    take_finite(in, cutoff);
-    material.alpha_cutoff = cutoff[0];
+    material.alpha_cutoff = take_finite(in);
     material.double_sided = in.take_flag();
+    material.unlit = in.take_flag();
     return material;
 }
 

@@ -31,15 +31,26 @@ void put(SealedWriter& out, const Texture& texture) {
     put_counted(out, texture.rgba);
 }
 
+void put(SealedWriter& out, const std::optional<TextureIndex>& texture) {
+    out.put(std::uint32_t{texture.has_value()});
+    out.put(static_cast<std::uint32_t>(texture.value_or(TextureIndex{})));
+}
+
 void put(SealedWriter& out, const Material& material) {
     out.put_text(material.name);
     out.put_all(std::span<const float>(material.base_color));
     out.put_all(std::span<const float>(material.emissive));
-    out.put(std::uint32_t{material.base_color_texture.has_value()});
-    out.put(static_cast<std::uint32_t>(material.base_color_texture.value_or(TextureIndex{})));
+    put(out, material.base_color_texture);
+    put(out, material.emissive_texture);
+    put(out, material.normal_texture);
+    put(out, material.metallic_roughness_texture);
+    out.put(material.normal_scale);
+    out.put(material.metallic);
+    out.put(material.roughness);
     out.put(static_cast<std::uint32_t>(material.alpha_mode));
     out.put(material.alpha_cutoff);
     out.put(std::uint32_t{material.double_sided});
+    out.put(std::uint32_t{material.unlit});
 }
 
 void put(SealedWriter& out, const Mesh& mesh) {

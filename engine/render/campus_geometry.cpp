@@ -70,10 +70,7 @@ private:
     void add_model(const scene::Model& model) {
         const std::size_t first_material = geometry_.materials.size();
         for (const scene::Material& material : model.materials) {
-            const bool textured =
-                material.base_color_texture && index_of(*material.base_color_texture) < model.textures.size();
-            geometry_.materials.push_back(
-                {material, textured ? &model.textures[index_of(*material.base_color_texture)] : nullptr});
+            geometry_.materials.push_back({material, &model});
         }
         const std::size_t plain = geometry_.materials.size();  // for meshes without a material
         geometry_.materials.emplace_back();

@@ -23,10 +23,10 @@ struct Vertex {
 Vertex make_vertex(const Eigen::Vector3d& position, const Eigen::Vector3d& normal, const Eigen::Vector2f& uv,
                    const std::array<std::uint8_t, 4>& color);
 
-/// A material of any of the models, with the texture it names.
+/// A material of any of the models, and the model, which owns its textures (null: it has none).
 struct SurfaceMaterial {
     scene::Material material;
-    const scene::Texture* texture = nullptr;  ///< null for none; owned by the model
+    const scene::Model* model = nullptr;
 };
 
 /// Triangles of one material in one cell: what is culled and drawn in one call.
@@ -63,7 +63,7 @@ struct CampusGeometry {
     std::vector<BlendTriangle> blend;
 };
 
-/// `cell_size` in metres. The models must outlive the result (it points to their textures).
+/// `cell_size` in metres. The models must outlive the result (it points to them).
 CampusGeometry bake(std::span<const scene::Model> models, double cell_size);
 
 }  // namespace campuswalk::engine::render

@@ -90,6 +90,11 @@ private:
     std::array<GLuint, 4> buffers_ = {0, 0, 0, 0};  // nodes, depth, normals, depth test
 };
 
+/// Numbers don't depend on what a surface is made of.
+ProgramChoice always(const ShaderProgram& program) {
+    return [&program](const scene::Material&) -> const ShaderProgram& { return program; };
+}
+
 Picture opaque_picture(int width, int height, std::vector<std::uint8_t> rgba) {
     for (std::size_t i = 3; i < rgba.size(); i += 4) {
         rgba[i] = 255;
@@ -171,11 +176,11 @@ Channels ChannelPass::draw(const ChannelScene& scene, const Viewpoint& view,
         scene.figure->draw(0, scene.figure_indices);
         opaque_.set("numbered", 1);
     }
-    scene.campus.draw_solid(opaque_, scene::AlphaMode::opaque, frustum, eye);
+    scene.campus.draw_solid(always(opaque_), scene::AlphaMode::opaque, frustum, eye);
     begin(cutout_, view, clip_campus, eye);
-    scene.campus.draw_solid(cutout_, scene::AlphaMode::mask, frustum, eye);
+    scene.campus.draw_solid(always(cutout_), scene::AlphaMode::mask, frustum, eye);
     begin(see_through_, view, clip_campus, eye);
-    scene.campus.draw_blend(see_through_, frustum, eye);
+    scene.campus.draw_blend(always(see_through_), frustum, eye);
 
     Channels channels;
     channels.width = width;

@@ -5,9 +5,74 @@
 #include <utility>
 
 #include "engine/render/gpu_texture.h"
+#include "engine/render/surface_programs.h"
 
 namespace campuswalk::engine::render {
 namespace {
+
+// 0 to 4 are the base colour's, the shadows', the occlusion's and the channels'.
+constexpr GLint kGlowUnit = 5;
+constexpr GLint kNormalUnit = 6;
+constexpr GLint kMetalUnit = 7;
+
+using TextureUse = std::optional<scene::TextureIndex> scene::Material::*;
+
+/// One upload a texture and way of use: whole, as a cut-out, as numbers.
+class TextureUploads {
+public:
+    TextureUploads(const GlFunctions& gl, GLuint white) : gl_(gl), white_(white) {}
+
+    GLuint colors(const SurfaceMaterial& surface, TextureUse use) {
+        const scene::Texture* texture = texture_of(surface, use);
+        if (texture == nullptr) {
+            return white_;
+        }
+        const scene::Material& material = surface.material;
+        const bool cutout =
+            use == &scene::Material::base_color_texture && material.alpha_mode == scene::AlphaMode::mask;
+        GLuint& name = (cutout ? cutouts_ : colors_)[texture];
+        if (name == 0) {
+            name =
+                cutout ? upload_cutout(gl_, *texture, material.alpha_cutoff) : upload_colors(gl_, *texture);
+        }
+        return name;
+    }
+
+    GLuint numbers(const SurfaceMaterial& surface, TextureUse use) {
+        const scene::Texture* texture = texture_of(surface, use);
+        if (texture == nullptr) {
+            return white_;
+        }
+        GLuint& name = numbers_[texture];
+        if (name == 0) {
+            name = upload_numbers(gl_, *texture);
+        }
+        return name;
+    }
+
+private:
+    static const scene::Texture* texture_of(const SurfaceMaterial& surface, TextureUse use) {
+        const auto& index = surface.material.*use;
+        if (!index || surface.model == nullptr || index_of(*index) >= surface.model->textures.size()) {
+            return nullptr;
+        }
+        const scene::Texture& texture = surface.model->textures[index_of(*index)];
+        return texture.rgba.empty() ? nullptr : &texture;
+    }
+
+    const GlFunctions& gl_;
+    GLuint white_;
+    std::map<const scene::Texture*, GLuint> colors_;
+    std::map<const scene::Texture*, GLuint> cutouts_;
+    std::map<const scene::Texture*, GLuint> numbers_;
+};
+
+void bind_picture(const GlFunctions& gl, const ShaderProgram& surface, const char* uniform, GLint unit,
+                  GLuint texture) {
+    gl.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    surface.set(uniform, unit);
+}
 
 void set_culling(const GlFunctions& gl, bool double_sided) {
     (double_sided ? gl.Disable : gl.Enable)(GL_CULL_FACE);
@@ -23,20 +88,12 @@ GpuCampus::GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry)
       white_(upload_white(gl)) {
     mesh_.upload_vertices(geometry.vertices);
     mesh_.upload_indices(geometry.indices);
-    // One upload a texture, two when it is used both whole and as a cut-out.
-    std::map<std::pair<const scene::Texture*, bool>, GLuint> uploaded;
+    TextureUploads uploads(gl, white_);
     for (const SurfaceMaterial& surface : geometry.materials) {
-        const scene::Texture* texture = surface.texture;
-        if (texture == nullptr || texture->rgba.empty()) {
-            textures_.push_back(white_);
-            continue;
-        }
-        const bool cutout = surface.material.alpha_mode == scene::AlphaMode::mask;
-        GLuint& name = uploaded[{texture, cutout}];
-        if (name == 0) {
-            name = upload_texture(gl, *texture, cutout, surface.material.alpha_cutoff);
-        }
-        textures_.push_back(name);
+        pictures_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
+                             uploads.colors(surface, &scene::Material::emissive_texture),
+                             uploads.numbers(surface, &scene::Material::normal_texture),
+                             uploads.numbers(surface, &scene::Material::metallic_roughness_texture)});
     }
 }
 
@@ -57,7 +114,7 @@ void GpuCampus::draw_depth(const ShaderProgram& opaque, const ShaderProgram& mas
                 continue;
             }
             if (cutouts) {
-                gl_.BindTexture(GL_TEXTURE_2D, textures_[batch.material]);
+                gl_.BindTexture(GL_TEXTURE_2D, pictures_[batch.material].color);
                 program.set("base_color", Eigen::Vector4d(1, 1, 1, material.base_color[3]));
                 program.set("alpha_cutoff", material.alpha_cutoff);
             }
@@ -76,8 +133,21 @@ void GpuCampus::set_plain_material(const ShaderProgram& surface) const {
 
 void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index) const {
     const scene::Material& material = geometry_.materials[index].material;
+    const Pictures& pictures = pictures_[index];
+    const SurfaceKind kind = kind_of(material);
+    if (kind.glow_map) {
+        bind_picture(gl_, surface, "glow_map", kGlowUnit, pictures.glow);
+    }
+    if (kind.normal_map) {
+        bind_picture(gl_, surface, "normal_map", kNormalUnit, pictures.normal);
+        surface.set("normal_scale", material.normal_scale);
+    }
+    if (kind.shiny) {
+        bind_picture(gl_, surface, "metal_map", kMetalUnit, pictures.metal);
+        surface.set("metal_rough", Eigen::Vector2d(material.metallic, material.roughness));
+    }
     gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, textures_[index]);
+    gl_.BindTexture(GL_TEXTURE_2D, pictures.color);
     surface.set("base_color", Eigen::Vector4d(material.base_color[0], material.base_color[1],
                                               material.base_color[2], material.base_color[3]));
     surface.set("emissive",
@@ -88,7 +158,7 @@ void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index) co
     set_culling(gl_, material.double_sided);
 }
 
-void GpuCampus::draw_solid(const ShaderProgram& surface, scene::AlphaMode mode, const Frustum& frustum,
+void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
                            const Eigen::Vector3d& eye) const {
     std::vector<std::pair<double, const Batch*>> order;
     for (const Batch& batch : geometry_.batches) {
@@ -100,12 +170,14 @@ void GpuCampus::draw_solid(const ShaderProgram& surface, scene::AlphaMode mode, 
     std::ranges::stable_sort(order, {}, [](const auto& entry) { return entry.first; });
     mesh_.bind();
     for (const auto& [distance, batch] : order) {
+        const ShaderProgram& surface = program_of(geometry_.materials[batch->material].material);
+        surface.use();
         set_material(surface, batch->material);
         mesh_.draw(batch->first, batch->count);
     }
 }
 
-void GpuCampus::draw_blend(const ShaderProgram& surface, const Frustum& frustum,
+void GpuCampus::draw_blend(const ProgramChoice& program_of, const Frustum& frustum,
                            const Eigen::Vector3d& eye) const {
     std::vector<std::pair<float, const BlendTriangle*>> order;
     const Eigen::Vector3f from = eye.cast<float>();
@@ -133,7 +205,10 @@ void GpuCampus::draw_blend(const ShaderProgram& surface, const Frustum& frustum,
         while (end < order.size() && order[end].second->material == order[first].second->material) {
             ++end;
         }
-        set_material(surface, order[first].second->material);
+        const std::size_t material = order[first].second->material;
+        const ShaderProgram& surface = program_of(geometry_.materials[material].material);
+        surface.use();
+        set_material(surface, material);
         blend_mesh_.draw(3 * first, 3 * (end - first));
         first = end;
     }

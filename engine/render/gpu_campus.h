@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "engine/render/campus_geometry.h"
@@ -9,6 +10,9 @@
 #include "engine/render/shader_program.h"
 
 namespace campuswalk::engine::render {
+
+/// Which program draws a material.
+using ProgramChoice = std::function<const ShaderProgram&(const scene::Material&)>;
 
 /// The campus in the driver's memory and the ways to draw it. Lives as long as its context.
 class GpuCampus {
@@ -21,18 +25,27 @@ public:
     void draw_depth(const ShaderProgram& opaque, const ShaderProgram& masked,
                     const Eigen::Matrix4d& clip_campus) const;
 
-    /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `surface`
-    /// must be in use.
-    void draw_solid(const ShaderProgram& surface, scene::AlphaMode mode, const Frustum& frustum,
+    /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `program_of`
+    /// is asked for each material that is drawn, and must have set what isn't the material's.
+    void draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
                     const Eigen::Vector3d& eye) const;
 
-    /// See-through triangles, the farthest from `eye` first. `surface` must be in use.
-    void draw_blend(const ShaderProgram& surface, const Frustum& frustum, const Eigen::Vector3d& eye) const;
+    /// See-through triangles, the farthest from `eye` first.
+    void draw_blend(const ProgramChoice& program_of, const Frustum& frustum,
+                    const Eigen::Vector3d& eye) const;
 
     /// For drawing a mesh without a texture of its own.
     void set_plain_material(const ShaderProgram& surface) const;
 
 private:
+    /// The textures of one material.
+    struct Pictures {
+        GLuint color = 0;
+        GLuint glow = 0;
+        GLuint normal = 0;
+        GLuint metal = 0;
+    };
+
     void set_material(const ShaderProgram& surface, std::size_t material) const;
 
     const GlFunctions& gl_;
@@ -40,7 +53,7 @@ private:
     GpuMesh mesh_;
     GpuMesh blend_mesh_;
     GLuint white_ = 0;
-    std::vector<GLuint> textures_;  // one a material
+    std::vector<Pictures> pictures_;  // one a material
 };
 
 }  // namespace campuswalk::engine::render

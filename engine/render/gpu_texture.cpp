@@ -25,13 +25,24 @@ void upload_level(const GlFunctions& gl, int level, int width, int height, const
 
 }  // namespace
 
-GLuint upload_texture(const GlFunctions& gl, const scene::Texture& texture, bool cutout, float alpha_cutoff) {
+GLuint upload_colors(const GlFunctions& gl, const scene::Texture& texture) {
     const GLuint name = make_texture(gl, texture.repeat);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
-    if (!cutout) {
-        gl.GenerateMipmap(GL_TEXTURE_2D);
-        return name;
-    }
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    return name;
+}
+
+GLuint upload_numbers(const GlFunctions& gl, const scene::Texture& texture) {
+    const GLuint name = make_texture(gl, texture.repeat);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.width, texture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  texture.rgba.data());
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    return name;
+}
+
+GLuint upload_cutout(const GlFunctions& gl, const scene::Texture& texture, float alpha_cutoff) {
+    const GLuint name = make_texture(gl, texture.repeat);
+    upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
     int level = 0;
     for (const MipLevel& mip : cutout_mip_chain(texture, alpha_cutoff)) {
         upload_level(gl, ++level, mip.width, mip.height, mip.rgba.data());

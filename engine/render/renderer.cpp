@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <Eigen/LU>
 
@@ -19,6 +20,7 @@
 #include "engine/render/shadow_maps.h"
 #include "engine/render/sky_view.h"
 #include "engine/render/smooth_picture.h"
+#include "engine/render/surface_programs.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -53,9 +55,7 @@ public:
                  {shaders::kVersion, shaders::kDepthFragment}),
           masked_depth_(gl_, "masked depth", {shaders::kVersion, shaders::kDepthVertex},
                         {shaders::kVersion, shaders::kMaskedDepthFragment}),
-          opaque_(surface_program("opaque surface", "")),
-          cutout_(surface_program("cut-out surface", shaders::kDefineCutout)),
-          see_through_(surface_program("see-through surface", shaders::kDefineSeeThrough)),
+          surfaces_(gl_, settings_.shadows),
           sky_(gl_, "sky", {shaders::kVersion, shaders::kScreenChunk, shaders::kSkyVertex},
                {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
@@ -147,15 +147,6 @@ private:
         const GpuMesh* figure = nullptr;
     };
 
-    ShaderProgram surface_program(std::string_view name, std::string_view define) const {
-        return {
-            gl_,
-            name,
-            {shaders::kVersion, shaders::kSurfaceVertex},
-            {shaders::kVersion, define, settings_.shadows ? std::string_view() : shaders::kDefineNoShadows,
-             shaders::kAirChunk, shaders::kShadowChunk, shaders::kSurfaceFragment}};
-    }
-
     // Depth from 1 (near) to 0 (far) needs GL's clip space changed before anything is drawn.
     static const GlFunctions& reversed_depth(const GlFunctions& gl) {
         gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -220,24 +211,23 @@ private:
         occlusion_.bind(surface);
     }
 
-    void draw_solid(const Frame& frame) const {
+    void draw_solid(const Frame& frame) {
         const Frustum frustum(frame.clip_campus);
         gl_.Disable(GL_BLEND);
-        for (const auto& [program, mode] :
-             {std::pair(&opaque_, scene::AlphaMode::opaque), std::pair(&cutout_, scene::AlphaMode::mask)}) {
-            begin_surfaces(*program, frame);
-            const bool cutouts = mode == scene::AlphaMode::mask;
-            if (frame.figure != nullptr && !cutouts) {
-                campus_.set_plain_material(*program);
-                frame.figure->bind();
-                frame.figure->draw(0, figure_indices_);
-            }
-            if (cutouts && settings_.samples > 1) {
-                gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-            }
-            campus_.draw_solid(*program, mode, frustum, frame.eye);
-            gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        if (frame.figure != nullptr) {
+            const ShaderProgram& plain = surfaces_.of({});
+            begin_surfaces(plain, frame);
+            campus_.set_plain_material(plain);
+            frame.figure->bind();
+            frame.figure->draw(0, figure_indices_);
         }
+        const ProgramChoice program_of = begun_programs(frame);
+        campus_.draw_solid(program_of, scene::AlphaMode::opaque, frustum, frame.eye);
+        if (settings_.samples > 1) {
+            gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        }
+        campus_.draw_solid(program_of, scene::AlphaMode::mask, frustum, frame.eye);
+        gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     }
 
     void draw_sky(const Viewpoint& view, int width, int height) const {
@@ -254,16 +244,27 @@ private:
         gl_.DepthMask(GL_TRUE);
     }
 
+    // Each with the frame's light, set when it is first asked for.
+    ProgramChoice begun_programs(const Frame& frame) {
+        return [this, &frame, begun = std::set<const ShaderProgram*>()](
+                   const scene::Material& material) mutable -> const ShaderProgram& {
+            const ShaderProgram& program = surfaces_.of(kind_of(material));
+            if (begun.insert(&program).second) {
+                begin_surfaces(program, frame);
+            }
+            return program;
+        };
+    }
+
     // Without the occlusion map, which knows what is behind a pane but not the pane.
-    void draw_see_through(const Frame& frame) const {
+    void draw_see_through(const Frame& frame) {
         if (geometry_.blend.empty()) {
             return;
         }
         gl_.Enable(GL_BLEND);
         gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_.DepthMask(GL_FALSE);
-        begin_surfaces(see_through_, frame);
-        campus_.draw_blend(see_through_, Frustum(frame.clip_campus), frame.eye);
+        campus_.draw_blend(begun_programs(frame), Frustum(frame.clip_campus), frame.eye);
         gl_.DepthMask(GL_TRUE);
         gl_.Disable(GL_BLEND);
     }
@@ -277,9 +278,7 @@ private:
     std::size_t figure_indices_ = 0;
     ShaderProgram depth_;
     ShaderProgram masked_depth_;
-    ShaderProgram opaque_;
-    ShaderProgram cutout_;
-    ShaderProgram see_through_;
+    SurfacePrograms surfaces_;
     ShaderProgram sky_;
     ShadowMaps shadows_;
     OcclusionPass occlusion_;

@@ -21,12 +21,11 @@ extern const std::string_view kShadowChunk;
 extern const std::string_view kScreenChunk;
 
 extern const std::string_view kSurfaceVertex;
-/// Three programs in one text: opaque as it stands, with holes or glass after one of the next two.
+/// Many programs in one text: opaque as it stands, with holes or glass after one of the next two, and so on
+/// for what else SurfaceKind has.
 extern const std::string_view kSurfaceFragment;
 extern const std::string_view kDefineCutout;
 extern const std::string_view kDefineSeeThrough;
-/// Before the shadow chunk: the sun shines everywhere.
-extern const std::string_view kDefineNoShadows;
 extern const std::string_view kSkyVertex;
 extern const std::string_view kSkyFragment;
 extern const std::string_view kDepthVertex;

@@ -2,8 +2,6 @@
 
 namespace campuswalk::engine::render::shaders {
 
-const std::string_view kDefineNoShadows = "#define NO_SHADOWS\n";
-
 const std::string_view kShadowChunk = R"(
 #if defined(NO_SHADOWS)
 float sunlight(vec3 position, vec3 normal) {
@@ -78,10 +76,54 @@ uniform float fog_density;  // per metre
 uniform sampler2D base_color_map;
 uniform vec4 base_color;
 uniform vec3 emissive;
+#if defined(GLOW_MAP)
+uniform sampler2D glow_map;
+#endif
 uniform float alpha_cutoff;
 uniform float glossy;       // 1 for panes and water, which mirror the sky
 uniform sampler2D occlusion_map;
 uniform vec2 occlusion_scale;  // from pixels to the map's coordinates
+
+#if defined(NORMAL_MAP)
+uniform sampler2D normal_map;
+uniform float normal_scale;
+
+// The map's axes on the surface, from how place and texture coordinates change from pixel to pixel (Schueler,
+// "Normal Mapping Without Precomputed Tangents", ShaderX 5): models need no tangents. v runs down the picture,
+// the map's y up.
+vec3 bent(vec3 n) {
+    vec3 across_y = cross(dFdy(position), n);
+    vec3 across_x = cross(n, dFdx(position));
+    vec2 uv_x = dFdx(uv);
+    vec2 uv_y = dFdy(uv);
+    vec3 along_u = across_y * uv_x.x + across_x * uv_y.x;
+    vec3 along_v = across_y * uv_x.y + across_x * uv_y.y;
+    float longer = max(dot(along_u, along_u), dot(along_v, along_v));
+    vec3 bump = (255.0 / 127.0) * texture(normal_map, uv).xyz - 128.0 / 127.0;
+    bump.xy *= normal_scale * inversesqrt(max(longer, 1e-30));
+    return normalize(along_u * bump.x - along_v * bump.y + n * bump.z);
+}
+#endif
+
+#if defined(SHINY)
+uniform sampler2D metal_map;
+uniform vec2 metal_rough;  // factors of the map's blue and green
+
+// The sun's reflection: GGX with Smith's masking (Walter et al. 2007; glTF 2.0, appendix B.3). A rough metal
+// passes light on between its bumps, which the formula loses: there it gets as much as a matt surface.
+float sun_gleam(vec3 n, vec3 to_eye, float roughness) {
+    float a2 = roughness * roughness * roughness * roughness + 0.0001;
+    vec3 half_way = normalize(to_sun + to_eye);
+    float nh = max(dot(n, half_way), 0.0);
+    float nl = max(dot(n, to_sun), 0.0);
+    float nv = max(dot(n, to_eye), 0.001);
+    float spread = nh * nh * (a2 - 1.0) + 1.0;
+    float masking = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2) + 0.0001);
+    // No brighter than a wet road: a gleam smaller than a pixel would flicker from picture to picture.
+    float gleam = min(a2 / (spread * spread) * masking, 8.0);
+    return mix(gleam, 1.0, a2);
+}
+#endif
 
 void main() {
     vec4 base = base_color * color * texture(base_color_map, uv);
@@ -94,7 +136,18 @@ void main() {
 #elif !defined(SEE_THROUGH)
     base.a = 1.0;
 #endif
+    vec3 to_eye = eye - position;
+    float distance_to_eye = length(to_eye);
+    vec3 outwards = -to_eye / max(distance_to_eye, 0.001);
+    float clear = exp(-distance_to_eye * fog_density);
+#if defined(UNLIT)
+    // Its colour is a finished picture's: without the tone curve, which would change it.
+    fragment = vec4(mix(tone(fog_color(outwards)), base.rgb, clear), base.a);
+#else
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+#if defined(NORMAL_MAP)
+    n = bent(n);
+#endif
     float facing = dot(n, to_sun);
 #if defined(CUTOUT)
     // Leaves and petals are thin: seen from their shady side, half of the sun shines through.
@@ -107,11 +160,26 @@ void main() {
     ambient *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
 #endif
     vec3 light = ambient + sun_color * sun;
-    vec3 result = base.rgb * light + emissive;
-
-    vec3 to_eye = eye - position;
-    float distance_to_eye = length(to_eye);
-    vec3 outwards = -to_eye / max(distance_to_eye, 0.001);
+    vec3 glow = emissive;
+#if defined(GLOW_MAP)
+    glow *= texture(glow_map, uv).rgb;
+#endif
+#if defined(SHINY)
+    vec2 metal = metal_rough * texture(metal_map, uv).bg;
+    vec3 straight_on = mix(vec3(0.04), base.rgb, metal.x);
+    vec3 mirrored = reflect(outwards, n);
+    vec3 surroundings = mix(sky_color(mirrored), ambient_middle + ambient_rise * mirrored.y, metal.y);
+    float grazing = 1.0 - max(dot(-outwards, n), 0.0);
+    float grazing2 = grazing * grazing;
+    vec3 share = straight_on + max(vec3(1.0 - metal.y) - straight_on, 0.0) * (grazing2 * grazing2 * grazing);
+#if !defined(SEE_THROUGH)
+    surroundings *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
+#endif
+    vec3 result = base.rgb * (1.0 - metal.x) * light + share * surroundings +
+                  straight_on * sun_gleam(n, -outwards, metal.y) * sun * sun_color + glow;
+#else
+    vec3 result = base.rgb * light + glow;
+#endif
 #if defined(SEE_THROUGH)
     // Schlick's approximation for glass and water: 4 % seen straight on, everything at a grazing angle.
     float mirror = glossy * (0.04 + 0.96 * pow(1.0 - max(dot(-outwards, n), 0.0), 5.0));
@@ -120,9 +188,9 @@ void main() {
     base.a = mirror + (1.0 - mirror) * base.a;
     result /= max(base.a, 0.001);
 #endif
-    float clear = exp(-distance_to_eye * fog_density);
     result = mix(fog_color(outwards), result, clear);
     fragment = vec4(tone(result), base.a);
+#endif
 }
 )";
 

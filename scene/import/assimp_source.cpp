@@ -68,7 +68,7 @@ RawMesh AssimpSource::mesh(std::size_t number) {
     const aiMesh& source = *read_.scene->mMeshes[number];
     const SourceMaterial& material =
         materials_[source.mMaterialIndex < materials_.size() ? source.mMaterialIndex : 0];
-    RawMesh mesh = convert_mesh(source, material.texture ? material.texture->uv_channel : 0);
+    RawMesh mesh = convert_mesh(source, material.uv_channel);
     constexpr unsigned int kPointsAndLines = aiPrimitiveType_POINT | aiPrimitiveType_LINE;
     if (source.mPrimitiveTypes != 0 && (source.mPrimitiveTypes & ~kPointsAndLines) == 0) {
         mesh.points_and_lines = std::max<std::size_t>(mesh.points_and_lines, 1);

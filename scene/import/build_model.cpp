@@ -32,6 +32,7 @@ public:
 
 private:
     std::optional<MeshIndex> convert_one(std::size_t number, const std::string& node);
+    void load_texture(const SourcePicture& picture, SourceMaterial& source);
     void report_repairs(const TidiedMesh& tidied, const std::string& node);
     void report_no_triangle(const std::string& node);
     void error(const char* code, const std::string& message) {
@@ -141,19 +142,36 @@ void Import::load_textures() {
     }
     for (std::size_t i = 0; i < materials_.size(); ++i) {
         SourceMaterial& material = materials_[i];
-        if (used[i] && material.texture) {
-            std::string reason;
-            const auto texture = textures_.load(*material.texture, reason);
-            if (!texture) {
-                error("bad-texture", file_.file + ": material " + in_quotes(material.material.name) +
-                                         ": texture " + in_quotes(material.texture->uri) + " " + reason);
-                continue;
-            }
-            material.material.base_color_texture = texture;
-            if (material.cut_out_by_texture && has_cut_outs(textures_.texture(*texture))) {
-                material.material.alpha_mode = AlphaMode::mask;
+        if (used[i]) {
+            for (const SourcePicture& picture : material.pictures) {
+                load_texture(picture, material);
             }
         }
+    }
+}
+
+/// Without its colours a surface can't be shown; without its bumps or its glow it can.
+void Import::load_texture(const SourcePicture& picture, SourceMaterial& source) {
+    Material& material = source.material;
+    std::string reason;
+    const auto texture = textures_.load(picture.reference, reason);
+    if (!texture) {
+        const std::string message = file_.file + ": material " + in_quotes(material.name) + ": texture " +
+                                    in_quotes(picture.reference.uri) + " " + reason;
+        if (picture.use == &Material::base_color_texture) {
+            error("bad-texture", message);
+            return;
+        }
+        warning("bad-texture", message + "; drawn without it");
+        if (picture.use == &Material::emissive_texture) {
+            material.emissive = {0, 0, 0};  // it says where the surface glows: not all over
+        }
+        return;
+    }
+    material.*picture.use = texture;
+    if (picture.use == &Material::base_color_texture && source.cut_out_by_texture &&
+        has_cut_outs(textures_.texture(*texture))) {
+        material.alpha_mode = AlphaMode::mask;
     }
 }
 

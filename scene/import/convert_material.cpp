@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <assimp/material.h>
 
@@ -26,28 +27,34 @@ bool is_repeating(aiTextureMapMode mode) {
     return mode != aiTextureMapMode_Clamp && mode != aiTextureMapMode_Decal;
 }
 
-std::optional<TextureReference> base_color_texture(const aiMaterial& source) {
-    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+/// The first of the types that the material has becomes its `use`. The first picture of all says by which
+/// texture coordinates they lie; these formats know no others in practice.
+void add_picture(const aiMaterial& source, std::initializer_list<aiTextureType> types,
+                 std::optional<TextureIndex> Material::*use, SourceMaterial& out) {
+    for (const aiTextureType type : types) {
         aiString path;
-        TextureReference texture;
+        unsigned int channel = 0;
         aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
-        if (source.GetTexture(type, 0, &path, nullptr, &texture.uv_channel, nullptr, nullptr, modes) ==
+        if (source.GetTexture(type, 0, &path, nullptr, &channel, nullptr, nullptr, modes) ==
                 aiReturn_SUCCESS &&
             path.length > 0) {
-            texture.uri = path.C_Str();
-            texture.repeat = is_repeating(modes[0]) && is_repeating(modes[1]);
-            return texture;
+            if (out.pictures.empty()) {
+                out.uv_channel = channel;
+            }
+            const bool repeat = is_repeating(modes[0]) && is_repeating(modes[1]);
+            out.pictures.push_back({use, {path.C_Str(), repeat}});
+            return;
         }
     }
-    return std::nullopt;
 }
 
 /// Diffuse colours of older formats are display values, and often black when a texture is there to replace
 /// them.
 void convert_color(const aiMaterial& source, const aiColor4D& diffuse, SourceMaterial& out) {
+    const bool textured = !out.pictures.empty();
     const bool black = std::max({diffuse.r, diffuse.g, diffuse.b}) < kBlack;
     auto& color = out.material.base_color;
-    if (!(out.texture && black)) {
+    if (!(textured && black)) {
         color = {linear_from_srgb(diffuse.r), linear_from_srgb(diffuse.g), linear_from_srgb(diffuse.b), 1.0F};
     }
     float opacity = 1.0F;
@@ -67,7 +74,8 @@ SourceMaterial convert_material(const aiMaterial& source) {
     if (source.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) {
         material.name = name.C_Str();
     }
-    out.texture = base_color_texture(source);
+    add_picture(source, {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}, &Material::base_color_texture,
+                out);
 
     aiColor4D diffuse(1, 1, 1, 1);
     source.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse);
@@ -78,10 +86,12 @@ SourceMaterial convert_material(const aiMaterial& source) {
                          linear_from_srgb(emissive.b)};
     material.double_sided = true;
     out.cut_out_by_texture = material.alpha_mode == AlphaMode::opaque;
-    // An emissive texture says where it glows; without it the whole surface would.
-    if (source.GetTextureCount(aiTextureType_EMISSIVE) > 0) {
-        material.emissive = {0, 0, 0};
+    const std::size_t pictures = out.pictures.size();
+    add_picture(source, {aiTextureType_EMISSIVE}, &Material::emissive_texture, out);
+    if (out.pictures.size() > pictures && std::ranges::max(material.emissive) < kBlack) {
+        material.emissive = {1, 1, 1};  // black beside a picture stands for the picture
     }
+    add_picture(source, {aiTextureType_NORMALS}, &Material::normal_texture, out);
     return out;
 }
 

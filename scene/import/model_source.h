@@ -16,14 +16,20 @@ namespace campuswalk::scene {
 /// A picture as a material names it: a path, or `*N` for the N-th that is embedded in the file.
 struct TextureReference {
     std::string uri;
-    unsigned int uv_channel = 0;
     bool repeat = true;
 };
 
+/// A picture that a material names, and what of it the picture is: `&Material::normal_texture`.
+struct SourcePicture {
+    std::optional<TextureIndex> Material::*use = nullptr;
+    TextureReference reference;
+};
+
 struct SourceMaterial {
-    Material material;  ///< without its texture, which is loaded apart
-    std::optional<TextureReference> texture;
-    bool cut_out_by_texture = false;  ///< no alpha mode in the file: a texture with holes makes it `mask`
+    Material material;                    ///< without its textures, which are loaded apart
+    std::vector<SourcePicture> pictures;  ///< at most one for each use
+    unsigned int uv_channel = 0;          ///< the texture coordinates that all of them lie by
+    bool cut_out_by_texture = false;      ///< no alpha mode in the file: a texture with holes makes it `mask`
 };
 
 /// The hierarchy, parents first, in the order of the document: `mesh_numbers[i]` are the reader's numbers of

@@ -19,12 +19,20 @@ ImportedModel small_import() {
     imported.requests = {{"a b.bin", false}, {"textures/r.png", true}};
     Model& model = imported.model;
     model.file = "models/a.gltf";
-    model.textures = {{"r.png", 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, false}};
+    model.textures = {{"r.png", 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, false},
+                      {"n.png", 1, 1, {128, 129, 255, 254}, true}};
     Material red;
     red.name = "red";
     red.base_color = {0.5F, 0.25F, 0.125F, 0.75F};
     red.base_color_texture = TextureIndex{0};
     red.emissive = {0.1F, 0.2F, 0.3F};
+    red.emissive_texture = TextureIndex{1};
+    red.normal_texture = TextureIndex{1};
+    red.normal_scale = 0.7F;
+    red.metallic = 0.6F;
+    red.roughness = 0.35F;
+    red.metallic_roughness_texture = TextureIndex{0};
+    red.unlit = true;
     red.alpha_mode = AlphaMode::mask;
     red.alpha_cutoff = 0.4F;
     red.double_sided = true;
@@ -74,6 +82,13 @@ void expect_equal(const Material& a, const Material& b) {
     EXPECT_EQ(a.base_color, b.base_color);
     EXPECT_EQ(a.base_color_texture, b.base_color_texture);
     EXPECT_EQ(a.emissive, b.emissive);
+    EXPECT_EQ(a.emissive_texture, b.emissive_texture);
+    EXPECT_EQ(a.normal_texture, b.normal_texture);
+    EXPECT_EQ(a.normal_scale, b.normal_scale);
+    EXPECT_EQ(a.metallic, b.metallic);
+    EXPECT_EQ(a.roughness, b.roughness);
+    EXPECT_EQ(a.metallic_roughness_texture, b.metallic_roughness_texture);
+    EXPECT_EQ(a.unlit, b.unlit);
     EXPECT_EQ(a.alpha_mode, b.alpha_mode);
     EXPECT_EQ(a.alpha_cutoff, b.alpha_cutoff);
     EXPECT_EQ(a.double_sided, b.double_sided);
@@ -112,8 +127,10 @@ void expect_sound(const Model& model) {
         EXPECT_EQ(static_cast<double>(texture.rgba.size()), 4.0 * texture.width * texture.height);
     }
     for (const Material& material : model.materials) {
-        EXPECT_LT(index_of(material.base_color_texture.value_or(TextureIndex{})),
-                  material.base_color_texture ? model.textures.size() : 1);
+        for (const auto& texture : {material.base_color_texture, material.emissive_texture,
+                                    material.normal_texture, material.metallic_roughness_texture}) {
+            EXPECT_LT(index_of(texture.value_or(TextureIndex{})), texture ? model.textures.size() : 1);
+        }
         EXPECT_LE(material.alpha_mode, AlphaMode::blend);
     }
     for (const Mesh& mesh : model.meshes) {
@@ -286,8 +303,15 @@ TEST(ModelFile, RefusesWhatAModelNeverHas) {
               "a transform in it is not finite");
     EXPECT_EQ(complaint([](Model& m) { m.textures[0].width = 1; }),
               "a picture in it hasn't the pixels it should");
-    EXPECT_EQ(complaint([](Model& m) { m.materials[1].base_color_texture = TextureIndex{1}; }),
-              "a texture's number in it is out of range");
+    for (const auto texture : {&Material::base_color_texture, &Material::emissive_texture,
+                               &Material::normal_texture, &Material::metallic_roughness_texture}) {
+        EXPECT_EQ(complaint([&](Model& m) { m.materials[1].*texture = TextureIndex{2}; }),
+                  "a texture's number in it is out of range");
+    }
+    for (const auto number : {&Material::normal_scale, &Material::metallic, &Material::roughness}) {
+        EXPECT_EQ(complaint([&](Model& m) { m.materials[1].*number = std::nanf(""); }),
+                  "a colour in it is no number");
+    }
 }
 
 }  // namespace

@@ -119,6 +119,13 @@ void GltfSource::add_warnings(DiagnosticList& warnings) {
         warn("missing-data", "arrays of meshes that the file has no data for, read as 0: " +
                                  std::to_string(parts_->primitives->without_data()));
     }
+    for (const GltfMaterial& material : parts_->materials) {
+        for (const std::string& key : material.left_out) {
+            warn("unsupported-feature", "material '" + material.source.material.name + "': " + key +
+                                            " lies by other texture coordinates than its first picture; "
+                                            "drawn without it");
+        }
+    }
     for (const std::string& name : unread_extensions(parts_->document)) {
         warn("unsupported-feature", name + ": ignored, what it adds is missing; export without it");
     }

@@ -53,34 +53,53 @@ bool repeats(const Document& document, const Item& texture) {
 }
 
 /// Scaled, then turned anticlockwise as seen on the picture (v runs down), then moved.
-void read_transform(const Item& transform, GltfMaterial& out) {
+void read_transform(const Item& transform, TextureLayout& out) {
     const auto offset = transform.numbers("offset", 2).value_or(std::vector<float>{0, 0});
     const auto scale = transform.numbers("scale", 2).value_or(std::vector<float>{1, 1});
     const auto angle = static_cast<float>(transform.number("rotation", 0.0));
     const float c = std::cos(angle);
     const float s = std::sin(angle);
-    out.uv_linear << c * scale[0], s * scale[1],  //
+    out.linear << c * scale[0], s * scale[1],  //
         -s * scale[0], c * scale[1];
-    out.uv_offset = {offset[0], offset[1]};
+    out.offset = {offset[0], offset[1]};
 }
 
-void read_texture(const Document& document, const Item& info, GltfMaterial& out) {
-    const Item texture = document.item("textures", info.needed_whole("index"));
-    const auto image = image_of(texture);
-    if (!image) {
-        return;
-    }
-    TextureReference reference;
-    const std::string uri = document.item("images", *image).text("uri");
-    reference.uri = uri.empty() || uri.starts_with("data:") ? "*" + std::to_string(*image) : uri;
-    reference.repeat = repeats(document, texture);
+TextureLayout read_layout(const Item& info) {
+    TextureLayout layout;
     std::size_t channel = info.whole("texCoord").value_or(0);
     if (const auto transform = extension_of(info, "KHR_texture_transform")) {
-        read_transform(*transform, out);
+        read_transform(*transform, layout);
         channel = transform->whole("texCoord").value_or(channel);
     }
-    reference.uv_channel = static_cast<unsigned int>(std::min<std::size_t>(channel, 1000));
-    out.source.texture = reference;
+    layout.channel = static_cast<unsigned int>(std::min<std::size_t>(channel, 1000));
+    return layout;
+}
+
+/// The picture that `holder` names under `key`, if any: its first one says how all of a material's lie.
+std::optional<Item> read_picture(const Document& document, const Item& holder, const char* key,
+                                 std::optional<TextureIndex> Material::*use, GltfMaterial& out) {
+    auto info = holder.object(key);
+    if (!info) {
+        return std::nullopt;
+    }
+    const Item texture = document.item("textures", info->needed_whole("index"));
+    const auto image = image_of(texture);
+    if (!image) {
+        return std::nullopt;
+    }
+    const TextureLayout layout = read_layout(*info);
+    if (out.source.pictures.empty()) {
+        out.layout = layout;
+        out.source.uv_channel = layout.channel;
+    } else if (!(layout == out.layout)) {
+        out.left_out.emplace_back(key);
+        return std::nullopt;
+    }
+    const std::string uri = document.item("images", *image).text("uri");
+    const bool embedded = uri.empty() || uri.starts_with("data:");
+    out.source.pictures.push_back(
+        {use, {embedded ? "*" + std::to_string(*image) : uri, repeats(document, texture)}});
+    return info;
 }
 
 /// One of the two ways to name colour and picture: `holder`'s keys.
@@ -90,29 +109,56 @@ void read_color(const Document& document, const Item& holder, const char* factor
         out.source.material.base_color = {tidy((*color)[0]), tidy((*color)[1]), tidy((*color)[2]),
                                           tidy((*color)[3])};
     }
-    if (const auto info = holder.object(texture)) {
-        read_texture(document, *info, out);
+    read_picture(document, holder, texture, &Material::base_color_texture, out);
+}
+
+/// Where the surface glows, and how brightly: KHR_materials_emissive_strength may take it over 1.
+void read_glow(const Document& document, const Item& item, GltfMaterial& out) {
+    constexpr double kBrightest = 100.0;  // already white on any picture
+    double strength = 1.0;
+    if (const auto extension = extension_of(item, "KHR_materials_emissive_strength")) {
+        strength = extension->number("emissiveStrength", 1.0);
     }
+    if (const auto factor = item.numbers("emissiveFactor", 3)) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            out.source.material.emissive[i] =
+                tidy((*factor)[i]) *
+                static_cast<float>(std::isfinite(strength) ? std::clamp(strength, 0.0, kBrightest) : 1.0);
+        }
+    }
+    const bool named = item.has("emissiveTexture");
+    if (named && !read_picture(document, item, "emissiveTexture", &Material::emissive_texture, out)) {
+        out.source.material.emissive = {0, 0, 0};  // it would say where: not all over
+    }
+}
+
+void read_metal(const Document& document, const Item& pbr, GltfMaterial& out) {
+    out.source.material.metallic = tidy(static_cast<float>(pbr.number("metallicFactor", 1.0)));
+    out.source.material.roughness = tidy(static_cast<float>(pbr.number("roughnessFactor", 1.0)));
+    read_picture(document, pbr, "metallicRoughnessTexture", &Material::metallic_roughness_texture, out);
 }
 
 GltfMaterial read_material(const Document& document, const Item& item) {
     GltfMaterial out;
     Material& material = out.source.material;
     material.name = item.text("name");
-    if (const auto pbr = item.object("pbrMetallicRoughness")) {
-        read_color(document, *pbr, "baseColorFactor", "baseColorTexture", out);
-    }
-    if (const auto older = extension_of(item, "KHR_materials_pbrSpecularGlossiness")) {
+    const auto pbr = item.object("pbrMetallicRoughness");
+    const auto older = extension_of(item, "KHR_materials_pbrSpecularGlossiness");
+    if (older) {
         read_color(document, *older, "diffuseFactor", "diffuseTexture", out);
+    } else if (pbr) {
+        read_color(document, *pbr, "baseColorFactor", "baseColorTexture", out);
+        read_metal(document, *pbr, out);
     }
+    if (const auto normal = read_picture(document, item, "normalTexture", &Material::normal_texture, out)) {
+        const auto scale = static_cast<float>(normal->number("scale", 1.0));
+        material.normal_scale = std::isfinite(scale) ? scale : 1.0F;
+    }
+    read_glow(document, item, out);
     material.alpha_mode = to_alpha_mode(item.text("alphaMode"));
     material.alpha_cutoff = tidy(static_cast<float>(item.number("alphaCutoff", 0.5)));
     material.double_sided = item.flag("doubleSided");
-    // An emissive texture says where it glows; without it the whole surface would.
-    const auto emissive = item.numbers("emissiveFactor", 3);
-    if (emissive && !item.has("emissiveTexture")) {
-        material.emissive = {tidy((*emissive)[0]), tidy((*emissive)[1]), tidy((*emissive)[2])};
-    }
+    material.unlit = extension_of(item, "KHR_materials_unlit").has_value();
     return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -9,11 +10,20 @@
 
 namespace campuswalk::scene::gltf {
 
-/// A material and how KHR_texture_transform lays its picture: uv' = linear * uv + offset.
+/// How a picture lies on a surface: by which texture coordinates, and what KHR_texture_transform makes of
+/// them: uv' = linear * uv + offset.
+struct TextureLayout {
+    unsigned int channel = 0;
+    Eigen::Matrix2f linear = Eigen::Matrix2f::Identity();
+    Eigen::Vector2f offset = Eigen::Vector2f::Zero();
+
+    bool operator==(const TextureLayout&) const = default;
+};
+
 struct GltfMaterial {
     SourceMaterial source;
-    Eigen::Matrix2f uv_linear = Eigen::Matrix2f::Identity();
-    Eigen::Vector2f uv_offset = Eigen::Vector2f::Zero();
+    TextureLayout layout;               ///< of its first picture
+    std::vector<std::string> left_out;  ///< keys of pictures that lie otherwise than the first
 };
 
 /// All of a file's materials and, last, glTF's default one. Pictures inside the file are called `*N`, N being

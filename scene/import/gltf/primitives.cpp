@@ -65,17 +65,16 @@ Primitives::Primitives(const Document& document, Buffers& buffers, const std::ve
 }
 
 std::string Primitives::uv_name(const RawMesh& mesh) const {
-    const auto& texture = materials_[mesh.material].source.texture;
-    return "TEXCOORD_" + std::to_string(texture ? texture->uv_channel : 0);
+    return "TEXCOORD_" + std::to_string(materials_[mesh.material].layout.channel);
 }
 
 void Primitives::transform_uvs(RawMesh& mesh) const {
-    const GltfMaterial& material = materials_[mesh.material];
-    if (material.uv_linear.isIdentity(0.0F) && material.uv_offset.isZero(0.0F)) {
+    const TextureLayout& layout = materials_[mesh.material].layout;
+    if (layout.linear.isIdentity(0.0F) && layout.offset.isZero(0.0F)) {
         return;
     }
     for (Eigen::Vector2f& uv : mesh.uvs) {
-        uv = (material.uv_linear * uv + material.uv_offset).eval();
+        uv = (layout.linear * uv + layout.offset).eval();
     }
 }
 

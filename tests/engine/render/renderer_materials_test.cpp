@@ -1,3 +1,5 @@
+#include <cmath>
+#include <cstdlib>
 #include <span>
 
 #include <gtest/gtest.h>
@@ -148,6 +150,132 @@ TEST(Materials, EmissiveShinesWithoutLight) {
         SceneBuilder().paint(kBlue).glow({0.6F, 0, 0}).upright({0, 0, kAway}, 1.0).model();
     Renderer renderer(std::span(&model, 1), settings);
     EXPECT_EQ(color_name(renderer.draw(ahead(), kWidth, kHeight), 80, 45), "red");
+}
+
+RenderSettings in_the_dark() {
+    RenderSettings settings = quick_settings();
+    settings.sun_color.setZero();
+    settings.sky_light.setZero();
+    settings.ground_light.setZero();
+    settings.room_light.setZero();
+    settings.fog_distance = 0.0;
+    return settings;
+}
+
+TEST(Materials, EmissiveTextureSaysWhereItShines) {
+    const scene::Model model = SceneBuilder()
+                                   .paint(kGrey)
+                                   .glow({0.6F, 0.6F, 0.6F})
+                                   .picture(&scene::Material::emissive_texture, four_blocks())
+                                   .upright({0, 0, kAway}, 1.0)
+                                   .model();
+    Renderer renderer(std::span(&model, 1), in_the_dark());
+    const Picture picture = renderer.draw(ahead(), kWidth, kHeight);
+    EXPECT_EQ(color_name(picture, 80 - kReach, 45 - kReach), "red");
+    EXPECT_EQ(color_name(picture, 80 + kReach, 45 - kReach), "green");
+    EXPECT_EQ(color_name(picture, 80 - kReach, 45 + kReach), "blue");
+}
+
+TEST(Materials, UnlitIsAsPaintedInShadowAndWithoutLight) {
+    const std::array<std::uint8_t, 4> paint = {240, 90, 30, 255};
+    SceneBuilder scene;
+    scene.paint({1, 1, 1, 1}, plain_texture(paint)).material().unlit = true;
+    const scene::Model model = scene.upright({0, 0, kAway}, 1.0).model();
+    RenderSettings sunny = quick_settings();
+    sunny.fog_distance = 0.0;
+    for (const RenderSettings& settings : {sunny, in_the_dark()}) {
+        Renderer renderer(std::span(&model, 1), settings);
+        const auto rgb = renderer.draw(ahead(), kWidth, kHeight).pixel(80, 45);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(rgb[i], paint[i], 1);
+        }
+    }
+}
+
+// A sheet whose bumps all lean one way looks as one whose normals do.
+TEST(Materials, NormalMapsLightASurfaceAsItsNormalsWould) {
+    RenderSettings settings = quick_settings();
+    settings.to_sun = Eigen::Vector3d(0.5, 0.4, 0.77).normalized();
+    settings.fog_distance = 0.0;
+    const auto brightness_of = [&](const scene::Model& model) {
+        Renderer renderer(std::span(&model, 1), settings);
+        return brightness(renderer.draw(ahead(), kWidth, kHeight), 80, 45);
+    };
+    std::vector<double> seen;
+    for (const Eigen::Vector3d& lean : {Eigen::Vector3d(0.5, 0, 1), Eigen::Vector3d(-0.5, 0, 1),
+                                        Eigen::Vector3d(0, 0.5, 1), Eigen::Vector3d(0, -0.5, 1)}) {
+        const Eigen::Vector3d n = lean.normalized();
+        const auto byte = [](double x) { return static_cast<std::uint8_t>(std::lround(128.0 + 127.0 * x)); };
+        const scene::Model mapped = SceneBuilder()
+                                        .paint(kGrey)
+                                        .picture(&scene::Material::normal_texture,
+                                                 plain_texture({byte(n.x()), byte(n.y()), byte(n.z()), 255}))
+                                        .upright({0, 0, kAway}, 1.0)
+                                        .model();
+        scene::Model leaning = SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model();
+        for (Eigen::Vector3f& normal : leaning.meshes[0].normals) {
+            normal = n.cast<float>();
+        }
+        seen.push_back(brightness_of(mapped));
+        EXPECT_NEAR(seen.back(), brightness_of(leaning), 1.0) << lean.transpose();
+    }
+    EXPECT_GT(seen[0], seen[1] + 20.0) << "leaning towards the sun";
+    EXPECT_GT(seen[2], seen[3] + 20.0);
+}
+
+TEST(Materials, NormalScaleOfNothingIsFlat) {
+    const auto sheet = [](float scale) {
+        SceneBuilder scene;
+        scene.paint(kGrey).picture(&scene::Material::normal_texture, plain_texture({220, 160, 180, 255}));
+        scene.material().normal_scale = scale;
+        return drawn(scene.upright({0, 0, kAway}, 1.0).model());
+    };
+    const Picture plain = drawn(SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model());
+    EXPECT_NEAR(brightness(sheet(0.0F), 80, 45), brightness(plain, 80, 45), 1.0);
+    EXPECT_GT(std::abs(brightness(sheet(1.0F), 80, 45) - brightness(plain, 80, 45)), 10.0);
+}
+
+// What a polished floor shows in a row under the horizon is the sky in the row as far over it.
+TEST(Materials, PolishedMetalMirrorsTheSky) {
+    SceneBuilder scene;
+    scene.paint({1, 1, 1, 1}).material().metallic = 1.0F;
+    scene.material().roughness = 0.0F;
+    const scene::Model model = scene.ground(4000.0).model();
+    RenderSettings settings = quick_settings();
+    settings.to_sun = Eigen::Vector3d(0, 0.3, 1).normalized();  // behind the camera
+    settings.fog_distance = 0.0;
+    settings.shadows = false;
+    settings.occlusion_radius = 0.0;
+    Renderer renderer(std::span(&model, 1), settings);
+    Viewpoint view = ahead();
+    view.position.y() = 1.6;
+    const Picture picture = renderer.draw(view, kWidth, kHeight);
+    for (const int away : {6, 15, 25, 40}) {
+        const auto floor = picture.pixel(80, 45 + away);
+        const auto sky = picture.pixel(80, 44 - away);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(floor[i], sky[i], 3) << away << " rows from the horizon";
+        }
+    }
+}
+
+TEST(Materials, MetalGleamsMoreTheSmootherItIs) {
+    // The sun straight behind the camera: its reflection is in the middle of the picture.
+    const auto middle = [](float metallic, float roughness) {
+        SceneBuilder scene;
+        scene.paint({0.2F, 0.2F, 0.2F, 1.0F}).material().metallic = metallic;
+        scene.material().roughness = roughness;
+        const scene::Model model = scene.upright({0, 0, kAway}, 1.0).model();
+        RenderSettings settings = quick_settings();
+        settings.to_sun = Eigen::Vector3d::UnitZ();
+        settings.shadows = false;
+        Renderer renderer(std::span(&model, 1), settings);
+        return brightness(renderer.draw(ahead(), kWidth, kHeight), 80, 45);
+    };
+    const double stone = middle(0.0F, 1.0F);
+    EXPECT_GT(middle(1.0F, 0.3F), stone + 30.0);
+    EXPECT_GT(middle(1.0F, 0.3F), middle(1.0F, 0.6F) + 20.0);
+    EXPECT_NEAR(middle(1.0F, 1.0F), stone, 25.0) << "files that say nothing of metal mean rough metal";
 }
 
 }  // namespace

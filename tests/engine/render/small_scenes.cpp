@@ -40,10 +40,17 @@ SceneBuilder& SceneBuilder::paint(const Color& color, const std::optional<scene:
     scene::Material material;
     material.base_color = color;
     if (texture) {
-        material.base_color_texture = scene::TextureIndex{static_cast<std::uint32_t>(model_.textures.size())};
-        model_.textures.push_back(*texture);
+        model_.materials.push_back(material);
+        return picture(&scene::Material::base_color_texture, *texture);
     }
     model_.materials.push_back(material);
+    return *this;
+}
+
+SceneBuilder& SceneBuilder::picture(std::optional<scene::TextureIndex> scene::Material::*use,
+                                    scene::Texture texture) {
+    model_.materials.back().*use = scene::TextureIndex{static_cast<std::uint32_t>(model_.textures.size())};
+    model_.textures.push_back(std::move(texture));
     return *this;
 }
 
@@ -145,6 +152,10 @@ scene::Texture four_blocks() {
         return right ? std::array<std::uint8_t, 4>{30, 220, 30, 255}
                      : std::array<std::uint8_t, 4>{220, 30, 30, 255};
     });
+}
+
+scene::Texture plain_texture(const std::array<std::uint8_t, 4>& rgba) {
+    return texture_of("plain", [&](bool, bool) { return rgba; });
 }
 
 scene::Texture half_clear() {

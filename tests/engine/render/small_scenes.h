@@ -34,6 +34,10 @@ public:
     SceneBuilder& alpha(scene::AlphaMode mode, float cutoff = 0.5F);
     SceneBuilder& double_sided();
     SceneBuilder& glow(const std::array<float, 3>& emissive);
+    /// A picture of the latest material: `&scene::Material::normal_texture`.
+    SceneBuilder& picture(std::optional<scene::TextureIndex> scene::Material::*use, scene::Texture texture);
+    /// The latest material, for what has no shorthand.
+    scene::Material& material() { return model_.materials.back(); }
     /// The next piece's node.
     SceneBuilder& placed(const Eigen::Matrix4d& X_world_node);
     SceneBuilder& named(const char* name);
@@ -57,6 +61,8 @@ private:
 
 /// Four blocks of colour: red and green above, blue and yellow below.
 scene::Texture four_blocks();
+/// One colour all over.
+scene::Texture plain_texture(const std::array<std::uint8_t, 4>& rgba);
 /// Opaque white on its right half, transparent on its left.
 scene::Texture half_clear();
 

@@ -297,6 +297,63 @@ TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
     EXPECT_EQ(warnings(), "");
 }
 
+TEST_F(GltfSourceTest, ReadsAllOfAMaterialsPictures) {
+    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    folder_.write("bumps.tga", test::tga_picture(1, 1, {128, 128, 255, 255}));
+    GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
+    text.json["images"].push_back({{"uri", "bumps.tga"}});
+    text.json["textures"].push_back({{"source", 1}});
+    Json& wall = text.json["materials"][0];
+    wall["pbrMetallicRoughness"]["metallicFactor"] = 0.25;
+    wall["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 1}};
+    wall["normalTexture"] = {{"index", 1}, {"scale", 0.5}};
+    wall["emissiveTexture"] = {{"index", 0}};
+    wall["emissiveFactor"] = {0.5, 0.25, 1.0};
+    wall["extensions"] = {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4.0}}},
+                          {"KHR_materials_unlit", Json::object()}};
+    const Model model = import(text);
+    EXPECT_EQ(warnings(), "");
+    ASSERT_EQ(model.textures.size(), 2U) << "each read once";
+    const Material& material = model.materials[0];
+    EXPECT_EQ(material.base_color_texture, TextureIndex{0});
+    EXPECT_EQ(material.metallic_roughness_texture, TextureIndex{1});
+    EXPECT_EQ(material.normal_texture, TextureIndex{1});
+    EXPECT_EQ(material.emissive_texture, TextureIndex{0});
+    EXPECT_EQ(material.metallic, 0.25F);
+    EXPECT_EQ(material.roughness, 1.0F) << "what glTF means by silence";
+    EXPECT_EQ(material.normal_scale, 0.5F);
+    EXPECT_EQ(material.emissive, (std::array<float, 3>{2.0F, 1.0F, 4.0F}));
+    EXPECT_TRUE(material.unlit);
+}
+
+TEST_F(GltfSourceTest, LeavesOutPicturesThatLieOtherwiseAndSaysSo) {
+    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
+    Json& wall = text.json["materials"][0];
+    wall["emissiveFactor"] = {1, 1, 1};
+    wall["emissiveTexture"] = {{"index", 0}, {"texCoord", 1}};
+    const Material material = import(text).materials[0];
+    EXPECT_TRUE(contains(warnings(), "'wall': emissiveTexture lies by other")) << warnings();
+    EXPECT_FALSE(material.emissive_texture);
+    EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0})) << "not all over";
+}
+
+TEST_F(GltfSourceTest, DoesWithoutAMissingPictureOfGlowOrBumps) {
+    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
+    text.json["images"].push_back({{"uri", "gone.tga"}});
+    text.json["textures"].push_back({{"source", 1}});
+    Json& wall = text.json["materials"][0];
+    wall["emissiveFactor"] = {1, 1, 1};
+    wall["emissiveTexture"] = {{"index", 1}};
+    wall["normalTexture"] = {{"index", 1}};
+    const Material material = import(text).materials[0];
+    EXPECT_TRUE(contains(warnings(), "'gone.tga'") && contains(warnings(), "drawn without it")) << warnings();
+    EXPECT_TRUE(material.base_color_texture);
+    EXPECT_FALSE(material.emissive_texture || material.normal_texture);
+    EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0}));
+}
+
 // ---- the file
 
 TEST_F(GltfSourceTest, NamesWhatItCannotReadAndTheCure) {
