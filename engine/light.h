@@ -24,6 +24,9 @@ struct LightSettings {
     std::optional<Eigen::Vector3d> sky_light = {};      ///< that reaches what faces up, even in shadow
     std::optional<Eigen::Vector3d> ground_light = {};   ///< that reaches what faces down
     std::optional<Eigen::Vector3d> room_light = {};     ///< added where the camera stands in a room
+    /// How bright lamps and other emissive surfaces look: 1 beside the day's sun, more to an eye used to the
+    /// dark.
+    std::optional<double> glow = {};
 
     std::optional<double> fog_distance =
         {};  ///< metres at which 63 % of a thing's colour is lost; 0 = no fog

@@ -16,6 +16,7 @@ constexpr Range kAzimuth{-360.0, 360.0, false, "degrees"};
 constexpr Range kElevation{1.0, 90.0, false, "degrees"};
 constexpr Range kColor{0.0, 100.0, false, ""};
 constexpr Range kDisc{0.0, 100.0, false, ""};
+constexpr Range kGlow{0.0, 1000.0, false, ""};
 constexpr Range kReach{0.0, 10.0, false, "m"};
 
 void read_angle(CheckedMap& map, const char* key, const Range& degrees, std::optional<double>& target) {
@@ -58,6 +59,7 @@ void read_light_fields(CheckedMap& map, LightSettings& light) {
     }
     map.vector("ground_light", kColor, light.ground_light);
     map.vector("room_light", kColor, light.room_light);
+    map.number("glow", kGlow, light.glow);
     map.number("fog_distance", kDistance, light.fog_distance);
     if (const auto shadows = map.find("shadows")) {
         light.shadows = shadows->truth();

@@ -38,6 +38,7 @@ RenderSettings lit(const RenderSettings& base, const LightSettings& light) {
     replace(settings.sky_light, light.sky_light);
     replace(settings.ground_light, light.ground_light);
     replace(settings.room_light, light.room_light);
+    replace(settings.glow, light.glow);
     replace(settings.fog_distance, light.fog_distance);
     replace(settings.shadows, light.shadows);
     replace(settings.occlusion_radius, light.contact_shading);

@@ -23,6 +23,9 @@ struct RenderSettings {
     /// and the eye that adapts. A little warm, against the blue of the sky light.
     Eigen::Vector3d room_light = {0.27, 0.25, 0.21};
 
+    /// Emissive surfaces are this much brighter than their materials say: the night's eye.
+    double glow = 1.0;
+
     Eigen::Vector3d zenith_color = {0.13, 0.30, 0.66};   ///< sky overhead
     Eigen::Vector3d horizon_color = {0.62, 0.73, 0.84};  ///< sky at eye level, and the far end of the fog
     double fog_distance = 900.0;  ///< metres at which 63 % of a thing's colour is lost; 0 = no fog

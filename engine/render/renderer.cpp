@@ -204,6 +204,7 @@ private:
         const Eigen::Vector3d level = Eigen::Vector3d(settings_.to_sun.x(), 0.0, settings_.to_sun.z());
         surface.set("side_axis", Eigen::Vector3d(settings_.side_light * level.normalized()));
         surface.set("sky_light", settings_.sky_light);
+        surface.set("glow_scale", settings_.glow);
         const bool fog = frame.perspective && settings_.fog_distance > 0.0;
         surface.set("fog_density", fog ? 1.0 / settings_.fog_distance : 0.0);
         surface.set("base_color_map", 0);

@@ -76,6 +76,7 @@ uniform float fog_density;  // per metre
 uniform sampler2D base_color_map;
 uniform vec4 base_color;
 uniform vec3 emissive;
+uniform float glow_scale;
 #if defined(GLOW_MAP)
 uniform sampler2D glow_map;
 #endif
@@ -160,7 +161,7 @@ void main() {
     ambient *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
 #endif
     vec3 light = ambient + sun_color * sun;
-    vec3 glow = emissive;
+    vec3 glow = glow_scale * emissive;
 #if defined(GLOW_MAP)
     glow *= texture(glow_map, uv).rgb;
 #endif

@@ -24,6 +24,7 @@ protected:
                       "sky: {zenith: [0, 0.1, 0.3], horizon: [0.6, 0.3, 0.1], light: [0.1, 0.1, 0.2]}\n"
                       "ground_light: [0.1, 0, 0]\n"
                       "room_light: [0.3, 0.2, 0.1]\n"
+                      "glow: 12.5\n"
                       "fog_distance: 300\n"
                       "shadows: false\n"
                       "contact_shading: 0\n"
@@ -52,6 +53,7 @@ TEST_F(ReadLight, PutsEveryKeyWhereItBelongs) {
     EXPECT_EQ(light.sky_light, Eigen::Vector3d(0.1, 0.1, 0.2));
     EXPECT_EQ(light.ground_light, Eigen::Vector3d(0.1, 0, 0));
     EXPECT_EQ(light.room_light, Eigen::Vector3d(0.3, 0.2, 0.1));
+    EXPECT_EQ(light.glow, 12.5);
     EXPECT_EQ(light.fog_distance, 300.0);
     EXPECT_EQ(light.shadows, false);
     EXPECT_EQ(light.contact_shading, 0.0);

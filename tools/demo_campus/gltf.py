@@ -94,6 +94,10 @@ class _Document:
             if source.factor != (1.0, 1.0, 1.0, 1.0):
                 surface["baseColorFactor"] = list(source.factor)
             entry = {"name": name, "pbrMetallicRoughness": surface}
+            if source.glow:
+                entry["emissiveFactor"] = list(source.glow)
+            if source.glow_texture:
+                entry["emissiveTexture"] = {"index": self.texture(source.glow_texture)}
             if source.alpha == "MASK":
                 entry["alphaMode"], entry["alphaCutoff"] = "MASK", 0.5
             elif source.alpha == "BLEND":

@@ -16,12 +16,17 @@ class Material:
     double_sided: bool = False
     metallic: float = 0.0
     roughness: float = 0.9
+    glow: tuple = ()  # linear colour that it sends out, as bright as it looks beside the day's sun
+    glow_texture: str = ""
 
 
 def _tint(red, green, blue, alpha=1.0):
     """A linear base colour factor."""
     return (red, green, blue, alpha)
 
+
+# Behind a pane: nothing beside the day's light, bright to an eye used to the dark.
+_WINDOW = (0.055, 0.040, 0.020)
 
 MATERIALS = {
     # ground
@@ -34,7 +39,7 @@ MATERIALS = {
     "granite": Material("granite", (1.2, 1.2)),
     "soil": Material("soil", (1.5, 1.5)),
     "pond_bed": Material("gravel", (2.5, 2.5), _tint(0.42, 0.47, 0.36)),
-    "water": Material("water", (7.0, 7.0), _tint(0.8, 0.9, 0.9, 0.72), "BLEND", False, 0.0, 0.1),
+    "water": Material("water", (7.0, 7.0), _tint(0.8, 0.9, 0.9, 0.72), "BLEND", roughness=0.1),
     # walls
     "brick_red": Material("brick_red", (1.8, 1.8)),
     "brick_buff": Material("brick_buff", (1.8, 1.8)),
@@ -59,8 +64,9 @@ MATERIALS = {
     "copper": Material("copper", (2.0, 2.0), roughness=0.6),
     "roof_gravel": Material("gravel", (2.5, 2.5), _tint(0.7, 0.7, 0.7)),
     # glass and joinery
-    "glass": Material("glass", (3.0, 3.0), roughness=0.15),
-    "curtain_glass": Material("curtain_glass", (6.0, 3.5), roughness=0.15),
+    "glass": Material("glass", (3.0, 3.0), roughness=0.15, glow=_WINDOW, glow_texture="lit_room"),
+    "curtain_glass": Material("curtain_glass", (6.0, 3.5), roughness=0.15, glow=_WINDOW,
+                              glow_texture="lit_front"),
     "clear_glass": Material("glass", (3.0, 3.0), _tint(0.9, 1.0, 1.0, 0.28), "BLEND", True,
                             roughness=0.1),
     "frame_white": Material("plaster", (3.0, 3.0), _tint(0.95, 0.95, 0.92)),
@@ -68,7 +74,7 @@ MATERIALS = {
     "frame_green": Material("metal", (1.0, 1.0), _tint(0.10, 0.22, 0.15), roughness=0.6),
     "metal": Material("metal", (1.0, 1.0), roughness=0.5),
     "iron": Material("metal", (1.0, 1.0), _tint(0.10, 0.11, 0.12), roughness=0.6),
-    "brass": Material("metal", (1.0, 1.0), _tint(0.85, 0.62, 0.25), roughness=0.4),
+    "brass": Material("metal", (1.0, 1.0), _tint(0.91, 0.70, 0.32), metallic=1.0, roughness=0.4),
     "bronze": Material("copper", (2.0, 2.0), _tint(0.80, 0.55, 0.38), roughness=0.5),
     "door_wood": Material("door", (1.0, 1.0)),
     "wood": Material("planks", (1.2, 1.2), _tint(1.0, 0.82, 0.62)),
@@ -81,12 +87,12 @@ MATERIALS = {
     "fabric_blue": Material("plaster", (3.0, 3.0), _tint(0.08, 0.18, 0.40)),
     "canvas": Material("plaster", (3.0, 3.0), _tint(0.92, 0.85, 0.68), "OPAQUE", True),
     "bins": Material("metal", (1.0, 1.0), _tint(0.08, 0.22, 0.15)),
-    "lamp_glass": Material("plaster", (3.0, 3.0), _tint(1.0, 0.96, 0.80)),
+    "lamp_glass": Material("plaster", (3.0, 3.0), _tint(1.0, 0.96, 0.80), glow=(0.10, 0.085, 0.055)),
     "screen": Material("plaster", (3.0, 3.0), _tint(1.0, 1.0, 1.0)),
     "painting": Material("paintings", (1.0, 1.0)),
     "signs": Material("signs", (1.0, 1.0), roughness=0.7),
     "notices": Material("notices", (1.0, 1.0)),
-    "clock": Material("clock", (1.0, 1.0)),
+    "clock": Material("clock", (1.0, 1.0), glow=(0.035, 0.032, 0.026), glow_texture="clock"),
     # plants
     "bark": Material("bark", (1.0, 2.0)),
     "bark_birch": Material("bark_birch", (0.8, 1.6)),

@@ -39,6 +39,8 @@ TEXTURES = [
     ("copper", 256, 40, built.copper),
     ("glass", 128, 32, built.glass),
     ("curtain_glass", 256, 48, built.curtain_glass),
+    ("lit_room", 64, 24, built.lit_room),
+    ("lit_front", 128, 32, built.lit_front),
     ("metal", 64, 16, lambda n: built.shaded(n, 45, (190, 190, 190), (216, 216, 216), _SOFT, 0.5)),
     ("door", 256, 32, built.door),
     ("parquet", 512, 40, built.parquet),

@@ -194,6 +194,38 @@ def curtain_glass(size):
     return out
 
 
+def lit_room(size):
+    """What glows behind a window at night: a lamp's light on the ceiling, curtains at the sides."""
+    out = []
+    for y in range(size):
+        for x in range(size):
+            u, v = (x + 0.5) / size, (y + 0.5) / size
+            away = ((u - 0.5) ** 2 + (v - 0.28) ** 2) ** 0.5
+            colour = mix((255, 250, 236), (168, 140, 104), min(1.0, 1.5 * away))
+            if min(u, 1.0 - u) < 0.16:
+                fold = 0.5 + 0.5 * ((x // 2) % 2)
+                colour = mix((196, 132, 78), (150, 96, 56), fold)
+            elif v > 0.86:
+                colour = (92, 70, 50)
+            out.append(clamp(colour))
+    return out
+
+
+def lit_front(size):
+    """Panes of a glass front at night: some offices are empty, in some the blinds are down."""
+    random = Random(61)
+    panes = [[0.0 if random.unit() < 0.35 else random.between(0.45, 1.0) for _ in range(4)]
+             for _ in range(2)]
+    out = []
+    for y in range(size):
+        for x in range(size):
+            u, v = x * 4 / size, y * 2 / size
+            light = panes[int(v)][int(u)]
+            colour = mix((255, 248, 226), (196, 172, 134), v - int(v))
+            out.append(clamp(mix((6, 7, 9), colour, light)))
+    return out
+
+
 def road(size):
     """Seven metres of carriageway: edge lines and a dashed centre line, along v."""
     out = shaded(size, 35, (70, 71, 74), (98, 98, 98),

@@ -45,6 +45,27 @@ TEST(Light, OneAngleLeavesTheOtherAsItWas) {
     EXPECT_NEAR(lower.x() / lower.z(), day.x() / day.z(), 1e-12);
 }
 
+TEST(Light, GlowIsForEmissiveSurfacesOnly) {
+    const scene::Model model = SceneBuilder()
+                                   .paint({0, 0, 0, 1})
+                                   .glow({0.05F, 0.05F, 0.05F})
+                                   .upright({-0.5, 0, -1.6}, 1.0)
+                                   .paint(kGrey)
+                                   .upright({0.5, 0, -1.6}, 1.0)
+                                   .model();
+    const auto picture = [&](double glow) {
+        RenderSettings settings = quick_settings();
+        settings.fog_distance = 0.0;
+        Renderer renderer(std::span(&model, 1), lit(settings, {.glow = glow}));
+        return renderer.draw(ahead(), kWidth, kHeight);
+    };
+    const Picture bright = picture(10.0);
+    // 0.5 of the light is this sRGB value (IEC 61966-2-1).
+    EXPECT_NEAR(bright.pixel(66, 45)[0], 255.0 * (1.055 * std::pow(0.5, 1 / 2.4) - 0.055), 1.5);
+    EXPECT_EQ(picture(0.0).pixel(66, 45)[0], 0);
+    EXPECT_EQ(picture(0.0).pixel(94, 45), bright.pixel(94, 45));
+}
+
 TEST(Light, ShadowsFallAwayFromTheSun) {
     const scene::Model model = SceneBuilder()
                                    .paint(kGrey)
