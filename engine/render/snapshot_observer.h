@@ -1,12 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/observers/observer.h"
-#include "engine/render/snapshot_painter.h"
+#include "engine/render/painter_store.h"
 #include "engine/render/snapshot_sight.h"
 #include "engine/render/walk_trail.h"
 #include "scene/campus.h"
@@ -18,10 +17,9 @@ namespace campuswalk::engine::render {
 /// A walk without snapshots opens no GL library and makes no folder.
 class SnapshotObserver final : public Observer {
 public:
-    /// `campus` must outlive the observer.
-    SnapshotObserver(const scene::Campus& campus, std::filesystem::path folder,
-                     SnapshotSettings settings = {});
-    ~SnapshotObserver() override;
+    /// `campus` and `painters` must outlive the observer.
+    SnapshotObserver(const scene::Campus& campus, std::filesystem::path folder, PainterStore& painters)
+        : campus_(campus), folder_(std::move(folder)), painters_(painters) {}
 
     void begin(const Walk& walk) override;
     /// Throws RenderError when the machine can't draw, std::runtime_error naming a file that can't be
@@ -34,13 +32,12 @@ public:
     const SnapshotSights& sights() const { return sights_; }
 
 private:
-    SnapshotSight sight_of(const Shot& shot);
+    void take(const SnapshotStep& step, const FrameRecord& record);
+    SnapshotSight sight_of(SnapshotPainter& painter, const Shot& shot) const;
 
     const scene::Campus& campus_;
     std::filesystem::path folder_;
-    SnapshotSettings settings_;
-    std::unique_ptr<SnapshotPainter> painter_;
-    std::string walk_name_;
+    PainterStore& painters_;
     AvatarProfile profile_;
     LightSettings light_;
     WalkTrail trail_;

@@ -162,7 +162,7 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
         }
         draw_scale_bar(canvas, view);
         draw_north_arrow(canvas);
-    } else if (settings_.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
+    } else if (shot.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
         draw_minimap(canvas, minimap(), shot.avatar);
     }
     if (shot.overlays.labels) {
@@ -175,7 +175,7 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
         draw_compass(canvas, std::atan2(level.x(), level.z()));
     }
     draw_info_windows(canvas, windows(shot, view), settings_.max_windows);
-    if (settings_.caption && !shot.caption.empty()) {
+    if (!shot.caption.empty()) {
         const double s = canvas.scale();
         const TextStyle style = {14.0 * s, true, {1, 1, 1, 1}, 0.0, 1};
         const Eigen::Vector2d size = canvas.text_size(shot.caption, style);

@@ -27,13 +27,11 @@ namespace campuswalk::engine::render {
 struct SnapshotSettings {
     RenderSettings light;  ///< a walk's own light goes on top
     RenderingBackend backend = RenderingBackend::automatic;
-    bool minimap = true;           ///< in views from the avatar
     double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
     /// Of the plan that it is cut from, pixels a metre: twice what a picture 720 high shows.
     double minimap_detail = 2.5;
     std::size_t max_windows = 3;  ///< pop-ups shown at once; more would hide the campus
     bool labels = true;           ///< building titles on plans
-    bool caption = false;         ///< walk name and time in the upper left corner
     FreeDistance free_distance;   ///< keeps the third-person camera out of walls; without it, it isn't
 };
 
@@ -48,7 +46,8 @@ struct Shot {
     std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in View::top
     PictureOverlays overlays;
     std::span<const Eigen::Vector3d> contacts;  ///< where the foot point was, for the overlay
-    std::string caption;                        ///< shown when SnapshotSettings::caption
+    std::string caption;                        ///< in the upper left corner, if any
+    bool minimap = true;                        ///< in views from the avatar
 };
 
 /// Which building and which object each pixel of a shot shows, as Channels says; nothing drawn over it

@@ -88,7 +88,7 @@ protected:
     std::vector<std::string> drawn(const fs::path& folder = "stroll") {
         std::vector<std::string> paths;
         for (const engine::Artifact& artifact :
-             pictures_.draw(campus_, walk_, failures_, folder_.path() / "out", folder, Backend::automatic)) {
+             draw_failures(campus_, walk_, failures_, folder_.path() / "out", folder, *painters_)) {
             EXPECT_TRUE(fs::is_regular_file(folder_.path() / "out" / artifact.path)) << artifact.path;
             EXPECT_EQ(artifact.media_type, "image/png");
             paths.push_back(artifact.name + ": " + artifact.path);
@@ -109,7 +109,8 @@ protected:
 
     support::TemporaryFolder folder_;
     scene::Campus campus_ = small_campus(false);
-    FailurePictures pictures_;  // must go before the campus
+    // Must go before the campus.
+    std::shared_ptr<engine::render::PainterStore> painters_ = make_painters(Backend::automatic);
     engine::Walk walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), engine::walk_to(0, -10)});
     std::vector<engine::Failure> failures_;
 };
@@ -131,7 +132,7 @@ TEST_F(DrawnFailures, AreTheSameAfterThoseOfOtherWalks) {
     fail_at(60);
     drawn("first");
     const scene::Campus other = small_campus(true);
-    pictures_.draw(other, walk_, failures_, folder_.path() / "out", "other", Backend::automatic);
+    draw_failures(other, walk_, failures_, folder_.path() / "out", "other", *painters_);
     failures_[0].scene.tick = 10;
     drawn("between");
     failures_[0].scene.tick = 60;

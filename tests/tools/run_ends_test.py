@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import time
@@ -298,13 +299,27 @@ class CutShort(ManyWalks):
         os.close(theirs)
         self.addCleanup(process.stdout.close)
         seen = b""
-        while b"1/6" not in seen:
+        while not re.search(rb"1/6, b at \d+\.\d s", seen):
             seen += os.read(mine, 1000)
         process.send_signal(signal.SIGINT)
         while b"interrupted" not in seen:
             seen += os.read(mine, 1000)
         self.assertEqual(process.wait(timeout=60), 130)
-        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6\r\x1b\[K")
+        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d s\r\x1b\[K")
+
+    def test_where_a_single_walk_is_shows_on_a_terminal(self):
+        mine, theirs = os.openpty()
+        self.addCleanup(os.close, mine)
+        self.write("b.walk.yaml", ENDLESS)
+        process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", "--reporter", "list", "b.walk.yaml"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=theirs)
+        os.close(theirs)
+        self.addCleanup(process.stdout.close)
+        seen = b""
+        while not re.search(rb"b at \d+\.\d s\r\x1b\[Kb at", seen):
+            seen += os.read(mine, 1000)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=60), 130)
 
     def test_a_walk_that_takes_too_long(self):
         self.write("b.walk.yaml", ENDLESS)

@@ -1,17 +1,15 @@
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/decimals.h"
-#include "engine/render/light.h"
+#include "engine/render/painter_store.h"
 #include "engine/render/png.h"
 #include "engine/render/walk_trail.h"
 #include "engine/simulation.h"
 #include "tools/campuswalk/map_picture.h"
-#include "tools/campuswalk/picture_settings.h"
 #include "tools/campuswalk/pictures.h"
 
 namespace campuswalk::tools {
@@ -69,6 +67,7 @@ public:
         shot.profile = walk_.avatar;
         shot.open_popups = record.open_popups;
         shot.caption = caption;
+        shot.minimap = false;  // the picture from above says more
         keep(painter_.draw(shot), "eyes", "from the eyes", record.time);
         keep(draw_map(campus_, painter_, {record.avatar, walk_.avatar, path, caption}, kWidth, kHeight),
              "above", "from above", record.time);
@@ -97,56 +96,14 @@ private:
 
 }  // namespace
 
-/// One a campus and light. A process that plays many of them keeps a few.
-class FailurePictures::Painters {
-public:
-    render::SnapshotPainter& of(const scene::Campus& campus, const engine::LightSettings& light,
-                                Backend backend) {
-        constexpr std::size_t kMost = 4;
-        const auto found = std::ranges::find_if(
-            kept_, [&](const Kept& kept) { return kept.campus == &campus && kept.light == light; });
-        if (found != kept_.end()) {
-            return *found->painter;
-        }
-        if (kept_.size() >= kMost) {
-            kept_.clear();
-        }
-        kept_.push_back({&campus, light, make(campus, light, backend)});
-        return *kept_.back().painter;
-    }
-
-private:
-    struct Kept {
-        const scene::Campus* campus = nullptr;
-        engine::LightSettings light;
-        std::unique_ptr<render::SnapshotPainter> painter;
-    };
-
-    static std::unique_ptr<render::SnapshotPainter> make(const scene::Campus& campus,
-                                                         const engine::LightSettings& light,
-                                                         Backend backend) {
-        render::SnapshotSettings settings = settings_for(campus, backend);
-        settings.light = render::lit(settings.light, light);
-        settings.caption = true;
-        settings.minimap = false;  // the picture from above says more
-        return std::make_unique<render::SnapshotPainter>(campus, std::move(settings));
-    }
-
-    std::vector<Kept> kept_;
-};
-
-FailurePictures::FailurePictures() : painters_(std::make_unique<Painters>()) {}
-FailurePictures::~FailurePictures() = default;
-
-std::vector<engine::Artifact> FailurePictures::draw(const scene::Campus& campus, const engine::Walk& walk,
-                                                    std::span<const engine::Failure> failures,
-                                                    const fs::path& output, const fs::path& folder,
-                                                    Backend backend) {
+std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
+                                            std::span<const engine::Failure> failures, const fs::path& output,
+                                            const fs::path& folder, render::PainterStore& painters) {
     const std::vector<engine::Tick> moments = moments_of(failures);
     if (moments.empty()) {
         return {};
     }
-    FailurePainter painter(campus, walk, painters_->of(campus, walk.light, backend), output, folder);
+    FailurePainter painter(campus, walk, painters.of(campus, walk.light), output, folder);
     engine::Simulation simulation(campus, walk);
     render::WalkTrail trail;
     auto next = moments.begin();

@@ -15,6 +15,10 @@
 #include "tools/campuswalk/rendering_backend.h"
 #include "tools/campuswalk/sequence_wish.h"
 
+namespace campuswalk::engine::render {
+class PainterStore;
+}
+
 namespace campuswalk::tools {
 
 // What the program asks of rendering. A build without it (CAMPUSWALK_RENDER=OFF) answers no to the first
@@ -28,9 +32,13 @@ public:
     virtual const engine::render::SnapshotSights& sights() const = 0;
 };
 
-/// Writes the walk's snapshots to `FOLDER/`. `campus` must outlive it.
+/// What draws the pictures of the walks that a process plays. Opens nothing before the first picture.
+std::shared_ptr<engine::render::PainterStore> make_painters(Backend backend);
+
+/// Writes the walk's snapshots to `FOLDER/`. `campus` and `painters` must outlive it.
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
-                                                   const std::filesystem::path& folder, Backend backend);
+                                                   const std::filesystem::path& folder,
+                                                   engine::render::PainterStore& painters);
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
 std::vector<std::string> files_of(const engine::SnapshotStep& step);
@@ -40,38 +48,25 @@ inline constexpr const char* kFramesFolder = "frames";
 inline constexpr const char* kContactSheetFile = "contact-sheet.png";
 inline constexpr const char* kVideoFile = "video.mp4";
 
-/// Takes the pictures that are wished for, and writes what is to be made of them to `FOLDER/`. `campus` must
-/// outlive it.
+/// Takes the pictures that are wished for, and writes what is to be made of them to `FOLDER/`. `campus` and
+/// `painters` must outlive it.
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const std::filesystem::path& folder,
-                                                      const SequenceWish& wish, Backend backend);
+                                                      const SequenceWish& wish,
+                                                      engine::render::PainterStore& painters);
 /// Whether a video can be made: it takes a program of others.
 bool can_make_videos();
 
-/// Draws the moments of walks' failures. What draws a campus is kept for the walks that follow: it takes
-/// longer to make than the pictures.
-class FailurePictures {
-public:
-    FailurePictures();
-    ~FailurePictures();
-    FailurePictures(const FailurePictures&) = delete;
-    FailurePictures& operator=(const FailurePictures&) = delete;
-
-    /// Each moment from the avatar's eyes and from above with the way walked so far: `failure[-N]-eyes.png`
-    /// and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second moment on. Failures of one
-    /// tick share their pictures, and later ones than the fourth moment get none. The walk is played again up
-    /// to there. Returns what was written, paths relative to `output`. `campus` must outlive this,
-    /// and `backend` be the same each time. Throws
-    /// std::runtime_error when it can't be drawn or written.
-    std::vector<engine::Artifact> draw(const scene::Campus& campus, const engine::Walk& walk,
-                                       std::span<const engine::Failure> failures,
-                                       const std::filesystem::path& output,
-                                       const std::filesystem::path& folder, Backend backend);
-
-private:
-    class Painters;
-    std::unique_ptr<Painters> painters_;
-};
+/// Draws the moments of a walk's failures, each from the avatar's eyes and from above with the way walked so
+/// far: `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second
+/// moment on. Failures of one tick share their pictures, and later ones than the fourth moment get none. The
+/// walk is played again up to there. Returns what was written, paths relative to `output`. `campus` must
+/// outlive `painters`. Throws std::runtime_error when it can't be drawn or written.
+std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
+                                            std::span<const engine::Failure> failures,
+                                            const std::filesystem::path& output,
+                                            const std::filesystem::path& folder,
+                                            engine::render::PainterStore& painters);
 
 /// The end of a way from above, with the way; the avatar looks where it leads. `way` has at least one point.
 void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,

@@ -9,8 +9,12 @@ bool can_draw() {
     return false;
 }
 
+std::shared_ptr<engine::render::PainterStore> make_painters(Backend) {
+    return nullptr;
+}
+
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
-                                                   Backend) {
+                                                   engine::render::PainterStore&) {
     assert(false);
     return nullptr;
 }
@@ -20,21 +24,16 @@ std::vector<std::string> files_of(const engine::SnapshotStep&) {
     return {};
 }
 
-class FailurePictures::Painters {};
-FailurePictures::FailurePictures() = default;
-FailurePictures::~FailurePictures() = default;
-
-std::vector<engine::Artifact> FailurePictures::draw(const scene::Campus&, const engine::Walk&,
-                                                    std::span<const engine::Failure>,
-                                                    const std::filesystem::path&,
-                                                    const std::filesystem::path&, Backend) {
+std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
+                                            std::span<const engine::Failure>, const std::filesystem::path&,
+                                            const std::filesystem::path&, engine::render::PainterStore&) {
     assert(false);
     return {};
 }
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus&, const engine::Walk&,
                                                       const std::filesystem::path&, const SequenceWish&,
-                                                      Backend) {
+                                                      engine::render::PainterStore&) {
     assert(false);
     return nullptr;
 }

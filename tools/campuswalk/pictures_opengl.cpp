@@ -3,6 +3,7 @@
 #include "collision/cast.h"
 #include "engine/render/channel_files.h"
 #include "engine/render/light.h"
+#include "engine/render/painter_store.h"
 #include "engine/render/png.h"
 #include "engine/render/snapshot_observer.h"
 #include "tools/campuswalk/map_picture.h"
@@ -47,12 +48,18 @@ bool can_draw() {
     return true;
 }
 
+std::shared_ptr<engine::render::PainterStore> make_painters(Backend backend) {
+    return std::make_shared<engine::render::PainterStore>(
+        [backend](const scene::Campus& campus) { return settings_for(campus, backend); });
+}
+
 namespace {
 
 class Taker final : public SnapshotTaker {
 public:
-    Taker(const scene::Campus& campus, const std::filesystem::path& folder, Backend backend)
-        : taker_(campus, folder, settings_for(campus, backend)) {}
+    Taker(const scene::Campus& campus, const std::filesystem::path& folder,
+          engine::render::PainterStore& painters)
+        : taker_(campus, folder, painters) {}
 
     void begin(const engine::Walk& walk) override { taker_.begin(walk); }
     void frame(const engine::FrameRecord& record) override { taker_.frame(record); }
@@ -66,8 +73,9 @@ private:
 }  // namespace
 
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
-                                                   const std::filesystem::path& folder, Backend backend) {
-    return std::make_unique<Taker>(campus, folder, backend);
+                                                   const std::filesystem::path& folder,
+                                                   engine::render::PainterStore& painters) {
+    return std::make_unique<Taker>(campus, folder, painters);
 }
 
 std::vector<std::string> files_of(const engine::SnapshotStep& step) {

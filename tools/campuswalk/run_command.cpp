@@ -233,7 +233,7 @@ private:
         SessionSettings session;
         session.play.output = settings_.output;
         session.play.pictures = pictures_;
-        session.play.backend = options_.backend;
+        session.backend = options_.backend;
         session.play.log = reports.wants_log();
         session.play.events = events;
         session.play.records = options_.records;
@@ -246,6 +246,7 @@ private:
         session.require_identical = options_.require_identical;
         session.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
         session.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
+        session.play.place = session.progress;
         return session;
     }
 

@@ -10,7 +10,6 @@
 #include "engine/render/sequence/frame_files.h"
 #include "engine/render/sequence/sequence_observer.h"
 #include "tools/campuswalk/ffmpeg_video.h"
-#include "tools/campuswalk/picture_settings.h"
 #include "tools/campuswalk/pictures.h"
 
 namespace campuswalk::tools {
@@ -49,11 +48,10 @@ std::unique_ptr<render::FrameSink> animation(const std::string& name, const fs::
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const fs::path& folder, const SequenceWish& wish,
-                                                      Backend backend) {
+                                                      render::PainterStore& painters) {
     render::SequenceSettings settings;
     settings.every = wish.every.value_or(kUsualInterval);
     settings.camera = camera_for(walk, wish);
-    settings.drawing = settings_for(campus, backend);
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
     if (wish.every) {
         sinks.push_back(std::make_unique<render::FrameFiles>(folder / kFramesFolder));
@@ -67,7 +65,8 @@ std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campu
     if (wish.video) {
         sinks.push_back(std::make_unique<FfmpegVideo>(folder / kVideoFile, settings.every));
     }
-    return std::make_unique<render::SequenceObserver>(campus, std::move(settings), std::move(sinks));
+    return std::make_unique<render::SequenceObserver>(campus, std::move(settings), painters,
+                                                      std::move(sinks));
 }
 
 bool can_make_videos() {

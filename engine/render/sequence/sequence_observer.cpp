@@ -11,11 +11,12 @@ constexpr double kRounding = 1e-9;  ///< of a time, in times of `every`
 }  // namespace
 
 SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
-                                   std::vector<std::unique_ptr<FrameSink>> sinks)
-    : campus_(campus), settings_(std::move(settings)), queue_(std::move(sinks)) {}
+                                   PainterStore& painters, std::vector<std::unique_ptr<FrameSink>> sinks)
+    : campus_(campus), settings_(std::move(settings)), painters_(painters), queue_(std::move(sinks)) {}
 
 void SequenceObserver::begin(const Walk& walk) {
     profile_ = walk.avatar;
+    light_ = walk.light;
     trail_.clear();
 }
 
@@ -23,9 +24,6 @@ void SequenceObserver::frame(const FrameRecord& record) {
     trail_.follow(record.avatar);
     if (!is_due(record.time)) {
         return;
-    }
-    if (!painter_) {
-        painter_ = std::make_unique<SnapshotPainter>(campus_, settings_.drawing);
     }
     const std::vector<Eigen::Vector3d> path = trail_.path();
     Shot shot;
@@ -35,7 +33,7 @@ void SequenceObserver::frame(const FrameRecord& record) {
     shot.stride = trail_.stride();
     shot.open_popups = record.open_popups;
     shot.path = path;
-    queue_.add({painter_->draw(shot), taken_++, record.time});
+    queue_.add({painters_.of(campus_, light_).draw(shot), taken_++, record.time});
 }
 
 void SequenceObserver::end() {

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "engine/observers/observer.h"
+#include "engine/render/painter_store.h"
 #include "engine/render/sequence/frame_queue.h"
-#include "engine/render/snapshot_painter.h"
 #include "engine/render/walk_trail.h"
 #include "scene/campus.h"
 
@@ -17,14 +16,13 @@ namespace campuswalk::engine::render {
 struct SequenceSettings {
     double every = 0.5;     ///< simulated seconds; no more than a frame a tick
     CameraSettings camera;  ///< what each is taken with
-    SnapshotSettings drawing;
 };
 
 /// Takes the first frame at a walk's first tick, and the others as their times come.
 class SequenceObserver final : public Observer {
 public:
-    /// `campus` must outlive it.
-    SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
+    /// `campus` and `painters` must outlive it.
+    SequenceObserver(const scene::Campus& campus, SequenceSettings settings, PainterStore& painters,
                      std::vector<std::unique_ptr<FrameSink>> sinks);
 
     void begin(const Walk& walk) override;
@@ -37,8 +35,9 @@ private:
 
     const scene::Campus& campus_;
     SequenceSettings settings_;
-    std::unique_ptr<SnapshotPainter> painter_;  ///< none before the first frame
+    PainterStore& painters_;
     AvatarProfile profile_;
+    LightSettings light_;
     WalkTrail trail_;
     std::size_t taken_ = 0;
     double next_ = 0.0;  ///< times of `every`

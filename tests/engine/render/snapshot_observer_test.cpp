@@ -13,8 +13,6 @@ namespace {
 class SnapshotObserverTest : public testing::Test {
 protected:
     SnapshotObserverTest() {
-        settings_.light = quick_settings();
-        settings_.minimap = false;
         walk_.name = "stroll";
         gate_.name = "gate";
         gate_.camera.width = kWidth;
@@ -43,14 +41,18 @@ protected:
     }
 
     scene::Campus campus_ = campus_of(tower_scene());
-    SnapshotSettings settings_;
+    PainterStore painters_{[](const scene::Campus&) {
+        SnapshotSettings settings;
+        settings.light = quick_settings();
+        return settings;
+    }};
     Walk walk_;
     SnapshotStep gate_;
     ScratchFolder folder_;
 };
 
 TEST_F(SnapshotObserverTest, WritesAPictureNamedByItsStep) {
-    SnapshotObserver observer(campus_, folder_.path() / "out", settings_);
+    SnapshotObserver observer(campus_, folder_.path() / "out", painters_);
     walk(observer, 5);
     const std::filesystem::path file = folder_.path() / "out" / "gate.png";
     EXPECT_EQ(observer.files(), std::vector<std::filesystem::path>{file});
@@ -60,7 +62,7 @@ TEST_F(SnapshotObserverTest, WritesAPictureNamedByItsStep) {
 TEST_F(SnapshotObserverTest, TheSameWalkGivesTheSameFile) {
     std::vector<std::string> files;
     for (const char* out : {"a", "b"}) {
-        SnapshotObserver observer(campus_, folder_.path() / out, settings_);
+        SnapshotObserver observer(campus_, folder_.path() / out, painters_);
         walk(observer, 20);
         files.push_back(bytes(observer.files().at(0)));
     }
@@ -69,7 +71,7 @@ TEST_F(SnapshotObserverTest, TheSameWalkGivesTheSameFile) {
 }
 
 TEST_F(SnapshotObserverTest, EveryWalkHasItsOwnLight) {
-    SnapshotObserver observer(campus_, folder_.path(), settings_);
+    SnapshotObserver observer(campus_, folder_.path(), painters_);
     walk(observer, 5);
     const std::string day = bytes(observer.files().at(0));
     walk_.light.shadows = false;
@@ -81,7 +83,7 @@ TEST_F(SnapshotObserverTest, EveryWalkHasItsOwnLight) {
 }
 
 TEST_F(SnapshotObserverTest, MakesNoFolderForAWalkWithoutPictures) {
-    SnapshotObserver observer(campus_, folder_.path() / "out", settings_);
+    SnapshotObserver observer(campus_, folder_.path() / "out", painters_);
     walk(observer, 5, false);
     EXPECT_TRUE(observer.files().empty());
     EXPECT_TRUE(folder_.contents().empty());
@@ -89,7 +91,7 @@ TEST_F(SnapshotObserverTest, MakesNoFolderForAWalkWithoutPictures) {
 
 TEST_F(SnapshotObserverTest, AnUnwritableFolderIsNamedAndNothingIsLeft) {
     std::ofstream(folder_.path() / "out") << "in the way";
-    SnapshotObserver observer(campus_, folder_.path() / "out", settings_);
+    SnapshotObserver observer(campus_, folder_.path() / "out", painters_);
     try {
         walk(observer, 5);
         FAIL() << "nothing was thrown";

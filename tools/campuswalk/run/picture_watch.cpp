@@ -26,14 +26,14 @@ bool must_fail_in_pictures(const engine::Walk& walk) {
             }));
 }
 
-PictureWatch::PictureWatch(const Case& played, const PlaySettings& settings)
+PictureWatch::PictureWatch(const Case& played, const PlaySettings& settings,
+                           engine::render::PainterStore& painters)
     : played_(played), settings_(settings) {
     const LoadedWalk& loaded = *played.walk;
     const std::filesystem::path folder = settings.output / played.folder;
-    taker_ = make_snapshot_taker(*loaded.campus, folder, settings.backend);
+    taker_ = make_snapshot_taker(*loaded.campus, folder, painters);
     if (settings.sequence.any()) {
-        sequence_ =
-            make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence, settings.backend);
+        sequence_ = make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence, painters);
     }
 }
 

@@ -20,8 +20,8 @@ bool must_fail_in_pictures(const engine::Walk& walk);
 /// The pictures of a walk that is played: they are taken, then judged, then told of.
 class PictureWatch {
 public:
-    /// Both must outlive it.
-    PictureWatch(const Case& played, const PlaySettings& settings);
+    /// All must outlive it.
+    PictureWatch(const Case& played, const PlaySettings& settings, engine::render::PainterStore& painters);
 
     /// Alive as long as this.
     std::vector<engine::Observer*> observers();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/decimals.h"
 #include "engine/observers/json_lines.h"
 #include "engine/observers/text_log.h"
 #include "engine/report/outcome.h"
@@ -70,7 +71,8 @@ class Listener final : public engine::Observer {
 public:
     /// `golden` keeps the log as JSON, to be compared.
     Listener(const Say& say, const PlaySettings& settings, bool golden)
-        : settings_(settings),
+        : say_(say),
+          settings_(settings),
           golden_(golden),
           log_(say, Topic::log),
           events_(say, Topic::events),
@@ -97,6 +99,10 @@ public:
             pictures_.push_back(step);
         }
         const auto now = std::chrono::steady_clock::now();
+        if (settings_.place && now - last_place_ > std::chrono::milliseconds(200)) {
+            last_place_ = now;
+            say_(Topic::place, engine::fixed(record.time, 1) + " s");
+        }
         log_.flush_if_old(now);
         events_.flush_if_old(now);
     }
@@ -119,8 +125,10 @@ private:
         }
     }
 
+    const Say& say_;
     const PlaySettings& settings_;
     bool golden_;
+    std::chrono::steady_clock::time_point last_place_ = std::chrono::steady_clock::now();
     LinesSaid log_;
     LinesSaid events_;
     engine::TextLog text_;
@@ -177,13 +185,14 @@ void fill(WalkResult& result, const engine::WalkSummary& summary) {
 }
 
 void play_into(WalkResult& result, const Case& played, const PlaySettings& settings,
-               FailurePictures& failure_pictures, Listener& listener) {
+               engine::render::PainterStore* painters, Listener& listener) {
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
     std::vector<engine::Observer*> observers = {&listener, &interrupt};
     std::optional<PictureWatch> pictures;
     if (settings.pictures) {
-        std::ranges::copy(pictures.emplace(played, settings).observers(), std::back_inserter(observers));
+        std::ranges::copy(pictures.emplace(played, settings, *painters).observers(),
+                          std::back_inserter(observers));
     }
     const Records records(settings.records);
     std::ranges::copy(records.observers(), std::back_inserter(observers));
@@ -213,15 +222,16 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
         std::ranges::move(pictures->sequence_files(), std::back_inserter(result.artifacts));
     }
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
-        std::vector<engine::Artifact> drawn = failure_pictures.draw(
-            *loaded.campus, loaded.walk, result.failures, settings.output, played.folder, settings.backend);
+        std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
+                                                            settings.output, played.folder, *painters);
         std::ranges::move(drawn, std::back_inserter(result.artifacts));
     }
 }
 
 }  // namespace
 
-WalkResult play(const Case& played, const PlaySettings& settings, FailurePictures& pictures, const Say& say) {
+WalkResult play(const Case& played, const PlaySettings& settings, engine::render::PainterStore* painters,
+                const Say& say) {
     WalkResult result = played.result;
     if (!settings.pictures && must_fail_in_pictures(played.walk->walk)) {
         result.outcome = Outcome::skipped;
@@ -230,7 +240,7 @@ WalkResult play(const Case& played, const PlaySettings& settings, FailurePicture
     }
     Listener listener(say, settings, golden_log_of(played.walk->walk) != nullptr);
     try {
-        play_into(result, played, settings, pictures, listener);
+        play_into(result, played, settings, painters, listener);
     } catch (const Interrupted&) {
         result.outcome = Outcome::interrupted;
     } catch (const std::exception& error) {

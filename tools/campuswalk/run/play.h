@@ -18,18 +18,18 @@ namespace campuswalk::tools {
 struct PlaySettings {
     std::filesystem::path output;
     bool pictures = false;
-    Backend backend = Backend::automatic;  ///< for `pictures`
-    bool log = false;                      ///< say the text log as it comes
-    bool events = false;                   ///< say the log as JSON
-    std::vector<std::string> records;      ///< names of record_kinds()
+    bool log = false;                  ///< say the text log as it comes
+    bool events = false;               ///< say the log as JSON
+    bool place = false;                ///< say now and then how far the walk is
+    std::vector<std::string> records;  ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
     SequenceWish sequence;
     engine::PictureTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
 };
 
 /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole
-/// lines. `pictures` is for all cases that a process plays.
-engine::WalkResult play(const Case& played, const PlaySettings& settings, FailurePictures& pictures,
-                        const Say& say);
+/// lines. `painters` are for all cases that a process plays, null without pictures.
+engine::WalkResult play(const Case& played, const PlaySettings& settings,
+                        engine::render::PainterStore* painters, const Say& say);
 
 }  // namespace campuswalk::tools

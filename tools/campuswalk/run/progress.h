@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 namespace campuswalk::tools {
 
@@ -13,6 +15,8 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void count(bool good);
+    /// A walk that takes long enough to be asked for.
+    void walk_is_at(std::string_view walk, std::string_view place);
     /// Draws it unless it stands there as it is.
     void show();
     /// Before anything else is printed.
@@ -23,6 +27,7 @@ private:
     std::size_t total_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
+    std::string walk_;  ///< that was heard of last, and where it is
     bool shown_ = false;
 };
 

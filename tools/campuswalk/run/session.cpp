@@ -24,7 +24,8 @@ Session::Session(Plan plan, SessionSettings settings, Reports& reports, LogOutpu
       reports_(reports),
       events_(events),
       last_run_(last_run),
-      progress_(settings_.progress, plan_.cases.size()) {
+      progress_(settings_.progress, plan_.cases.size()),
+      painters_(settings_.play.pictures ? make_painters(settings_.backend) : nullptr) {
     for (const Case& each : plan_.cases) {
         over_.push_back(each.walk == nullptr);
     }
@@ -68,12 +69,18 @@ int Session::run() {
     WorkerPool pool(
         [this](std::size_t index, const Say& say) {
             say(Topic::result,
-                engine::to_json_line(play(plan_.cases[index], settings_.play, pictures_, say)));
+                engine::to_json_line(play(plan_.cases[index], settings_.play, painters_.get(), say)));
         },
         settings_.pool);
     PoolListener listener;
     listener.ended_first = [this](std::size_t index, const Ending& ending) { keep(index, ending); };
-    listener.heard = [this](std::size_t, Topic topic, std::string_view lines) { hear(topic, lines); };
+    listener.heard = [this](std::size_t index, Topic topic, std::string_view lines) {
+        if (topic == Topic::place) {
+            progress_.walk_is_at(plan_.cases[index].result.name, lines);
+        } else {
+            hear(topic, lines);
+        }
+    };
     listener.ended = [this](std::size_t index, const Ending& ending) {
         plan_.cases[index].result = result_of(index, ending);
         over_[index] = true;

@@ -24,6 +24,7 @@ struct SessionSettings {
     bool require_identical = false;
     bool told_on_standard_error = false;  ///< how each walk ended
     bool progress = false;
+    Backend backend = Backend::automatic;  ///< of pictures
 };
 
 /// Plays a plan's cases and tells of them, in the plan's order.
@@ -57,8 +58,8 @@ private:
     LogOutput* events_;
     LastRunWriter* last_run_;
     Progress progress_;
-    FailurePictures pictures_;  ///< of the process that plays
-    std::vector<bool> over_;    ///< of each case: its result is known
+    std::shared_ptr<engine::render::PainterStore> painters_;  ///< of the process that plays; null for none
+    std::vector<bool> over_;                                  ///< of each case: its result is known
     std::size_t told_ = 0;
     int failures_ = 0;
     engine::WalkResult first_;  ///< repetition of the walk that is being told of

@@ -1,5 +1,7 @@
 #include "engine/render/sequence/sequence_observer.h"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "tests/engine/render/small_scenes.h"
@@ -18,19 +20,22 @@ private:
 };
 
 /// The frames of a walk of so many ticks.
-std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second) {
+std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, const Walk& walk = {}) {
     const scene::Campus campus = campus_of(tower_scene());
     SequenceSettings settings;
     settings.every = every;
     settings.camera.width = 32;
     settings.camera.height = 18;
-    settings.drawing.light = quick_settings();
-    settings.drawing.minimap = false;
+    PainterStore painters([](const scene::Campus&) {
+        SnapshotSettings drawing;
+        drawing.light = quick_settings();
+        return drawing;
+    });
     std::vector<Frame> frames;
     std::vector<std::unique_ptr<FrameSink>> sinks;
     sinks.push_back(std::make_unique<Times>(frames));
-    SequenceObserver observer(campus, settings, std::move(sinks));
-    observer.begin({});
+    SequenceObserver observer(campus, settings, painters, std::move(sinks));
+    observer.begin(walk);
     FrameRecord record;
     for (int i = 0; i < ticks; ++i) {
         record.tick = static_cast<Tick>(i);
@@ -61,6 +66,17 @@ TEST(SequenceObserver, TakesThemAtTheTickAfterWhereNoneFalls) {
     EXPECT_NEAR(frames[2].time, 0.5, 1e-12);
     EXPECT_NEAR(frames[3].time, 0.8, 1e-12);
     EXPECT_NEAR(frames[12].time, 3.0, 1e-12);
+}
+
+TEST(SequenceObserver, DrawsByTheWalksLight) {
+    Walk dark;
+    dark.light.sun_color = dark.light.sky_light = dark.light.ground_light = Eigen::Vector3d::Zero();
+    dark.light.zenith_color = dark.light.horizon_color = Eigen::Vector3d::Zero();
+    const auto brightness_of = [](const std::vector<Frame>& frames) {
+        const Picture& picture = frames.at(0).picture;
+        return std::accumulate(picture.rgba.begin(), picture.rgba.end(), 0.0);
+    };
+    EXPECT_LT(brightness_of(frames_of(1.0, 2, 60, dark)), 0.7 * brightness_of(frames_of(1.0, 2, 60)));
 }
 
 TEST(SequenceObserver, TakesOneATickAtMost) {
