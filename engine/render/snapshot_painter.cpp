@@ -7,6 +7,7 @@
 
 #include "engine/events/popup_text.h"
 #include "engine/render/building_bounds.h"
+#include "engine/render/visible_parts.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -226,44 +227,20 @@ std::vector<MapLabel> SnapshotPainter::labels() const {
 
 // On what is seen of each building, as near to its middle as can be, the one that shows most first.
 std::vector<PixelLabel> SnapshotPainter::labels_in(const Shot& shot) {
-    struct Seen {
-        std::size_t building = 0;
-        double pixels = 0.0;
-        Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-        double away = 1e300;  // squared, of `best` from the middle
-        Eigen::Vector2d best = Eigen::Vector2d::Zero();
-    };
-    std::vector<Seen> seen(campus_.description.buildings.size());
     const IdPicture ids = draw_ids(shot);
-    const auto width = static_cast<std::size_t>(ids.width);
-    const auto for_each_owned = [&](const auto& take) {
-        for (std::size_t i = 0; i < ids.ids.size(); ++i) {
-            if (const auto building = ids.names[ids.ids[i]].building) {
-                take(*building,
-                     Eigen::Vector2d(static_cast<double>(i % width), static_cast<double>(i / width)));
-            }
-        }
-    };
-    for_each_owned([&](std::size_t building, const Eigen::Vector2d& pixel) {
-        seen[building].building = building;
-        seen[building].pixels += 1.0;
-        seen[building].sum += pixel;
-    });
-    // The middle of a house behind a tower is on the tower.
-    for_each_owned([&](std::size_t building, const Eigen::Vector2d& pixel) {
-        Seen& each = seen[building];
-        const double away = (pixel - each.sum / each.pixels).squaredNorm();
-        if (away < each.away) {
-            each.away = away;
-            each.best = pixel;
-        }
-    });
-    const double least = kLabelledShare * static_cast<double>(ids.ids.size());
-    std::erase_if(seen, [&](const Seen& each) { return each.pixels < least; });
-    std::ranges::stable_sort(seen, std::greater<>(), &Seen::pixels);
+    const auto buildings = static_cast<std::uint32_t>(campus_.description.buildings.size());
+    std::vector<std::uint32_t> owners;
+    owners.reserve(ids.ids.size());
+    for (const std::uint32_t id : ids.ids) {
+        owners.push_back(static_cast<std::uint32_t>(ids.names[id].building.value_or(buildings)));
+    }
+    auto parts = visible_parts(owners, static_cast<std::size_t>(ids.width), buildings);
+    const double least = kLabelledShare * static_cast<double>(owners.size());
+    std::erase_if(parts, [&](const VisiblePart& part) { return static_cast<double>(part.pixels) < least; });
+    std::ranges::stable_sort(parts, std::greater<>(), &VisiblePart::pixels);
     std::vector<PixelLabel> labels;
-    for (const Seen& each : seen) {
-        labels.push_back({title_of(each.building), each.best});
+    for (const VisiblePart& part : parts) {
+        labels.push_back({title_of(part.owner), part.deepest});
     }
     return labels;
 }
