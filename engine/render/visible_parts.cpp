@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint32_t kAcross = 1;
 constexpr std::uint32_t kUpOrDown = 4;
 
-/// For each pixel the length of the shortest way to one of another owner, in two sweeps (Rosenfeld and Pfaltz,
-/// "Sequential Operations in Digital Picture Processing", 1966).
+/// For each pixel the length of the shortest way to one of another owner, in two sweeps (Rosenfeld and
+/// Pfaltz, "Sequential Operations in Digital Picture Processing", 1966).
 std::vector<std::uint32_t> depths_inside(std::span<const std::uint32_t> owners, std::size_t width) {
     const std::size_t height = owners.size() / width;
     std::vector<std::uint32_t> depths(owners.size());
@@ -47,7 +47,8 @@ std::vector<VisiblePart> visible_parts(std::span<const std::uint32_t> owners, st
         ++parts[owner].pixels;
         if (depths[i] > deepest[owner]) {
             deepest[owner] = depths[i];
-            parts[owner].deepest = {static_cast<double>(i % width), static_cast<double>(i / width)};
+            const std::size_t row = i / width;
+            parts[owner].deepest = {static_cast<double>(i % width), static_cast<double>(row)};
         }
     }
     std::erase_if(parts, [](const VisiblePart& part) { return part.pixels == 0; });

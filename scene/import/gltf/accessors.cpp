@@ -43,6 +43,7 @@ template <typename Stored, typename T>
 T converted(const std::uint8_t* at, bool normalized) {
     Stored stored{};
     std::memcpy(&stored, at, sizeof stored);
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): a negative index becomes a huge one, which is refused
     const auto value = static_cast<T>(stored);
     if constexpr (std::is_integral_v<Stored> && std::is_floating_point_v<T>) {
         if (normalized) {
