@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "scene/model_file.h"
 
@@ -12,9 +13,9 @@ namespace {
 }
 
 template <typename Element>
-std::vector<Element> take_counted(SealedReader& in) {
+Storage<Element> take_counted(SealedReader& in) {
     const std::size_t count = in.take_count(sizeof(Element));
-    return in.take_all<Element>(count);
+    return in.take_aligned<Element>(count);
 }
 
 template <std::size_t Count>
@@ -28,7 +29,7 @@ void take_finite(SealedReader& in, std::array<float, Count>& numbers) {
 }
 
 /// By the exponent's bits: compilers make lanes of that, of a test that stops at the first they don't.
-bool all_finite(const std::vector<Eigen::Vector3f>& vectors) {
+bool all_finite(std::span<const Eigen::Vector3f> vectors) {
     constexpr std::uint32_t kExponent = 0x7F800000;
     std::uint32_t found = 0;
     for (const Eigen::Vector3f& v : vectors) {
@@ -112,7 +113,7 @@ void check_mesh(const Mesh& mesh) {
     }
     std::uint32_t highest = 0;
     for (const auto& triangle : mesh.triangles) {
-        highest = std::max({highest, triangle[0], triangle[1], triangle[2]});
+        highest = std::max(highest, std::max(triangle[0], std::max(triangle[1], triangle[2])));
     }
     if (!mesh.triangles.empty() && highest >= vertices) {
         refuse("a triangle in it uses a vertex that is not there");
@@ -147,7 +148,7 @@ Node take_node(SealedReader& in, std::size_t nodes_before, std::size_t meshes) {
     if (!node.X_world_node.allFinite()) {
         refuse("a transform in it is not finite");
     }
-    node.meshes = take_counted<MeshIndex>(in);
+    node.meshes = in.take_all<MeshIndex>(in.take_count(sizeof(MeshIndex)));
     if (std::ranges::any_of(node.meshes, [&](MeshIndex mesh) { return index_of(mesh) >= meshes; })) {
         refuse("a node in it has a mesh that is not there");
     }
@@ -167,8 +168,8 @@ std::vector<Item> take_each(SealedReader& in, std::size_t least_bytes, const Tak
 
 }  // namespace
 
-ImportedModel read_model_file(std::span<const std::byte> bytes) {
-    SealedReader in(bytes, kModelFile);
+ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
+    SealedReader in(bytes, kModelFile, std::move(owner));
     ImportedModel read;
     Model& model = read.model;
     read.warnings = take_each<Diagnostic>(in, kLeastDiagnostic, [&](auto) { return take_diagnostic(in); });

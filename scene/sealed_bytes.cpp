@@ -1,5 +1,7 @@
 #include "scene/sealed_bytes.h"
 
+#include <utility>
+
 #include "scene/content_hash.h"
 
 namespace campuswalk::scene {
@@ -53,7 +55,9 @@ std::vector<std::byte> SealedWriter::seal() && {
     return std::move(bytes_);
 }
 
-SealedReader::SealedReader(std::span<const std::byte> bytes, const FileKind& kind) : bytes_(bytes) {
+SealedReader::SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
+                           std::shared_ptr<const void> owner)
+    : bytes_(bytes), owner_(std::move(owner)) {
     Seal seal;
     if (bytes.size() < sizeof seal) {
         throw DamagedFile("it is cut short");

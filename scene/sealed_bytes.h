@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "collision/large_pages.h"
+#include "collision/storage.h"
 
 namespace campuswalk::scene {
 
@@ -52,6 +54,12 @@ public:
     void put_all(std::span<const Element> elements) {
         put_bytes(elements.data(), elements.size_bytes());
     }
+    /// Likewise, from the next multiple of their alignment on.
+    template <typename Element>
+    void put_aligned(std::span<const Element> elements) {
+        align(alignof(Element));
+        put_all(elements);
+    }
     /// Zeros up to the next multiple of `alignment`, counted from the file's start.
     void align(std::size_t alignment);
 
@@ -67,8 +75,10 @@ private:
 /// Reads what may be anything: throws DamagedFile before it would read, or make room for, what isn't there.
 class SealedReader {
 public:
-    /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader.
-    SealedReader(std::span<const std::byte> bytes, const FileKind& kind);
+    /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader; with an `owner`,
+    /// nobody changes them as long as that lives.
+    SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
+                 std::shared_ptr<const void> owner = nullptr);
 
     template <Plain T>
     T take() {
@@ -96,6 +106,18 @@ public:
         }
         return elements;
     }
+    /// Likewise, from the next multiple of their alignment on. With an owner they stay where they are: nothing
+    /// is copied.
+    template <typename Element>
+    collision::Storage<Element> take_aligned(std::size_t count) {
+        align(alignof(Element));
+        const std::byte* first = bytes_.data() + at_;
+        if (owner_ == nullptr || reinterpret_cast<std::uintptr_t>(first) % alignof(Element) != 0) {
+            return take_all<Element>(count);
+        }
+        take_bytes_of(count, sizeof(Element));
+        return {std::span(reinterpret_cast<const Element*>(first), count), owner_};
+    }
     /// Skips to the next multiple of `alignment`, counted from the file's start.
     void align(std::size_t alignment);
     std::span<const std::byte> take_bytes(std::size_t count);
@@ -106,6 +128,7 @@ public:
 
 private:
     std::span<const std::byte> bytes_;
+    std::shared_ptr<const void> owner_;  ///< null: what is taken is copied
     std::size_t at_ = kSealBytes;
 };
 

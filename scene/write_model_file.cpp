@@ -4,9 +4,9 @@ namespace campuswalk::scene {
 namespace {
 
 template <typename Element>
-void put_counted(SealedWriter& out, const std::vector<Element>& elements) {
+void put_counted(SealedWriter& out, const Storage<Element>& elements) {
     out.put(std::uint64_t{elements.size()});
-    out.put_all(std::span<const Element>(elements));
+    out.put_aligned(std::span<const Element>(elements));
 }
 
 void put(SealedWriter& out, const Diagnostic& diagnostic) {
@@ -61,7 +61,8 @@ void put(SealedWriter& out, const Node& node) {
             out.put(node.X_world_node(row, column));
         }
     }
-    put_counted(out, node.meshes);
+    out.put(std::uint64_t{node.meshes.size()});
+    out.put_all(std::span(node.meshes));
 }
 
 template <typename Item>

@@ -93,7 +93,7 @@ std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& 
         if (!kept) {
             return std::nullopt;
         }
-        LoadedModel loaded{read_model_file(kept->bytes()), whole};
+        LoadedModel loaded{read_model_file(kept->bytes(), kept), whole};
         for (Diagnostic& warning : loaded.imported.warnings) {
             warning.mark = file.mark;  // all are about the file as such, which may be named elsewhere now
         }

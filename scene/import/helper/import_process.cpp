@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <memory>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -197,7 +198,8 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
         refuse("its import left something running; the file is not to be trusted");
     }
     try {
-        return read_answer(Mapping(answer).bytes());
+        const auto mapping = std::make_shared<const Mapping>(answer);
+        return read_answer(mapping->bytes(), mapping);
     } catch (const DamagedFile& damage) {
         refuse(std::string("its import gave what is no model (") + damage.what() +
                "); the file is not to be trusted");

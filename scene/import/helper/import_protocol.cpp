@@ -1,6 +1,7 @@
 #include "scene/import/helper/import_protocol.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/model_file.h"
 #include "scene/sealed_bytes.h"
@@ -70,8 +71,8 @@ std::vector<std::byte> write_refusal(const InputError& error) {
     return write_model_file(refusal);
 }
 
-ImportedModel read_answer(std::span<const std::byte> bytes) {
-    ImportedModel answer = read_model_file(bytes);
+ImportedModel read_answer(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
+    ImportedModel answer = read_model_file(bytes, std::move(owner));
     if (std::ranges::any_of(answer.warnings, is_error)) {
         throw InputError(std::move(answer.warnings));
     }
