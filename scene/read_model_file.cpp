@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
+#include "collision/mesh_extent.h"
 #include "scene/model_file.h"
 
 namespace campuswalk::scene {
@@ -26,18 +26,6 @@ void take_finite(SealedReader& in, std::array<float, Count>& numbers) {
             refuse("a colour in it is no number");
         }
     }
-}
-
-/// By the exponent's bits: compilers make lanes of that, of a test that stops at the first they don't.
-bool all_finite(std::span<const Eigen::Vector3f> vectors) {
-    constexpr std::uint32_t kExponent = 0x7F800000;
-    std::uint32_t found = 0;
-    for (const Eigen::Vector3f& v : vectors) {
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            found |= (std::bit_cast<std::uint32_t>(v[k]) & kExponent) == kExponent ? 1U : 0U;
-        }
-    }
-    return found == 0;
 }
 
 // A list of any of these takes up at least so many bytes an entry.
@@ -108,14 +96,10 @@ void check_mesh(const Mesh& mesh) {
     if (mesh.normals.size() != vertices || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
         refuse("a mesh in it has not one normal, texture coordinate or colour a vertex");
     }
-    if (!all_finite(mesh.positions)) {
+    if (!std::isfinite(collision::largest_coordinate(mesh.positions))) {
         refuse("a vertex in it is no number");
     }
-    std::uint32_t highest = 0;
-    for (const auto& triangle : mesh.triangles) {
-        highest = std::max(highest, std::max(triangle[0], std::max(triangle[1], triangle[2])));
-    }
-    if (!mesh.triangles.empty() && highest >= vertices) {
+    if (!mesh.triangles.empty() && collision::highest_vertex(mesh.triangles) >= vertices) {
         refuse("a triangle in it uses a vertex that is not there");
     }
 }
