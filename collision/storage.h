@@ -53,6 +53,8 @@ public:
     const T& operator[](std::size_t i) const { return data_[i]; }
     const T& front() const { return data_[0]; }
     const T& back() const { return data_[size_ - 1]; }
+    /// How many there is room for without taking more memory.
+    std::size_t capacity() const { return is_elsewhere() ? size_ : own_.capacity(); }
     /// Whether the elements lie in memory of somebody else's.
     bool is_elsewhere() const { return owner_ != nullptr; }
 
@@ -100,6 +102,10 @@ public:
         std::vector<T>& elements = own();
         elements.insert(elements.begin() + at, first, last);
         look();
+    }
+
+    void insert(const T* before, std::initializer_list<T> elements) {
+        insert(before, elements.begin(), elements.end());
     }
 
     friend bool operator==(const Storage& a, const Storage& b) {

@@ -31,6 +31,9 @@ struct ImportedModel {
 /// Raise it with whatever changes below, in `Model`, or in what an import makes of the same files.
 inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 2};
 
+/// An imported model as the bytes of a file, yet to be sealed: what is large in it is left where it is.
+SealedWriter lay_out_model(const ImportedModel& imported);
+
 /// An imported model as bytes, and back to the bit: how the import's helper process hands it over, and how
 /// the cache keeps it. Floats are stored as they lie in memory.
 std::vector<std::byte> write_model_file(const ImportedModel& imported);

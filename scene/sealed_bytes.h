@@ -39,20 +39,23 @@ inline constexpr std::size_t kSealBytes = 64;
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
+/// Bytes that lie in several places, in the order of the file.
+using Parts = std::vector<std::span<const std::byte>>;
+
 class SealedWriter {
 public:
-    /// `expected_bytes` saves moving what is written already; more or less may come.
-    explicit SealedWriter(const FileKind& kind, std::size_t expected_bytes = 0);
+    explicit SealedWriter(const FileKind& kind);
 
     template <Plain T>
     void put(T value) {
         put_bytes(&value, sizeof value);
     }
     void put_text(std::string_view text);
-    /// The elements alone; their number is put before, wherever the reader can't know it.
+    /// The elements alone; their number is put before, wherever the reader can't know it. Many are left where
+    /// they are, and must stay there until the file is written.
     template <typename Element>
     void put_all(std::span<const Element> elements) {
-        put_bytes(elements.data(), elements.size_bytes());
+        put_elements(std::as_bytes(elements));
     }
     /// Likewise, from the next multiple of their alignment on.
     template <typename Element>
@@ -63,14 +66,26 @@ public:
     /// Zeros up to the next multiple of `alignment`, counted from the file's start.
     void align(std::size_t alignment);
 
-    /// The whole file; the writer is done with.
-    std::vector<std::byte> seal() &&;
+    /// The whole file, to be written part by part. Nothing is to be put from now on; the writer stays.
+    Parts seal();
 
 private:
-    void put_bytes(const void* from, std::size_t count);
+    /// Elements that are elsewhere, after so many bytes of those here.
+    struct Left {
+        std::size_t after = 0;
+        std::span<const std::byte> elements;
+    };
 
-    std::vector<std::byte> bytes_;
+    void put_bytes(const void* from, std::size_t count);
+    void put_elements(std::span<const std::byte> elements);
+
+    std::vector<std::byte> bytes_;  ///< but for those elsewhere
+    std::vector<Left> left_;
+    std::size_t size_ = 0;  ///< of the file so far
 };
+
+/// Copied together.
+std::vector<std::byte> joined(const Parts& parts);
 
 /// Reads what may be anything: throws DamagedFile before it would read, or make room for, what isn't there.
 class SealedReader {

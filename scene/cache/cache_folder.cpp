@@ -71,8 +71,13 @@ std::shared_ptr<const MappedFile> CacheFolder::find(const ContentHash& key, cons
     return std::make_shared<const MappedFile>(std::move(*found));
 }
 
-void CacheFolder::store(const ContentHash& key, const Kind& kind, std::span<const std::byte> bytes) const {
-    if (bytes.size() > most_bytes_) {
+void CacheFolder::store(const ContentHash& key, const Kind& kind,
+                        std::span<const std::span<const std::byte>> parts) const {
+    std::uint64_t bytes = 0;
+    for (const std::span<const std::byte> part : parts) {
+        bytes += part.size();
+    }
+    if (bytes > most_bytes_) {
         return;
     }
     std::error_code error;
@@ -81,7 +86,7 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind, std::span<cons
     }
     const fs::path file = path_of(key, kind);
     try {
-        write_whole_file(file, bytes);
+        write_whole_file(file, parts);
         // What others may write to has to be copied when it is read.
         fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove, error);
     } catch (const std::runtime_error& failure) {

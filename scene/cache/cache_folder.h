@@ -37,7 +37,8 @@ public:
 
     /// Keeps the bytes, then removes the files that were used longest ago until all fit the limit. What is
     /// larger than that by itself isn't kept.
-    void store(const ContentHash& key, const Kind& kind, std::span<const std::byte> bytes) const;
+    void store(const ContentHash& key, const Kind& kind,
+               std::span<const std::span<const std::byte>> parts) const;
 
 private:
     std::filesystem::path path_of(const ContentHash& key, const Kind& kind) const;

@@ -69,7 +69,8 @@ void KeptMeshes::add(const PlacedShape& made) {
 
 void KeptMeshes::keep() const {
     if (cache_ != nullptr && !complete_) {
-        cache_->store(key_, kTreesKind, write_tree_file(meshes_));
+        SealedWriter trees = lay_out_trees(meshes_);
+        cache_->store(key_, kTreesKind, trees.seal());
     }
 }
 

@@ -112,13 +112,18 @@ PlacedMesh take_mesh(SealedReader& in) {
 
 }  // namespace
 
-std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
+SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
     SealedWriter out(kTreeFile);
     out.put(std::uint64_t{meshes.size()});
     for (const PlacedMesh& placed : meshes) {
         put(out, placed);
     }
-    return std::move(out).seal();
+    return out;
+}
+
+std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
+    SealedWriter out = lay_out_trees(meshes);
+    return joined(out.seal());
 }
 
 std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {

@@ -25,6 +25,9 @@ inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'},
 /// memory. Only Layout::wide.
 std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes);
 
+/// The same, yet to be sealed: what is large in it is left where it is.
+SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes);
+
 /// Reads bytes that may be anything. Throws DamagedFile; what it returns can be asked anything safely (see
 /// wide_tree_check.h). With an `owner` that keeps the bytes as they are, meshes and trees are used where they
 /// lie in them; without, they are copied.

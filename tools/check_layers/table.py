@@ -10,7 +10,7 @@ PROJECT = {
     "collision": [],
     "scene": ["scene/cache", "scene/import", "collision"],
     "scene/cache": ["scene", "scene/import", "collision"],
-    "scene/import": ["scene", "scene/import/gltf"],
+    "scene/import": ["scene", "scene/import/gltf", "collision"],
     "scene/import/helper": ["scene/import", "scene"],
     "scene/import/gltf": ["scene/import", "scene"],
     "scene/procedural": ["scene", "collision"],

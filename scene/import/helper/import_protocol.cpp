@@ -37,7 +37,7 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(request.limits.cpu_per_megabyte);
     out.put(request.limits.waiting);
     out.put(request.limits.answer);
-    return std::move(out).seal();
+    return joined(out.seal());
 }
 
 ImportRequest read_request(std::span<const std::byte> bytes) {
@@ -65,10 +65,10 @@ ImportRequest read_request(std::span<const std::byte> bytes) {
     return request;
 }
 
-std::vector<std::byte> write_refusal(const InputError& error) {
+ImportedModel refusal_of(const InputError& error) {
     ImportedModel refusal;
     refusal.warnings = error.diagnostics();
-    return write_model_file(refusal);
+    return refusal;
 }
 
 ImportedModel read_answer(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
