@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/sealed_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene {
@@ -26,7 +27,7 @@ class CacheFolderTest : public testing::Test {
 protected:
     static void store(const CacheFolder& cache, const ContentHash& key, std::size_t size) {
         const std::vector<std::byte> bytes(size, std::byte{7});
-        cache.store(key, "model", bytes);
+        cache.store(key, "model", Parts{bytes});
     }
     CacheFolder complaining(const fs::path& where) {
         return CacheFolder(where, CacheFolder::kUsualLimit,
