@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "collision/mesh_collider.h"
+#include "collision/mesh_extent.h"
 
 namespace campuswalk::collision {
 
@@ -13,6 +14,10 @@ Aabb about(const Vec3& center, const Vec3& half) {
 }
 
 Aabb box_of(const std::shared_ptr<const MeshCollider>& mesh, const Pose& X) {
+    if (X.rotation == Mat3::Identity()) {  // rounds as below: what is greater isn't less for being moved
+        const Aabb box = box_of(mesh->mesh().positions);
+        return {box.min + X.translation, box.max + X.translation};
+    }
     Aabb box;
     for (const auto& p : mesh->mesh().positions) {
         box.extend(X * p.cast<double>());

@@ -1,9 +1,10 @@
 #include "collision/mesh_collider.h"
 
-#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "collision/mesh_extent.h"
 #include "collision/wide_tree_check.h"
 
 namespace campuswalk::collision {
@@ -14,19 +15,14 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) {
         throw std::invalid_argument("a mesh collider needs at least one triangle");
     }
-    for (const auto& triangle : mesh.triangles) {
-        for (const std::uint32_t v : triangle) {
-            if (v >= mesh.positions.size()) {
-                throw std::invalid_argument("a triangle names a vertex that is not there");
-            }
-        }
+    if (highest_vertex(mesh.triangles) >= mesh.positions.size()) {
+        throw std::invalid_argument("a triangle names a vertex that is not there");
     }
-    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(),
-                     [](const auto& p) { return p.allFinite(); })) {
+    const float largest = largest_coordinate(mesh.positions);
+    if (!std::isfinite(largest)) {
         throw std::invalid_argument("a vertex is not finite");
     }
-    if (std::any_of(mesh.positions.begin(), mesh.positions.end(),
-                    [](const auto& p) { return p.cwiseAbs().maxCoeff() > kMaxCoordinate; })) {
+    if (largest > kMaxCoordinate) {
         throw std::invalid_argument("a vertex is out of range");
     }
     return mesh;
@@ -52,8 +48,17 @@ MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree)
     }
 }
 
+MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree, ClosedParts closed)
+    : MeshCollider(std::move(mesh), std::move(tree)) {
+    closed_.emplace(std::move(closed));
+}
+
 const ClosedParts& MeshCollider::closed_parts() const {
-    std::call_once(closed_once_, [this] { closed_.emplace(mesh_); });
+    std::call_once(closed_once_, [this] {
+        if (!closed_) {
+            closed_.emplace(mesh_);
+        }
+    });
     return *closed_;
 }
 

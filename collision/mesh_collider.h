@@ -27,6 +27,8 @@ public:
     /// With the tree that was built of this mesh before, as from a file. Throws std::invalid_argument for a
     /// mesh as above, and for a tree whose parts don't fit together (wide_tree_check.h).
     MeshCollider(TriangleMesh mesh, WideTree tree);
+    /// With the closed parts that were found before, too.
+    MeshCollider(TriangleMesh mesh, WideTree tree, ClosedParts closed);
 
     const TriangleMesh& mesh() const { return mesh_; }
     Layout layout() const { return tree_.index() == 0 ? Layout::wide : Layout::paper; }

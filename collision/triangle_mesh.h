@@ -2,17 +2,18 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include <Eigen/Core>
+
+#include "collision/storage.h"
 
 namespace campuswalk::collision {
 
 /// Indexed triangles in the mesh's own frame, metres, counter-clockwise seen from outside. Vertices are
 /// float32: place the frame's origin near the geometry (the object's pose carries the double offset).
 struct TriangleMesh {
-    std::vector<Eigen::Vector3f> positions;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    Storage<Eigen::Vector3f> positions;
+    Storage<std::array<std::uint32_t, 3>> triangles;
 };
 
 /// One triangle's corners in double precision.

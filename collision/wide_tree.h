@@ -3,9 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "collision/fitting.h"
+#include "collision/storage.h"
 #include "collision/triangle_mesh.h"
 
 namespace campuswalk::collision {
@@ -85,8 +85,8 @@ inline Triangle corners(const TriangleMesh& mesh, const WideLeaf& leaf, std::siz
 struct WideTree {
     BoundingSphere outer;  ///< of the whole mesh (paper III.A.1), tested before anything else
     float reach = 0.0F;    ///< greatest coordinate of any vertex
-    std::vector<WideNode> nodes;
-    std::vector<WideLeaf> leaves;
+    Storage<WideNode> nodes;
+    Storage<WideLeaf> leaves;
 };
 
 /// Top-down and static, by the surface-area heuristic. The mesh has triangles, and vertices within

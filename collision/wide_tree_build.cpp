@@ -139,13 +139,13 @@ private:
         return index;
     }
 
-    template <typename Element>
-    static void reserve_exactly(std::vector<Element>& elements, std::size_t count) {
+    template <typename Elements>
+    static void reserve_exactly(Elements& elements, std::size_t count) {
         elements.reserve(count);
-        prefer_large_pages(elements.data(), count * sizeof(Element));
+        prefer_large_pages(elements.data(), count * sizeof(typename Elements::value_type));
     }
 
-    /// Out of the vector that grew with them.
+    /// Out of the memory that grew with them.
     void move_nodes() {
         std::vector<WideNode> exact;
         reserve_exactly(exact, tree_.nodes.size());

@@ -14,37 +14,42 @@ namespace {
 /// What a query's agenda has room for: see tree_descent.h.
 constexpr std::uint8_t kDeepest = 64;
 
-/// By the exponent's bits, for lanes' sake.
+/// Not 0 if any isn't finite. By the exponent's bits and without a way out, for lanes' sake.
 template <std::size_t N>
-std::uint32_t count_not_finite(const std::array<float, N>& numbers) {
+std::uint32_t not_finite(const std::array<float, N>& numbers) {
     constexpr std::uint32_t kExponent = 0x7F800000;
-    std::uint32_t count = 0;
+    std::uint32_t found = 0;
     for (const float number : numbers) {
-        count += (std::bit_cast<std::uint32_t>(number) & kExponent) == kExponent ? 1U : 0U;
+        found |= (std::bit_cast<std::uint32_t>(number) & kExponent) == kExponent ? 1U : 0U;
     }
-    return count;
+    return found;
 }
 
-bool is_finite(const WideLeaf& leaf) {
-    std::uint32_t not_finite = count_not_finite(leaf.origin);
-    for (const auto& along : leaf.corner) {
-        not_finite += count_not_finite(along);
+std::uint32_t not_finite(const WideLeaf& leaf) {
+    return not_finite(leaf.origin) | not_finite(leaf.corner[0]) | not_finite(leaf.corner[1]) |
+           not_finite(leaf.corner[2]);
+}
+
+/// Not 0 if a triangle has a corner that no leaf has.
+std::uint8_t beyond_corners(const WideLeaf& leaf) {
+    static_assert(std::has_single_bit(kLeafCorners));
+    std::uint8_t all = 0;
+    for (const auto& of_triangle : leaf.corner_of) {
+        for (const std::uint8_t corner : of_triangle) {
+            all = static_cast<std::uint8_t>(all | corner);
+        }
     }
-    return not_finite == 0;
+    return static_cast<std::uint8_t>(all & ~(kLeafCorners - 1));
 }
 
 bool is_sound(const WideLeaf& leaf, std::size_t mesh_triangles) {
-    std::uint8_t corners = 0;
-    for (const auto& of_triangle : leaf.corner_of) {
-        for (const std::uint8_t corner : of_triangle) {
-            corners = static_cast<std::uint8_t>(corners | corner);
-        }
+    std::uint32_t last = 0;
+    for (const std::uint32_t triangle : leaf.triangle) {
+        last = std::max(last, triangle);
     }
-    static_assert(kLeafCorners == 16);
-    const std::uint32_t last = *std::max_element(leaf.triangle.begin(), leaf.triangle.end());
-    return corners < kLeafCorners && last < mesh_triangles && leaf.corners >= 1 &&
-           leaf.corners <= kLeafCorners && leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles &&
-           is_finite(leaf);
+    return last < mesh_triangles && leaf.corners >= 1 && leaf.corners <= kLeafCorners &&
+           leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles &&
+           (beyond_corners(leaf) | not_finite(leaf)) == 0;
 }
 
 /// Follows every way down from the root: children come after their parents, and nothing has two.

@@ -13,6 +13,15 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) {
     return XXH3_64bits(bytes.data(), bytes.size());
 }
 
+std::uint64_t checksum_of(std::span<const std::span<const std::byte>> parts) {
+    XXH3_state_t state;
+    XXH3_64bits_reset(&state);
+    for (const std::span<const std::byte> part : parts) {
+        XXH3_64bits_update(&state, part.data(), part.size());
+    }
+    return XXH3_64bits_digest(&state);
+}
+
 ContentHash hash_of(std::span<const std::byte> bytes) {
     const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
     return {hash.high64, hash.low64};

@@ -11,6 +11,8 @@ namespace campuswalk::scene {
 
 /// XXH3 over bytes, as fast as memory: 64 bits against damage. Who forges a file can forge this too.
 std::uint64_t checksum_of(std::span<const std::byte> bytes);
+/// The same of bytes that lie in several places, one part after the other.
+std::uint64_t checksum_of(std::span<const std::span<const std::byte>> parts);
 
 /// 128 bits that name contents: two that differ have the same with a chance of 2^-128, unless somebody
 /// searched for them.

@@ -8,7 +8,11 @@
 
 #include <Eigen/Core>
 
+#include "collision/storage.h"
+
 namespace campuswalk::scene {
+
+using collision::Storage;
 
 /// Plain data of an imported model: nodes place meshes, meshes have a material, materials name textures.
 /// Everything is in the house frame (metres, +Y up, right-handed) once `import_model` returns it.
@@ -32,8 +36,8 @@ struct Texture {
     std::string name;
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba;  ///< 4 * width * height bytes
-    bool repeat = true;              ///< wrap mode; false clamps to the edge
+    Storage<std::uint8_t> rgba;  ///< 4 * width * height bytes
+    bool repeat = true;          ///< wrap mode; false clamps to the edge
 };
 
 enum class AlphaMode { opaque, mask, blend };
@@ -60,11 +64,11 @@ struct Material {
 /// Indexed triangles, counter-clockwise seen from outside.
 struct Mesh {
     std::string name;
-    std::vector<Eigen::Vector3f> positions;
-    std::vector<Eigen::Vector3f> normals;                 ///< one a position, unit length
-    std::vector<Eigen::Vector2f> uvs;                     ///< empty or one a position; v runs down (glTF)
-    std::vector<std::array<std::uint8_t, 4>> colors;      ///< empty or one a position; linear RGBA
-    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions
+    Storage<Eigen::Vector3f> positions;
+    Storage<Eigen::Vector3f> normals;                 ///< one a position, unit length
+    Storage<Eigen::Vector2f> uvs;                     ///< empty or one a position; v runs down (glTF)
+    Storage<std::array<std::uint8_t, 4>> colors;      ///< empty or one a position; linear RGBA
+    Storage<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions
     MaterialIndex material{};
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,7 +29,10 @@ struct ImportedModel {
 };
 
 /// Raise it with whatever changes below, in `Model`, or in what an import makes of the same files.
-inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 2};
+inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 3};
+
+/// An imported model as the bytes of a file, yet to be sealed: what is large in it is left where it is.
+SealedWriter lay_out_model(const ImportedModel& imported);
 
 /// An imported model as bytes, and back to the bit: how the import's helper process hands it over, and how
 /// the cache keeps it. Floats are stored as they lie in memory.
@@ -36,7 +40,8 @@ std::vector<std::byte> write_model_file(const ImportedModel& imported);
 
 /// Reads bytes that may be anything; what it returns keeps all that `Model` promises: indices are in range,
 /// parents come before children, transforms and positions are finite, textures have all their pixels.
-/// Throws DamagedFile; memory is bounded by a small multiple of the bytes.
-ImportedModel read_model_file(std::span<const std::byte> bytes);
+/// Throws DamagedFile; memory is bounded by a small multiple of the bytes. With an `owner` that keeps the bytes
+/// as they are, meshes and pictures are used where they lie in them; without, they are copied.
+ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner = nullptr);
 
 }  // namespace campuswalk::scene

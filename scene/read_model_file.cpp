@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <utility>
 
+#include "collision/mesh_extent.h"
 #include "scene/model_file.h"
 
 namespace campuswalk::scene {
@@ -12,9 +13,9 @@ namespace {
 }
 
 template <typename Element>
-std::vector<Element> take_counted(SealedReader& in) {
+Storage<Element> take_counted(SealedReader& in) {
     const std::size_t count = in.take_count(sizeof(Element));
-    return in.take_all<Element>(count);
+    return in.take_aligned<Element>(count);
 }
 
 float take_finite(SealedReader& in) {
@@ -30,18 +31,6 @@ void take_finite(SealedReader& in, std::array<float, Count>& numbers) {
     for (float& number : numbers) {
         number = take_finite(in);
     }
-}
-
-/// By the exponent's bits: compilers make lanes of that, of a test that stops at the first they don't.
-bool all_finite(const std::vector<Eigen::Vector3f>& vectors) {
-    constexpr std::uint32_t kExponent = 0x7F800000;
-    std::uint32_t found = 0;
-    for (const Eigen::Vector3f& v : vectors) {
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            found |= (std::bit_cast<std::uint32_t>(v[k]) & kExponent) == kExponent ? 1U : 0U;
-        }
-    }
-    return found == 0;
 }
 
 // A list of any of these takes up at least so many bytes an entry.
@@ -119,14 +108,10 @@ void check_mesh(const Mesh& mesh) {
     if (mesh.normals.size() != vertices || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
         refuse("a mesh in it has not one normal, texture coordinate or colour a vertex");
     }
-    if (!all_finite(mesh.positions)) {
+    if (!std::isfinite(collision::largest_coordinate(mesh.positions))) {
         refuse("a vertex in it is no number");
     }
-    std::uint32_t highest = 0;
-    for (const auto& triangle : mesh.triangles) {
-        highest = std::max({highest, triangle[0], triangle[1], triangle[2]});
-    }
-    if (!mesh.triangles.empty() && highest >= vertices) {
+    if (!mesh.triangles.empty() && collision::highest_vertex(mesh.triangles) >= vertices) {
         refuse("a triangle in it uses a vertex that is not there");
     }
 }
@@ -159,7 +144,7 @@ Node take_node(SealedReader& in, std::size_t nodes_before, std::size_t meshes) {
     if (!node.X_world_node.allFinite()) {
         refuse("a transform in it is not finite");
     }
-    node.meshes = take_counted<MeshIndex>(in);
+    node.meshes = in.take_all<MeshIndex>(in.take_count(sizeof(MeshIndex)));
     if (std::ranges::any_of(node.meshes, [&](MeshIndex mesh) { return index_of(mesh) >= meshes; })) {
         refuse("a node in it has a mesh that is not there");
     }
@@ -179,8 +164,8 @@ std::vector<Item> take_each(SealedReader& in, std::size_t least_bytes, const Tak
 
 }  // namespace
 
-ImportedModel read_model_file(std::span<const std::byte> bytes) {
-    SealedReader in(bytes, kModelFile);
+ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
+    SealedReader in(bytes, kModelFile, std::move(owner));
     ImportedModel read;
     Model& model = read.model;
     read.warnings = take_each<Diagnostic>(in, kLeastDiagnostic, [&](auto) { return take_diagnostic(in); });

@@ -1,5 +1,7 @@
 #include "scene/sealed_bytes.h"
 
+#include <utility>
+
 #include "scene/content_hash.h"
 
 namespace campuswalk::scene {
@@ -21,8 +23,7 @@ static_assert(sizeof(Seal) == kSealBytes);
 
 }  // namespace
 
-SealedWriter::SealedWriter(const FileKind& kind, std::size_t expected_bytes) {
-    bytes_.reserve(expected_bytes);
+SealedWriter::SealedWriter(const FileKind& kind) {
     Seal seal;
     seal.magic = kind.magic;
     seal.version = kind.version;
@@ -32,6 +33,17 @@ SealedWriter::SealedWriter(const FileKind& kind, std::size_t expected_bytes) {
 void SealedWriter::put_bytes(const void* from, std::size_t count) {
     const auto* first = static_cast<const std::byte*>(from);
     bytes_.insert(bytes_.end(), first, first + count);
+    size_ += count;
+}
+
+void SealedWriter::put_elements(std::span<const std::byte> elements) {
+    constexpr std::size_t kMany = 64 << 10U;
+    if (elements.size() < kMany) {
+        put_bytes(elements.data(), elements.size());
+    } else {
+        left_.push_back({bytes_.size(), elements});
+        size_ += elements.size();
+    }
 }
 
 void SealedWriter::put_text(std::string_view text) {
@@ -40,20 +52,41 @@ void SealedWriter::put_text(std::string_view text) {
 }
 
 void SealedWriter::align(std::size_t alignment) {
-    bytes_.resize((bytes_.size() + alignment - 1) / alignment * alignment);
+    const std::size_t zeros = (alignment - size_ % alignment) % alignment;
+    bytes_.resize(bytes_.size() + zeros);
+    size_ += zeros;
 }
 
-std::vector<std::byte> SealedWriter::seal() && {
+Parts SealedWriter::seal() {
+    Parts parts;
+    std::size_t done = kSealBytes;
+    const std::span<const std::byte> bytes(bytes_);
+    for (const Left& left : left_) {
+        parts.push_back(bytes.subspan(done, left.after - done));
+        parts.push_back(left.elements);
+        done = left.after;
+    }
+    parts.push_back(bytes.subspan(done));
     Seal seal;
     std::memcpy(&seal, bytes_.data(), sizeof seal);
-    const std::span<const std::byte> payload = std::span<const std::byte>(bytes_).subspan(kSealBytes);
-    seal.payload_bytes = payload.size();
-    seal.checksum = checksum_of(payload);
+    seal.payload_bytes = size_ - kSealBytes;
+    seal.checksum = checksum_of(parts);
     std::memcpy(bytes_.data(), &seal, sizeof seal);
-    return std::move(bytes_);
+    parts.insert(parts.begin(), bytes.first(kSealBytes));
+    return parts;
 }
 
-SealedReader::SealedReader(std::span<const std::byte> bytes, const FileKind& kind) : bytes_(bytes) {
+std::vector<std::byte> joined(const Parts& parts) {
+    std::vector<std::byte> bytes;
+    for (const std::span<const std::byte> part : parts) {
+        bytes.insert(bytes.end(), part.begin(), part.end());
+    }
+    return bytes;
+}
+
+SealedReader::SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
+                           std::shared_ptr<const void> owner)
+    : bytes_(bytes), owner_(std::move(owner)) {
     Seal seal;
     if (bytes.size() < sizeof seal) {
         throw DamagedFile("it is cut short");

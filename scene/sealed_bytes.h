@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "collision/large_pages.h"
+#include "collision/storage.h"
 
 namespace campuswalk::scene {
 
@@ -37,38 +39,61 @@ inline constexpr std::size_t kSealBytes = 64;
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
+/// Bytes that lie in several places, in the order of the file.
+using Parts = std::vector<std::span<const std::byte>>;
+
 class SealedWriter {
 public:
-    /// `expected_bytes` saves moving what is written already; more or less may come.
-    explicit SealedWriter(const FileKind& kind, std::size_t expected_bytes = 0);
+    explicit SealedWriter(const FileKind& kind);
 
     template <Plain T>
     void put(T value) {
         put_bytes(&value, sizeof value);
     }
     void put_text(std::string_view text);
-    /// The elements alone; their number is put before, wherever the reader can't know it.
+    /// The elements alone; their number is put before, wherever the reader can't know it. Many are left where
+    /// they are, and must stay there until the file is written.
     template <typename Element>
     void put_all(std::span<const Element> elements) {
-        put_bytes(elements.data(), elements.size_bytes());
+        put_elements(std::as_bytes(elements));
+    }
+    /// Likewise, from the next multiple of their alignment on.
+    template <typename Element>
+    void put_aligned(std::span<const Element> elements) {
+        align(alignof(Element));
+        put_all(elements);
     }
     /// Zeros up to the next multiple of `alignment`, counted from the file's start.
     void align(std::size_t alignment);
 
-    /// The whole file; the writer is done with.
-    std::vector<std::byte> seal() &&;
+    /// The whole file, to be written part by part. Nothing is to be put from now on; the writer stays.
+    Parts seal();
 
 private:
-    void put_bytes(const void* from, std::size_t count);
+    /// Elements that are elsewhere, after so many bytes of those here.
+    struct Left {
+        std::size_t after = 0;
+        std::span<const std::byte> elements;
+    };
 
-    std::vector<std::byte> bytes_;
+    void put_bytes(const void* from, std::size_t count);
+    void put_elements(std::span<const std::byte> elements);
+
+    std::vector<std::byte> bytes_;  ///< but for those elsewhere
+    std::vector<Left> left_;
+    std::size_t size_ = 0;  ///< of the file so far
 };
+
+/// Copied together.
+std::vector<std::byte> joined(const Parts& parts);
 
 /// Reads what may be anything: throws DamagedFile before it would read, or make room for, what isn't there.
 class SealedReader {
 public:
-    /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader.
-    SealedReader(std::span<const std::byte> bytes, const FileKind& kind);
+    /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader; with an `owner`,
+    /// nobody changes them as long as that lives.
+    SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
+                 std::shared_ptr<const void> owner = nullptr);
 
     template <Plain T>
     T take() {
@@ -96,6 +121,18 @@ public:
         }
         return elements;
     }
+    /// Likewise, from the next multiple of their alignment on. With an owner they stay where they are: nothing
+    /// is copied.
+    template <typename Element>
+    collision::Storage<Element> take_aligned(std::size_t count) {
+        align(alignof(Element));
+        const std::byte* first = bytes_.data() + at_;
+        if (owner_ == nullptr || reinterpret_cast<std::uintptr_t>(first) % alignof(Element) != 0) {
+            return take_all<Element>(count);
+        }
+        take_bytes_of(count, sizeof(Element));
+        return {std::span(reinterpret_cast<const Element*>(first), count), owner_};
+    }
     /// Skips to the next multiple of `alignment`, counted from the file's start.
     void align(std::size_t alignment);
     std::span<const std::byte> take_bytes(std::size_t count);
@@ -106,6 +143,7 @@ public:
 
 private:
     std::span<const std::byte> bytes_;
+    std::shared_ptr<const void> owner_;  ///< null: what is taken is copied
     std::size_t at_ = kSealBytes;
 };
 

@@ -23,10 +23,12 @@ std::error_code last_error() {
 }
 
 /// What went wrong, nothing if nothing did.
-std::error_code write_bytes(std::FILE* stream, std::span<const std::byte> bytes) {
+std::error_code write_parts(std::FILE* stream, std::span<const std::span<const std::byte>> parts) {
     std::error_code error;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), stream) != bytes.size()) {
-        error = last_error();
+    for (const std::span<const std::byte> part : parts) {
+        if (!error && std::fwrite(part.data(), 1, part.size(), stream) != part.size()) {
+            error = last_error();
+        }
     }
     // Closing flushes: a full disk may only show here.
     if (std::fclose(stream) != 0 && !error) {
@@ -49,7 +51,7 @@ std::FILE* open_part(const fs::path& file, fs::path& part) {
 
 }  // namespace
 
-void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
+void write_whole_file(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
     std::error_code error;
     if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
         fail(file, "it is not a regular file");  // the rename would put one in its place
@@ -65,7 +67,7 @@ void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
     if (stream == nullptr) {
         fail(file, last_error().message());
     }
-    error = write_bytes(stream, bytes);
+    error = write_parts(stream, parts);
     if (!error) {
         fs::rename(part, file, error);
     }
@@ -74,6 +76,10 @@ void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
         fs::remove(part, ignored);
         fail(file, error.message());
     }
+}
+
+void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
+    write_whole_file(file, std::span(&bytes, 1));
 }
 
 void write_whole_file(const fs::path& file, std::string_view text) {

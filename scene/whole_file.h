@@ -13,6 +13,8 @@ namespace campuswalk::scene {
 /// no regular file, such as a device, is left alone.
 void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
+/// Of bytes that lie in several places.
+void write_whole_file(const std::filesystem::path& file, std::span<const std::span<const std::byte>> parts);
 
 /// How the neighbours' names end, should a process be killed and leave one behind.
 inline constexpr std::string_view kPartSuffix = ".part";

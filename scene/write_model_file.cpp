@@ -4,9 +4,9 @@ namespace campuswalk::scene {
 namespace {
 
 template <typename Element>
-void put_counted(SealedWriter& out, const std::vector<Element>& elements) {
+void put_counted(SealedWriter& out, const Storage<Element>& elements) {
     out.put(std::uint64_t{elements.size()});
-    out.put_all(std::span<const Element>(elements));
+    out.put_aligned(std::span<const Element>(elements));
 }
 
 void put(SealedWriter& out, const Diagnostic& diagnostic) {
@@ -72,7 +72,8 @@ void put(SealedWriter& out, const Node& node) {
             out.put(node.X_world_node(row, column));
         }
     }
-    put_counted(out, node.meshes);
+    out.put(std::uint64_t{node.meshes.size()});
+    out.put_all(std::span(node.meshes));
 }
 
 template <typename Item>
@@ -83,25 +84,10 @@ void put_each(SealedWriter& out, const std::vector<Item>& items) {
     }
 }
 
-/// About the size of the file: vertices, triangles and pixels are nearly all of it.
-std::size_t size_of(const Model& model) {
-    constexpr std::size_t kTheRest = 1U << 20U;
-    std::size_t size = kTheRest;
-    for (const Texture& texture : model.textures) {
-        size += texture.rgba.size();
-    }
-    for (const Mesh& mesh : model.meshes) {
-        size += std::span(mesh.positions).size_bytes() + std::span(mesh.normals).size_bytes() +
-                std::span(mesh.uvs).size_bytes() + std::span(mesh.colors).size_bytes() +
-                std::span(mesh.triangles).size_bytes();
-    }
-    return size;
-}
-
 }  // namespace
 
-std::vector<std::byte> write_model_file(const ImportedModel& imported) {
-    SealedWriter out(kModelFile, size_of(imported.model));
+SealedWriter lay_out_model(const ImportedModel& imported) {
+    SealedWriter out(kModelFile);
     put_each(out, imported.warnings);
     put_each(out, imported.requests);
     out.put_text(imported.model.file);
@@ -110,7 +96,12 @@ std::vector<std::byte> write_model_file(const ImportedModel& imported) {
     put_each(out, imported.model.materials);
     put_each(out, imported.model.meshes);
     put_each(out, imported.model.nodes);
-    return std::move(out).seal();
+    return out;
+}
+
+std::vector<std::byte> write_model_file(const ImportedModel& imported) {
+    SealedWriter out = lay_out_model(imported);
+    return joined(out.seal());
 }
 
 }  // namespace campuswalk::scene

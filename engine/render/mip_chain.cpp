@@ -77,7 +77,7 @@ double coverage_scale(const MipLevel& level, double wanted, double cutoff) {
 
 }  // namespace
 
-double alpha_coverage(const std::vector<std::uint8_t>& rgba, double scale, double cutoff) {
+double alpha_coverage(std::span<const std::uint8_t> rgba, double scale, double cutoff) {
     std::size_t passing = 0;
     for (std::size_t i = 3; i < rgba.size(); i += 4) {
         passing += scale * rgba[i] / 255.0 >= cutoff ? 1U : 0U;
@@ -89,7 +89,7 @@ std::vector<MipLevel> cutout_mip_chain(const scene::Texture& texture, float alph
     const double cutoff = alpha_cutoff;
     const double wanted = alpha_coverage(texture.rgba, 1.0, cutoff);
     std::vector<MipLevel> chain;
-    MipLevel level{texture.width, texture.height, texture.rgba};
+    MipLevel level{texture.width, texture.height, {texture.rgba.begin(), texture.rgba.end()}};
     while (level.width > 1 || level.height > 1) {
         level = halved(level);
         chain.push_back(level);

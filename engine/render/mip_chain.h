@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/model.h"
@@ -19,6 +20,6 @@ struct MipLevel {
 std::vector<MipLevel> cutout_mip_chain(const scene::Texture& texture, float alpha_cutoff);
 
 /// The share of texels whose alpha, times `scale`, is at least `cutoff`.
-double alpha_coverage(const std::vector<std::uint8_t>& rgba, double scale, double cutoff);
+double alpha_coverage(std::span<const std::uint8_t> rgba, double scale, double cutoff);
 
 }  // namespace campuswalk::engine::render

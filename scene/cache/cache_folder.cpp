@@ -60,32 +60,41 @@ fs::path CacheFolder::path_of(const ContentHash& key, const Kind& kind) const {
     return folder_ / (to_string(key) + "." + kind + std::string(kSuffix));
 }
 
-std::optional<MappedFile> CacheFolder::find(const ContentHash& key, const Kind& kind) const {
+std::shared_ptr<const MappedFile> CacheFolder::find(const ContentHash& key, const Kind& kind) const {
     const fs::path file = path_of(key, kind);
-    std::optional<MappedFile> found = MappedFile::open(file);
-    if (found) {
-        // When it was read last is not always kept by file systems; when it was changed last is.
-        utimensat(AT_FDCWD, file.c_str(), nullptr, 0);
+    std::optional<MappedFile> found = MappedFile::open_unchanging(file);
+    if (!found) {
+        return nullptr;
     }
-    return found;
+    // When it was read last is not always kept by file systems; when it was changed last is.
+    utimensat(AT_FDCWD, file.c_str(), nullptr, 0);
+    return std::make_shared<const MappedFile>(std::move(*found));
 }
 
-std::string CacheFolder::store(const ContentHash& key, const Kind& kind,
-                               std::span<const std::byte> bytes) const {
-    if (bytes.size() > most_bytes_) {
-        return "";
+void CacheFolder::store(const ContentHash& key, const Kind& kind,
+                        std::span<const std::span<const std::byte>> parts) const {
+    std::uint64_t bytes = 0;
+    for (const std::span<const std::byte> part : parts) {
+        bytes += part.size();
+    }
+    if (bytes > most_bytes_) {
+        return;
     }
     std::error_code error;
     if (fs::create_directories(folder_, error)) {
         fs::permissions(folder_, fs::perms::owner_all, error);  // models may be nobody else's business
     }
+    const fs::path file = path_of(key, kind);
     try {
-        write_whole_file(path_of(key, kind), bytes);
+        write_whole_file(file, parts);
+        // What others may write to has to be copied when it is read.
+        fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove, error);
     } catch (const std::runtime_error& failure) {
-        return failure.what();
+        if (unwritable_) {
+            unwritable_(failure.what());
+        }
     }
     make_room();
-    return "";
 }
 
 void CacheFolder::make_room() const {

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -22,18 +23,22 @@ class CacheFolder {
 public:
     static constexpr std::uint64_t kUsualLimit = std::uint64_t{4} << 30U;
 
-    explicit CacheFolder(std::filesystem::path folder, std::uint64_t most_bytes = kUsualLimit)
-        : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+    /// `unwritable`: told why, each time that something can't be kept.
+    explicit CacheFolder(std::filesystem::path folder, std::uint64_t most_bytes = kUsualLimit,
+                         std::function<void(const std::string&)> unwritable = {})
+        : folder_(std::move(folder)), most_bytes_(most_bytes), unwritable_(std::move(unwritable)) {}
 
     /// Such as "model"; letters alone.
     using Kind = std::string;
 
-    /// The file, from now on the one that was used last.
-    std::optional<MappedFile> find(const ContentHash& key, const Kind& kind) const;
+    /// The file, from now on the one that was used last; null if there is none. As long as it lives its bytes
+    /// stay what they are.
+    std::shared_ptr<const MappedFile> find(const ContentHash& key, const Kind& kind) const;
 
     /// Keeps the bytes, then removes the files that were used longest ago until all fit the limit. What is
-    /// larger than that by itself isn't kept. The reason if it can't be written, else empty.
-    std::string store(const ContentHash& key, const Kind& kind, std::span<const std::byte> bytes) const;
+    /// larger than that by itself isn't kept.
+    void store(const ContentHash& key, const Kind& kind,
+               std::span<const std::span<const std::byte>> parts) const;
 
 private:
     std::filesystem::path path_of(const ContentHash& key, const Kind& kind) const;
@@ -41,6 +46,7 @@ private:
 
     std::filesystem::path folder_;
     std::uint64_t most_bytes_;
+    std::function<void(const std::string&)> unwritable_;
 };
 
 }  // namespace campuswalk::scene

@@ -41,8 +41,7 @@ KeptMeshes::KeptMeshes(const CacheFolder& cache, const CampusDescription& campus
     : cache_(&cache), key_(key_of(campus, models)) {
     if (const auto file = cache.find(key_, kTreesKind)) {
         try {
-            meshes_ =
-                read_tree_file(file->bytes(), [&](std::span<const std::byte> part) { file->drop(part); });
+            meshes_ = read_tree_file(file->bytes(), file);
         } catch (const DamagedFile&) {  // to be made anew
         }
     }
@@ -70,7 +69,8 @@ void KeptMeshes::add(const PlacedShape& made) {
 
 void KeptMeshes::keep() const {
     if (cache_ != nullptr && !complete_) {
-        cache_->store(key_, kTreesKind, write_tree_file(meshes_));
+        SealedWriter trees = lay_out_trees(meshes_);
+        cache_->store(key_, kTreesKind, trees.seal());
     }
 }
 

@@ -16,14 +16,14 @@ constexpr const char* kModelKind = "model";
 constexpr const char* kRequestsKind = "requests";
 constexpr FileKind kRequestsFile = {{'c', 'w', ' ', 'f', 'i', 'l', 'e', 's'}, 1};
 
-std::vector<std::byte> write_requests(const std::vector<FileRequest>& requests) {
+SealedWriter lay_out(const std::vector<FileRequest>& requests) {
     SealedWriter out(kRequestsFile);
     out.put(std::uint64_t{requests.size()});
     for (const FileRequest& request : requests) {
         out.put_text(request.uri);
         out.put(std::uint32_t{request.picture});
     }
-    return std::move(out).seal();
+    return out;
 }
 
 std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
@@ -93,7 +93,7 @@ std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& 
         if (!kept) {
             return std::nullopt;
         }
-        LoadedModel loaded{read_model_file(kept->bytes()), whole};
+        LoadedModel loaded{read_model_file(kept->bytes(), kept), whole};
         for (Diagnostic& warning : loaded.imported.warnings) {
             warning.mark = file.mark;  // all are about the file as such, which may be named elsewhere now
         }
@@ -109,8 +109,10 @@ LoadedModel import_and_keep(const SceneFile& file, EmptyModel if_empty, const Im
     const ContentHash key = key_of(file, if_empty, contents);
     if (hash_of_file(file.path) == contents) {  // nobody has saved it meanwhile
         loaded.contents = key_with(key, file, contents, loaded.imported.requests);
-        cache.store(*loaded.contents, kModelKind, write_model_file(loaded.imported));
-        cache.store(key, kRequestsKind, write_requests(loaded.imported.requests));
+        SealedWriter model = lay_out_model(loaded.imported);
+        cache.store(*loaded.contents, kModelKind, model.seal());
+        SealedWriter requests = lay_out(loaded.imported.requests);
+        cache.store(key, kRequestsKind, requests.seal());
     }
     return loaded;
 }

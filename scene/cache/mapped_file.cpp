@@ -5,41 +5,90 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdint>
+#include <cerrno>
 #include <utility>
+
+#include "collision/large_pages.h"
 
 namespace campuswalk::scene {
 
-std::optional<MappedFile> MappedFile::open(const std::filesystem::path& file) {
-    // Not to wait for what may never come: a pipe is no regular file, but opening it would block.
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) {
-        return std::nullopt;
+namespace {
+
+/// An open file, and what it was when it was opened.
+class RegularFile {
+public:
+    explicit RegularFile(const std::filesystem::path& file)
+        // Not to wait for what may never come: a pipe is no regular file, but opening it would block.
+        : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        there_ = descriptor_ >= 0 && fstat(descriptor_, &status_) == 0 && S_ISREG(status_.st_mode);
     }
-    std::optional<MappedFile> mapped;
-    struct stat status {};
-    if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
-        const auto size = static_cast<std::size_t>(status.st_size);
-        if (size == 0) {
-            mapped = MappedFile(nullptr, 0);
-        } else if (void* start = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor, 0);
-                   start != MAP_FAILED) {
-            mapped = MappedFile(start, size);
+    ~RegularFile() {
+        if (descriptor_ >= 0) {
+            close(descriptor_);
         }
     }
-    ::close(descriptor);
-    return mapped;
+    RegularFile(const RegularFile&) = delete;
+    RegularFile& operator=(const RegularFile&) = delete;
+
+    bool there() const { return there_; }
+    std::size_t size() const { return static_cast<std::size_t>(status_.st_size); }
+    bool only_ours() const {
+        return status_.st_uid == geteuid() && (status_.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+    }
+
+    /// MAP_FAILED if it can't be.
+    void* map() const {
+        return mmap(nullptr, size(), PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0);
+    }
+    /// MAP_FAILED if it can't be, or is shorter by now.
+    void* copy() const {
+        void* start = mmap(nullptr, size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (start != MAP_FAILED) {
+            collision::prefer_large_pages(start, size());
+            if (!read_into(static_cast<std::byte*>(start))) {
+                munmap(start, size());
+                start = MAP_FAILED;
+            }
+        }
+        return start;
+    }
+
+private:
+    bool read_into(std::byte* to) const {
+        std::size_t done = 0;
+        while (done < size()) {
+            const ssize_t got = read(descriptor_, to + done, size() - done);
+            if (got == 0 || (got < 0 && errno != EINTR)) {
+                return false;
+            }
+            done += got > 0 ? static_cast<std::size_t>(got) : 0;
+        }
+        return true;
+    }
+
+    int descriptor_;
+    struct stat status_ {};
+    bool there_ = false;
+};
+
+}  // namespace
+
+template <typename Start>
+std::optional<MappedFile> MappedFile::open(const std::filesystem::path& path, const Start& start) {
+    const RegularFile file(path);
+    if (!file.there()) {
+        return std::nullopt;
+    }
+    void* at = file.size() > 0 ? start(file) : nullptr;
+    return at != MAP_FAILED ? std::optional(MappedFile(at, file.size())) : std::nullopt;
 }
 
-void MappedFile::drop(std::span<const std::byte> part) const {
-    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto start = reinterpret_cast<std::uintptr_t>(part.data());
-    const std::uintptr_t first = (start + page - 1) / page * page;
-    const std::uintptr_t end = (start + part.size()) / page * page;
-    if (first < end) {
-        madvise(static_cast<std::byte*>(start_) + (first - reinterpret_cast<std::uintptr_t>(start_)),
-                end - first, MADV_DONTNEED);
-    }
+std::optional<MappedFile> MappedFile::open(const std::filesystem::path& path) {
+    return open(path, [](const auto& file) { return file.map(); });
+}
+
+std::optional<MappedFile> MappedFile::open_unchanging(const std::filesystem::path& path) {
+    return open(path, [](const auto& file) { return file.only_ours() ? file.map() : file.copy(); });
 }
 
 MappedFile::~MappedFile() {

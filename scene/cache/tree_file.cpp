@@ -4,12 +4,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision/large_pages.h"
+#include "collision/closed_parts.h"
+#include "collision/storage.h"
 #include "collision/wide_tree.h"
 
 namespace campuswalk::scene {
 
+using collision::Aabb;
+using collision::ClosedParts;
 using collision::MeshCollider;
+using collision::Storage;
 using collision::TriangleMesh;
 using collision::Vec3;
 using collision::WideLeaf;
@@ -18,7 +22,7 @@ using collision::WideTree;
 
 namespace {
 
-constexpr std::size_t kLeastMesh = 104;
+constexpr std::size_t kLeastMesh = 160;
 
 void put(SealedWriter& out, const Vec3& v) {
     out.put_all(std::span<const double>(v.data(), 3));
@@ -27,20 +31,24 @@ void put(SealedWriter& out, const Vec3& v) {
 void put(SealedWriter& out, const PlacedMesh& placed) {
     const TriangleMesh& mesh = placed.collider->mesh();
     const WideTree& tree = placed.collider->wide_tree();
+    const ClosedParts& closed = placed.collider->closed_parts();
     put(out, placed.p_world_origin);
     out.put(std::uint64_t{placed.zero_area});
     put(out, tree.outer.center);
     out.put(tree.outer.radius);
     out.put(static_cast<double>(tree.reach));
+    put(out, closed.bounds().min);
+    put(out, closed.bounds().max);
     out.put(std::uint64_t{mesh.positions.size()});
     out.put(std::uint64_t{mesh.triangles.size()});
     out.put(std::uint64_t{tree.nodes.size()});
     out.put(std::uint64_t{tree.leaves.size()});
-    out.put_all(std::span(mesh.positions));
-    out.put_all(std::span(mesh.triangles));
-    out.align(alignof(WideNode));
-    out.put_all(std::span(tree.nodes));
-    out.put_all(std::span(tree.leaves));
+    out.put(std::uint64_t{closed.members().size()});
+    out.put_aligned(std::span(mesh.positions));
+    out.put_aligned(std::span(mesh.triangles));
+    out.put_aligned(std::span(tree.nodes));
+    out.put_aligned(std::span(tree.leaves));
+    out.put_aligned(std::span(closed.members()));
 }
 
 Vec3 take_vector(SealedReader& in) {
@@ -51,36 +59,23 @@ Vec3 take_vector(SealedReader& in) {
     return v;
 }
 
-/// A byte of another value is no bool, and reading one from it undefined.
-void check_flag(const std::byte* part, std::size_t offset) {
-    if (std::to_integer<unsigned>(part[offset]) > 1) {
-        throw DamagedFile("a flag in it is out of range");
-    }
-}
-
-/// `flag`: where in a part its only bool is.
+/// `flag`: where in a part its only bool is. A byte of another value is no bool, and reading one from it
+/// undefined.
 template <typename Part>
-std::vector<Part> take_parts(SealedReader& in, std::uint64_t count, std::size_t flag,
-                             const ReadBytes& was_read) {
-    constexpr std::size_t kChunk = 16384;
-    const std::span<const std::byte> bytes = in.take_bytes_of(count, sizeof(Part));
-    std::vector<Part> parts;
-    parts.reserve(count);
-    collision::prefer_large_pages(parts.data(), bytes.size());
-    for (std::size_t at = 0; at < bytes.size(); at += sizeof(Part)) {
-        check_flag(&bytes[at], flag);
-        Part part;
-        std::memcpy(static_cast<void*>(&part), &bytes[at], sizeof part);
-        parts.push_back(part);
-        if (was_read && (parts.size() % kChunk == 0 || parts.size() == count)) {
-            const std::size_t first = (parts.size() - 1) / kChunk * kChunk * sizeof(Part);
-            was_read(bytes.subspan(first, at + sizeof(Part) - first));
-        }
+Storage<Part> take_parts(SealedReader& in, std::uint64_t count, std::size_t flag) {
+    const Storage<Part> parts = in.take_aligned<Part>(count);
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(parts));
+    std::byte seen{};
+    for (std::size_t at = flag; at < bytes.size(); at += sizeof(Part)) {
+        seen |= bytes[at];
+    }
+    if (std::to_integer<unsigned>(seen) > 1) {
+        throw DamagedFile("a flag in it is out of range");
     }
     return parts;
 }
 
-PlacedMesh take_mesh(SealedReader& in, const ReadBytes& was_read) {
+PlacedMesh take_mesh(SealedReader& in) {
     PlacedMesh placed;
     placed.p_world_origin = take_vector(in);
     placed.zero_area = in.take<std::uint64_t>();
@@ -88,21 +83,27 @@ PlacedMesh take_mesh(SealedReader& in, const ReadBytes& was_read) {
     tree.outer.center = take_vector(in);
     tree.outer.radius = in.take<double>();
     tree.reach = static_cast<float>(in.take<double>());
+    Aabb closed;
+    closed.min = take_vector(in);
+    closed.max = take_vector(in);
     const auto positions = in.take<std::uint64_t>();
     const auto triangles = in.take<std::uint64_t>();
     const auto nodes = in.take<std::uint64_t>();
     const auto leaves = in.take<std::uint64_t>();
+    const auto members = in.take<std::uint64_t>();
     TriangleMesh mesh;
-    mesh.positions = in.take_all<Eigen::Vector3f>(positions);
-    mesh.triangles = in.take_all<std::array<std::uint32_t, 3>>(triangles);
-    in.align(alignof(WideNode));
-    tree.nodes = take_parts<WideNode>(in, nodes, offsetof(WideNode, turned), was_read);
-    tree.leaves = take_parts<WideLeaf>(in, leaves, offsetof(WideLeaf, exact), was_read);
+    mesh.positions = in.take_aligned<Eigen::Vector3f>(positions);
+    mesh.triangles = in.take_aligned<std::array<std::uint32_t, 3>>(triangles);
+    tree.nodes = take_parts<WideNode>(in, nodes, offsetof(WideNode, turned));
+    tree.leaves = take_parts<WideLeaf>(in, leaves, offsetof(WideLeaf, exact));
+    Storage<std::uint64_t> inside = in.take_aligned<std::uint64_t>(members);
     if (!placed.p_world_origin.allFinite()) {
         throw DamagedFile("a mesh in it is nowhere");
     }
     try {
-        placed.collider = std::make_shared<const MeshCollider>(std::move(mesh), std::move(tree));
+        ClosedParts parts(std::move(inside), closed, mesh.triangles.size());
+        placed.collider =
+            std::make_shared<const MeshCollider>(std::move(mesh), std::move(tree), std::move(parts));
     } catch (const std::invalid_argument& fault) {
         throw DamagedFile(fault.what());
     }
@@ -111,20 +112,25 @@ PlacedMesh take_mesh(SealedReader& in, const ReadBytes& was_read) {
 
 }  // namespace
 
-std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
+SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
     SealedWriter out(kTreeFile);
     out.put(std::uint64_t{meshes.size()});
     for (const PlacedMesh& placed : meshes) {
         put(out, placed);
     }
-    return std::move(out).seal();
+    return out;
 }
 
-std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, const ReadBytes& was_read) {
-    SealedReader in(bytes, kTreeFile);
+std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
+    SealedWriter out = lay_out_trees(meshes);
+    return joined(out.seal());
+}
+
+std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
+    SealedReader in(bytes, kTreeFile, std::move(owner));
     std::vector<PlacedMesh> meshes(in.take_count(kLeastMesh));
     for (PlacedMesh& placed : meshes) {
-        placed = take_mesh(in, was_read);
+        placed = take_mesh(in);
     }
     in.finish();
     return meshes;

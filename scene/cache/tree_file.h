@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -20,17 +19,19 @@ struct PlacedMesh {
 };
 
 /// Raise it with whatever changes below, in the trees' layout or in how meshes are baked.
-inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 1};
+inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 2};
 
-/// Meshes with their trees, as they lie in memory: reading them is copying them. Only Layout::wide.
+/// Meshes with their trees and closed parts (found here if nobody has asked for them yet), as they lie in
+/// memory. Only Layout::wide.
 std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes);
 
-/// Told of bytes that have been read and won't be again, so that a large file and what is made of it needn't
-/// be in memory at once.
-using ReadBytes = std::function<void(std::span<const std::byte>)>;
+/// The same, yet to be sealed: what is large in it is left where it is.
+SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes);
 
 /// Reads bytes that may be anything. Throws DamagedFile; what it returns can be asked anything safely (see
-/// wide_tree_check.h).
-std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, const ReadBytes& was_read = {});
+/// wide_tree_check.h). With an `owner` that keeps the bytes as they are, meshes and trees are used where they
+/// lie in them; without, they are copied.
+std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes,
+                                       std::shared_ptr<const void> owner = nullptr);
 
 }  // namespace campuswalk::scene

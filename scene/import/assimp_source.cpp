@@ -40,7 +40,9 @@ AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file.pa
 
 NodeTree AssimpSource::nodes() {
     const aiScene& scene = *read_.scene;
-    NodeTree tree = convert_nodes(*scene.mRootNode, house_from_file(file_, scene));
+    Eigen::Matrix4d X_file_moved = Eigen::Matrix4d::Identity();
+    X_file_moved.topRightCorner<3, 1>() = read_.files->origin();
+    NodeTree tree = convert_nodes(*scene.mRootNode, house_from_file(file_, scene) * X_file_moved);
     for (std::vector<std::size_t>& numbers : tree.mesh_numbers) {
         std::erase_if(numbers, [&](std::size_t number) { return number >= scene.mNumMeshes; });
     }

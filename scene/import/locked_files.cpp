@@ -11,6 +11,7 @@
 #include <assimp/IOStream.hpp>
 
 #include "scene/import/collada_text.h"
+#include "scene/import/obj_text.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -71,11 +72,11 @@ bool LockedFiles::Exists(const char* name) const {
 
 namespace {
 
-bool is_collada(const std::filesystem::path& path) {
+bool has_extension(const std::filesystem::path& path, const char* lower_case) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".dae";
+    return extension == lower_case;
 }
 
 /// COLLADA text, made such that assimp can read it; nullptr when the file can't be read.
@@ -99,12 +100,25 @@ Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
 
 }  // namespace
 
+/// Assimp opens it more than once.
+Assimp::IOStream* LockedFiles::open_obj(const std::filesystem::path& path) {
+    if (!obj_) {
+        obj_ = read_bytes(path).value_or(std::vector<std::uint8_t>());
+        origin_ = move_vertices_near(*obj_, metres_per_unit_);
+        if (origin_.isZero(0.0)) {
+            obj_ = std::vector<std::uint8_t>();
+        }
+    }
+    return obj_->empty() ? open_as_it_is(path) : new Assimp::MemoryIOStream(obj_->data(), obj_->size());
+}
+
 Assimp::IOStream* LockedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
     Assimp::IOStream* stream = !path               ? nullptr
-                               : is_collada(*path) ? open_collada(*path)
-                                                   : open_as_it_is(*path);
+                               : has_extension(*path, ".dae") ? open_collada(*path)
+                               : has_extension(*path, ".obj") ? open_obj(*path)
+                                                              : open_as_it_is(*path);
     if (stream == nullptr) {
         refused_.emplace_back(name);
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
 #include <assimp/IOSystem.hpp>
 
 #include "scene/import/scene_folder.h"
@@ -19,7 +20,9 @@ std::optional<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path&
 /// folder, so its messages carry no path of this machine.
 class LockedFiles final : public Assimp::IOSystem {
 public:
-    explicit LockedFiles(SceneFolder folder) : folder_(std::move(folder)) {}
+    /// `metres_per_unit` of the scene: see obj_text.h.
+    explicit LockedFiles(SceneFolder folder, double metres_per_unit = 1.0)
+        : folder_(std::move(folder)), metres_per_unit_(metres_per_unit) {}
 
     bool Exists(const char* name) const override;
     char getOsSeparator() const override { return '/'; }
@@ -27,11 +30,18 @@ public:
     void Close(Assimp::IOStream* stream) override;
 
     const SceneFolder& folder() const { return folder_; }
+    /// By how much the vertices of an OBJ were moved near the origin, in its units.
+    const Eigen::Vector3d& origin() const { return origin_; }
     /// Names that were asked for and not given, in order.
     const std::vector<std::string>& refused() const { return refused_; }
 
 private:
+    Assimp::IOStream* open_obj(const std::filesystem::path& path);
+
     SceneFolder folder_;
+    double metres_per_unit_;
+    std::optional<std::vector<std::uint8_t>> obj_;  ///< once opened: moved text, empty if it is as it was
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     std::vector<std::string> refused_;
 };
 

@@ -56,7 +56,7 @@ FaceCheck check_faces(const aiScene& scene) {
 
 void read_scene(const SceneFile& file, const SceneFolder& folder, ReadScene& out, ColladaNames names) {
     configure(out.importer, names);
-    out.files = new LockedFiles(folder);
+    out.files = new LockedFiles(folder, file.metres_per_unit * file.scale);
     out.importer.SetIOHandler(out.files);
     try {
         out.scene = out.importer.ReadFile(file.path.filename().string(), 0);

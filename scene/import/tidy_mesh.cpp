@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/mesh_extent.h"
 #include "scene/import/corner_normals.h"
 #include "scene/weld.h"
 
@@ -16,17 +17,13 @@ constexpr double kFlat = 1.0;
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 bool indices_in_range(const RawMesh& source) {
-    const std::size_t count = source.positions.size();
-    std::uint32_t largest = 0;
-    for (const auto& t : source.triangles) {
-        largest = std::max({largest, t[0], t[1], t[2]});
-    }
-    return source.triangles.empty() || largest < count;
+    return source.triangles.empty() ||
+           collision::highest_vertex(source.triangles) < source.positions.size();
 }
 
 bool positions_finite(const RawMesh& source) {
     // Nearly always all are; where one isn't, it counts only when a triangle uses it.
-    if (std::ranges::all_of(source.positions, [](const auto& p) { return p.allFinite(); })) {
+    if (std::isfinite(collision::largest_coordinate(source.positions))) {
         return true;
     }
     return std::ranges::all_of(source.triangles, [&](const auto& t) {
@@ -137,37 +134,37 @@ void append_indexed(const VertexSource& vertices, const RawMesh& source, TidiedM
 }
 
 bool all_vertices_used(const RawMesh& source) {
-    std::vector<bool> used(source.positions.size(), false);
+    std::vector<std::uint8_t> used(source.positions.size());  // bits would wait for each other
     for (const auto& t : source.triangles) {
-        used[t[0]] = true;
-        used[t[1]] = true;
-        used[t[2]] = true;
+        used[t[0]] = 1;
+        used[t[1]] = 1;
+        used[t[2]] = 1;
     }
-    return std::ranges::find(used, false) == used.end();
+    return std::ranges::find(used, 0) == used.end();
 }
 
-/// Makes the normals unit length; false, with some of them made, when one has no direction.
-bool normalize(std::vector<Eigen::Vector3f>& normals) {
+/// Double has room for the square of any float.
+bool have_directions(std::span<const Eigen::Vector3f> normals) {
+    return std::isfinite(collision::largest_coordinate(normals)) &&
+           std::ranges::all_of(normals, [](const auto& n) { return n.x() != 0 || n.y() != 0 || n.z() != 0; });
+}
+
+void normalize(std::vector<Eigen::Vector3f>& normals) {
     for (Eigen::Vector3f& normal : normals) {
         const Eigen::Vector3d n = normal.cast<double>();
-        const double length = n.norm();
-        if (!std::isfinite(length) || length <= 0.0) {
-            return false;
-        }
-        normal = (n / length).cast<float>();
+        normal = (n / n.norm()).cast<float>();
     }
-    return true;
 }
 
 /// Most meshes of large files need no repair: nothing is copied. False, with nothing done, for others.
 bool take_whole(RawMesh& source, TidiedMesh& out) {
     const bool finite_uvs = std::ranges::all_of(source.uvs, [](const auto& uv) { return uv.allFinite(); });
-    std::vector<Eigen::Vector3f> normals = source.normals;
-    if (!finite_uvs || !normalize(normals) || !all_vertices_used(source)) {
+    if (!finite_uvs || !have_directions(source.normals) || !all_vertices_used(source)) {
         return false;
     }
+    normalize(source.normals);
     out.mesh.positions = std::move(source.positions);
-    out.mesh.normals = std::move(normals);
+    out.mesh.normals = std::move(source.normals);
     out.mesh.uvs = std::move(source.uvs);
     out.mesh.colors = std::move(source.colors);
     out.mesh.triangles = std::move(source.triangles);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -133,7 +134,7 @@ TEST(ClosedParts, KeepTheClosedOnesOfSeveral) {
     TriangleMesh mesh = unit_box();
     TriangleMesh open;
     add_box(open, {5, 0, 0}, {6, 1, 1});
-    open.triangles.erase(open.triangles.begin());
+    open.triangles.pop_back();
     append(mesh, open);
     const ClosedParts parts(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -146,6 +147,40 @@ TEST(ClosedParts, KeepTheClosedOnesOfSeveral) {
 
 TEST(ClosedParts, OfNothingAreEmpty) {
     EXPECT_TRUE(ClosedParts(TriangleMesh{}).empty());
+}
+
+TEST(ClosedParts, AreTakenBackAsTheyWere) {
+    TriangleMesh mesh = unit_box();
+    add_quad(mesh, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0});
+    const ClosedParts found(mesh);
+    const std::size_t count = mesh.triangles.size();
+    const ClosedParts taken(found.members(), found.bounds(), count);
+    for (std::size_t t = 0; t < count; ++t) {
+        EXPECT_EQ(taken.has(t), t < 12) << t;
+    }
+    EXPECT_EQ(taken.bounds().max, Vec3(1, 1, 1));
+    EXPECT_THROW(ClosedParts(found.members(), found.bounds(), 65), std::invalid_argument);
+    EXPECT_THROW(ClosedParts(found.members(), {Vec3::Zero(), Vec3::Constant(INFINITY)}, count),
+                 std::invalid_argument);
+}
+
+/// Vertices at -0 and 0 are at the same place.
+TEST(ClosedParts, JoinZeros) {
+    TriangleMesh mesh = unit_box();
+    TriangleMesh own;  // each corner by itself, every second one with its zeros negative
+    for (const auto& t : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(own.positions.size());
+        for (const std::uint32_t v : t) {
+            Eigen::Vector3f p = mesh.positions[v];
+            for (Eigen::Index k = 0; k < 3; ++k) {
+                p[k] = p[k] == 0.0F && own.positions.size() % 2 == 0 ? -0.0F : p[k];
+            }
+            own.positions.push_back(p);
+        }
+        own.triangles.push_back({first, first + 1, first + 2});
+    }
+    ASSERT_FALSE(ClosedParts(own).empty());
+    EXPECT_TRUE(ClosedParts(own).has(11));
 }
 
 }  // namespace

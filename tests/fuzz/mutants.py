@@ -75,6 +75,15 @@ def mutant(seed, data):
     return bytes(changed)
 
 
+def same_size_mutant(seed, data):
+    """Whatever is found by counting stays where it is: what a forger changes who knows the format."""
+    dice = random.Random("same size " + seed)
+    changed = bytearray(data)
+    for _ in range(dice.choice([1, 1, 1, 2, 3])):
+        changed = dice.choice([flip, overwrite, overwrite, move])(dice, changed)
+    return bytes(changed[:len(data)]) + data[len(changed):]
+
+
 def glb_mutant(seed, data):
     """One of a GLB's two chunks changed and the lengths right again, or the file as it comes: else hardly a mutant would
     get past the header."""

@@ -62,7 +62,7 @@ ImportedModel small_import() {
 }
 
 template <typename Number>
-std::vector<std::byte> bytes_of(const std::vector<Number>& numbers) {
+std::vector<std::byte> bytes_of(const Storage<Number>& numbers) {
     const auto bytes = std::as_bytes(std::span(numbers));
     return {bytes.begin(), bytes.end()};
 }

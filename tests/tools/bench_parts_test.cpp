@@ -202,7 +202,7 @@ TEST(Judge, KnowsWhatIsTouched) {
 }
 
 template <typename Element>
-std::size_t room_to_spare(const std::vector<Element>& elements) {
+std::size_t room_to_spare(const collision::Storage<Element>& elements) {
     return (elements.capacity() - elements.size()) * sizeof(Element);
 }
 

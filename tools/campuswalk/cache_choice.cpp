@@ -1,13 +1,18 @@
 #include "tools/campuswalk/cache_choice.h"
 
+#include <sys/mman.h>
+
+#include <atomic>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "scene/diagnostic.h"
+#include "tools/campuswalk/complaints.h"
 
 namespace campuswalk::tools {
 
@@ -56,18 +61,39 @@ std::uint64_t most_bytes() {
     return count << *shift;
 }
 
+/// Shared by the processes that this one starts with fork, so that one of them tells for all.
+std::atomic<bool>& told() {
+    static_assert(std::atomic<bool>::is_always_lock_free);
+    static std::atomic<bool> own;
+    static std::atomic<bool>& shared = [&]() -> std::atomic<bool>& {
+        void* memory =
+            mmap(nullptr, sizeof own, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        return memory == MAP_FAILED ? own : *new (memory) std::atomic<bool>();
+    }();
+    return shared;
+}
+
+/// A cache that can't be written is no mistake of a campus: nothing but the next start's time depends on it.
+void warn_once(const std::string& reason) {
+    if (!told().exchange(true)) {
+        complain_line("warning cache-unwritable: models are imported anew each time: " + reason +
+                      "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
+    }
+}
+
 }  // namespace
 
 const scene::CacheFolder* wanted_cache() {
     static const std::optional<scene::CacheFolder> cache = [] {
         const fs::path where = folder();
         const std::uint64_t size = refused || where.empty() ? 0 : most_bytes();
-        return size > 0 ? std::optional(scene::CacheFolder(where, size)) : std::nullopt;
+        return size > 0 ? std::optional(scene::CacheFolder(where, size, warn_once)) : std::nullopt;
     }();
     return cache ? &*cache : nullptr;
 }
 
 void add_cache_flag(Command command) {
+    told();  // before there are other processes
     command.flag({.names = "--no-cache",
                   .help = "Import models anew and keep nothing; else see CAMPUSWALK_CACHE_DIR and "
                           "CAMPUSWALK_CACHE_SIZE (such as 8G)"},

@@ -104,6 +104,7 @@ void FfmpegVideo::start(const engine::render::Picture& picture) {
     posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
     std::vector<std::string> words = arguments(picture, seconds_a_frame_, part_);
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words) {
         pointers.push_back(word.data());
     }

@@ -144,8 +144,8 @@ void Accessors::read(const Item& item, const Layout& layout, std::span<T> out) {
         const std::size_t stride = document_.item("bufferViews", *view_index).whole("byteStride").value_or(0);
         const std::size_t size = bytes_of(layout.component);
         const Run run = run_in(item, *view, stride, layout.count, layout.element_bytes());
-        const bool as_it_lies = std::is_same_v<T, float> && layout.component == Component::single &&
-                                run.stride == layout.element_bytes();
+        const Component plain = std::is_same_v<T, float> ? Component::single : Component::unsigned_int;
+        const bool as_it_lies = layout.component == plain && run.stride == layout.element_bytes();
         if (as_it_lies && !out.empty()) {
             std::memcpy(out.data(), run.first, out.size_bytes());
         }

@@ -1,6 +1,7 @@
 #include "scene/import/helper/import_protocol.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/model_file.h"
 #include "scene/sealed_bytes.h"
@@ -36,7 +37,7 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(request.limits.cpu_per_megabyte);
     out.put(request.limits.waiting);
     out.put(request.limits.answer);
-    return std::move(out).seal();
+    return joined(out.seal());
 }
 
 ImportRequest read_request(std::span<const std::byte> bytes) {
@@ -64,14 +65,14 @@ ImportRequest read_request(std::span<const std::byte> bytes) {
     return request;
 }
 
-std::vector<std::byte> write_refusal(const InputError& error) {
+ImportedModel refusal_of(const InputError& error) {
     ImportedModel refusal;
     refusal.warnings = error.diagnostics();
-    return write_model_file(refusal);
+    return refusal;
 }
 
-ImportedModel read_answer(std::span<const std::byte> bytes) {
-    ImportedModel answer = read_model_file(bytes);
+ImportedModel read_answer(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
+    ImportedModel answer = read_model_file(bytes, std::move(owner));
     if (std::ranges::any_of(answer.warnings, is_error)) {
         throw InputError(std::move(answer.warnings));
     }

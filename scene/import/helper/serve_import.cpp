@@ -38,11 +38,21 @@ bool write_all(int to, std::span<const std::byte> bytes) {
     return true;
 }
 
-std::vector<std::byte> answer_to(const ImportRequest& request) {
+bool write_all(int to, const ImportedModel& answer) {
+    SealedWriter file = lay_out_model(answer);
+    for (const std::span<const std::byte> part : file.seal()) {
+        if (!write_all(to, part)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+ImportedModel answer_to(const ImportRequest& request) {
     try {
-        return write_model_file(import_scene(request.file, request.if_empty));
+        return import_scene(request.file, request.if_empty);
     } catch (const InputError& error) {
-        return write_refusal(error);
+        return refusal_of(error);
     }
 }
 

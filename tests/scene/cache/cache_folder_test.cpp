@@ -4,12 +4,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "scene/sealed_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene {
@@ -23,9 +25,13 @@ constexpr ContentHash kC{3, 3};
 
 class CacheFolderTest : public testing::Test {
 protected:
-    static std::string store(const CacheFolder& cache, const ContentHash& key, std::size_t size) {
+    static void store(const CacheFolder& cache, const ContentHash& key, std::size_t size) {
         const std::vector<std::byte> bytes(size, std::byte{7});
-        return cache.store(key, "model", bytes);
+        cache.store(key, "model", Parts{bytes});
+    }
+    CacheFolder complaining(const fs::path& where) {
+        return CacheFolder(where, CacheFolder::kUsualLimit,
+                           [this](const std::string& reason) { complaints_.push_back(reason); });
     }
     fs::path file_of(const ContentHash& key) const { return where_ / (to_string(key) + ".model.campuswalk"); }
     std::ptrdiff_t files() const {
@@ -37,14 +43,16 @@ protected:
         ASSERT_EQ(utimensat(AT_FDCWD, file_of(key).c_str(), times, 0), 0);
     }
 
+    std::vector<std::string> complaints_;
     support::TemporaryFolder folder_;
     fs::path where_ = folder_.path() / "deep" / "cache";
 };
 
 TEST_F(CacheFolderTest, KeepsFilesByKeyAndKind) {
-    const CacheFolder cache(where_);
+    const CacheFolder cache = complaining(where_);
     EXPECT_FALSE(cache.find(kA, "model"));
-    EXPECT_EQ(store(cache, kA, 5), "");
+    store(cache, kA, 5);
+    EXPECT_TRUE(complaints_.empty());
     const auto found = cache.find(kA, "model");
     ASSERT_TRUE(found);
     EXPECT_EQ(found->bytes().size(), 5U);
@@ -71,7 +79,7 @@ TEST_F(CacheFolderTest, RemovesWhatWasUsedLongestAgo) {
 TEST_F(CacheFolderTest, DoesNotKeepWhatIsLargerThanAllItMayHold) {
     const CacheFolder cache(where_, 250);
     store(cache, kA, 100);
-    EXPECT_EQ(store(cache, kB, 251), "");
+    store(cache, kB, 251);
     EXPECT_FALSE(cache.find(kB, "model"));
     EXPECT_TRUE(cache.find(kA, "model"));
 }
@@ -93,17 +101,35 @@ TEST_F(CacheFolderTest, RemovesNothingOfOthers) {
 
 TEST_F(CacheFolderTest, SaysWhyNothingCanBeKept) {
     folder_.write("file", "not a folder");
-    const CacheFolder cache(folder_.path() / "file" / "cache");
-    EXPECT_NE(store(cache, kA, 1), "");
+    const CacheFolder cache = complaining(folder_.path() / "file" / "cache");
+    store(cache, kA, 1);
+    ASSERT_EQ(complaints_.size(), 1U);
+    EXPECT_NE(complaints_[0].find("can't write"), std::string::npos) << complaints_[0];
     EXPECT_FALSE(cache.find(kA, "model"));
 }
 
 TEST_F(CacheFolderTest, ReadsRegularFilesAlone) {
-    const CacheFolder cache(where_);
+    const CacheFolder cache = complaining(where_);
     fs::create_directories(where_);
     ASSERT_EQ(mkfifo(file_of(kA).c_str(), 0600), 0);
     EXPECT_FALSE(cache.find(kA, "model")) << "and doesn't wait for somebody to write into it";
-    EXPECT_NE(store(cache, kA, 3), "");
+    store(cache, kA, 3);
+    EXPECT_EQ(complaints_.size(), 1U);
+}
+
+/// What is found is used where it lies: nobody may change it in place.
+TEST_F(CacheFolderTest, KeepsWhatItFoundWhoeverMayWriteToTheFile) {
+    const CacheFolder cache(where_);
+    store(cache, kA, 5000);
+    EXPECT_EQ(fs::status(file_of(kA)).permissions() & fs::perms(022), fs::perms::none);
+    fs::permissions(file_of(kA), fs::perms::others_write, fs::perm_options::add);
+    const auto found = cache.find(kA, "model");
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->bytes().size(), 5000U);
+    std::ofstream(file_of(kA), std::ios::in) << "changed";
+    fs::resize_file(file_of(kA), 100);
+    EXPECT_EQ(found->bytes()[0], std::byte{7});
+    EXPECT_EQ(found->bytes()[4999], std::byte{7});
 }
 
 TEST_F(CacheFolderTest, ReadsAnEmptyFile) {

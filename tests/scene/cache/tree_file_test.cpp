@@ -1,14 +1,18 @@
 #include "scene/cache/tree_file.h"
 
+#include <algorithm>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "collision/mesh_query.h"
 #include "scene/content_hash.h"
 #include "tests/support/dice.h"
+#include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -91,6 +95,45 @@ TEST(TreeFile, BringsBackMeshesThatAnswerAsBefore) {
     EXPECT_GT(hits(*made[1].collider).size(), 20U);
 }
 
+/// Memory of its own that begins `off` an address that suits any element.
+std::pair<std::shared_ptr<const void>, std::span<const std::byte>> owned(const std::vector<std::byte>& bytes,
+                                                                         std::size_t off) {
+    struct alignas(64) Line {
+        std::byte bytes[64];
+    };
+    auto lines = std::make_shared<std::vector<Line>>(bytes.size() / sizeof(Line) + 2);
+    std::byte* start = lines->data()->bytes + off;
+    std::copy(bytes.begin(), bytes.end(), start);
+    return {lines, {start, bytes.size()}};
+}
+
+TEST(TreeFile, UsesOwnedBytesWhereTheyLie) {
+    std::vector<PlacedMesh> made = {placed(900, 2)};
+    TriangleMesh box;
+    support::add_box(box, {0, 0, 0}, {1, 1, 1});
+    made.push_back({std::make_shared<const MeshCollider>(box), {}, 0});
+    const std::vector<std::byte> bytes = write_tree_file(made);
+    for (const std::size_t off : {0U, 8U}) {
+        std::vector<PlacedMesh> read;
+        const std::byte* start = nullptr;
+        {
+            const auto [owner, where] = owned(bytes, off);
+            start = where.data();
+            read = read_tree_file(where, owner);
+        }
+        ASSERT_EQ(read.size(), 2U);
+        const auto& nodes = read[0].collider->wide_tree().nodes;
+        const auto* first = reinterpret_cast<const std::byte*>(nodes.data());
+        EXPECT_EQ(nodes.is_elsewhere(), off == 0) << "what isn't aligned is copied";
+        EXPECT_EQ(first > start && first < start + bytes.size(), off == 0);
+        EXPECT_TRUE(read[0].collider->mesh().positions.is_elsewhere());
+        EXPECT_EQ(hits(*read[0].collider), hits(*made[0].collider));
+        EXPECT_TRUE(read[0].collider->closed_parts().empty());
+        EXPECT_EQ(read[1].collider->closed_parts().members(), made[1].collider->closed_parts().members());
+        EXPECT_EQ(read[1].collider->closed_parts().bounds().max, collision::Vec3(1, 1, 1));
+    }
+}
+
 TEST(TreeFile, IsNeverReadCutShortOrWithABitTurned) {
     const std::vector<PlacedMesh> made = {placed(20, 3)};
     std::vector<std::byte> bytes = write_tree_file(made);
@@ -129,6 +172,7 @@ TEST(TreeFile, StaysSafeWhenForged) {
 TEST(TreeFile, RefusesAFlagThatIsNone) {
     const std::vector<PlacedMesh> made = {placed(1, 4)};
     std::vector<std::byte> bytes = write_tree_file(made);
+    ASSERT_TRUE(made[0].collider->closed_parts().empty()) << "else it ends with these";
     bytes[bytes.size() - sizeof(collision::WideLeaf) + offsetof(collision::WideLeaf, exact)] = std::byte{2};
     seal_anew(bytes);
     EXPECT_FALSE(can_be_read(bytes));

@@ -7,6 +7,7 @@
 #include "scene/diagnostic.h"
 #include "tools/campuswalk/bench/campus_cases.h"
 #include "tools/campuswalk/bench/figure4.h"
+#include "tools/campuswalk/bench/import/import_cases.h"
 #include "tools/campuswalk/bench/pair_case.h"
 #include "tools/campuswalk/bench/summary.h"
 #include "tools/campuswalk/bench/table1_case.h"
@@ -23,6 +24,7 @@ using namespace bench;
 namespace {
 
 constexpr int kMillionFineness = 11;
+constexpr int kLotsOfTwoMillion = 17;
 
 int rounds_of(const BenchOptions& options, int as_it_is_worth) {
     if (options.rounds > 0) {
@@ -52,6 +54,10 @@ CaseResult campus(const BenchOptions& options) {
                             rounds_of(options, 11));
 }
 
+CaseResult import(const BenchOptions& options) {
+    return run_import_cases(options.quick ? 1 : kLotsOfTwoMillion, rounds_of(options, 7));
+}
+
 constexpr BenchCommand kCommands[] = {
     {"table1",
      "The paper's Table I anew: a teapot goes through a cylinder, every variant of the tree and every other "
@@ -60,13 +66,15 @@ constexpr BenchCommand kCommands[] = {
     {"nested", "A cylinder within a cylinder, 2 cm apart all around"},
     {"trees", "Time and memory that the trees themselves take"},
     {"campus", "Rays, avatars and closest points on a campus of half a million triangles"},
+    {"import", "GLB files of 2 million triangles, read by the import's helper and by assimp"},
     {kBenchWalk,
      "The avatar's mover beside Bullet's on campuses of up to 2 million triangles: where it gets to, where "
      "it "
      "mustn't, and how fast"},
 };
 // `walk` has a CSV of its own, so it is none of these.
-constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus};
+constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus,
+                                                          import};
 static_assert(std::size(kCommands) == std::size(kCases) + 1);
 
 void check_output(const std::filesystem::path& file) {

@@ -1,7 +1,7 @@
 #include "tools/campuswalk/bench/our_builders.h"
 
 #include <optional>
-#include <vector>
+#include <span>
 
 namespace campuswalk::tools::bench {
 
@@ -26,17 +26,17 @@ private:
     std::unique_ptr<MeshCollider> made_;
 };
 
-template <typename Element>
-std::size_t bytes_of(const std::vector<Element>& elements) {
-    return elements.size() * sizeof(Element);
+template <typename Elements>
+std::size_t bytes_in(const Elements& elements) {
+    return std::span(elements).size_bytes();
 }
 
 std::size_t bytes_of(const WideTree& tree) {
-    return sizeof(tree) + bytes_of(tree.nodes) + bytes_of(tree.leaves);
+    return sizeof(tree) + bytes_in(tree.nodes) + bytes_in(tree.leaves);
 }
 
 std::size_t bytes_of(const HybridTree& tree) {
-    return sizeof(tree) + bytes_of(tree.nodes) + bytes_of(tree.order);
+    return sizeof(tree) + bytes_in(tree.nodes) + bytes_in(tree.order);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::unique_ptr<TreeBuilder> make_our_builder(const TriangleMesh& mesh, Layout l
 }
 
 std::size_t bytes_of_mesh(const TriangleMesh& mesh) {
-    return bytes_of(mesh.positions) + bytes_of(mesh.triangles);
+    return bytes_in(mesh.positions) + bytes_in(mesh.triangles);
 }
 
 std::size_t bytes_of_tree(const MeshCollider& collider) {

@@ -256,12 +256,12 @@ GltfText textured_triangle(const Json& image, const Json& texture) {
 TEST_F(GltfSourceTest, AppliesTextureTransforms) {
     folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
-    const std::vector<Eigen::Vector2f> plain = import(text).meshes[0].uvs;
+    const Storage<Eigen::Vector2f> plain = import(text).meshes[0].uvs;
     EXPECT_EQ(plain[1], Eigen::Vector2f(1, 0));
     text.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
         {"KHR_texture_transform",
          {{"offset", {0.25, 0.5}}, {"rotation", std::numbers::pi / 2}, {"scale", {2, 4}}}}};
-    const std::vector<Eigen::Vector2f> moved = import(text).meshes[0].uvs;
+    const Storage<Eigen::Vector2f> moved = import(text).meshes[0].uvs;
     // Anticlockwise on a picture whose v runs down: right becomes up, down becomes right.
     EXPECT_LT((moved[0] - Eigen::Vector2f(0.25F, 0.5F)).norm(), 1e-6F);
     EXPECT_LT((moved[1] - Eigen::Vector2f(0.25F, 0.5F - 2.0F)).norm(), 1e-6F);

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Damaged and forged binary files by the thousand: the cache's, and what the import's helper answers.
+
+`fuzz_binary.py PROGRAM SEAL_ANEW TAKE_ANSWERS [--mutants N] [--targets cache,answers] [--workers N]`: N mutants of each.
+Half of them get a right checksum, and most keep their size. A cache file without one must change nothing: the walk's log is that of a run without
+a cache. What is forged may be believed where it makes sense; it must never crash, hang or use up the memory.
+"""
+
+import argparse
+import concurrent.futures
+import glob
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from mutants import mutant, same_size_mutant
+
+SECONDS = 60
+MEMORY = 4 << 20  # KiB of address space
+BATCH = 25
+TGA = bytes([0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 32, 0]) + bytes(range(16))
+
+
+def run(command, cwd, limited, **environment):
+    """The exit code (or what went wrong), standard output and error."""
+    if limited:
+        command = ["/bin/sh", "-c", "ulimit -v %d; exec \"$@\"" % MEMORY, "sh", *command]
+    try:
+        done = subprocess.run(command, cwd=cwd, env={**os.environ, **environment}, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS, check=False)
+        return done.returncode, done.stdout, done.stderr.decode("utf-8", "replace")
+    except subprocess.TimeoutExpired:
+        return "none after %d s" % SECONDS, b"", ""
+
+
+class School:
+    """A small campus to walk in, and the cache of it."""
+
+    def __init__(self, program, folder, limited):
+        self.program, self.limited = program, limited
+        self.place = os.path.join(folder, "school")
+        code, _, errors = run([program, "init", self.place], folder, False)
+        if code != 0:
+            sys.exit("init: " + errors)
+        with open(os.path.join(self.place, "school.mtl"), "a", encoding="utf-8") as materials:
+            materials.write("map_Kd small.tga\n")
+        with open(os.path.join(self.place, "small.tga"), "wb") as picture:
+            picture.write(TGA)
+        self.cache = os.path.join(folder, "whole-cache")
+        self.log = self.walk(None, "--no-cache")[1]
+        self.walk(self.cache)
+        self.files = sorted(glob.glob(os.path.join(self.cache, "*.campuswalk")))
+        if len(self.files) != 3 or self.walk(self.cache)[1] != self.log:
+            sys.exit("the cache of the school isn't whole")
+
+    def walk(self, cache, *options):
+        return run([self.program, "run", "walks/visit.walk.yaml", *options], self.place, self.limited,
+                   CAMPUSWALK_CACHE_DIR=cache or os.path.join(self.place, "none"))
+
+
+def write_mutants(folder, count, seal_anew, files, label):
+    """Paths of mutants of the files in turn, every second one sealed anew, with whether it was."""
+    made = []
+    for i in range(count):
+        with open(files[i // 2 % len(files)], "rb") as whole:
+            data = whole.read()
+        sealed = i % 2 == 1
+        # A header's change is told by the header; what lies behind the checksum needs the forger.
+        change = mutant if i % 8 < 2 else same_size_mutant
+        changed = (data[:64] if sealed else b"") + change("%s %d" % (label, i), data[64 if sealed else 0:])
+        place = os.path.join(folder, "m%d" % i)
+        os.mkdir(place)
+        path = os.path.join(place, os.path.basename(files[i // 2 % len(files)]))
+        with open(path, "wb") as file:
+            file.write(changed)
+        made.append((path, sealed, changed == data))
+    forged = [path for path, sealed, _ in made if sealed]
+    for at in range(0, len(forged), 500):
+        subprocess.run([seal_anew, *forged[at:at + 500]], check=True)
+    return made
+
+
+def fuzz_cache(options, folder, school):
+    mutants = write_mutants(folder, options.mutants, options.seal_anew, school.files, "cache")
+
+    def judge(made):
+        path, sealed, _ = made
+        place = os.path.dirname(path)
+        for whole in school.files:
+            if os.path.basename(whole) != os.path.basename(path):
+                shutil.copy(whole, place)
+        start = time.monotonic()
+        code, log, errors = school.walk(place)
+        took = time.monotonic() - start
+        shutil.rmtree(place) if code in (0, 1, 2) else None
+        if code not in (0, 1, 2) or (not sealed and (code, log) != (0, school.log)):
+            return "%s%s: exit code %s: %s" % (path, " (forged)" if sealed else "", code, errors[:300]), took, False
+        return None, took, log == school.log
+
+    with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+        outcomes = list(pool.map(judge, mutants))
+    print("cache    %5d mutants: %5d walked the same, %4d forged ones another way; slowest %.1f s"
+          % (len(mutants), sum(same for _, _, same in outcomes), sum(not same for _, _, same in outcomes),
+             max(took for _, took, _ in outcomes)), flush=True)
+    return [failure for failure, _, _ in outcomes if failure]
+
+
+def fuzz_answers(options, folder, school):
+    models = [file for file in school.files if ".model." in file]
+    mutants = write_mutants(folder, options.mutants, options.seal_anew, models, "answers")
+    paths = [path for path, _, _ in mutants]
+
+    def judge(batch):
+        code, told, errors = run([options.take_answers, *batch], folder, options.limited)
+        lines = told.decode("utf-8", "replace").splitlines()
+        if code != 0 or len(lines) != len(batch):
+            return "%s: %s: %s" % (batch[min(len(lines), len(batch) - 1)], code, errors[:600]), lines
+        return None, lines
+
+    batches = [paths[at:at + BATCH] for at in range(0, len(paths), BATCH)]
+    with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+        outcomes = list(pool.map(judge, batches))
+    lines = [line for _, told in outcomes for line in told]
+    print("answers  %5d mutants: %5d taken, %5d refused"
+          % (len(mutants), sum(line.startswith("taken") for line in lines),
+             sum(line.startswith("refused") for line in lines)), flush=True)
+    honest = [line for (_, sealed, same), line in zip(mutants, lines) if not sealed and not same]
+    believed = [line for line in honest if not line.startswith("refused")]
+    failures = [failure for failure, _ in outcomes if failure]
+    return failures + (["%d damaged answers were believed" % len(believed)] if believed and not failures else [])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=os.path.abspath)
+    parser.add_argument("seal_anew", type=os.path.abspath)
+    parser.add_argument("take_answers", type=os.path.abspath)
+    parser.add_argument("--mutants", type=int, default=1500)
+    parser.add_argument("--targets", default="cache,answers")
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--no-limit", dest="limited", action="store_false", help="of memory: for sanitizers")
+    options = parser.parse_args()
+    failures = []
+    with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as folder:
+        school = School(options.program, folder, options.limited)
+        for name in options.targets.split(","):
+            place = os.path.join(folder, name)
+            os.mkdir(place)
+            failures += {"cache": fuzz_cache, "answers": fuzz_answers}[name](options, place, school)
+    for failure in failures:
+        print("  FAILED " + failure, flush=True)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,29 @@
+// Makes the length and the checksum of damaged files right again, as who forges one would: `seal_anew FILE…`.
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include "scene/content_hash.h"
+#include "scene/sealed_bytes.h"
+
+using namespace campuswalk::scene;
+
+int main(int argc, char** argv) {
+    for (const char* name : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+        std::ifstream in(name, std::ios::binary);
+        std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
+        if (bytes.size() < kSealBytes) {
+            continue;
+        }
+        const auto payload = std::as_bytes(std::span(bytes)).subspan(kSealBytes);
+        const std::uint64_t size = payload.size();
+        const std::uint64_t checksum = checksum_of(payload);
+        std::memcpy(bytes.data() + 16, &size, sizeof size);
+        std::memcpy(bytes.data() + 24, &checksum, sizeof checksum);
+        std::ofstream(name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    }
+    return 0;
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "tools/campuswalk/bench/row.h"
+
+namespace campuswalk::tools::bench {
+
+/// Imports a campus of `lots` x `lots` lots (scene/procedural/walkable_campus.h; 17 make 2 million triangles)
+/// from GLB files by our helper process, as every command does, and by assimp in this process, with the steps
+/// that give the same data. Microseconds a triangle. Ours is wrong if it gives another number of triangles.
+CaseResult run_import_cases(int lots, int rounds);
+
+/// What the peer does with the file: the number of triangles. `join`: give what has no normals flat ones, and
+/// join equal vertices.
+using ImportWithPeer = unsigned long (*)(const char* file, bool join);
+inline constexpr const char* kImportWithPeer = "import_with_peer";
+
+}  // namespace campuswalk::tools::bench
