@@ -99,11 +99,18 @@ TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
                                        test::obj_box("c", {9, 0, 0}, {12, 4, 4}, 17));
         return import("twice.obj");
     }();
-    EXPECT_EQ(count_duplicate_faces(twice, world_bounds(twice)), 12U);
+    const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(twice, world_bounds(twice));
+    ASSERT_EQ(duplicates.size(), 1U);
+    EXPECT_EQ(twice.nodes[duplicates[0].node].name, "b");
+    EXPECT_EQ(duplicates[0].count, 12U);
+    EXPECT_EQ(duplicates[0].first.cwiseMax(0.0).cwiseMin(4.0), duplicates[0].first);  // on the box
     // Front and back of the same sheet are two faces.
     folder_.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 3 2 1\nf 2 3 1\n");
     const Model sheet = import("sheet.obj");
-    EXPECT_EQ(count_duplicate_faces(sheet, world_bounds(sheet)), 1U);
+    ASSERT_EQ(find_duplicate_faces(sheet, world_bounds(sheet)).size(), 1U);
+    EXPECT_EQ(find_duplicate_faces(sheet, world_bounds(sheet))[0].count, 1U);
+    EXPECT_TRUE(find_duplicate_faces(sheet, world_bounds(sheet))[0].first.isApprox(Eigen::Vector3d(1, 0, 1) / 3.0,
+                                                                                   1e-6));
 }
 
 TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {

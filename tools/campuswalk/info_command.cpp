@@ -32,6 +32,11 @@ Json json_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+/// Null where there is nothing.
+Json json_of(const scene::Bounds& bounds) {
+    return bounds.empty() ? Json() : Json{{"min", json_of(bounds.min)}, {"max", json_of(bounds.max)}};
+}
+
 const char* name_of(scene::AlphaMode mode) {
     switch (mode) {
         case scene::AlphaMode::mask:
@@ -46,12 +51,9 @@ const char* name_of(scene::AlphaMode mode) {
 Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
     Json json = {
         {"file", report.file},           {"meshes", report.meshes},     {"placements", report.placements},
-        {"triangles", report.triangles}, {"vertices", report.vertices}, {"bounds", nullptr},
+        {"triangles", report.triangles}, {"vertices", report.vertices}, {"bounds", json_of(report.bounds)},
         {"materials", Json::array()},    {"textures", Json::array()},   {"nodes", Json::array()},
         {"warnings", Json::array()}};
-    if (report.triangles > 0) {
-        json["bounds"] = {{"min", json_of(report.bounds.min)}, {"max", json_of(report.bounds.max)}};
-    }
     for (const scene::MaterialReport& m : report.materials) {
         json["materials"].push_back({{"name", m.name},
                                      {"texture", m.texture.empty() ? Json() : Json(m.texture)},
@@ -63,12 +65,29 @@ Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnin
         json["textures"].push_back({{"name", t.name}, {"width", t.width}, {"height", t.height}});
     }
     for (const scene::NodeReport& n : report.nodes) {
-        json["nodes"].push_back({{"name", n.name}, {"depth", n.depth}, {"triangles", n.triangles}});
+        json["nodes"].push_back({{"name", n.name},
+                                 {"parent", n.parent < 0 ? Json() : Json(n.parent)},
+                                 {"depth", n.depth},
+                                 {"triangles", n.triangles},
+                                 {"bounds", json_of(n.bounds)}});
     }
     for (const scene::Oddity& w : warnings) {
-        json["warnings"].push_back({{"code", w.code}, {"message", w.message}});
+        Json& warning = json["warnings"].emplace_back(Json{{"code", w.code}, {"message", w.message}});
+        for (const scene::Oddity::Place& place : w.places) {
+            warning["places"].push_back({{"node", place.node}, {"at", json_of(place.at)}});
+        }
     }
     return json;
+}
+
+void print_places(const std::vector<scene::Oddity::Place>& places) {
+    constexpr std::size_t kMost = 5;
+    for (std::size_t p = 0; p < std::min(places.size(), kMost); ++p) {
+        std::printf("    '%s' at %s\n", places[p].node.c_str(), engine::fixed(places[p].at).c_str());
+    }
+    if (places.size() > kMost) {
+        std::printf("    and %zu more: see --json\n", places.size() - kMost);
+    }
 }
 
 void print_text(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
@@ -93,6 +112,7 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
     std::printf("warnings   %zu\n", warnings.size());
     for (const scene::Oddity& w : warnings) {
         std::printf("  %s: %s\n", w.code.c_str(), w.message.c_str());
+        print_places(w.places);
     }
 }
 

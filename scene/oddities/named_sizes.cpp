@@ -1,0 +1,136 @@
+#include "scene/oddities/named_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "scene/name_words.h"
+#include "scene/oddities/wording.h"
+#include "scene/world_triangles.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLowestDoor = 0.3;    // metres: that of a cupboard
+constexpr double kHighestDoor = 6.0;   // metres: that of a cathedral
+constexpr double kUsualDoor = 2.1;     // metres
+constexpr double kHighestRiser = 0.32; // metres: avatars step 0.3 m
+
+Oddity::Place foot_of(const NodeReport& node) {
+    Vector3d foot = 0.5 * (node.bounds.min + node.bounds.max);
+    foot.y() = node.bounds.min.y();
+    return {node.name, foot};
+}
+
+/// Indices of nodes with triangles of which `is_called(name)`, without those below another of them.
+template <typename IsCalled>
+std::vector<std::size_t> topmost(const std::vector<NodeReport>& nodes, const IsCalled& is_called) {
+    std::vector<std::size_t> found;
+    std::vector<bool> inside(nodes.size(), false);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const bool below = nodes[n].parent >= 0 && inside[static_cast<std::size_t>(nodes[n].parent)];
+        inside[n] = below || is_called(nodes[n].name);
+        if (inside[n] && !below && !nodes[n].bounds.empty()) {
+            found.push_back(n);
+        }
+    }
+    return found;
+}
+
+bool lies_flat(const Vector3d& size) {
+    const double length = std::max(size.x(), size.z());
+    const double width = std::min(size.x(), size.z());
+    return size.y() <= 0.3 && length >= 1.8 && length <= 2.6 && width >= 0.6;
+}
+
+void check_doors(const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
+    Oddity odd{"door-size", "", {}};
+    Oddity flat{"door-size", "", {}};
+    double height = 0.0;
+    for (const std::size_t n : topmost(nodes, is_door_name)) {
+        const Vector3d size = nodes[n].bounds.max - nodes[n].bounds.min;
+        if (lies_flat(size)) {
+            flat.places.push_back(foot_of(nodes[n]));
+        } else if (size.y() < kLowestDoor || size.y() > kHighestDoor) {
+            height = odd.places.empty() ? size.y() : height;
+            odd.places.push_back(foot_of(nodes[n]));
+        }
+    }
+    if (!odd.places.empty()) {
+        odd.message = plural(odd.places.size(), "door") + " of a height that no door has, such as '" +
+                      odd.places.front().node + "' of " + in_metres(height) +
+                      "; if the whole is so, `scale: " + short_number(kUsualDoor / height) +
+                      "` makes it 2.1 m, and `unit` may be what is meant";
+        out.push_back(odd);
+    }
+    if (!flat.places.empty()) {
+        flat.message = plural(flat.places.size(), "door") + " lying on the ground, such as '" +
+                       flat.places.front().node + "'; if the whole does, `up: z` is meant";
+        out.push_back(flat);
+    }
+}
+
+void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
+    Oddity odd{"stair-riser", "", {}};
+    double riser = 0.0;
+    for (const std::size_t n : topmost(nodes, is_stairs_name)) {
+        const double own = riser_of(model, n);
+        if (own > kHighestRiser) {
+            riser = odd.places.empty() ? own : riser;
+            odd.places.push_back(foot_of(nodes[n]));
+        }
+    }
+    if (!odd.places.empty()) {
+        odd.message = plural(odd.places.size(), "flight") + " of stairs with steps that nobody climbs, such as '" +
+                      odd.places.front().node + "' with steps of " + in_metres(riser) +
+                      "; a visitor steps 0.3 m up unless the avatar says otherwise";
+        out.push_back(odd);
+    }
+}
+
+}  // namespace
+
+double riser_of(const Model& model, std::size_t node) {
+    constexpr double kLevel = 0.99;  // cosine
+    std::vector<double> heights;
+    std::vector<bool> inside(model.nodes.size(), false);
+    for (std::size_t n = node; n < model.nodes.size(); ++n) {
+        const int parent = model.nodes[n].parent;
+        inside[n] = n == node || (parent >= 0 && inside[static_cast<std::size_t>(parent)]);
+        if (!inside[n]) {
+            continue;
+        }
+        for_each_triangle(model, model.nodes[n], [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+            const Vector3d normal = (b - a).cross(c - a);
+            if (normal.y() > kLevel * normal.norm()) {
+                heights.push_back(a.y());
+            }
+        });
+    }
+    std::sort(heights.begin(), heights.end());
+    std::vector<double> risers;
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        constexpr double kSame = 0.01;  // metres, between the triangles of one tread
+        if (heights[i] - heights[i - 1] > kSame) {
+            risers.push_back(heights[i] - heights[i - 1]);
+        }
+    }
+    if (risers.size() < 2) {
+        return 0.0;
+    }
+    std::sort(risers.begin(), risers.end());
+    return risers[risers.size() / 2];
+}
+
+std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes) {
+    std::vector<Oddity> oddities;
+    check_doors(nodes, oddities);
+    check_stairs(model, nodes, oddities);
+    return oddities;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/model_report.h"
+
+namespace campuswalk::scene {
+
+/// What the names of nodes promise and their sizes deny:
+///   door-size    doors under 0.3 m or over 6 m high: a wrong unit; or lying on their backs: a wrong axis
+///   stair-riser  stairs whose steps a visitor can't climb
+std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes);
+
+/// The middle one of the heights between the level faces of a flight of stairs, one above the other; 0 for
+/// fewer than three.
+double riser_of(const Model& model, std::size_t node);
+
+}  // namespace campuswalk::scene
