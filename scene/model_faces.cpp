@@ -102,7 +102,8 @@ std::vector<DuplicateFaces> find_duplicate_faces(const Model& model, const Bound
                             face.end());  // turning direction kept
                 const std::size_t known = faces.size();
                 if (faces.number_of(face) < known && own.count++ == 0) {
-                    const Eigen::Vector3f sum = mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]];
+                    const Eigen::Vector3f sum =
+                        mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]];
                     own.first = linear * (sum.cast<double>() / 3.0) + offset + centre;
                 }
             }

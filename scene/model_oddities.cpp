@@ -171,7 +171,8 @@ void check_outliers(const Model& model, const ModelReport& report, std::vector<O
     }
     if (!odd.places.empty()) {
         odd.message = plural(odd.places.size(), "node") + " far from all the rest, such as '" +
-                      odd.places.front().node + "', stretch the bounds; move them, or leave them out of the file";
+                      odd.places.front().node +
+                      "', stretch the bounds; move them, or leave them out of the file";
         out.push_back(odd);
     }
 }
@@ -186,12 +187,11 @@ void check_ground(const Model& model, const Bounds& bounds, std::vector<Oddity>&
     if (is_no_ground(cover)) {
         const std::string share = short_number(std::round(100.0 * cover.share)) + " %";
         const std::string what =
-            cover.share >= 0.25
-                ? "the largest level part is a roof, at " + in_metres(cover.height)
-                : "the largest level part is " + share + " of what it covers of the plan";
-        out.push_back({"no-ground",
-                       "there is hardly any ground to walk on: " + what +
-                           "; add a floor to the model, or a solid box to the campus, as --suggest does"});
+            cover.share >= 0.25 ? "the largest level part is a roof, at " + in_metres(cover.height)
+                                : "the largest level part is " + share + " of what it covers of the plan";
+        out.push_back(
+            {"no-ground", "there is hardly any ground to walk on: " + what +
+                              "; add a floor to the model, or a solid box to the campus, as --suggest does"});
     }
 }
 
@@ -201,9 +201,9 @@ void check_doors(const Model& model, std::vector<Oddity>& out) {
         odd.places.push_back({model.nodes[door.node].name, door.foot});
     }
     if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "door") + " that " + (odd.places.size() == 1 ? "closes" : "close") +
-                      " a way through, such as '" + odd.places.front().node +
-                      "'; open them, or keep their nodes out of what is solid";
+        odd.message = plural(odd.places.size(), "door") + " that " +
+                      (odd.places.size() == 1 ? "closes" : "close") + " a way through, such as '" +
+                      odd.places.front().node + "'; open them, or keep their nodes out of what is solid";
         out.push_back(odd);
     }
 }

@@ -22,8 +22,8 @@ bool is_stairs_name(std::string_view name);
 /// Whether it names what is no building: plants, ways, ground, water, walls, furniture of streets and rooms.
 bool is_surroundings_name(std::string_view name);
 
-/// Whether an identifier was put where a name should be: a GUID, a long hexadecimal number, IFC's 22 characters
-/// of base 64, or digits alone.
+/// Whether an identifier was put where a name should be: a GUID, a long hexadecimal number, IFC's 22
+/// characters of base 64, or digits alone.
 bool is_identifier(std::string_view name);
 
 }  // namespace campuswalk::scene

@@ -9,8 +9,8 @@ namespace campuswalk::scene {
 /// A box with a level floor, turned about +Y.
 struct UprightBox {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    Eigen::Vector3d size = Eigen::Vector3d::Zero();            ///< along `along`, up, and across
-    Eigen::Vector3d along = Eigen::Vector3d::UnitX();          ///< unit, level
+    Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< along `along`, up, and across
+    Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< unit, level
     Eigen::Vector3d across() const { return {-along.z(), 0.0, along.x()}; }  ///< +Z for +X
 
     /// How far inside of the nearest wall, floor or ceiling a point is; negative outside.

@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBehind = 0.8;      // metres that must be free before and behind a door
-constexpr double kBeside = 0.4;      // metres within which a wall holds it
-constexpr double kThickest = 0.4;    // metres, with its frame
-constexpr double kPanel = 0.25;      // metres, the thickest without a name
+constexpr double kBehind = 0.8;       // metres that must be free before and behind a door
+constexpr double kBeside = 0.4;       // metres within which a wall holds it
+constexpr double kThickest = 0.4;     // metres, with its frame
+constexpr double kPanel = 0.25;       // metres, the thickest without a name
 constexpr double kFloorBelow = 0.35;  // metres down to the floor
 constexpr std::size_t kNoPanel = static_cast<std::size_t>(-1);
 
@@ -157,18 +157,20 @@ void gather_surroundings(const Model& model, const std::vector<std::size_t>& doo
     });
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const std::size_t owner = doors[n] == kNoPanel ? n : doors[n];
-        for_each_triangle(model, model.nodes[n], [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-            const Vector3d low = a.cwiseMin(b).cwiseMin(c);
-            const Vector3d high = a.cwiseMax(b).cwiseMax(c);
-            auto at = std::lower_bound(by_x.begin(), by_x.end(), low.x() - widest,
-                                       [](const Panel* p, double x) { return p->surroundings.min.x() < x; });
-            for (; at != by_x.end() && (*at)->surroundings.min.x() <= high.x(); ++at) {
-                const Bounds& box = (*at)->surroundings;
-                if ((low.array() <= box.max.array()).all() && (high.array() >= box.min.array()).all()) {
-                    (*at)->near.push_back({{a, b, c}, (*at)->node == owner});
+        for_each_triangle(
+            model, model.nodes[n], [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+                const Vector3d low = a.cwiseMin(b).cwiseMin(c);
+                const Vector3d high = a.cwiseMax(b).cwiseMax(c);
+                auto at =
+                    std::lower_bound(by_x.begin(), by_x.end(), low.x() - widest,
+                                     [](const Panel* p, double x) { return p->surroundings.min.x() < x; });
+                for (; at != by_x.end() && (*at)->surroundings.min.x() <= high.x(); ++at) {
+                    const Bounds& box = (*at)->surroundings;
+                    if ((low.array() <= box.max.array()).all() && (high.array() >= box.min.array()).all()) {
+                        (*at)->near.push_back({{a, b, c}, (*at)->node == owner});
+                    }
                 }
-            }
-        });
+            });
     }
 }
 
@@ -194,23 +196,26 @@ bool is_way_without_it(const Panel& panel) {
     });
 }
 
-bool is_in_wall(const Panel& panel) {
+/// An open leaf has one side in the air. What holds a closed one may lie at its front, with the leaf set
+/// back, or at its back, and within its outline if that is of the frame, too.
+bool is_between_walls(const Panel& panel) {
     const double edge = 0.5 * panel.width;
-    for (const double side : {-1.0, 1.0}) {
-        for (const double above : {0.6, 1.4}) {
-            const Vector3d from = panel.at(side * (edge - 0.1), above, 0.0);
-            const Vector3d to = panel.at(side * (edge + kBeside), above, 0.0);
-            if (!meets(panel, from, to, false)) {
-                return false;
-            }
-        }
-        const double before = side * (0.5 * panel.thickness + 0.3);
-        if (!meets(panel, panel.at(0.0, 0.3, before), panel.at(0.0, -kFloorBelow, before), false)) {
-            return false;
-        }
-    }
+    const auto is_held = [&](double side, double above) {
+        return std::ranges::any_of(std::array{-0.5, 0.0, 0.5}, [&](double depth) {
+            const double before = depth * panel.thickness;
+            return meets(panel, panel.at(side * 0.4 * edge, above, before),
+                         panel.at(side * (edge + kBeside), above, before), false);
+        });
+    };
+    return is_held(-1.0, 0.6) && is_held(-1.0, 1.4) && is_held(1.0, 0.6) && is_held(1.0, 1.4);
+}
+
+bool has_lintel_and_floor(const Panel& panel) {
     const double top = panel.box.size.y();
-    return meets(panel, panel.at(0.0, top - 0.1, 0.0), panel.at(0.0, top + 2.0 * kBeside, 0.0), false);
+    const double before = 0.5 * panel.thickness + 0.3;
+    return meets(panel, panel.at(0.0, top - 0.1, 0.0), panel.at(0.0, top + 2.0 * kBeside, 0.0), false) &&
+           meets(panel, panel.at(0.0, 0.3, before), panel.at(0.0, -kFloorBelow, before), false) &&
+           meets(panel, panel.at(0.0, 0.3, -before), panel.at(0.0, -kFloorBelow, -before), false);
 }
 
 }  // namespace
@@ -221,7 +226,8 @@ std::vector<ClosedDoor> find_closed_doors(const Model& model) {
     gather_surroundings(model, doors, panels);
     std::vector<ClosedDoor> closed;
     for (const Panel& panel : panels) {
-        if (is_filled(panel) && is_way_without_it(panel) && (panel.named || is_in_wall(panel))) {
+        if (is_filled(panel) && is_way_without_it(panel) && is_between_walls(panel) &&
+            (panel.named || has_lintel_and_floor(panel))) {
             closed.push_back({panel.node, panel.at(0.0, 0.0, 0.0), panel.width, panel.box.size.y()});
         }
     }

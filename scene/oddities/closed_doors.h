@@ -17,8 +17,8 @@ struct ClosedDoor {
     double height = 0.0;                             ///< metres
 };
 
-/// Nodes called doors (see is_door_name), and nodes without that name whose own triangles are an upright panel
-/// as large as a door that fills an opening of a wall: with something solid to its left, right and above, and
+/// Nodes called doors (see is_door_name) with something solid to their left and right, and nodes without that
+/// name whose own triangles are an upright panel as large as a door, which has besides something above and
 /// a floor before and behind. A door that stands open closes nothing, and one with a wall behind it
 /// neither. In the file's order.
 std::vector<ClosedDoor> find_closed_doors(const Model& model);

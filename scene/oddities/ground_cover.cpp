@@ -17,17 +17,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLeastSquare = 0.2;    // metres
+constexpr double kLeastSquare = 0.2;  // metres
 constexpr double kMostSquares = 160e3;
-constexpr double kShoulder = 0.4;       // metres from an edge
-constexpr double kStep = 0.3;           // metres
-constexpr double kLevel = 0.643;        // cosine of 50 degrees, the steepest that avatars walk
-constexpr double kSlope = 1.19;         // its tangent
-constexpr double kHeadroom = 1.8;       // metres
+constexpr double kShoulder = 0.4;  // metres from an edge
+constexpr double kStep = 0.3;      // metres
+constexpr double kLevel = 0.643;   // cosine of 50 degrees, the steepest that avatars walk
+constexpr double kSlope = 1.19;    // its tangent
+constexpr double kHeadroom = 1.8;  // metres
 
 struct Floor {
     std::int64_t square = 0;
     double height = 0.0;
+    bool faces_up = false;
 };
 
 /// Squares of the plan, and the level faces over their middles.
@@ -41,9 +42,8 @@ public:
         depth_ = static_cast<std::int64_t>(size.z() / square_) + 1;
         covered_.assign(static_cast<std::size_t>(width_ * depth_), false);
         for (const Node& node : model.nodes) {
-            for_each_triangle(model, node, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-                add(a, b, c);
-            });
+            for_each_triangle(model, node,
+                              [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) { add(a, b, c); });
         }
         sort_floors();
     }
@@ -101,7 +101,7 @@ private:
                     covered_[static_cast<std::size_t>(square)] = true;
                     const double up = normal.x() * (x - a.x()) + normal.z() * (z - a.z());
                     if (level) {
-                        floors_.push_back({square, a.y() - up / normal.y()});
+                        floors_.push_back({square, a.y() - up / normal.y(), normal.y() > 0.0});
                     }
                 }
             }
@@ -114,9 +114,14 @@ private:
         });
         std::vector<Floor> with_headroom;
         for (std::size_t f = 0; f < floors_.size(); ++f) {
-            const bool top = f + 1 == floors_.size() || floors_[f + 1].square != floors_[f].square;
-            if (top || floors_[f + 1].height - floors_[f].height >= kHeadroom) {
-                with_headroom.push_back(floors_[f]);
+            const Floor& floor = floors_[f];
+            const bool top = f + 1 == floors_.size() || floors_[f + 1].square != floor.square;
+            const bool headroom = top || floors_[f + 1].height - floor.height >= kHeadroom;
+            // A face that looks down below one that looks up is a solid's bottom. Others may be floors that
+            // were modelled inside out.
+            const bool bottom = !top && !floor.faces_up && floors_[f + 1].faces_up;
+            if (headroom && !bottom) {
+                with_headroom.push_back(floor);
             }
         }
         floors_.swap(with_headroom);
@@ -184,7 +189,8 @@ Part largest_part(const Plan& plan) {
             }
         }
         std::sort(squares.begin(), squares.end());
-        part.squares = static_cast<std::size_t>(std::unique(squares.begin(), squares.end()) - squares.begin());
+        part.squares =
+            static_cast<std::size_t>(std::unique(squares.begin(), squares.end()) - squares.begin());
         if (part.squares > largest.squares) {
             largest = std::move(part);
         }

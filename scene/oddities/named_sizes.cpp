@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLowestDoor = 0.3;    // metres: that of a cupboard
-constexpr double kHighestDoor = 6.0;   // metres: that of a cathedral
-constexpr double kUsualDoor = 2.1;     // metres
-constexpr double kHighestRiser = 0.32; // metres: avatars step 0.3 m
+constexpr double kLowestDoor = 0.3;     // metres: that of a cupboard
+constexpr double kHighestDoor = 6.0;    // metres: that of a cathedral
+constexpr double kUsualDoor = 2.1;      // metres
+constexpr double kHighestRiser = 0.32;  // metres: avatars step 0.3 m
 
 Oddity::Place foot_of(const NodeReport& node) {
     Vector3d foot = 0.5 * (node.bounds.min + node.bounds.max);
@@ -85,8 +85,9 @@ void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std:
         }
     }
     if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "flight") + " of stairs with steps that nobody climbs, such as '" +
-                      odd.places.front().node + "' with steps of " + in_metres(riser) +
+        odd.message = plural(odd.places.size(), "flight") +
+                      " of stairs with steps that nobody climbs, such as '" + odd.places.front().node +
+                      "' with steps of " + in_metres(riser) +
                       "; a visitor steps 0.3 m up unless the avatar says otherwise";
         out.push_back(odd);
     }
@@ -104,12 +105,13 @@ double riser_of(const Model& model, std::size_t node) {
         if (!inside[n]) {
             continue;
         }
-        for_each_triangle(model, model.nodes[n], [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-            const Vector3d normal = (b - a).cross(c - a);
-            if (normal.y() > kLevel * normal.norm()) {
-                heights.push_back(a.y());
-            }
-        });
+        for_each_triangle(model, model.nodes[n],
+                          [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+                              const Vector3d normal = (b - a).cross(c - a);
+                              if (normal.y() > kLevel * normal.norm()) {
+                                  heights.push_back(a.y());
+                              }
+                          });
     }
     std::sort(heights.begin(), heights.end());
     std::vector<double> risers;

@@ -109,8 +109,8 @@ TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
     const Model sheet = import("sheet.obj");
     ASSERT_EQ(find_duplicate_faces(sheet, world_bounds(sheet)).size(), 1U);
     EXPECT_EQ(find_duplicate_faces(sheet, world_bounds(sheet))[0].count, 1U);
-    EXPECT_TRUE(find_duplicate_faces(sheet, world_bounds(sheet))[0].first.isApprox(Eigen::Vector3d(1, 0, 1) / 3.0,
-                                                                                   1e-6));
+    EXPECT_TRUE(find_duplicate_faces(sheet, world_bounds(sheet))[0].first.isApprox(
+        Eigen::Vector3d(1, 0, 1) / 3.0, 1e-6));
 }
 
 TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {

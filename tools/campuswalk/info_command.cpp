@@ -130,6 +130,19 @@ void draw_map(const InfoOptions& options, scene::Model model) {
     draw_campus(campus, picture);
 }
 
+/// A model that seems to lie on its side, upright: from above it would be a line.
+scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
+    const bool lies =
+        std::ranges::any_of(report.warnings, [](const scene::Oddity& odd) { return odd.code == "z-up"; });
+    if (!lies || scene.up != scene::UpAxis::y) {
+        return model;
+    }
+    std::fprintf(stderr, "%s: the map is drawn with --up z\n", scene.file.c_str());
+    scene::SceneFile upright = scene;
+    upright.up = scene::UpAxis::z;
+    return load_model(upright, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported.model;
+}
+
 }  // namespace
 
 int print_info(const InfoOptions& options) {
@@ -156,7 +169,7 @@ int print_info(const InfoOptions& options) {
         print_text(report, warnings);
     }
     if (options.map) {
-        draw_map(options, std::move(imported.model));
+        draw_map(options, for_map(options.scene, report, std::move(imported.model)));
     }
     return kPass;
 }
