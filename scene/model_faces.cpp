@@ -100,6 +100,9 @@ std::vector<DuplicateFaces> find_duplicate_faces(const Model& model, const Bound
                 std::array<std::uint32_t, 3> face = {numbers[t[0]], numbers[t[1]], numbers[t[2]]};
                 std::rotate(face.begin(), std::ranges::min_element(face),
                             face.end());  // turning direction kept
+                if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
+                    continue;  // no face at all
+                }
                 const std::size_t known = faces.size();
                 if (faces.number_of(face) < known && own.count++ == 0) {
                     const Eigen::Vector3f sum =

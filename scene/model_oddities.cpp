@@ -45,7 +45,9 @@ std::string unit_guess(double size) {
 
 void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
     const double size = (bounds.max - bounds.min).maxCoeff();
-    if (size < kLeastSize || size > kGreatestSize) {
+    if (size == 0.0) {
+        out.push_back({"odd-scale", "all of it lies at one point"});
+    } else if (size < kLeastSize || size > kGreatestSize) {
         out.push_back(
             {"odd-scale", "it is " + in_metres(size) + " across, which no campus is" + unit_guess(size)});
     }

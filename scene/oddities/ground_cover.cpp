@@ -220,16 +220,16 @@ GroundCover measure_ground(const Model& model, const Bounds& bounds) {
     if (heights.empty()) {
         return {};
     }
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    constexpr double kStorey = 2.0;  // metres
-    return {static_cast<double>(part.squares) / static_cast<double>(plan.count_covered()), *middle,
-            share_of_area_below(model, *middle - kStorey)};
+    const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 20);
+    std::nth_element(heights.begin(), low, heights.end());
+    constexpr double kBelow = 1.0;  // metres
+    return {static_cast<double>(part.squares) / static_cast<double>(plan.count_covered()), *low,
+            share_of_area_below(model, *low - kBelow)};
 }
 
 bool is_no_ground(const GroundCover& cover) {
     constexpr double kLeastShare = 0.25;
-    constexpr double kRoof = 0.5;
+    constexpr double kRoof = 0.3;
     return cover.share < kLeastShare || cover.share_below > kRoof;
 }
 

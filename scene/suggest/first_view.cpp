@@ -14,7 +14,7 @@ double first_view(const collision::MeshCollider& mesh, const Vec3& p_world_origi
                   const Vec3& target) {
     constexpr std::size_t kDirections = 36;
     constexpr double kTenDegrees = 0.17453292519943295;
-    constexpr double kEye = 1.6;      // metres above the feet
+    constexpr double kEye = 1.6;       // metres above the feet
     constexpr double kFar = 15.0;      // metres
     constexpr double kTowards = 10.0;  // metres
     const Vec3 eye = foot + kEye * Vec3::UnitY() - p_world_origin;

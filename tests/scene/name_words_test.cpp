@@ -15,8 +15,9 @@ TEST(NameWords, AreRunsOfLetters) {
 }
 
 TEST(NameWords, KnowDoorsAndNotTheirParts) {
-    for (const char* door : {"door", "Door_01", "FrontDoor", "front_doors", "Haustür", "TÜR_3", "Eingangstuer",
-                             "porte.001", "puerta", "voordeur", "ドア2", "library/door_main"}) {
+    for (const char* door :
+         {"door", "Door_01", "FrontDoor", "front_doors", "Haustür", "TÜR_3", "Eingangstuer", "porte.001",
+          "puerta", "voordeur", "ドア2", "library/door_main"}) {
         EXPECT_TRUE(is_door_name(door)) << door;
     }
     for (const char* other : {"outdoor_campus", "IndoorPlants", "door_frame", "DoorHandle.L", "Türgriff",

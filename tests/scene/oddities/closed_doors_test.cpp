@@ -65,7 +65,8 @@ TEST(ClosedDoors, NeedNoNameInADoorway) {
 }
 
 TEST(ClosedDoors, WithoutANameAreScreensWhereThereIsNoDoorway) {
-    for (const Wall& wall : {Wall{.lintel = false}, Wall{.floor = false}, Wall{.left = false}, Wall{.right = false}}) {
+    for (const Wall& wall :
+         {Wall{.lintel = false}, Wall{.floor = false}, Wall{.left = false}, Wall{.right = false}}) {
         Model model = with_wall(wall);
         add_leaf(model, "Cube.017");
         EXPECT_EQ(count_closed(model), 0U);

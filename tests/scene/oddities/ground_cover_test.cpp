@@ -59,10 +59,23 @@ TEST(GroundCover, IsNoneOnARoof) {
     test::add_box(model, "tower", {0, 0, 0}, {10, 20, 10});
     const GroundCover tower = cover_of(model);
     EXPECT_GT(tower.share, 0.8);
-    // Of 1,000 m2 all but the roof and the walls' top 2 m, whose triangles' middles lie lower.
-    EXPECT_GT(tower.share_below, 0.4);
+    // Of 1,000 m2 all but the roof: the walls' triangles have their middles at a third and two thirds.
+    EXPECT_NEAR(tower.share_below, 0.9, 1e-6);
     EXPECT_TRUE(is_no_ground(tower));
     test::add_box(model, "lawn", {-20, -0.1, -20}, {30, 0, 30});
+    EXPECT_FALSE(is_no_ground(cover_of(model)));
+}
+
+TEST(GroundCover, IsNoneOnTheRoofOfAHut) {
+    Model model;
+    test::add_box(model, "hut", {0, 0, 0}, {4, 3, 4});
+    EXPECT_TRUE(is_no_ground(cover_of(model)));
+}
+
+TEST(GroundCover, MayHaveCellars) {
+    Model model;
+    test::add_box(model, "lawn", {-50, -0.2, -50}, {50, 0, 50});
+    test::add_box(model, "tank", {0, -6, 0}, {20, -2, 20});
     EXPECT_FALSE(is_no_ground(cover_of(model)));
 }
 

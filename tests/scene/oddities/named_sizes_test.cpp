@@ -64,7 +64,8 @@ TEST(NamedSizes, MeasureRisers) {
         }
     }
     Model model;
-    EXPECT_EQ(riser_of(model, test::add_box(model, "steps", {0, 0, 0}, {1, 2, 1})), 0.0);  // one step is no flight
+    EXPECT_EQ(riser_of(model, test::add_box(model, "steps", {0, 0, 0}, {1, 2, 1})),
+              0.0);  // one step is no flight
 }
 
 }  // namespace
