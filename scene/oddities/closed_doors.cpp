@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "scene/name_words.h"
+#include "scene/oddities/named_parts.h"
 #include "scene/upright_box.h"
 #include "scene/world_triangles.h"
 
@@ -20,7 +21,6 @@ constexpr double kBeside = 0.4;       // metres within which a wall holds it
 constexpr double kThickest = 0.4;     // metres, with its frame
 constexpr double kPanel = 0.25;       // metres, the thickest without a name
 constexpr double kFloorBelow = 0.35;  // metres down to the floor
-constexpr std::size_t kNoPanel = static_cast<std::size_t>(-1);
 
 struct NearTriangle {
     std::array<Vector3d, 3> corners;
@@ -102,21 +102,6 @@ std::optional<Panel> panel_of(std::size_t node, bool named, UprightBoxFit& fit) 
     return panel;
 }
 
-/// By node: the topmost node called a door that it is or is below of, else kNoPanel.
-std::vector<std::size_t> doors_above(const Model& model) {
-    std::vector<std::size_t> door(model.nodes.size(), kNoPanel);
-    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        const int parent = model.nodes[n].parent;
-        if (parent >= 0) {
-            door[n] = door[static_cast<std::size_t>(parent)];
-        }
-        if (door[n] == kNoPanel && is_door_name(model.nodes[n].name)) {
-            door[n] = n;
-        }
-    }
-    return door;
-}
-
 bool may_be_unnamed_panel(const Model& model, const Node& node) {
     constexpr std::size_t kMostTriangles = 2000;
     std::size_t triangles = 0;
@@ -129,8 +114,8 @@ bool may_be_unnamed_panel(const Model& model, const Node& node) {
 std::vector<Panel> find_panels(const Model& model, const std::vector<std::size_t>& doors) {
     std::vector<UprightBoxFit> fits(model.nodes.size());
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        const std::size_t door = doors[n] == kNoPanel ? n : doors[n];
-        if (doors[n] != kNoPanel || may_be_unnamed_panel(model, model.nodes[n])) {
+        const std::size_t door = doors[n] == kNoPart ? n : doors[n];
+        if (doors[n] != kNoPart || may_be_unnamed_panel(model, model.nodes[n])) {
             for_each_vertex(model, model.nodes[n], [&](const Vector3d& p) { fits[door].add(p); });
         }
     }
@@ -156,7 +141,7 @@ void gather_surroundings(const Model& model, const std::vector<std::size_t>& doo
         return a->surroundings.min.x() < b->surroundings.min.x();
     });
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        const std::size_t owner = doors[n] == kNoPanel ? n : doors[n];
+        const std::size_t owner = doors[n] == kNoPart ? n : doors[n];
         for_each_triangle(
             model, model.nodes[n], [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
                 const Vector3d low = a.cwiseMin(b).cwiseMin(c);
@@ -221,7 +206,7 @@ bool has_lintel_and_floor(const Panel& panel) {
 }  // namespace
 
 std::vector<ClosedDoor> find_closed_doors(const Model& model) {
-    const std::vector<std::size_t> doors = doors_above(model);
+    const std::vector<std::size_t> doors = named_parts(model, is_door_name);
     std::vector<Panel> panels = find_panels(model, doors);
     gather_surroundings(model, doors, panels);
     std::vector<ClosedDoor> closed;

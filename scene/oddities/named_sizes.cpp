@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "scene/name_words.h"
+#include "scene/oddities/named_parts.h"
 #include "scene/oddities/wording.h"
 #include "scene/world_triangles.h"
 
@@ -26,15 +27,13 @@ Oddity::Place foot_of(const NodeReport& node) {
     return {node.name, foot};
 }
 
-/// Indices of nodes with triangles of which `is_called(name)`, without those below another of them.
-template <typename IsCalled>
-std::vector<std::size_t> topmost(const std::vector<NodeReport>& nodes, const IsCalled& is_called) {
+/// Indices of the parts that have triangles.
+std::vector<std::size_t> parts_called(const Model& model, const std::vector<NodeReport>& nodes,
+                                      bool (*is_called)(std::string_view)) {
+    const std::vector<std::size_t> part = named_parts(model, is_called);
     std::vector<std::size_t> found;
-    std::vector<bool> inside(nodes.size(), false);
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const bool below = nodes[n].parent >= 0 && inside[static_cast<std::size_t>(nodes[n].parent)];
-        inside[n] = below || is_called(nodes[n].name);
-        if (inside[n] && !below && !nodes[n].bounds.empty()) {
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        if (part[n] == n && !nodes[n].bounds.empty()) {
             found.push_back(n);
         }
     }
@@ -47,11 +46,11 @@ bool lies_flat(const Vector3d& size) {
     return size.y() <= 0.3 && length >= 1.8 && length <= 2.6 && width >= 0.6;
 }
 
-void check_doors(const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
+void check_doors(const Model& model, const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
     Oddity odd{"door-size", "", {}};
     Oddity flat{"door-size", "", {}};
     double height = 0.0;
-    for (const std::size_t n : topmost(nodes, is_door_name)) {
+    for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
         const Vector3d size = nodes[n].bounds.max - nodes[n].bounds.min;
         if (lies_flat(size)) {
             flat.places.push_back(foot_of(nodes[n]));
@@ -77,7 +76,7 @@ void check_doors(const std::vector<NodeReport>& nodes, std::vector<Oddity>& out)
 void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
     Oddity odd{"stair-riser", "", {}};
     double riser = 0.0;
-    for (const std::size_t n : topmost(nodes, is_stairs_name)) {
+    for (const std::size_t n : parts_called(model, nodes, is_stairs_name)) {
         const double own = riser_of(model, n);
         if (own > kHighestRiser) {
             riser = odd.places.empty() ? own : riser;
@@ -130,7 +129,7 @@ double riser_of(const Model& model, std::size_t node) {
 
 std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes) {
     std::vector<Oddity> oddities;
-    check_doors(nodes, oddities);
+    check_doors(model, nodes, oddities);
     check_stairs(model, nodes, oddities);
     return oddities;
 }

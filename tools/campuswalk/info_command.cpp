@@ -48,12 +48,19 @@ const char* name_of(scene::AlphaMode mode) {
     }
 }
 
+/// As config/schema/info.schema.json says.
 Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
-    Json json = {
-        {"file", report.file},           {"meshes", report.meshes},     {"placements", report.placements},
-        {"triangles", report.triangles}, {"vertices", report.vertices}, {"bounds", json_of(report.bounds)},
-        {"materials", Json::array()},    {"textures", Json::array()},   {"nodes", Json::array()},
-        {"warnings", Json::array()}};
+    Json json = {{"campuswalk_info", 1},
+                 {"file", report.file},
+                 {"meshes", report.meshes},
+                 {"placements", report.placements},
+                 {"triangles", report.triangles},
+                 {"vertices", report.vertices},
+                 {"bounds", json_of(report.bounds)},
+                 {"materials", Json::array()},
+                 {"textures", Json::array()},
+                 {"nodes", Json::array()},
+                 {"warnings", Json::array()}};
     for (const scene::MaterialReport& m : report.materials) {
         json["materials"].push_back({{"name", m.name},
                                      {"texture", m.texture.empty() ? Json() : Json(m.texture)},

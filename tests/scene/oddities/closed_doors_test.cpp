@@ -109,6 +109,24 @@ TEST(ClosedDoors, AreNoneWithAHoleInside) {
     EXPECT_EQ(doors[0].node, door);
 }
 
+TEST(ClosedDoors, AreNotWhatGathersThem) {
+    Model model = with_wall({});
+    const auto doors = static_cast<int>(test::add_group(model, "Doors", 0));
+    const std::size_t leaf = test::add_box(model, "Door_1", {-0.48, 0.01, -0.03}, {0.48, 2.08, 0.03}, doors);
+    test::add_box(model, "Door_2", {-0.48, 0.01, 40}, {0.48, 2.08, 40.06}, doors);  // in the open
+    const auto closed = find_closed_doors(model);
+    ASSERT_EQ(closed.size(), 1U);
+    EXPECT_EQ(closed[0].node, leaf);
+}
+
+TEST(ClosedDoors, AreTakenWithTheirGlass) {
+    Model model = with_wall({});
+    const std::size_t leaf = add_leaf(model, "door");
+    test::add_box(model, "door_glass", {-0.2, 1.2, -0.01}, {0.2, 1.8, 0.01}, static_cast<int>(leaf));
+    ASSERT_EQ(count_closed(model), 1U);
+    EXPECT_EQ(find_closed_doors(model)[0].node, leaf);
+}
+
 TEST(ClosedDoors, AreFoundInTurnedWalls) {
     Model model;
     test::add_turned_box(model, "floor", {0, -0.1, 0}, {20, 0.2, 20}, 0);
