@@ -10,6 +10,7 @@
 #include "scene/oddities/closed_doors.h"
 #include "scene/oddities/ground_cover.h"
 #include "scene/oddities/named_sizes.h"
+#include "scene/oddities/unit_guess.h"
 #include "scene/oddities/wording.h"
 #include "scene/world_triangles.h"
 
@@ -17,30 +18,15 @@ namespace campuswalk::scene {
 namespace {
 
 constexpr double kLeastSize = 0.5;       // metres
-constexpr double kGreatestSize = 20e3;   // metres
+constexpr double kGreatestSize = 5e3;    // metres
 constexpr double kFarAway = 10e3;        // metres
 constexpr double kCoarsestStep = 0.005;  // metres between neighbouring float32 coordinates
 constexpr double kFacing = 0.9;          // cosine within which a face counts as facing an axis
 
-/// The unit that would bring a length into the range of rooms and campuses, if it was read as metres.
-std::string unit_guess(double size) {
-    struct Unit {
-        const char* name;
-        double factor;
-    };
-    constexpr std::array<Unit, 6> kUnits = {{{"unit: cm", 0.01},
-                                             {"unit: mm", 0.001},
-                                             {"unit: in", 0.0254},
-                                             {"scale: 100", 100.0},
-                                             {"scale: 1000", 1000.0},
-                                             {"scale: 10", 10.0}}};
-    for (const Unit& unit : kUnits) {
-        const double scaled = size * unit.factor;
-        if (scaled >= 5.0 && scaled <= 3000.0) {
-            return "; with `" + std::string(unit.name) + "` it would be " + in_metres(scaled);
-        }
-    }
-    return "";
+std::string unit_hint(double size) {
+    const auto unit = guess_unit(size, 5.0, 3000.0);
+    return unit ? "; with `" + std::string(unit->yaml) + "` it would be " + in_metres(size * unit->factor)
+                : "";
 }
 
 void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
@@ -48,8 +34,8 @@ void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
     if (size == 0.0) {
         out.push_back({"odd-scale", "all of it lies at one point"});
     } else if (size < kLeastSize || size > kGreatestSize) {
-        out.push_back(
-            {"odd-scale", "it is " + in_metres(size) + " across, which no campus is" + unit_guess(size)});
+        out.push_back({"odd-scale",
+                       "it is " + in_metres(size) + " across, which hardly any campus is" + unit_hint(size)});
     }
     const double distance = (0.5 * (bounds.min + bounds.max)).norm();
     if (distance > kFarAway) {
@@ -229,7 +215,8 @@ std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report)
     check_nodes(model, oddities);
     check_duplicates(model, report.bounds, oddities);
     check_outliers(model, report, oddities);
-    const std::vector<Oddity> odd_sizes = find_odd_sizes(model, report.nodes);
+    const bool lies = std::ranges::any_of(oddities, [](const Oddity& odd) { return odd.code == "z-up"; });
+    const std::vector<Oddity> odd_sizes = find_odd_sizes(model, report.nodes, lies ? 2 : 1);
     oddities.insert(oddities.end(), odd_sizes.begin(), odd_sizes.end());
     // Of a model that lies on its side or has another unit these would only say the same again.
     const bool upright = std::ranges::none_of(oddities, [](const Oddity& odd) {

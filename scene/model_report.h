@@ -32,7 +32,7 @@ struct TextureReport {
 
 /// Something that a person should look at. `code` is stable:
 ///   no-triangles     nothing to walk on
-///   odd-scale        under half a metre or over 20 km across; with a unit that would make it a campus
+///   odd-scale        under half a metre or over 5 km across; with a unit that would make it a campus
 ///   coarse-position  so far from the file's origin that float32 steps exceed 5 mm
 ///   far-from-origin  over 10 km from the world's origin
 ///   z-up             lies like a map seen from the front: `up: z` is probably meant

@@ -8,6 +8,7 @@
 
 #include "scene/name_words.h"
 #include "scene/oddities/named_parts.h"
+#include "scene/oddities/unit_guess.h"
 #include "scene/oddities/wording.h"
 #include "scene/world_triangles.h"
 
@@ -18,7 +19,8 @@ using Eigen::Vector3d;
 
 constexpr double kLowestDoor = 0.3;     // metres: that of a cupboard
 constexpr double kHighestDoor = 6.0;    // metres: that of a cathedral
-constexpr double kUsualDoor = 2.1;      // metres
+constexpr double kUsualLow = 1.8;       // metres
+constexpr double kUsualHigh = 3.2;      // metres
 constexpr double kHighestRiser = 0.32;  // metres: avatars step 0.3 m
 
 Oddity::Place foot_of(const NodeReport& node) {
@@ -46,24 +48,32 @@ bool lies_flat(const Vector3d& size) {
     return size.y() <= 0.3 && length >= 1.8 && length <= 2.6 && width >= 0.6;
 }
 
-void check_doors(const Model& model, const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
+bool is_odd_height(double height) {
+    return height < kLowestDoor || height > kHighestDoor;
+}
+
+std::string unit_hint(double height) {
+    const auto unit = guess_unit(height, kUsualLow, kUsualHigh);
+    return unit ? "with `" + std::string(unit->yaml) + "` it would be " + in_metres(height * unit->factor)
+                : "scale the model, if all of it is so";
+}
+
+void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int up, std::vector<Oddity>& out) {
     Oddity odd{"door-size", "", {}};
     Oddity flat{"door-size", "", {}};
     double height = 0.0;
     for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
         const Vector3d size = nodes[n].bounds.max - nodes[n].bounds.min;
-        if (lies_flat(size)) {
+        if (up == 1 && lies_flat(size)) {
             flat.places.push_back(foot_of(nodes[n]));
-        } else if (size.y() < kLowestDoor || size.y() > kHighestDoor) {
-            height = odd.places.empty() ? size.y() : height;
+        } else if (is_odd_height(size[up])) {
+            height = odd.places.empty() ? size[up] : height;
             odd.places.push_back(foot_of(nodes[n]));
         }
     }
     if (!odd.places.empty()) {
         odd.message = plural(odd.places.size(), "door") + " of a height that no door has, such as '" +
-                      odd.places.front().node + "' of " + in_metres(height) +
-                      "; if the whole is so, `scale: " + short_number(kUsualDoor / height) +
-                      "` makes it 2.1 m, and `unit` may be what is meant";
+                      odd.places.front().node + "' of " + in_metres(height) + "; " + unit_hint(height);
         out.push_back(odd);
     }
     if (!flat.places.empty()) {
@@ -127,11 +137,27 @@ double riser_of(const Model& model, std::size_t node) {
     return risers[risers.size() / 2];
 }
 
-std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes) {
+std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
     std::vector<Oddity> oddities;
-    check_doors(model, nodes, oddities);
-    check_stairs(model, nodes, oddities);
+    check_doors(model, nodes, up, oddities);
+    if (up == 1) {
+        check_stairs(model, nodes, oddities);
+    }
     return oddities;
+}
+
+std::optional<double> scale_by_doors(const Model& model, const std::vector<NodeReport>& nodes) {
+    std::vector<double> heights;
+    for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
+        heights.push_back(nodes[n].bounds.max.y() - nodes[n].bounds.min.y());
+    }
+    if (heights.empty()) {
+        return std::nullopt;
+    }
+    std::sort(heights.begin(), heights.end());
+    const double middle = heights[heights.size() / 2];
+    const auto unit = is_odd_height(middle) ? guess_unit(middle, kUsualLow, kUsualHigh) : std::nullopt;
+    return unit ? std::optional(unit->factor) : std::nullopt;
 }
 
 }  // namespace campuswalk::scene

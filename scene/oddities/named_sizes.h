@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scene/model_report.h"
@@ -9,7 +10,12 @@ namespace campuswalk::scene {
 /// What the names of nodes promise and their sizes deny:
 ///   door-size    doors under 0.3 m or over 6 m high: a wrong unit; or lying on their backs: a wrong axis
 ///   stair-riser  stairs whose steps a visitor can't climb
-std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes);
+/// `up`: the axis that seems to point up, 1 or 2; stairs are only looked at where it is 1.
+std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up = 1);
+
+/// Metres per unit by which the middle one of the doors would be 1.8 to 3.2 m high, if it is as high as no
+/// door can be.
+std::optional<double> scale_by_doors(const Model& model, const std::vector<NodeReport>& nodes);
 
 /// The middle one of the heights between the level faces of a flight of stairs, one above the other; 0 for
 /// fewer than three.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include <Eigen/Geometry>
 
@@ -103,12 +104,32 @@ std::vector<Candidate> topmost_buildings(const Model& model, const ModelReport& 
     return found;
 }
 
-/// Identifiers say nothing to a reader: those buildings are counted.
+/// Ids are ASCII: accents of Latin letters are dropped, other characters left out.
+std::string in_ascii(const std::string& name) {
+    constexpr std::string_view kPlain =
+        "AAAAAAACEEEEIIIIDNOOOOO OUUUUYTsaaaaaaaceeeeiiiidnooooo ouuuuyty";  // U+00C0 to U+00FF
+    std::string ascii;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(name[i]);
+        if (byte < 0x80U) {
+            ascii += name[i];
+        } else if (byte == 0xC3U && i + 1 < name.size()) {
+            ascii += kPlain[static_cast<unsigned char>(name[++i]) & 0x3FU];
+        }
+    }
+    return ascii;
+}
+
+/// Names of which no letter is left for an id, and identifiers, which say nothing to a reader, are counted.
 std::vector<std::string> ids_of(const std::vector<std::string>& names) {
     std::vector<std::string> words;
     std::size_t unnamed = 0;
     for (const std::string& name : names) {
-        words.push_back(is_identifier(name) ? "building-" + std::to_string(++unnamed) : name);
+        const std::string ascii = in_ascii(name);
+        const bool no_word = std::ranges::none_of(
+            ascii, [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
+        const bool counted = no_word || is_identifier(ascii);
+        words.push_back(counted ? "building-" + std::to_string(++unnamed) : ascii);
     }
     return distinct_words(words);
 }

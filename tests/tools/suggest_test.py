@@ -81,6 +81,23 @@ class Suggest(ProgramCase):
         self.assertIn("up: z, position: [-85000", campus)
         self.assertRegex(log, r"trigger\.enter +hut-1/around")
 
+    def test_centimetres_are_known_by_a_door_and_the_door_is_told_of(self):
+        door = [[-0.5, 0, -4.04], [0.5, 2.1, -4.02]]
+        # The hut with a doorway in its front, and a door in that.
+        boxes = [("meadow", -20, -1, -20, 20, 0, 20), ("l", -3, 0, -8, -2.8, 3, -4), ("r", 2.8, 0, -8, 3, 3, -4),
+                 ("back", -3, 0, -8, 3, 3, -7.8), ("roof", -3, 3, -8, 3, 3.2, -4), ("f1", -3, 0, -4.1, -0.5, 3, -4),
+                 ("f2", 0.5, 0, -4.1, 3, 3, -4), ("Tür", *door[0], *door[1])]
+        lines = []
+        for i, (name, *numbers) in enumerate(boxes):
+            faces = [re.sub(r"\d+", lambda m, i=i: str(int(m[0]) + 8 * i), line) if line[0] == "f" else line
+                     for line in box(*(100 * number for number in numbers))]
+            lines += ["o " + name] + faces
+        self.write("hut.obj", "\n".join(lines) + "\n")
+        told = self.passes("info", "hut.obj", "--suggest", "new.campus.yaml").out
+        self.assertIn("1 warning about the model as it stands there\n  solid-door: ", told)
+        self.assertIn("    'Tür' at 0.000,0.000,-4.030\n", told)
+        self.assertIn('{file: "hut.obj", scale: 0.01}', self.read("new.campus.yaml").decode())
+
     def test_nothing_is_overwritten_unasked(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):
             self.write(taken, "mine")

@@ -16,6 +16,7 @@
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/oddities_text.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
 #include "tools/campuswalk/writable_path.h"
@@ -87,16 +88,6 @@ Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnin
     return json;
 }
 
-void print_places(const std::vector<scene::Oddity::Place>& places) {
-    constexpr std::size_t kMost = 5;
-    for (std::size_t p = 0; p < std::min(places.size(), kMost); ++p) {
-        std::printf("    '%s' at %s\n", places[p].node.c_str(), engine::fixed(places[p].at).c_str());
-    }
-    if (places.size() > kMost) {
-        std::printf("    and %zu more: see --json\n", places.size() - kMost);
-    }
-}
-
 void print_text(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
     const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
     std::printf("%s\n", report.file.c_str());
@@ -117,10 +108,7 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
         std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
     }
     std::printf("warnings   %zu\n", warnings.size());
-    for (const scene::Oddity& w : warnings) {
-        std::printf("  %s: %s\n", w.code.c_str(), w.message.c_str());
-        print_places(w.places);
-    }
+    print_oddities(warnings);
 }
 
 void draw_map(const InfoOptions& options, scene::Model model) {

@@ -29,9 +29,36 @@ TEST(NamedSizes, PointAtADoorOfFiveCentimetres) {
     ASSERT_EQ(odd.size(), 1U);
     EXPECT_EQ(odd[0].code, "door-size");
     EXPECT_NE(odd[0].message.find("'Door_01' of 0.05 m"), std::string::npos) << odd[0].message;
-    EXPECT_NE(odd[0].message.find("scale: 42"), std::string::npos) << odd[0].message;
+    EXPECT_NE(odd[0].message.find("scale the model"), std::string::npos) << odd[0].message;
     ASSERT_EQ(odd[0].places.size(), 1U);
     EXPECT_TRUE(odd[0].places[0].at.isApprox(Eigen::Vector3d(0.21, 0, 0.0005), 1e-5));
+}
+
+TEST(NamedSizes, GuessTheUnitByTheMiddleDoor) {
+    struct Case {
+        double height;
+        std::optional<double> scale;
+    };
+    for (const Case& c : {Case{210, 0.01}, Case{2100, 0.001}, Case{84, 0.0254}, Case{7, 0.3048},
+                          Case{0.021, 100.0}, Case{2.1, std::nullopt}, Case{0.9, std::nullopt}}) {
+        Model model;
+        test::add_box(model, "door_1", {0, 0, 0}, {1, c.height, 1});
+        test::add_box(model, "door_2", {5, 0, 0}, {6, c.height, 1});
+        test::add_box(model, "church_door", {9, 0, 0}, {10, 3 * c.height, 1});
+        EXPECT_EQ(scale_by_doors(model, report(model).nodes), c.scale) << c.height;
+    }
+    Model model;
+    test::add_box(model, "house", {0, 0, 0}, {1000, 500, 1000});
+    EXPECT_EQ(scale_by_doors(model, report(model).nodes), std::nullopt);
+}
+
+TEST(NamedSizes, MeasureDoorsAlongTheAxisThatIsUp) {
+    Model model;
+    test::add_box(model, "door", {0, 0, 0}, {90, 5, 210});
+    EXPECT_TRUE(oddities_of(model).empty());
+    const auto odd = find_odd_sizes(model, report(model).nodes, 2);
+    ASSERT_EQ(odd.size(), 1U);
+    EXPECT_NE(odd[0].message.find("with `unit: cm` it would be 2.1 m"), std::string::npos) << odd[0].message;
 }
 
 TEST(NamedSizes, PointAtADoorThatLies) {

@@ -13,12 +13,15 @@
 #include "scene/cache/load_model.h"
 #include "scene/model_report.h"
 #include "scene/node_selection.h"
+#include "scene/oddities/named_sizes.h"
+#include "scene/oddities/wording.h"
 #include "scene/suggest/first_view.h"
 #include "scene/suggest/walkable_ground.h"
 #include "scene/whole_file.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/oddities_text.h"
 #include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/plan_visits.h"
 #include "tools/campuswalk/walk_loader.h"
@@ -58,7 +61,7 @@ bool is_odd(const scene::ModelReport& report, const std::string& code) {
     return std::ranges::any_of(report.warnings, [&](const scene::Oddity& odd) { return odd.code == code; });
 }
 
-/// The model the way it should stand: turned upright, and near the origin.
+/// The model the way it should stand: turned upright, with doors as high as doors, and near the origin.
 struct UprightModel {
     scene::SceneFile file;
     std::vector<scene::Model> models;
@@ -67,7 +70,7 @@ struct UprightModel {
 
 UprightModel load_upright(const scene::SceneFile& file) {
     UprightModel upright{file, {}, {}};
-    for (int turn = 0; turn < 3; ++turn) {
+    for (int turn = 0; turn < 4; ++turn) {
         scene::ImportedModel imported =
             load_model(upright.file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
         upright.report = scene::report(imported.model);
@@ -75,6 +78,8 @@ UprightModel load_upright(const scene::SceneFile& file) {
         const scene::Bounds& bounds = upright.report.bounds;
         if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
             upright.file.up = scene::UpAxis::z;
+        } else if (const auto scale = scene::scale_by_doors(upright.models[0], upright.report.nodes)) {
+            upright.file.scale *= *scale;
         } else if (is_odd(upright.report, "far-from-origin") && upright.file.position.isZero(0.0)) {
             Vector3d middle = 0.5 * (bounds.min + bounds.max);
             middle.y() = bounds.min.y();
@@ -206,14 +211,21 @@ bool walks(const fs::path& walk_file) {
 
 int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, bool overwrite) {
     const fs::path walk_file = walk_beside(campus_file, overwrite);
-    const SuggestedCampus campus = suggestion(load_upright(model), campus_file);
+    const UprightModel upright = load_upright(model);
+    const SuggestedCampus campus = suggestion(upright, campus_file);
     scene::write_whole_file(campus_file, campus_yaml(campus));
     // What was planned on a grid is only written down if it can be walked.
     std::size_t visits = campus.visits.size();
     bool passed = false;
     for (;; --visits) {
         scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-        passed = walks(walk_file);
+        try {
+            passed = walks(walk_file);
+        } catch (const scene::InputError&) {
+            fs::remove(campus_file);
+            fs::remove(walk_file);
+            throw;
+        }
         if (passed || visits == 0) {
             break;
         }
@@ -225,6 +237,9 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     }
     std::printf("%s: %zu buildings\n%s: %zu ways, walked\n", campus_file.string().c_str(),
                 campus.buildings.size(), walk_file.string().c_str(), visits);
+    std::printf("%s about the model as it stands there\n",
+                scene::plural(upright.report.warnings.size(), "warning").c_str());
+    print_oddities(upright.report.warnings);
     return kPass;
 }
 
