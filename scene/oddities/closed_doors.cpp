@@ -16,11 +16,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBehind = 0.8;       // metres that must be free before and behind a door
-constexpr double kBeside = 0.4;       // metres within which a wall holds it
-constexpr double kThickest = 0.4;     // metres, with its frame
-constexpr double kPanel = 0.25;       // metres, the thickest without a name
-constexpr double kFloorBelow = 0.35;  // metres down to the floor
+constexpr double kBehind = 0.8;            // metres that must be free before and behind a door
+constexpr double kBeside = 0.4;            // metres within which a wall holds it
+constexpr double kThickest = 0.4;          // metres, with its frame
+constexpr double kPanel = 0.25;            // metres, the thickest without a name
+constexpr std::size_t kMostPanels = 4000;  // the first of the file
+constexpr std::size_t kMostNear = 50'000;  // triangles about one that is looked at
+constexpr double kFloorBelow = 0.35;       // metres down to the floor
 
 struct NearTriangle {
     std::array<Vector3d, 3> corners;
@@ -120,7 +122,7 @@ std::vector<Panel> find_panels(const Model& model, const std::vector<std::size_t
         }
     }
     std::vector<Panel> panels;
-    for (std::size_t n = 0; n < fits.size(); ++n) {
+    for (std::size_t n = 0; n < fits.size() && panels.size() < kMostPanels; ++n) {
         if (auto panel = panel_of(n, doors[n] == n, fits[n])) {
             panels.push_back(std::move(*panel));
         }
@@ -151,7 +153,9 @@ void gather_surroundings(const Model& model, const std::vector<std::size_t>& doo
                                      [](const Panel* p, double x) { return p->surroundings.min.x() < x; });
                 for (; at != by_x.end() && (*at)->surroundings.min.x() <= high.x(); ++at) {
                     const Bounds& box = (*at)->surroundings;
-                    if ((low.array() <= box.max.array()).all() && (high.array() >= box.min.array()).all()) {
+                    const bool room = (*at)->near.size() <= kMostNear;
+                    if (room && (low.array() <= box.max.array()).all() &&
+                        (high.array() >= box.min.array()).all()) {
                         (*at)->near.push_back({{a, b, c}, (*at)->node == owner});
                     }
                 }
@@ -211,7 +215,8 @@ std::vector<ClosedDoor> find_closed_doors(const Model& model) {
     gather_surroundings(model, doors, panels);
     std::vector<ClosedDoor> closed;
     for (const Panel& panel : panels) {
-        if (is_filled(panel) && is_way_without_it(panel) && is_between_walls(panel) &&
+        const bool known = panel.near.size() <= kMostNear;
+        if (known && is_filled(panel) && is_way_without_it(panel) && is_between_walls(panel) &&
             (panel.named || has_lintel_and_floor(panel))) {
             closed.push_back({panel.node, panel.at(0.0, 0.0, 0.0), panel.width, panel.box.size.y()});
         }

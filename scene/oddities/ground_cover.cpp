@@ -17,13 +17,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLeastSquare = 0.2;  // metres
-constexpr double kMostSquares = 160e3;
-constexpr double kShoulder = 0.4;  // metres from an edge
-constexpr double kStep = 0.3;      // metres
-constexpr double kLevel = 0.643;   // cosine of 50 degrees, the steepest that avatars walk
-constexpr double kSlope = 1.19;    // its tangent
-constexpr double kHeadroom = 1.8;  // metres
+constexpr double kLeastSquare = 0.2;    // metres
+constexpr double kMostSquares = 160e3;  // of the plan
+constexpr double kMostLooks = 20e6;     // at squares, by all triangles: sheets on sheets get larger ones
+constexpr double kShoulder = 0.4;       // metres from an edge
+constexpr double kStep = 0.3;           // metres
+constexpr double kLevel = 0.643;        // cosine of 50 degrees, the steepest that avatars walk
+constexpr double kSlope = 1.19;         // its tangent
+constexpr double kHeadroom = 1.8;       // metres
 
 struct Floor {
     std::int64_t square = 0;
@@ -38,6 +39,7 @@ public:
         const Vector3d size = bounds.max - bounds.min;
         square_ = std::max(kLeastSquare, std::sqrt(size.x() * size.z() / kMostSquares));
         square_ = std::max(square_, std::max(size.x(), size.z()) / kMostSquares);
+        square_ = std::max(square_, std::sqrt(ground_of_boxes(model) / kMostLooks));
         width_ = static_cast<std::int64_t>(size.x() / square_) + 1;
         depth_ = static_cast<std::int64_t>(size.z() / square_) + 1;
         covered_.assign(static_cast<std::size_t>(width_ * depth_), false);
@@ -72,6 +74,18 @@ public:
     }
 
 private:
+    /// The sum of what the triangles' boxes cover of the plan.
+    static double ground_of_boxes(const Model& model) {
+        double ground = 0.0;
+        for (const Node& node : model.nodes) {
+            for_each_triangle(model, node, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+                const Vector3d size = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
+                ground += size.x() * size.z();
+            });
+        }
+        return ground;
+    }
+
     void add(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
         const Vector3d normal = (b - a).cross(c - a);
         if (normal.y() == 0.0) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -83,14 +85,35 @@ void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int u
     }
 }
 
+/// By part, the heights of its level faces.
+std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model) {
+    constexpr double kLevel = 0.99;  // cosine
+    const std::vector<std::size_t> part = named_parts(model, is_stairs_name);
+    std::map<std::size_t, std::vector<double>> heights;
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        if (part[n] == kNoPart) {
+            continue;
+        }
+        std::vector<double>& own = heights[part[n]];
+        for_each_triangle(model, model.nodes[n],
+                          [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+                              const Vector3d normal = (b - a).cross(c - a);
+                              if (normal.y() > kLevel * normal.norm()) {
+                                  own.push_back(a.y());
+                              }
+                          });
+    }
+    return heights;
+}
+
 void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
     Oddity odd{"stair-riser", "", {}};
     double riser = 0.0;
-    for (const std::size_t n : parts_called(model, nodes, is_stairs_name)) {
-        const double own = riser_of(model, n);
+    for (auto& [part, heights] : heights_of_stairs(model)) {
+        const double own = riser_of(std::move(heights));
         if (own > kHighestRiser) {
             riser = odd.places.empty() ? own : riser;
-            odd.places.push_back(foot_of(nodes[n]));
+            odd.places.push_back(foot_of(nodes[part]));
         }
     }
     if (!odd.places.empty()) {
@@ -104,24 +127,7 @@ void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std:
 
 }  // namespace
 
-double riser_of(const Model& model, std::size_t node) {
-    constexpr double kLevel = 0.99;  // cosine
-    std::vector<double> heights;
-    std::vector<bool> inside(model.nodes.size(), false);
-    for (std::size_t n = node; n < model.nodes.size(); ++n) {
-        const int parent = model.nodes[n].parent;
-        inside[n] = n == node || (parent >= 0 && inside[static_cast<std::size_t>(parent)]);
-        if (!inside[n]) {
-            continue;
-        }
-        for_each_triangle(model, model.nodes[n],
-                          [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-                              const Vector3d normal = (b - a).cross(c - a);
-                              if (normal.y() > kLevel * normal.norm()) {
-                                  heights.push_back(a.y());
-                              }
-                          });
-    }
+double riser_of(std::vector<double> heights) {
     std::sort(heights.begin(), heights.end());
     std::vector<double> risers;
     for (std::size_t i = 1; i < heights.size(); ++i) {

@@ -17,8 +17,7 @@ std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeRep
 /// door can be.
 std::optional<double> scale_by_doors(const Model& model, const std::vector<NodeReport>& nodes);
 
-/// The middle one of the heights between the level faces of a flight of stairs, one above the other; 0 for
-/// fewer than three.
-double riser_of(const Model& model, std::size_t node);
+/// The middle one of the steps between the heights of a flight's level faces; 0 for fewer than two.
+double riser_of(std::vector<double> heights);
 
 }  // namespace campuswalk::scene

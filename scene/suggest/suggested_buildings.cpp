@@ -38,17 +38,28 @@ bool may_be_building(const NodeReport& node, double whole) {
            ground_of(node.bounds) < kMostOfIt * whole;
 }
 
+/// By node, those right below it.
+using Children = std::vector<std::vector<std::size_t>>;
+
+Children children_of(const Model& model) {
+    Children children(model.nodes.size());
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        if (model.nodes[n].parent >= 0) {
+            children[static_cast<std::size_t>(model.nodes[n].parent)].push_back(n);
+        }
+    }
+    return children;
+}
+
 /// The box about a node and what is below it, if that has the walls of a building.
-std::optional<UprightBox> box_if_walled(const Model& model, std::size_t root) {
+std::optional<UprightBox> box_if_walled(const Model& model, const Children& children, std::size_t root) {
     UprightBoxFit fit;
     double walls = 0.0;
-    std::vector<bool> inside(model.nodes.size(), false);
-    for (std::size_t n = root; n < model.nodes.size(); ++n) {
-        const int parent = model.nodes[n].parent;
-        inside[n] = n == root || (parent >= 0 && inside[static_cast<std::size_t>(parent)]);
-        if (!inside[n]) {
-            continue;
-        }
+    std::vector<std::size_t> waiting = {root};
+    while (!waiting.empty()) {
+        const std::size_t n = waiting.back();
+        waiting.pop_back();
+        waiting.insert(waiting.end(), children[n].begin(), children[n].end());
         for_each_vertex(model, model.nodes[n], [&](const Vector3d& p) { fit.add(p); });
         for_each_triangle(model, model.nodes[n],
                           [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -88,6 +99,7 @@ std::vector<Candidate> topmost_buildings(const Model& model, const ModelReport& 
         ++uses[node.name];
     }
     const double whole = ground_of(report.bounds);
+    const Children children = children_of(model);
     std::vector<bool> inside(report.nodes.size(), false);
     std::vector<Candidate> found;
     for (std::size_t n = 0; n < report.nodes.size(); ++n) {
@@ -96,7 +108,7 @@ std::vector<Candidate> topmost_buildings(const Model& model, const ModelReport& 
         if (inside[n] || uses[node.name] != 1 || !may_be_building(node, whole)) {
             continue;
         }
-        if (const auto box = box_if_walled(model, n)) {
+        if (const auto box = box_if_walled(model, children, n)) {
             inside[n] = true;
             found.push_back({n, *box});
         }
