@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include <Eigen/Geometry>
 
@@ -21,7 +22,8 @@ constexpr double kBeside = 0.4;            // metres within which a wall holds i
 constexpr double kThickest = 0.4;          // metres, with its frame
 constexpr double kPanel = 0.25;            // metres, the thickest without a name
 constexpr std::size_t kMostPanels = 4000;  // the first of the file
-constexpr std::size_t kMostNear = 50'000;  // triangles about one that is looked at
+constexpr std::size_t kMostNear = 20'000;  // triangles about one that is looked at
+constexpr std::size_t kAtOnce = 128;       // panels in a pass over the model, to bound the memory
 constexpr double kFloorBelow = 0.35;       // metres down to the floor
 
 struct NearTriangle {
@@ -131,8 +133,7 @@ std::vector<Panel> find_panels(const Model& model, const std::vector<std::size_t
 }
 
 /// Gives each panel the triangles about it, in one pass over the model.
-void gather_surroundings(const Model& model, const std::vector<std::size_t>& doors,
-                         std::vector<Panel>& panels) {
+void gather_surroundings(const Model& model, const std::vector<std::size_t>& doors, std::span<Panel> panels) {
     std::vector<Panel*> by_x;
     double widest = 0.0;
     for (Panel& panel : panels) {
@@ -207,18 +208,26 @@ bool has_lintel_and_floor(const Panel& panel) {
            meets(panel, panel.at(0.0, 0.3, -before), panel.at(0.0, -kFloorBelow, -before), false);
 }
 
+bool is_closed_door(const Panel& panel) {
+    const bool known = panel.near.size() <= kMostNear;
+    return known && is_filled(panel) && is_way_without_it(panel) && is_between_walls(panel) &&
+           (panel.named || has_lintel_and_floor(panel));
+}
+
 }  // namespace
 
 std::vector<ClosedDoor> find_closed_doors(const Model& model) {
     const std::vector<std::size_t> doors = named_parts(model, is_door_name);
     std::vector<Panel> panels = find_panels(model, doors);
-    gather_surroundings(model, doors, panels);
     std::vector<ClosedDoor> closed;
-    for (const Panel& panel : panels) {
-        const bool known = panel.near.size() <= kMostNear;
-        if (known && is_filled(panel) && is_way_without_it(panel) && is_between_walls(panel) &&
-            (panel.named || has_lintel_and_floor(panel))) {
-            closed.push_back({panel.node, panel.at(0.0, 0.0, 0.0), panel.width, panel.box.size.y()});
+    for (std::size_t first = 0; first < panels.size(); first += kAtOnce) {
+        const auto batch = std::span(panels).subspan(first, std::min(kAtOnce, panels.size() - first));
+        gather_surroundings(model, doors, batch);
+        for (Panel& panel : batch) {
+            if (is_closed_door(panel)) {
+                closed.push_back({panel.node, panel.at(0.0, 0.0, 0.0), panel.width, panel.box.size.y()});
+            }
+            panel.near = {};
         }
     }
     return closed;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kLeastSquare = 0.2;    // metres
 constexpr double kMostSquares = 160e3;  // of the plan
-constexpr double kMostLooks = 20e6;     // at squares, by all triangles: sheets on sheets get larger ones
+constexpr double kMostLooks = 5e6;      // at squares, by all triangles: sheets on sheets get larger ones
 constexpr double kShoulder = 0.4;       // metres from an edge
 constexpr double kStep = 0.3;           // metres
 constexpr double kLevel = 0.643;        // cosine of 50 degrees, the steepest that avatars walk
@@ -62,15 +63,19 @@ public:
             return -1;
         }
         const auto square = static_cast<std::size_t>(to_z * width_ + to_x);
-        std::int64_t best = -1;
-        for (std::int64_t f = first_floor_[square]; f < first_floor_[square + 1]; ++f) {
-            const double difference = std::abs(floors_[static_cast<std::size_t>(f)].height - floor.height);
-            if (difference <= reach) {
-                best = f;
-                reach = difference;
-            }
+        const auto first = floors_.begin() + first_floor_[square];
+        const auto last = floors_.begin() + first_floor_[square + 1];
+        const auto above = std::lower_bound(first, last, floor.height,
+                                            [](const Floor& f, double height) { return f.height < height; });
+        auto best = last;
+        if (above != last && above->height - floor.height <= reach) {
+            best = above;
+            reach = above->height - floor.height;
         }
-        return best;
+        if (above != first && floor.height - std::prev(above)->height <= reach) {
+            best = std::prev(above);
+        }
+        return best == last ? -1 : best - floors_.begin();
     }
 
 private:

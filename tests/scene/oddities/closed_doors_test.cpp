@@ -127,6 +127,19 @@ TEST(ClosedDoors, AreTakenWithTheirGlass) {
     EXPECT_EQ(find_closed_doors(model)[0].node, leaf);
 }
 
+TEST(ClosedDoors, AreAllFoundOfMany) {
+    Model model;
+    test::add_box(model, "floor", {-5, -0.2, -5}, {2005, 0, 5});
+    for (int i = 0; i < 300; ++i) {  // a corridor of doors, with piers between them
+        const double x = 4.0 * i;
+        test::add_box(model, "pier", {x, 0, -0.1}, {x + 3, 3, 0.1});
+        test::add_box(model, "Cube", {x + 3.02, 0.01, -0.03}, {x + 3.98, 2.08, 0.03});
+        test::add_box(model, "lintel", {x + 3, 2.1, -0.1}, {x + 4, 3, 0.1});
+    }
+    test::add_box(model, "pier", {1200, 0, -0.1}, {1203, 3, 0.1});
+    EXPECT_EQ(count_closed(model), 300U);
+}
+
 TEST(ClosedDoors, AreFoundInTurnedWalls) {
     Model model;
     test::add_turned_box(model, "floor", {0, -0.1, 0}, {20, 0.2, 20}, 0);
