@@ -77,16 +77,18 @@ std::vector<std::size_t> outlier_nodes(const Model& model) {
     return outliers;
 }
 
-std::size_t count_duplicate_faces(const Model& model, const Bounds& bounds) {
+std::vector<DuplicateFaces> find_duplicate_faces(const Model& model, const Bounds& bounds) {
     const Eigen::Vector3d centre = 0.5 * (bounds.min + bounds.max);
     const std::size_t triangles = count_triangles(model);
     WeldTable<3> positions(triangles);
     WeldTable<3> faces(triangles);
-    std::size_t duplicates = 0;
+    std::vector<DuplicateFaces> duplicates;
     std::vector<std::uint32_t> numbers;
-    for (const Node& node : model.nodes) {
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        const Node& node = model.nodes[n];
         const Eigen::Matrix3d linear = node.X_world_node.topLeftCorner<3, 3>();
         const Eigen::Vector3d offset = node.X_world_node.topRightCorner<3, 1>() - centre;
+        DuplicateFaces own{n, 0, {}};
         for (const MeshIndex index : node.meshes) {
             const Mesh& mesh = model.meshes[index_of(index)];
             numbers.clear();
@@ -98,9 +100,19 @@ std::size_t count_duplicate_faces(const Model& model, const Bounds& bounds) {
                 std::array<std::uint32_t, 3> face = {numbers[t[0]], numbers[t[1]], numbers[t[2]]};
                 std::rotate(face.begin(), std::ranges::min_element(face),
                             face.end());  // turning direction kept
+                if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
+                    continue;  // no face at all
+                }
                 const std::size_t known = faces.size();
-                duplicates += faces.number_of(face) < known ? 1U : 0U;
+                if (faces.number_of(face) < known && own.count++ == 0) {
+                    const Eigen::Vector3f sum =
+                        mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]];
+                    own.first = linear * (sum.cast<double>() / 3.0) + offset + centre;
+                }
             }
+        }
+        if (own.count > 0) {
+            duplicates.push_back(own);
         }
     }
     return duplicates;

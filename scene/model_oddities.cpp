@@ -1,59 +1,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "scene/model_report.h"
+#include "scene/oddities/closed_doors.h"
+#include "scene/oddities/ground_cover.h"
+#include "scene/oddities/named_sizes.h"
+#include "scene/oddities/unit_guess.h"
+#include "scene/oddities/wording.h"
+#include "scene/world_triangles.h"
 
 namespace campuswalk::scene {
 namespace {
 
 constexpr double kLeastSize = 0.5;       // metres
-constexpr double kGreatestSize = 20e3;   // metres
+constexpr double kGreatestSize = 5e3;    // metres
 constexpr double kFarAway = 10e3;        // metres
 constexpr double kCoarsestStep = 0.005;  // metres between neighbouring float32 coordinates
 constexpr double kFacing = 0.9;          // cosine within which a face counts as facing an axis
 
-std::string in_metres(double length) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g m", length);
-    return text.data();
-}
-
-std::string plural(std::size_t count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
-/// The unit that would bring a length into the range of rooms and campuses, if it was read as metres.
-std::string unit_guess(double size) {
-    struct Unit {
-        const char* name;
-        double factor;
-    };
-    constexpr std::array<Unit, 6> kUnits = {{{"unit: cm", 0.01},
-                                             {"unit: mm", 0.001},
-                                             {"unit: in", 0.0254},
-                                             {"scale: 100", 100.0},
-                                             {"scale: 1000", 1000.0},
-                                             {"scale: 10", 10.0}}};
-    for (const Unit& unit : kUnits) {
-        const double scaled = size * unit.factor;
-        if (scaled >= 5.0 && scaled <= 3000.0) {
-            return "; with `" + std::string(unit.name) + "` it would be " + in_metres(scaled);
-        }
-    }
-    return "";
+std::string unit_hint(double size) {
+    const auto unit = guess_unit(size, 5.0, 3000.0);
+    return unit ? "; with `" + std::string(unit->yaml) + "` it would be " + in_metres(size * unit->factor)
+                : "";
 }
 
 void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
     const double size = (bounds.max - bounds.min).maxCoeff();
-    if (size < kLeastSize || size > kGreatestSize) {
-        out.push_back(
-            {"odd-scale", "it is " + in_metres(size) + " across, which no campus is" + unit_guess(size)});
+    if (size == 0.0) {
+        out.push_back({"odd-scale", "all of it lies at one point"});
+    } else if (size < kLeastSize || size > kGreatestSize) {
+        out.push_back({"odd-scale",
+                       "it is " + in_metres(size) + " across, which hardly any campus is" + unit_hint(size)});
     }
     const double distance = (0.5 * (bounds.min + bounds.max)).norm();
     if (distance > kFarAway) {
@@ -99,20 +81,12 @@ void check_up_axis(const Model& model, const Bounds& bounds, std::vector<Oddity>
     double facing_y = 0.0;
     double facing_z = 0.0;
     for (const Node& node : model.nodes) {
-        const Eigen::Matrix3d linear = node.X_world_node.topLeftCorner<3, 3>();
-        for (const MeshIndex index : node.meshes) {
-            const Mesh& mesh = model.meshes[index_of(index)];
-            for (const auto& t : mesh.triangles) {
-                const Eigen::Vector3d ab =
-                    linear * (mesh.positions[t[1]] - mesh.positions[t[0]]).cast<double>();
-                const Eigen::Vector3d ac =
-                    linear * (mesh.positions[t[2]] - mesh.positions[t[0]]).cast<double>();
-                const Eigen::Vector3d n = ab.cross(ac);
-                const double area = n.norm();
-                facing_y += std::abs(n.y()) > kFacing * area ? area : 0.0;
-                facing_z += std::abs(n.z()) > kFacing * area ? area : 0.0;
-            }
-        }
+        for_each_triangle(model, node, [&](const auto& a, const auto& b, const auto& c) {
+            const Eigen::Vector3d n = (b - a).cross(c - a);
+            const double area = n.norm();
+            facing_y += std::abs(n.y()) > kFacing * area ? area : 0.0;
+            facing_z += std::abs(n.z()) > kFacing * area ? area : 0.0;
+        });
     }
     if (facing_z > 2.0 * facing_y) {
         out.push_back({"z-up",
@@ -159,6 +133,69 @@ void check_nodes(const Model& model, std::vector<Oddity>& out) {
     }
 }
 
+void check_duplicates(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+    Oddity odd{"duplicate-faces", "", {}};
+    std::size_t count = 0;
+    const DuplicateFaces* most = nullptr;
+    const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(model, bounds);
+    for (const DuplicateFaces& own : duplicates) {
+        odd.places.push_back({model.nodes[own.node].name, own.first});
+        count += own.count;
+        most = most == nullptr || own.count > most->count ? &own : most;
+    }
+    if (most != nullptr) {
+        odd.message = plural(count, "triangle") + " on top of another, facing the same way, " +
+                      (duplicates.size() > 1 ? "most of them (" + std::to_string(most->count) + ") " : "") +
+                      "in node '" + model.nodes[most->node].name + "'; delete one of each";
+        out.push_back(odd);
+    }
+}
+
+void check_outliers(const Model& model, const ModelReport& report, std::vector<Oddity>& out) {
+    Oddity odd{"outlier", "", {}};
+    for (const std::size_t n : outlier_nodes(model)) {
+        const Bounds& bounds = report.nodes[n].bounds;
+        odd.places.push_back({model.nodes[n].name, 0.5 * (bounds.min + bounds.max)});
+    }
+    if (!odd.places.empty()) {
+        odd.message = plural(odd.places.size(), "node") + " far from all the rest, such as '" +
+                      odd.places.front().node +
+                      "', stretch the bounds; move them, or leave them out of the file";
+        out.push_back(odd);
+    }
+}
+
+void check_ground(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+    constexpr double kRoom = 3.0;  // metres: smaller things are furniture
+    const Eigen::Vector3d size = bounds.max - bounds.min;
+    if (std::min(size.x(), size.z()) < kRoom) {
+        return;
+    }
+    const GroundCover cover = measure_ground(model, bounds);
+    if (is_no_ground(cover)) {
+        const std::string share = short_number(std::round(100.0 * cover.share)) + " %";
+        const std::string what =
+            cover.share >= 0.25 ? "the largest level part is a roof, at " + in_metres(cover.height)
+                                : "the largest level part is " + share + " of what it covers of the plan";
+        out.push_back(
+            {"no-ground", "there is hardly any ground to walk on: " + what +
+                              "; add a floor to the model, or a solid box to the campus, as --suggest does"});
+    }
+}
+
+void check_doors(const Model& model, std::vector<Oddity>& out) {
+    Oddity odd{"solid-door", "", {}};
+    for (const ClosedDoor& door : find_closed_doors(model)) {
+        odd.places.push_back({model.nodes[door.node].name, door.foot});
+    }
+    if (!odd.places.empty()) {
+        odd.message = plural(odd.places.size(), "door") + " that " +
+                      (odd.places.size() == 1 ? "closes" : "close") + " a way through, such as '" +
+                      odd.places.front().node + "'; open them, or keep their nodes out of what is solid";
+        out.push_back(odd);
+    }
+}
+
 }  // namespace
 
 bool is_made_up_name(const std::string& name) {
@@ -166,24 +203,28 @@ bool is_made_up_name(const std::string& name) {
            name.starts_with("<") || name == "defaultobject";
 }
 
-std::vector<Oddity> find_oddities(const Model& model, const Bounds& bounds) {
+std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report) {
     std::vector<Oddity> oddities;
-    if (bounds.empty()) {
+    if (report.bounds.empty()) {
         oddities.push_back({"no-triangles", "it has no triangle: nothing to see and nothing to walk on"});
         return oddities;
     }
-    check_size(bounds, oddities);
+    check_size(report.bounds, oddities);
     check_precision(model, oddities);
-    check_up_axis(model, bounds, oddities);
+    check_up_axis(model, report.bounds, oddities);
     check_nodes(model, oddities);
-    if (const std::size_t count = count_duplicate_faces(model, bounds); count > 0) {
-        oddities.push_back(
-            {"duplicate-faces", plural(count, "triangle") + " on top of another, facing the same way"});
-    }
-    const std::vector<std::size_t> outliers = outlier_nodes(model);
-    if (!outliers.empty()) {
-        oddities.push_back({"outlier", plural(outliers.size(), "node") + " far from all the rest, such as '" +
-                                           model.nodes[outliers.front()].name + "', stretch the bounds"});
+    check_duplicates(model, report.bounds, oddities);
+    check_outliers(model, report, oddities);
+    const bool lies = std::ranges::any_of(oddities, [](const Oddity& odd) { return odd.code == "z-up"; });
+    const std::vector<Oddity> odd_sizes = find_odd_sizes(model, report.nodes, lies ? 2 : 1);
+    oddities.insert(oddities.end(), odd_sizes.begin(), odd_sizes.end());
+    // Of a model that lies on its side or has another unit these would only say the same again.
+    const bool upright = std::ranges::none_of(oddities, [](const Oddity& odd) {
+        return odd.code == "z-up" || odd.code == "odd-scale" || odd.code == "door-size";
+    });
+    if (upright) {
+        check_ground(model, report.bounds, oddities);
+        check_doors(model, oddities);
     }
     return oddities;
 }

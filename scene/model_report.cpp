@@ -82,7 +82,7 @@ ModelReport report(const Model& model) {
     for (const Texture& texture : model.textures) {
         result.textures.push_back({texture.name, texture.width, texture.height});
     }
-    result.warnings = find_oddities(model, result.bounds);
+    result.warnings = find_oddities(model, result);
     return result;
 }
 

@@ -32,7 +32,7 @@ struct TextureReport {
 
 /// Something that a person should look at. `code` is stable:
 ///   no-triangles     nothing to walk on
-///   odd-scale        under half a metre or over 20 km across; with a unit that would make it a campus
+///   odd-scale        under half a metre or over 5 km across; with a unit that would make it a campus
 ///   coarse-position  so far from the file's origin that float32 steps exceed 5 mm
 ///   far-from-origin  over 10 km from the world's origin
 ///   z-up             lies like a map seen from the front: `up: z` is probably meant
@@ -41,9 +41,19 @@ struct TextureReport {
 ///   repeated-name    names that several nodes with triangles share
 ///   duplicate-faces  triangles that lie on another one, facing the same way
 ///   outlier          a few triangles stretch the bounds to four times what the rest fills
+///   no-ground        nothing to walk on but shreds, tops of walls or a roof
+///   solid-door       doors that close a way through
+///   door-size        doors that are no door's size, or lie on the ground
+///   stair-riser      stairs with steps that nobody climbs
 struct Oddity {
+    struct Place {
+        std::string node;
+        Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< world
+    };
+
     std::string code;
     std::string message;
+    std::vector<Place> places = {};  ///< all of them, where there are any
 };
 
 /// What there is to say about a model, as plain data; printing it is the caller's.
@@ -62,8 +72,8 @@ struct ModelReport {
 
 ModelReport report(const Model& model);
 
-/// The warnings alone; `bounds` are the model's.
-std::vector<Oddity> find_oddities(const Model& model, const Bounds& bounds);
+/// The warnings alone, of what the report tells else.
+std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report);
 
 /// Whether an importer made the name up, where the file has none: it changes when the file does.
 bool is_made_up_name(const std::string& name);
@@ -72,7 +82,14 @@ bool is_made_up_name(const std::string& name);
 /// triangles fill.
 std::vector<std::size_t> outlier_nodes(const Model& model);
 
-/// Triangles that have the corners of an earlier one in the same turning direction.
-std::size_t count_duplicate_faces(const Model& model, const Bounds& bounds);
+/// Triangles of a node that have the corners of an earlier one in the same turning direction.
+struct DuplicateFaces {
+    std::size_t node = 0;
+    std::size_t count = 0;
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< world, the middle of the first of them
+};
+
+/// By node, those that have any.
+std::vector<DuplicateFaces> find_duplicate_faces(const Model& model, const Bounds& bounds);
 
 }  // namespace campuswalk::scene

@@ -1,29 +1,77 @@
 #include "scene/suggest/suggested_buildings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
+#include <string_view>
 
+#include <Eigen/Geometry>
+
+#include "scene/name_words.h"
 #include "scene/object_names.h"
+#include "scene/world_triangles.h"
 
 namespace campuswalk::scene {
 namespace {
 
-constexpr double kStorey = 2.2;    // metres
-constexpr double kRoom = 2.0;      // metres
+using Eigen::Vector3d;
+
+constexpr double kStorey = 2.4;    // metres
+constexpr double kRoom = 3.0;      // metres
 constexpr double kMostOfIt = 0.6;  // of the whole model's ground
+constexpr double kWalled = 0.3;    // of a wall of one storey all round
+constexpr double kUpright = 0.2;   // cosine between a wall's normal and the ground
 constexpr std::size_t kMost = 40;
 
 double ground_of(const Bounds& bounds) {
     return bounds.empty() ? 0.0 : (bounds.max.x() - bounds.min.x()) * (bounds.max.z() - bounds.min.z());
 }
 
+/// By its name and its box alone.
 bool may_be_building(const NodeReport& node, double whole) {
-    if (node.bounds.empty()) {
+    if (node.bounds.empty() || is_made_up_name(node.name) || is_surroundings_name(node.name)) {
         return false;
     }
-    const Eigen::Vector3d size = node.bounds.max - node.bounds.min;
+    const Vector3d size = node.bounds.max - node.bounds.min;
     return size.y() >= kStorey && size.x() >= kRoom && size.z() >= kRoom &&
            ground_of(node.bounds) < kMostOfIt * whole;
+}
+
+/// By node, those right below it.
+using Children = std::vector<std::vector<std::size_t>>;
+
+Children children_of(const Model& model) {
+    Children children(model.nodes.size());
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        if (model.nodes[n].parent >= 0) {
+            children[static_cast<std::size_t>(model.nodes[n].parent)].push_back(n);
+        }
+    }
+    return children;
+}
+
+/// The box about a node and what is below it, if that has the walls of a building.
+std::optional<UprightBox> box_if_walled(const Model& model, const Children& children, std::size_t root) {
+    UprightBoxFit fit;
+    double walls = 0.0;
+    std::vector<std::size_t> waiting = {root};
+    while (!waiting.empty()) {
+        const std::size_t n = waiting.back();
+        waiting.pop_back();
+        waiting.insert(waiting.end(), children[n].begin(), children[n].end());
+        for_each_vertex(model, model.nodes[n], [&](const Vector3d& p) { fit.add(p); });
+        for_each_triangle(model, model.nodes[n],
+                          [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+                              const Vector3d normal = (b - a).cross(c - a);
+                              const double twice_area = normal.norm();
+                              walls += std::abs(normal.y()) < kUpright * twice_area ? 0.5 * twice_area : 0.0;
+                          });
+    }
+    const UprightBox box = fit.box();
+    const bool wide = box.size.x() >= kRoom && box.size.z() >= kRoom;
+    const double all_round = 2.0 * (box.size.x() + box.size.z()) * kStorey;
+    return wide && walls >= kWalled * all_round ? std::optional(box) : std::nullopt;
 }
 
 std::string glob_of(const std::string& name) {
@@ -37,46 +85,84 @@ std::string glob_of(const std::string& name) {
     return glob;
 }
 
-/// Of the report's nodes, without those below another of them.
-std::vector<std::size_t> topmost_buildings(const ModelReport& report) {
+struct Candidate {
+    std::size_t node = 0;
+    UprightBox box;
+
+    double ground() const { return box.size.x() * box.size.z(); }
+};
+
+/// Without those below another of them.
+std::vector<Candidate> topmost_buildings(const Model& model, const ModelReport& report) {
     std::map<std::string, std::size_t> uses;
     for (const NodeReport& node : report.nodes) {
         ++uses[node.name];
     }
     const double whole = ground_of(report.bounds);
+    const Children children = children_of(model);
     std::vector<bool> inside(report.nodes.size(), false);
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < report.nodes.size(); ++i) {
-        const NodeReport& node = report.nodes[i];
-        const bool below = node.parent >= 0 && inside[static_cast<std::size_t>(node.parent)];
-        const bool chosen =
-            !below && !is_made_up_name(node.name) && uses[node.name] == 1 && may_be_building(node, whole);
-        inside[i] = below || chosen;
-        if (chosen) {
-            found.push_back(i);
+    std::vector<Candidate> found;
+    for (std::size_t n = 0; n < report.nodes.size(); ++n) {
+        const NodeReport& node = report.nodes[n];
+        inside[n] = node.parent >= 0 && inside[static_cast<std::size_t>(node.parent)];
+        if (inside[n] || uses[node.name] != 1 || !may_be_building(node, whole)) {
+            continue;
+        }
+        if (const auto box = box_if_walled(model, children, n)) {
+            inside[n] = true;
+            found.push_back({n, *box});
         }
     }
     return found;
 }
 
+/// Ids are ASCII: accents of Latin letters are dropped, other characters left out.
+std::string in_ascii(const std::string& name) {
+    constexpr std::string_view kPlain =
+        "AAAAAAACEEEEIIIIDNOOOOO OUUUUYTsaaaaaaaceeeeiiiidnooooo ouuuuyty";  // U+00C0 to U+00FF
+    std::string ascii;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(name[i]);
+        if (byte < 0x80U) {
+            ascii += name[i];
+        } else if (byte == 0xC3U && i + 1 < name.size()) {
+            ascii += kPlain[static_cast<unsigned char>(name[++i]) & 0x3FU];
+        }
+    }
+    return ascii;
+}
+
+/// Names of which no letter is left for an id, and identifiers, which say nothing to a reader, are counted.
+std::vector<std::string> ids_of(const std::vector<std::string>& names) {
+    std::vector<std::string> words;
+    std::size_t unnamed = 0;
+    for (const std::string& name : names) {
+        const std::string ascii = in_ascii(name);
+        const bool no_word = std::ranges::none_of(
+            ascii, [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
+        const bool counted = no_word || is_identifier(ascii);
+        words.push_back(counted ? "building-" + std::to_string(++unnamed) : ascii);
+    }
+    return distinct_words(words);
+}
+
 }  // namespace
 
-std::vector<SuggestedBuilding> suggest_buildings(const ModelReport& report) {
-    std::vector<std::size_t> found = topmost_buildings(report);
-    std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
-        return ground_of(report.nodes[a].bounds) > ground_of(report.nodes[b].bounds);
-    });
+std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report) {
+    std::vector<Candidate> found = topmost_buildings(model, report);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.ground() > b.ground(); });
     found.resize(std::min(found.size(), kMost));
-    std::sort(found.begin(), found.end());
+    std::sort(found.begin(), found.end(),
+              [](const Candidate& a, const Candidate& b) { return a.node < b.node; });
     std::vector<std::string> names;
-    for (const std::size_t i : found) {
-        names.push_back(report.nodes[i].name);
+    for (const Candidate& candidate : found) {
+        names.push_back(report.nodes[candidate.node].name);
     }
-    const std::vector<std::string> ids = distinct_words(names);
+    const std::vector<std::string> ids = ids_of(names);
     std::vector<SuggestedBuilding> buildings;
     for (std::size_t k = 0; k < found.size(); ++k) {
-        const NodeReport& node = report.nodes[found[k]];
-        buildings.push_back({ids[k], node.name, glob_of(node.name), node.bounds});
+        buildings.push_back({ids[k], names[k], glob_of(names[k]), found[k].box});
     }
     return buildings;
 }

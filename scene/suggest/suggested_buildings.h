@@ -5,19 +5,21 @@
 
 #include "scene/model.h"
 #include "scene/model_report.h"
+#include "scene/upright_box.h"
 
 namespace campuswalk::scene {
 
 /// A named node that may well be a building.
 struct SuggestedBuilding {
-    std::string id;    ///< kebab-case, distinct
+    std::string id;    ///< kebab-case, distinct; `building-1`, … where the name is an identifier
     std::string node;  ///< its name, which no other node has
     std::string glob;  ///< that matches it and nothing else
-    Bounds bounds;     ///< world
+    UprightBox box;    ///< world
 };
 
-/// The topmost nodes with a name of their own that are as high as a storey and as wide as a room, and not
-/// most of the whole; the forty that cover most ground, in the order of the file.
-std::vector<SuggestedBuilding> suggest_buildings(const ModelReport& report);
+/// The topmost nodes with a name of their own that are as high as a storey, as wide as a room, have walls and
+/// are neither most of the whole nor called a tree, a fence or the like; the forty that cover most ground, in
+/// the order of the file.
+std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report);
 
 }  // namespace campuswalk::scene

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -19,15 +20,16 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kSquare = 0.5;          // metres
-constexpr double kLargest = 100.0;       // metres
-constexpr double kRadius = 0.3;          // metres, of the usual avatar, as its height
-constexpr double kHeight = 1.8;          // metres
-constexpr double kHeadroom = 1.95;       // metres
-constexpr double kStep = 0.3;            // metres
-constexpr double kSteepest = 0.77;       // cosine: 40 degrees
-constexpr double kSearch = 0.05;         // metres that a round foot stands higher on a slope
-constexpr std::uint32_t kFarEnough = 4;  // squares from an edge
+constexpr double kSquare = 0.5;           // metres
+constexpr double kLargest = 150.0;        // metres
+constexpr double kRadius = 0.3;           // metres, of the usual avatar, as its height
+constexpr double kHeight = 1.8;           // metres
+constexpr double kHeadroom = 1.95;        // metres
+constexpr double kStep = 0.3;             // metres
+constexpr double kSteepest = 0.77;        // cosine: 40 degrees
+constexpr double kSearch = 0.05;          // metres that a round foot stands higher on a slope
+constexpr double kAside = 0.5;            // metres from a box
+constexpr std::uint32_t kFarEnough = 16;  // squares from an edge
 
 const collision::QueryFilter kSolid;
 
@@ -87,11 +89,15 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
             }
             above = foot.y();
         }
+        for (std::size_t s = 0; s + 1 < columns_[c].spots.size(); ++s) {
+            spots_[columns_[c].spots[s]].upstairs = true;
+        }
     }
 }
 
-void WalkableGround::connect(std::uint32_t a, const Column& column) {
+bool WalkableGround::connect(std::uint32_t a, const Column& column) {
     QueryCounters counters;
+    bool connected = false;
     for (const std::uint32_t b : column.spots) {
         const Vec3& from = spots_[a].foot;
         const Vec3& to = spots_[b].foot;
@@ -103,19 +109,24 @@ void WalkableGround::connect(std::uint32_t a, const Column& column) {
         if (free_place(world_, kSolid, between, kRadius, kHeight, kStep + kSearch, counters)) {
             spots_[a].next.push_back(b);
             spots_[b].next.push_back(a);
+            connected = true;
         }
     }
+    return connected;
 }
 
 void WalkableGround::connect() {
     for (std::int64_t z = 0; z < depth_; ++z) {
         for (std::int64_t x = 0; x < width_; ++x) {
             for (const std::uint32_t spot : column_at(x, z).spots) {
-                if (x + 1 < width_) {
-                    connect(spot, column_at(x + 1, z));
+                // Right before a step nobody stands level: the next square may hold no spot.
+                const bool right = x + 1 < width_ && connect(spot, column_at(x + 1, z));
+                if (!right && x + 2 < width_) {
+                    connect(spot, column_at(x + 2, z));
                 }
-                if (z + 1 < depth_) {
-                    connect(spot, column_at(x, z + 1));
+                const bool back = z + 1 < depth_ && connect(spot, column_at(x, z + 1));
+                if (!back && z + 2 < depth_) {
+                    connect(spot, column_at(x, z + 2));
                 }
             }
         }
@@ -163,28 +174,39 @@ void WalkableGround::measure_edges() {
     }
 }
 
-std::optional<std::uint32_t> WalkableGround::best_spot(const Vec3& middle) const {
+std::optional<std::uint32_t> WalkableGround::best_spot(const Vec3& middle,
+                                                       const std::vector<UprightBox>& boxes) const {
     std::vector<std::size_t> weight(spots_.size() + 1);
     for (const Spot& spot : spots_) {
-        weight[spot.part] += spot.open_sky ? 4 : 1;
+        weight[spot.part] += spot.upstairs ? 1 : spot.open_sky ? 8 : 2;
     }
     const auto part =
         static_cast<std::uint32_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
-    std::optional<std::uint32_t> best;
-    const auto is_better = [&](const Spot& a, const Spot& b) {
-        const std::uint32_t room_a = std::min(a.from_edge, kFarEnough);
-        const std::uint32_t room_b = std::min(b.from_edge, kFarEnough);
-        if (a.open_sky != b.open_sky || room_a != room_b) {
-            return a.open_sky != b.open_sky ? a.open_sky : room_a > room_b;
-        }
-        return (a.foot - middle).squaredNorm() < (b.foot - middle).squaredNorm();
+    // Each of these says more than all that come after it.
+    using Merit = std::tuple<bool, bool, bool, std::uint32_t, double>;
+    const auto merit = [&](const Spot& spot) {
+        const bool outside = std::ranges::none_of(
+            boxes, [&](const UprightBox& box) { return box.depth_of(spot.foot) > -kAside; });
+        return Merit(!spot.upstairs, spot.open_sky, outside, std::min(spot.from_edge, kFarEnough),
+                     -(spot.foot - middle).squaredNorm());
     };
+    std::optional<std::uint32_t> best;
+    Merit most;
     for (std::uint32_t s = 0; s < spots_.size(); ++s) {
-        if (spots_[s].part == part && (!best || is_better(spots_[s], spots_[*best]))) {
+        if (spots_[s].part != part) {
+            continue;
+        }
+        const Merit own = merit(spots_[s]);
+        if (!best || own > most) {
             best = s;
+            most = own;
         }
     }
     return best;
+}
+
+std::size_t WalkableGround::count_reachable(std::uint32_t spot) const {
+    return static_cast<std::size_t>(std::ranges::count(spots_, spots_[spot].part, &Spot::part));
 }
 
 std::vector<std::uint32_t> WalkableGround::ways_from(std::uint32_t start) const {

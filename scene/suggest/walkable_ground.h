@@ -8,6 +8,7 @@
 
 #include "collision/mesh_collider.h"
 #include "collision/world.h"
+#include "scene/upright_box.h"
 
 namespace campuswalk::scene {
 
@@ -19,21 +20,27 @@ public:
     struct Spot {
         collision::Vec3 foot = collision::Vec3::Zero();
         bool open_sky = false;            ///< nothing above it
-        std::vector<std::uint32_t> next;  ///< connected neighbours
+        bool upstairs = false;            ///< a roof or an upper floor: there is a spot below it
+        std::vector<std::uint32_t> next;  ///< connected neighbours, one or, over a step, two squares away
         std::uint32_t part = 0;           ///< spots of one part can be reached from one another
         std::uint32_t from_edge = 0;      ///< steps to the nearest spot that lacks a neighbour
     };
 
-    /// Looks at a square of 100 m about `middle`, or all of the mesh if that is less.
+    /// Looks at a square of 150 m about `middle`, or all of the mesh if that is less.
     WalkableGround(const std::shared_ptr<const collision::MeshCollider>& mesh,
                    const collision::Vec3& p_world_origin, const collision::Vec3& middle);
 
     const std::vector<Spot>& spots() const { return spots_; }
 
-    /// In the largest part, spots under the open sky counting four times; there as far from every edge as two
-    /// metres if it can be, under the open sky if it can be, near `middle`. None if nobody can stand
-    /// anywhere.
-    std::optional<std::uint32_t> best_spot(const collision::Vec3& middle) const;
+    /// In the largest part, where spots upstairs count once, others twice and under the open sky eight times.
+    /// There, each if it can be: not
+    /// upstairs, under the open sky, half a metre from all `boxes`, as far as eight metres from every edge;
+    /// near `middle`. None if nobody can stand anywhere.
+    std::optional<std::uint32_t> best_spot(const collision::Vec3& middle,
+                                           const std::vector<UprightBox>& boxes) const;
+
+    /// How many spots can be reached from one of them, itself included.
+    std::size_t count_reachable(std::uint32_t spot) const;
 
     /// By spot: the one before it on a shortest way from `start`, itself for the start and for what can't be
     /// reached. Ways keep a step from edges where that is possible.
@@ -53,7 +60,8 @@ private:
     void find_floors(const collision::MeshCollider& mesh, const collision::Vec3& p_world_origin,
                      double search);
     void connect();
-    void connect(std::uint32_t a, const Column& column);
+    /// Whether it is with any of the column's.
+    bool connect(std::uint32_t a, const Column& column);
     void number_parts();
     void measure_edges();
     bool is_straight(const collision::Vec3& from, const collision::Vec3& to) const;

@@ -50,6 +50,14 @@ TEST_F(ModelReportTest, CountsWhatIsThere) {
     EXPECT_EQ(r.nodes[2].depth, 2);
     EXPECT_EQ(r.nodes[1].triangles, 12U);
     EXPECT_EQ(r.nodes[1].bounds.max, Eigen::Vector3d(10, 3.5, 5));  // with its subtree
+    ASSERT_EQ(r.warnings.size(), 1U) << all_oddities(r);
+    EXPECT_EQ(r.warnings[0].code, "no-ground");  // but for the roof
+}
+
+TEST_F(ModelReportTest, HasNothingToSayOfAHouseOnALawn) {
+    const ModelReport r = report_of({{.name = "campus"},
+                                     {.name = "lawn", .size = {60, 0.5, 60}, .parent = 0},
+                                     {.name = "hall", .size = {20, 5, 10}, .parent = 0}});
     EXPECT_TRUE(r.warnings.empty()) << all_oddities(r);
 }
 
@@ -99,11 +107,29 @@ TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
                                        test::obj_box("c", {9, 0, 0}, {12, 4, 4}, 17));
         return import("twice.obj");
     }();
-    EXPECT_EQ(count_duplicate_faces(twice, world_bounds(twice)), 12U);
+    const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(twice, world_bounds(twice));
+    ASSERT_EQ(duplicates.size(), 1U);
+    EXPECT_EQ(twice.nodes[duplicates[0].node].name, "b");
+    EXPECT_EQ(duplicates[0].count, 12U);
+    EXPECT_EQ(duplicates[0].first.cwiseMax(0.0).cwiseMin(4.0), duplicates[0].first);  // on the box
+    // What has no area is no face.
+    folder_.write("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\nf 1 2 3\n");
+    const Model point = import("point.obj");
+    EXPECT_TRUE(find_duplicate_faces(point, world_bounds(point)).empty());
+    EXPECT_NE(all_oddities(report(point)).find("odd-scale: all of it lies at one point"), std::string::npos);
     // Front and back of the same sheet are two faces.
     folder_.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 3 2 1\nf 2 3 1\n");
     const Model sheet = import("sheet.obj");
-    EXPECT_EQ(count_duplicate_faces(sheet, world_bounds(sheet)), 1U);
+    ASSERT_EQ(find_duplicate_faces(sheet, world_bounds(sheet)).size(), 1U);
+    EXPECT_EQ(find_duplicate_faces(sheet, world_bounds(sheet))[0].count, 1U);
+    EXPECT_TRUE(find_duplicate_faces(sheet, world_bounds(sheet))[0].first.isApprox(
+        Eigen::Vector3d(1, 0, 1) / 3.0, 1e-6));
+}
+
+TEST_F(ModelReportTest, AsksNothingElseOfAModelThatLiesOnItsSide) {
+    const ModelReport r = report_of({{.name = "map", .size = {100, 80, 5}}});
+    ASSERT_EQ(r.warnings.size(), 1U) << all_oddities(r);
+    EXPECT_EQ(r.warnings[0].code, "z-up");
 }
 
 TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {
@@ -122,6 +148,12 @@ TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {
     const auto outliers = outlier_nodes(town);
     ASSERT_EQ(outliers.size(), 1U);
     EXPECT_EQ(town.nodes[outliers[0]].name, "lake");
+    const ModelReport told = report(town);
+    const auto odd = std::ranges::find_if(told.warnings, [](const Oddity& o) { return o.code == "outlier"; });
+    ASSERT_NE(odd, told.warnings.end());
+    ASSERT_EQ(odd->places.size(), 1U);
+    EXPECT_EQ(odd->places[0].node, "lake");
+    EXPECT_EQ(odd->places[0].at, Eigen::Vector3d(3900, 0, 3900));
 }
 
 }  // namespace

@@ -47,6 +47,22 @@ class Readme(ProgramCase):
         self.assertIn("trigger.enter    library/door", log)
         self.assertIn("result=pass", log)
 
+    def test_the_ten_lines_as_they_stand(self):
+        for name in ("school.campus.yaml", "visit.walk.yaml"):
+            os.remove(self.path(name))
+        section = re.search(r"### Bring your own campus\n(.*?)\n\n[A-Z]", self.readme, re.DOTALL).group(1)
+        self.assertEqual(re.findall(r"^(\d+)\. ", section, re.MULTILINE), [str(i) for i in range(1, 11)])
+        commands = re.findall(r"`campuswalk ([^`]+)`", section)
+        self.assertEqual([command.split()[0] for command in commands],
+                         ["info", "info", "run", "snapshot", "validate", "run"])
+        for command in commands:
+            with self.subTest(command=command):
+                arguments = command.replace("school.glb", "school.obj").split()
+                outcome = self.run_program(*arguments)
+                if outcome.code == 3 and "OpenGL" in outcome.err:
+                    continue  # a machine without pictures
+                self.assertEqual(outcome.code, 0, outcome.err)
+
     def test_what_collide_prints(self):
         arguments, printed = re.search(r"```\n\$ campuswalk (collide .*)\n((?:.*\n)*?)```", self.readme).groups()
         outcome = self.run_program(*arguments.replace("school.glb", "school.obj").split())

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """`campuswalk info --suggest`: what it writes holds, and walks."""
 
+import math
 import os
+import re
 import unittest
 
 from program import ROOM, ProgramCase, main
@@ -21,9 +23,27 @@ WILD = [
     "recast/undulating.obj",
     "small_house/small_house_collision.glb",
     "small_house/small_house_visual.glb",
+    "ufaz/after153/cafeteria.obj",
+    "ufaz/after153/lab.obj",
+    "ufaz/after153/lecture.obj",
+    "ufaz/after153/library.obj",
     "ufaz/after153/outdoor_campus.obj",
+    "ufaz/after153/sports.obj",
+    "ufaz/after153/student-center.obj",
+    "ufaz/after153/ufaz-floor.obj",
     "ufaz/after153/ufaz.obj",
+    "ufaz/before128/ufaz-floor.obj",
 ]
+
+
+# Of ufaz/ the lift's shaft is one to the eye, too.
+WITH_BUILDINGS = ("testarea.obj", "outdoor_campus.obj", "ufaz-floor.obj", "ufaz.obj")
+
+
+def box(x0, y0, z0, x1, y1, z1):
+    """The lines of an OBJ file with one box."""
+    corners = ["v %g %g %g" % (x, y, z) for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
+    return corners + ["f 1 3 4 2", "f 5 6 8 7", "f 1 2 6 5", "f 3 7 8 4", "f 1 5 7 3", "f 2 4 8 6"]
 
 
 # The room's wall as a hut of 4 m x 3 m x 4 m.
@@ -61,6 +81,23 @@ class Suggest(ProgramCase):
         self.assertIn("up: z, position: [-85000", campus)
         self.assertRegex(log, r"trigger\.enter +hut-1/around")
 
+    def test_centimetres_are_known_by_a_door_and_the_door_is_told_of(self):
+        door = [[-0.5, 0, -4.04], [0.5, 2.1, -4.02]]
+        # The hut with a doorway in its front, and a door in that.
+        boxes = [("meadow", -20, -1, -20, 20, 0, 20), ("l", -3, 0, -8, -2.8, 3, -4), ("r", 2.8, 0, -8, 3, 3, -4),
+                 ("back", -3, 0, -8, 3, 3, -7.8), ("roof", -3, 3, -8, 3, 3.2, -4), ("f1", -3, 0, -4.1, -0.5, 3, -4),
+                 ("f2", 0.5, 0, -4.1, 3, 3, -4), ("Tür", *door[0], *door[1])]
+        lines = []
+        for i, (name, *numbers) in enumerate(boxes):
+            faces = [re.sub(r"\d+", lambda m, i=i: str(int(m[0]) + 8 * i), line) if line[0] == "f" else line
+                     for line in box(*(100 * number for number in numbers))]
+            lines += ["o " + name] + faces
+        self.write("hut.obj", "\n".join(lines) + "\n")
+        told = self.passes("info", "hut.obj", "--suggest", "new.campus.yaml").out
+        self.assertIn("1 warning about the model as it stands there\n  solid-door: ", told)
+        self.assertIn("    'Tür' at 0.000,0.000,-4.030\n", told)
+        self.assertIn('{file: "hut.obj", scale: 0.01}', self.read("new.campus.yaml").decode())
+
     def test_nothing_is_overwritten_unasked(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):
             self.write(taken, "mine")
@@ -78,16 +115,43 @@ class Suggest(ProgramCase):
         self.assertIn("new.yaml: error file-name: a campus file is called NAME.campus.yaml", outcome.err)
 
     def test_no_ground(self):
-        self.write("wall.obj", "v 0 0 0\nv 5 0 0\nv 0 5 3\nf 1 2 3\n")
+        self.write("wall.obj", "v 0 0 0\nv 0.05 0 0\nv 0 0.05 0.03\nf 1 2 3\n")
         before = sorted(self.contents())
         outcome = self.run_program("info", "wall.obj", "--suggest", "new.campus.yaml")
         self.assertEqual(outcome.code, 2)
         self.assertIn("wall.obj: error no-ground", outcome.err)
         self.assertEqual(sorted(self.contents()), before)
 
+    def test_a_building_without_ground_gets_some(self):
+        self.write("hut.obj", "o Hut_1\n" + "\n".join(box(-2, 0, -8, 2, 3, -4)) + "\n")
+        campus, log = self.suggest("hut.obj")
+        self.assertRegex(campus, r"# The model has no ground.*\n  - \{id: ground, shape: box, center: "
+                                 r"\[0\.000, -0\.250, -6\.000\], size: \[44\.000, 0\.500, 44\.000\], mode: solid\}")
+        self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
+        self.assertIn("avatar.arrive", log)
+
+    def test_an_identifier_becomes_a_number_and_stays_the_title(self):
+        guid = "b31bcc29d-00ba-11e6-b420-2bdcc4ab5d7f"
+        self.write("hut.obj", HUT.replace("Hut_1", guid))
+        campus, log = self.suggest("hut.obj")
+        self.assertIn('{id: "building-1", nodes: "%s", title: "%s"}' % (guid, guid), campus)
+        self.assertRegex(log, r"popup\.open +building-1")
+
+    def test_the_visitor_begins_outside_and_sees_something(self):
+        campus, log = self.suggest("hut.obj")
+        self.assertNotIn("popup.open", log.split("avatar.arrive")[0].splitlines()[1])
+        x, z, yaw = map(float, re.search(r"at: \[(\S+), \S+, (\S+)\], yaw_deg: (\S+)\}", campus).groups())
+        self.assertTrue(abs(x) > 2.3 or abs(z + 6) > 2.3, (x, z))
+        ahead = (-math.sin(math.radians(yaw)), -math.cos(math.radians(yaw)))
+        to_hut = (0 - x, -6 - z)
+        cosine = (ahead[0] * to_hut[0] + ahead[1] * to_hut[1]) / math.hypot(*to_hut)
+        self.assertGreater(cosine, 0.0)  # not with the back to it
+
     def test_the_demo_campus(self):
-        model = os.path.join(ROOT, "campus_assets", "demo", "ground.glb")
-        self.assertIn("avatar.arrive", self.suggest(model)[1])
+        for name in ("ground", "buildings", "furniture", "vegetation"):
+            with self.subTest(model=name):
+                model = os.path.join(ROOT, "campus_assets", "demo", name + ".glb")
+                self.assertIn("avatar.arrive", self.suggest(model, "--overwrite")[1])
 
     def test_models_that_nobody_here_wrote(self):
         if not os.path.isdir(SHARED):
@@ -95,7 +159,12 @@ class Suggest(ProgramCase):
         models = [os.path.join(SHARED, name) for name in WILD]
         for model in models:
             with self.subTest(model=os.path.relpath(model, SHARED)):
-                self.suggest(model, "--overwrite")
+                campus, log = self.suggest(model, "--overwrite")
+                self.assertIn("avatar.arrive", log)
+                self.assertNotIn("avatar.depenetrated", log)
+                has_buildings = any(name in model for name in WITH_BUILDINGS)
+                self.assertEqual("buildings:" in campus, has_buildings)
+
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/oddities_text.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
 #include "tools/campuswalk/writable_path.h"
@@ -32,6 +33,11 @@ Json json_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+/// Null where there is nothing.
+Json json_of(const scene::Bounds& bounds) {
+    return bounds.empty() ? Json() : Json{{"min", json_of(bounds.min)}, {"max", json_of(bounds.max)}};
+}
+
 const char* name_of(scene::AlphaMode mode) {
     switch (mode) {
         case scene::AlphaMode::mask:
@@ -43,15 +49,19 @@ const char* name_of(scene::AlphaMode mode) {
     }
 }
 
+/// As config/schema/info.schema.json says.
 Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
-    Json json = {
-        {"file", report.file},           {"meshes", report.meshes},     {"placements", report.placements},
-        {"triangles", report.triangles}, {"vertices", report.vertices}, {"bounds", nullptr},
-        {"materials", Json::array()},    {"textures", Json::array()},   {"nodes", Json::array()},
-        {"warnings", Json::array()}};
-    if (report.triangles > 0) {
-        json["bounds"] = {{"min", json_of(report.bounds.min)}, {"max", json_of(report.bounds.max)}};
-    }
+    Json json = {{"campuswalk_info", 1},
+                 {"file", report.file},
+                 {"meshes", report.meshes},
+                 {"placements", report.placements},
+                 {"triangles", report.triangles},
+                 {"vertices", report.vertices},
+                 {"bounds", json_of(report.bounds)},
+                 {"materials", Json::array()},
+                 {"textures", Json::array()},
+                 {"nodes", Json::array()},
+                 {"warnings", Json::array()}};
     for (const scene::MaterialReport& m : report.materials) {
         json["materials"].push_back({{"name", m.name},
                                      {"texture", m.texture.empty() ? Json() : Json(m.texture)},
@@ -63,10 +73,17 @@ Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnin
         json["textures"].push_back({{"name", t.name}, {"width", t.width}, {"height", t.height}});
     }
     for (const scene::NodeReport& n : report.nodes) {
-        json["nodes"].push_back({{"name", n.name}, {"depth", n.depth}, {"triangles", n.triangles}});
+        json["nodes"].push_back({{"name", n.name},
+                                 {"parent", n.parent < 0 ? Json() : Json(n.parent)},
+                                 {"depth", n.depth},
+                                 {"triangles", n.triangles},
+                                 {"bounds", json_of(n.bounds)}});
     }
     for (const scene::Oddity& w : warnings) {
-        json["warnings"].push_back({{"code", w.code}, {"message", w.message}});
+        Json& warning = json["warnings"].emplace_back(Json{{"code", w.code}, {"message", w.message}});
+        for (const scene::Oddity::Place& place : w.places) {
+            warning["places"].push_back({{"node", place.node}, {"at", json_of(place.at)}});
+        }
     }
     return json;
 }
@@ -91,9 +108,7 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
         std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
     }
     std::printf("warnings   %zu\n", warnings.size());
-    for (const scene::Oddity& w : warnings) {
-        std::printf("  %s: %s\n", w.code.c_str(), w.message.c_str());
-    }
+    print_oddities(warnings);
 }
 
 void draw_map(const InfoOptions& options, scene::Model model) {
@@ -108,6 +123,19 @@ void draw_map(const InfoOptions& options, scene::Model model) {
     picture.file = *options.map;
     picture.backend = options.backend;
     draw_campus(campus, picture);
+}
+
+/// A model that seems to lie on its side, upright: from above it would be a line.
+scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
+    const bool lies =
+        std::ranges::any_of(report.warnings, [](const scene::Oddity& odd) { return odd.code == "z-up"; });
+    if (!lies || scene.up != scene::UpAxis::y) {
+        return model;
+    }
+    std::fprintf(stderr, "%s: the map is drawn with --up z\n", scene.file.c_str());
+    scene::SceneFile upright = scene;
+    upright.up = scene::UpAxis::z;
+    return load_model(upright, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported.model;
 }
 
 }  // namespace
@@ -136,7 +164,7 @@ int print_info(const InfoOptions& options) {
         print_text(report, warnings);
     }
     if (options.map) {
-        draw_map(options, std::move(imported.model));
+        draw_map(options, for_map(options.scene, report, std::move(imported.model)));
     }
     return kPass;
 }

@@ -1,5 +1,7 @@
 #include "tools/campuswalk/suggest/campus_text.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "engine/decimals.h"
@@ -19,11 +21,19 @@ std::string list_of(const Eigen::Vector3d& v) {
     return "[" + fixed(v.x(), 3) + ", " + fixed(v.y(), 3) + ", " + fixed(v.z(), 3) + "]";
 }
 
+std::string box_yaml(const scene::UprightBox& box) {
+    constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+    const double yaw = std::atan2(-box.along.z(), box.along.x()) * kDegrees;
+    return "shape: box, center: " + list_of(box.center) + ", size: " + list_of(box.size) +
+           (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw, 2));
+}
+
 }  // namespace
 
-scene::Bounds trigger_about(const scene::SuggestedBuilding& building) {
-    const Eigen::Vector3d around(1.5, 0.5, 1.5);
-    return {building.bounds.min - around, building.bounds.max + around};
+scene::UprightBox trigger_about(const scene::SuggestedBuilding& building) {
+    scene::UprightBox box = building.box;
+    box.size += Eigen::Vector3d(3.0, 1.0, 3.0);
+    return box;
 }
 
 std::string campus_yaml(const SuggestedCampus& campus) {
@@ -41,11 +51,17 @@ std::string campus_yaml(const SuggestedCampus& campus) {
                 ", title: " + quoted(building.node) + "}\n";
     }
     text += "colliders:\n  - {id: world, nodes: \"*\", shape: mesh, mode: solid}\n";
+    if (campus.ground) {
+        const scene::UprightBox box{0.5 * (campus.ground->min + campus.ground->max),
+                                    campus.ground->max - campus.ground->min, Eigen::Vector3d::UnitX()};
+        text +=
+            "  # The model has no ground. This box stands in; pictures don't show it.\n"
+            "  - {id: ground, " +
+            box_yaml(box) + ", mode: solid}\n";
+    }
     for (const scene::SuggestedBuilding& building : campus.buildings) {
-        const scene::Bounds box = trigger_about(building);
-        text += "  - {id: " + quoted(building.id + "/around") + ", building: " + quoted(building.id) +
-                ", shape: box, center: " + list_of(0.5 * (box.min + box.max)) +
-                ", size: " + list_of(box.max - box.min) + ", mode: trigger}\n";
+        text += "  - {id: " + quoted(building.id + "/around") + ", building: " + quoted(building.id) + ", " +
+                box_yaml(trigger_about(building)) + ", mode: trigger}\n";
     }
     return text + "spawns:\n  start: {at: " + list_of(campus.spawn) +
            ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,14 @@ struct SuggestedCampus {
     scene::SceneFile scene;
     std::string model;  ///< path from the campus file
     std::vector<scene::SuggestedBuilding> buildings;
+    std::optional<scene::Bounds> ground;  ///< a box to stand on where the model has nothing
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
     double yaw_deg = 0.0;
     std::vector<SuggestedVisit> visits;
 };
 
 /// The box about a building in which its pop-up opens.
-scene::Bounds trigger_about(const scene::SuggestedBuilding& building);
+scene::UprightBox trigger_about(const scene::SuggestedBuilding& building);
 
 std::string campus_yaml(const SuggestedCampus& campus);
 /// A walk that makes the first so many visits; `campus_file`: its file's name.

@@ -13,12 +13,17 @@
 #include "scene/cache/load_model.h"
 #include "scene/model_report.h"
 #include "scene/node_selection.h"
+#include "scene/oddities/named_sizes.h"
+#include "scene/oddities/wording.h"
+#include "scene/suggest/first_view.h"
 #include "scene/suggest/walkable_ground.h"
 #include "scene/whole_file.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/oddities_text.h"
 #include "tools/campuswalk/suggest/campus_text.h"
+#include "tools/campuswalk/suggest/plan_visits.h"
 #include "tools/campuswalk/walk_loader.h"
 
 namespace campuswalk::tools {
@@ -26,11 +31,10 @@ namespace campuswalk::tools {
 namespace fs = std::filesystem;
 
 using Eigen::Vector3d;
-using scene::WalkableGround;
 
 namespace {
 
-constexpr std::size_t kMostVisits = 3;
+constexpr std::size_t kLeastGround = 16;  // spots of a quarter of a square metre
 
 scene::InputError about(const fs::path& file, const char* code, const std::string& message) {
     return scene::InputError(scene::SourceMark{file.string(), 0, 0}, code, message);
@@ -57,7 +61,7 @@ bool is_odd(const scene::ModelReport& report, const std::string& code) {
     return std::ranges::any_of(report.warnings, [&](const scene::Oddity& odd) { return odd.code == code; });
 }
 
-/// The model the way it should stand: turned upright, and near the origin.
+/// The model the way it should stand: turned upright, with doors as high as doors, and near the origin.
 struct UprightModel {
     scene::SceneFile file;
     std::vector<scene::Model> models;
@@ -66,7 +70,7 @@ struct UprightModel {
 
 UprightModel load_upright(const scene::SceneFile& file) {
     UprightModel upright{file, {}, {}};
-    for (int turn = 0; turn < 3; ++turn) {
+    for (int turn = 0; turn < 4; ++turn) {
         scene::ImportedModel imported =
             load_model(upright.file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
         upright.report = scene::report(imported.model);
@@ -74,6 +78,8 @@ UprightModel load_upright(const scene::SceneFile& file) {
         const scene::Bounds& bounds = upright.report.bounds;
         if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
             upright.file.up = scene::UpAxis::z;
+        } else if (const auto scale = scene::scale_by_doors(upright.models[0], upright.report.nodes)) {
+            upright.file.scale *= *scale;
         } else if (is_odd(upright.report, "far-from-origin") && upright.file.position.isZero(0.0)) {
             Vector3d middle = 0.5 * (bounds.min + bounds.max);
             middle.y() = bounds.min.y();
@@ -85,89 +91,90 @@ UprightModel load_upright(const scene::SceneFile& file) {
     return upright;
 }
 
-/// Where to look for ground: about the building nearest to the middle of them all.
-Vector3d middle_of(const scene::ModelReport& report, const std::vector<scene::SuggestedBuilding>& buildings) {
-    const Vector3d middle = 0.5 * (report.bounds.min + report.bounds.max);
-    Vector3d best = middle;
-    double nearest = 1e300;
+const scene::SuggestedBuilding* nearest_building(const std::vector<scene::SuggestedBuilding>& buildings,
+                                                 const Vector3d& place) {
+    const auto nearest = std::ranges::min_element(
+        buildings, {}, [&](const scene::SuggestedBuilding& b) { return (b.box.center - place).norm(); });
+    return nearest == buildings.end() ? nullptr : &*nearest;
+}
+
+/// A box below the whole model and what is around it. On a slope that isn't there, its top is where the
+/// middle one of the buildings begins.
+scene::Bounds stand_in_ground(const scene::Bounds& model,
+                              const std::vector<scene::SuggestedBuilding>& buildings) {
+    constexpr double kAround = 20.0;  // metres
+    constexpr double kThick = 0.5;    // metres
+    std::vector<double> bottoms;
     for (const scene::SuggestedBuilding& building : buildings) {
-        const Vector3d centre = 0.5 * (building.bounds.min + building.bounds.max);
-        if ((centre - middle).norm() < nearest) {
-            nearest = (centre - middle).norm();
-            best = centre;
-        }
+        bottoms.push_back(building.box.center.y() - 0.5 * building.box.size.y());
     }
-    return best;
+    std::sort(bottoms.begin(), bottoms.end());
+    const Vector3d around(kAround, 0.0, kAround);
+    scene::Bounds ground{model.min - around, model.max + around};
+    ground.max.y() = bottoms.empty() ? model.min.y() : bottoms[bottoms.size() / 2];
+    ground.min.y() = ground.max.y() - kThick;
+    return ground;
 }
 
-bool holds(const scene::Bounds& box, const Vector3d& point) {
-    constexpr double kInside = 0.3;  // metres: a shoulder's breadth
-    return (point.array() >= box.min.array() + kInside).all() &&
-           (point.array() <= box.max.array() - kInside).all();
+void add_top(const scene::Bounds& box, scene::WorldGeometry& geometry) {
+    const auto first = static_cast<std::uint32_t>(geometry.positions.size());
+    const double y = box.max.y();
+    geometry.positions.insert(geometry.positions.end(),
+                              {Vector3d(box.min.x(), y, box.min.z()), Vector3d(box.min.x(), y, box.max.z()),
+                               Vector3d(box.max.x(), y, box.max.z()), Vector3d(box.max.x(), y, box.min.z())});
+    geometry.triangles.push_back({first, first + 1, first + 2});
+    geometry.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// The spot nearest to `from` of those that can be reached and `wanted(foot)`.
-template <typename Wanted>
-std::optional<std::uint32_t> nearest_spot(const WalkableGround& ground,
-                                          const std::vector<std::uint32_t>& ways, const Vector3d& from,
-                                          const Wanted& wanted) {
-    std::optional<std::uint32_t> best;
-    double nearest = 1e300;
-    for (std::uint32_t s = 0; s < ways.size(); ++s) {
-        const Vector3d& foot = ground.spots()[s].foot;
-        const double distance = (foot - from).norm();
-        if (ways[s] != s && ground.spots()[s].from_edge > 0 && distance < nearest && wanted(foot)) {
-            nearest = distance;
-            best = s;
+struct Solid {
+    std::shared_ptr<const collision::MeshCollider> mesh;  ///< null for a model without a triangle
+    Vector3d p_world_origin;
+};
+
+Solid solid_of(const UprightModel& model, const std::optional<scene::Bounds>& ground) {
+    std::vector<scene::NodeRef> roots;
+    for (std::size_t n = 0; n < model.models[0].nodes.size(); ++n) {
+        if (model.models[0].nodes[n].parent < 0) {
+            roots.push_back({0, n});
         }
     }
-    return best;
+    scene::WorldGeometry geometry = scene::gather_geometry(model.models, roots);
+    if (ground) {
+        add_top(*ground, geometry);
+    }
+    scene::BakedMesh baked = scene::bake_mesh(geometry);
+    return baked.mesh.triangles.empty()
+               ? Solid{nullptr, baked.p_world_origin}
+               : Solid{std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)),
+                       baked.p_world_origin};
 }
 
-/// From the spawn to the nearest buildings, from each to the next; without any, a few metres.
-std::vector<SuggestedVisit> visits_from(std::uint32_t spawn, const WalkableGround& ground,
-                                        std::vector<scene::SuggestedBuilding> buildings) {
-    std::vector<SuggestedVisit> visits;
-    std::uint32_t at = spawn;
-    const auto visit = [&](const std::string& building, const std::vector<std::uint32_t>& ways,
-                           std::uint32_t end) {
-        std::vector<Vector3d> corners = ground.corners_of_way(ways, end);
-        corners.erase(corners.begin());
-        visits.push_back({building, std::move(corners)});
-        at = end;
-    };
-    while (visits.size() < kMostVisits) {
-        const std::vector<std::uint32_t> ways = ground.ways_from(at);
-        const Vector3d& here = ground.spots()[at].foot;
-        std::optional<std::uint32_t> nearest;
-        std::size_t chosen = 0;
-        for (std::size_t b = 0; b < buildings.size(); ++b) {
-            const scene::Bounds box = trigger_about(buildings[b]);
-            const auto spot =
-                nearest_spot(ground, ways, here, [&](const Vector3d& foot) { return holds(box, foot); });
-            if (spot && (!nearest || (ground.spots()[*spot].foot - here).norm() <
-                                         (ground.spots()[*nearest].foot - here).norm())) {
-                nearest = spot;
-                chosen = b;
-            }
-        }
-        if (!nearest) {
-            break;
-        }
-        visit(buildings[chosen].id, ways, *nearest);
-        buildings.erase(buildings.begin() + static_cast<std::ptrdiff_t>(chosen));
+/// Finds a spawn, what to see from it and where to walk to. False if there is no ground, or next to none.
+bool place_visitor(const UprightModel& model, SuggestedCampus& campus) {
+    const Solid solid = solid_of(model, campus.ground);
+    if (!solid.mesh) {
+        return false;
     }
-    if (visits.empty()) {
-        constexpr double kStroll = 5.0;  // metres
-        const std::vector<std::uint32_t> ways = ground.ways_from(spawn);
-        const Vector3d& here = ground.spots()[spawn].foot;
-        const auto end = nearest_spot(ground, ways, here,
-                                      [&](const Vector3d& foot) { return (foot - here).norm() >= kStroll; });
-        if (end) {
-            visit("", ways, *end);
-        }
+    Vector3d middle = 0.5 * (model.report.bounds.min + model.report.bounds.max);
+    if (const auto* building = nearest_building(campus.buildings, middle)) {
+        middle = building->box.center;
     }
-    return visits;
+    std::vector<scene::UprightBox> triggers;
+    for (const scene::SuggestedBuilding& building : campus.buildings) {
+        triggers.push_back(trigger_about(building));
+    }
+    const scene::WalkableGround ground(solid.mesh, solid.p_world_origin, middle);
+    const std::optional<std::uint32_t> spawn = ground.best_spot(middle, triggers);
+    if (!spawn || ground.count_reachable(*spawn) < kLeastGround) {
+        return false;
+    }
+    campus.spawn = ground.spots()[*spawn].foot;
+    campus.visits = plan_visits(*spawn, ground, campus.buildings);
+    const auto* target = nearest_building(campus.buildings, campus.spawn);
+    const double yaw = scene::first_view(*solid.mesh, solid.p_world_origin, campus.spawn,
+                                         target == nullptr ? middle : target->box.center);
+    campus.yaw_deg = yaw * 180.0 / 3.14159265358979323846;
+    return true;
 }
 
 SuggestedCampus suggestion(const UprightModel& model, const fs::path& campus_file) {
@@ -177,34 +184,19 @@ SuggestedCampus suggestion(const UprightModel& model, const fs::path& campus_fil
                        .lexically_normal()
                        .lexically_relative(fs::absolute(campus_file).lexically_normal().parent_path())
                        .generic_string();
-    campus.buildings = scene::suggest_buildings(model.report);
-    std::vector<scene::NodeRef> roots;
-    for (std::size_t n = 0; n < model.models[0].nodes.size(); ++n) {
-        if (model.models[0].nodes[n].parent < 0) {
-            roots.push_back({0, n});
-        }
+    campus.buildings = scene::suggest_buildings(model.models[0], model.report);
+    const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
+    const bool tiny = is_odd(model.report, "odd-scale") && size < 1.0;
+    bool placed = !tiny && !is_odd(model.report, "no-ground") && place_visitor(model, campus);
+    if (!placed && !tiny) {
+        campus.ground = stand_in_ground(model.report.bounds, campus.buildings);
+        placed = place_visitor(model, campus);
     }
-    scene::BakedMesh baked = scene::bake_mesh(scene::gather_geometry(model.models, roots));
-    const Vector3d middle = middle_of(model.report, campus.buildings);
-    std::optional<std::uint32_t> spawn;
-    if (!baked.mesh.triangles.empty()) {
-        const WalkableGround ground(std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)),
-                                    baked.p_world_origin, middle);
-        spawn = ground.best_spot(middle);
-        if (spawn) {
-            campus.spawn = ground.spots()[*spawn].foot;
-            campus.visits = visits_from(*spawn, ground, campus.buildings);
-        }
-    }
-    if (!spawn) {
+    if (!placed) {
         throw about(
             model.file.file, "no-ground",
             "nobody can stand anywhere in the middle of it; look at what `campuswalk info` says of its size "
             "and axes, and give --scale or --up");
-    }
-    if (!campus.visits.empty() && !campus.visits[0].corners.empty()) {
-        const Vector3d ahead = campus.visits[0].corners[0] - campus.spawn;
-        campus.yaw_deg = std::atan2(-ahead.x(), -ahead.z()) * 180.0 / 3.14159265358979323846;
     }
     return campus;
 }
@@ -219,14 +211,21 @@ bool walks(const fs::path& walk_file) {
 
 int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, bool overwrite) {
     const fs::path walk_file = walk_beside(campus_file, overwrite);
-    const SuggestedCampus campus = suggestion(load_upright(model), campus_file);
+    const UprightModel upright = load_upright(model);
+    const SuggestedCampus campus = suggestion(upright, campus_file);
     scene::write_whole_file(campus_file, campus_yaml(campus));
     // What was planned on a grid is only written down if it can be walked.
     std::size_t visits = campus.visits.size();
     bool passed = false;
     for (;; --visits) {
         scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-        passed = walks(walk_file);
+        try {
+            passed = walks(walk_file);
+        } catch (const scene::InputError&) {
+            fs::remove(campus_file);
+            fs::remove(walk_file);
+            throw;
+        }
         if (passed || visits == 0) {
             break;
         }
@@ -238,6 +237,9 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     }
     std::printf("%s: %zu buildings\n%s: %zu ways, walked\n", campus_file.string().c_str(),
                 campus.buildings.size(), walk_file.string().c_str(), visits);
+    std::printf("%s about the model as it stands there\n",
+                scene::plural(upright.report.warnings.size(), "warning").c_str());
+    print_oddities(upright.report.warnings);
     return kPass;
 }
 

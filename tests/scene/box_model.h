@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "scene/model.h"
+
+namespace campuswalk::scene::test {
+
+/// Adds a node with the twelve triangles of a box, facing outwards. Returns its index.
+std::size_t add_box(Model& model, const std::string& name, const Eigen::Vector3d& low,
+                    const Eigen::Vector3d& high, int parent = -1);
+
+/// Likewise one that is turned about the world's Y axis, about its own middle.
+std::size_t add_turned_box(Model& model, const std::string& name, const Eigen::Vector3d& center,
+                           const Eigen::Vector3d& size, double yaw_deg);
+
+/// Adds a node without triangles.
+std::size_t add_group(Model& model, const std::string& name, int parent = -1);
+
+}  // namespace campuswalk::scene::test

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""`campuswalk info`: its JSON is what the schema says, and what its texts and pictures tell agrees with it."""
+
+import copy
+import glob
+import json
+import os
+import re
+import struct
+import unittest
+
+import jsonschema
+
+from program import ProgramCase, main
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+SHARED = os.path.join(ROOT, "..", "shared", "data")
+ENDINGS = (".glb", ".gltf", ".obj", ".dae", ".stl", ".ply", ".off")
+
+with open(os.path.join(ROOT, "config", "schema", "info.schema.json"), encoding="utf-8") as schema_file:
+    SCHEMA = json.load(schema_file)
+JUDGE = jsonschema.Draft7Validator(SCHEMA)
+
+
+def box(name, first, x0, y0, z0, x1, y1, z1):
+    """OBJ text of a box; `first` is the number of its first vertex."""
+    corners = ["v %g %g %g" % (x, y, z) for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
+    faces = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+    return "\n".join(["o " + name] + corners + ["f %d %d %d %d" % tuple(first + i - 1 for i in f) for f in faces]) + "\n"
+
+
+# A floor and a wall with a doorway, which a leaf closes; the floor is there twice.
+HOUSE = (box("floor", 1, -5, -0.2, -5, 5, 0, 5) + box("wall_left", 9, -5, 0, -0.1, -0.5, 3, 0.1) +
+         box("wall_right", 17, 0.5, 0, -0.1, 5, 3, 0.1) + box("lintel", 25, -0.5, 2.1, -0.1, 0.5, 3, 0.1) +
+         box("Haustür", 33, -0.48, 0, -0.03, 0.48, 2.08, 0.03) + box("carpet", 41, -5, -0.2, -5, 5, 0, 5))
+
+
+def models_of_others():
+    """Those of ../shared/data but for most of a corpus that corpus_test.py reads."""
+    found = []
+    for folder, _, names in os.walk(SHARED):
+        for name in names:
+            path = os.path.join(folder, name)
+            corpus = "gltf_validator" in path and not re.search(r"valid|mesh", name)
+            if name.lower().endswith(ENDINGS) and not corpus:
+                found.append(path)
+    return sorted(found)
+
+
+class Info(ProgramCase):
+    def info(self, model):
+        return self.checked(self.passes("info", model, "--json").out)
+
+    def checked(self, out):
+        found = json.loads(out)
+        self.assertEqual([error.message for error in JUDGE.iter_errors(found)], [])
+        self.agrees_with_itself(found)
+        return found
+
+    def agrees_with_itself(self, found):
+        nodes = found["nodes"]
+        self.assertEqual(sum(node["triangles"] for node in nodes), found["triangles"])
+        self.assertEqual(sum(material["triangles"] for material in found["materials"]), found["triangles"])
+        for i, node in enumerate(nodes):
+            if node["parent"] is None:
+                self.assertEqual(node["depth"], 0)
+                continue
+            self.assertLess(node["parent"], i)
+            parent = nodes[node["parent"]]
+            self.assertEqual(node["depth"], parent["depth"] + 1)
+            if node["bounds"]:
+                for low, high, outer_low, outer_high in zip(node["bounds"]["min"], node["bounds"]["max"],
+                                                            parent["bounds"]["min"], parent["bounds"]["max"]):
+                    self.assertTrue(outer_low <= low <= high <= outer_high, node)
+
+    def test_the_schema_takes_nothing_else(self):
+        jsonschema.Draft7Validator.check_schema(SCHEMA)
+        self.write("house.obj", HOUSE)
+        found = self.info("house.obj")
+        for way in ((), ("nodes", 0), ("materials", 0), ("warnings", 0), ("bounds",), ("warnings", 0, "places", 0)):
+            other = copy.deepcopy(found)
+            part = other
+            for key in way:
+                part = part[key]
+            part["stranger"] = 1
+            self.assertFalse(JUDGE.is_valid(other), way)
+            del part["stranger"]
+            del part[next(iter(part))]
+            self.assertFalse(JUDGE.is_valid(other), way)
+
+    def test_what_is_odd_is_told_with_its_place(self):
+        self.write("house.obj", HOUSE)
+        found = {warning["code"]: warning for warning in self.info("house.obj")["warnings"]}
+        self.assertEqual(set(found), {"duplicate-faces", "solid-door"})
+        self.assertEqual(found["solid-door"]["places"], [{"node": "Haustür", "at": [0, 0, 0]}])
+        self.assertEqual(found["duplicate-faces"]["places"][0]["node"], "carpet")
+        self.assertIn("12 triangles on top of another", found["duplicate-faces"]["message"])
+        text = self.passes("info", "house.obj").out
+        for warning in found.values():
+            self.assertIn("  %s: %s\n" % (warning["code"], warning["message"]), text)
+        self.assertIn("    'Haustür' at 0.000,0.000,0.000\n", text)
+
+    def test_more_places_than_one_wants_to_read(self):
+        self.write("doors.obj", "".join(box("door_%d" % i, 1 + 8 * i, i, 0, 0, i + 0.9, 0.05, 0.05) for i in range(8)))
+        found = {warning["code"]: warning for warning in self.info("doors.obj")["warnings"]}
+        self.assertEqual(len(found["door-size"]["places"]), 8)
+        self.assertIn("'door_0' of 0.05 m; scale the model", found["door-size"]["message"])
+        text = self.passes("info", "doors.obj").out
+        self.assertEqual(text.count("    'door_"), 5)
+        self.assertIn("    and 3 more: see --json\n", text)
+
+    def test_the_map_of_what_lies_on_its_side_is_drawn_upright(self):
+        self.write("town.obj", box("town", 1, 0, 0, 0, 80, 60, 4))
+        turned = self.run_program("info", "town.obj", "--map", "turned.png")
+        if turned.code == 3 or "no OpenGL" in turned.err:
+            self.skipTest("no pictures here")
+        self.assertEqual(turned.code, 0, turned.err)
+        self.assertIn("town.obj: the map is drawn with --up z\n", turned.err)
+        upright = self.passes("info", "town.obj", "--up", "z", "--map", "upright.png")
+        self.assertEqual(upright.err, "")
+        self.assertEqual(self.read("turned.png"), self.read("upright.png"))
+
+    def test_obj_files_are_counted_by_hand(self):
+        self.write("house.obj", HOUSE)
+        self.assertEqual(self.info("house.obj")["triangles"], 6 * 12)
+        bottom = struct.unpack("f", struct.pack("f", -0.2))[0]  # as float32 has it
+        self.assertEqual(self.info("house.obj")["bounds"], {"min": [-5, bottom, -5], "max": [5, 3, 5]})
+
+    def test_the_demo_campus(self):
+        for model in sorted(glob.glob(os.path.join(ROOT, "campus_assets", "demo", "*.glb"))):
+            with self.subTest(model=os.path.basename(model)):
+                self.assertGreater(self.info(model)["triangles"], 0)
+
+    def test_models_that_nobody_here_wrote(self):
+        if not os.path.isdir(SHARED):
+            raise unittest.SkipTest("no " + SHARED)
+        loaded = 0
+        for model in models_of_others():
+            with self.subTest(model=os.path.relpath(model, SHARED)):
+                outcome = self.run_program("info", model, "--json")
+                self.assertIn(outcome.code, (0, 2), outcome.err)
+                if outcome.code == 0:
+                    self.checked(outcome.out)
+                    loaded += 1
+        self.assertGreater(loaded, 150)
+
+
+if __name__ == "__main__":
+    main()

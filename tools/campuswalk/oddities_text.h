@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/model_report.h"
+
+namespace campuswalk::tools {
+
+/// Prints a line for each, and below it where it is: five places at most.
+void print_oddities(const std::vector<scene::Oddity>& oddities);
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/suggest/suggested_buildings.h"
+#include "scene/suggest/walkable_ground.h"
+#include "tools/campuswalk/suggest/campus_text.h"
+
+namespace campuswalk::tools {
+
+/// From the spawn to the nearest buildings, three at most, from each to the next; without any, a few metres.
+std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const scene::WalkableGround& ground,
+                                        std::vector<scene::SuggestedBuilding> buildings);
+
+}  // namespace campuswalk::tools
