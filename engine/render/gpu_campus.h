@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/render/campus_geometry.h"
+#include "engine/render/drawn_depth.h"
 #include "engine/render/frustum.h"
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_mesh.h"
@@ -22,9 +23,9 @@ public:
                     const Eigen::Matrix4d& clip_campus) const;
 
     /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `surface`
-    /// must be in use.
+    /// must be in use. `depth`, null for none, leaves out what is hidden.
     void draw_solid(const ShaderProgram& surface, scene::AlphaMode mode, const Frustum& frustum,
-                    const Eigen::Vector3d& eye) const;
+                    const Eigen::Vector3d& eye, DrawnDepth* depth = nullptr) const;
 
     /// See-through triangles, the farthest from `eye` first. `surface` must be in use.
     void draw_blend(const ShaderProgram& surface, const Frustum& frustum, const Eigen::Vector3d& eye) const;

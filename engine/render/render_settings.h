@@ -40,6 +40,8 @@ struct RenderSettings {
     int supersampling = 1;  ///< 2: drawn twice as wide and high, then averaged
     /// Ambient light is dimmed in corners and under things closer than this, metres; 0 = nowhere.
     double occlusion_radius = 0.9;
+    /// What is behind other things is left out as soon as that is known. Pictures are the same either way.
+    bool leave_out_hidden = true;
     /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.
     double cell_size = 20.0;
 };
