@@ -36,6 +36,9 @@ RenderTarget::RenderTarget(const GlFunctions& gl, int width, int height, int sam
     color_ = attach_color(samples_);
     depth_ = attach_depth();
     check_complete(gl, width, height, samples);
+    if (samples_ == 0) {
+        return;
+    }
     gl.GenFramebuffers(1, &resolved_framebuffer_);
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
     resolved_color_ = attach_color(0);
@@ -101,9 +104,11 @@ void RenderTarget::bind_depth() const {
 
 Picture RenderTarget::finish() const {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
-    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_framebuffer_);
+    if (samples_ > 0) {
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
+        gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_framebuffer_);
+    }
     Picture picture;
     picture.width = width_;
     picture.height = height_;
