@@ -66,6 +66,7 @@ namespace campuswalk::engine::render {
     X(SCISSOR, Scissor)                                               \
     X(SHADERSOURCE, ShaderSource)                                     \
     X(TEXIMAGE2D, TexImage2D)                                         \
+    X(TEXIMAGE2DMULTISAMPLE, TexImage2DMultisample)                   \
     X(TEXPARAMETERF, TexParameterf)                                   \
     X(TEXPARAMETERI, TexParameteri)                                   \
     X(UNIFORM1F, Uniform1f)                                           \

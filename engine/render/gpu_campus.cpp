@@ -159,7 +159,7 @@ void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index) co
 }
 
 void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
-                           const Eigen::Vector3d& eye) const {
+                           const Eigen::Vector3d& eye, DrawnDepth* depth) const {
     std::vector<std::pair<double, const Batch*>> order;
     for (const Batch& batch : geometry_.batches) {
         if (geometry_.materials[batch.material].material.alpha_mode == mode &&
@@ -170,10 +170,16 @@ void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mod
     std::ranges::stable_sort(order, {}, [](const auto& entry) { return entry.first; });
     mesh_.bind();
     for (const auto& [distance, batch] : order) {
+        if (depth != nullptr && depth->hides(batch->bounds)) {
+            continue;
+        }
         const ShaderProgram& surface = program_of(geometry_.materials[batch->material].material);
         surface.use();
         set_material(surface, batch->material);
         mesh_.draw(batch->first, batch->count);
+        if (depth != nullptr && depth->drawn(batch->count)) {
+            mesh_.bind();
+        }
     }
 }
 

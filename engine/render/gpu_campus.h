@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/render/campus_geometry.h"
+#include "engine/render/drawn_depth.h"
 #include "engine/render/frustum.h"
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_mesh.h"
@@ -26,9 +27,10 @@ public:
                     const Eigen::Matrix4d& clip_campus) const;
 
     /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `program_of`
-    /// is asked for each material that is drawn, and must have set what isn't the material's.
+    /// is asked for each material that is drawn, and must have set what isn't the material's. `depth`, null for
+    /// none, leaves out what is hidden.
     void draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
-                    const Eigen::Vector3d& eye) const;
+                    const Eigen::Vector3d& eye, DrawnDepth* depth = nullptr) const;
 
     /// See-through triangles, the farthest from `eye` first.
     void draw_blend(const ProgramChoice& program_of, const Frustum& frustum,

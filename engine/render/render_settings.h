@@ -33,8 +33,8 @@ struct RenderSettings {
     /// Shadow texels a side. 4096 over a campus of 300 m is 7 cm, the width of a pole's shadow.
     int shadow_size = 4096;
     /// Texels a side of the finer map around the camera, drawn for every picture.
-    int near_shadow_size = 2048;
-    double near_shadow_radius = 28.0;  ///< metres around the camera: 3 cm texels, where blur would be seen
+    int near_shadow_size = 1536;
+    double near_shadow_radius = 24.0;  ///< metres around the camera: 3 cm texels, where blur would be seen
     bool shadows = true;
 
     /// Samples a pixel: 1 or 4. llvmpipe has no other number; 4 costs about three times 1.
@@ -43,6 +43,8 @@ struct RenderSettings {
     int supersampling = 1;  ///< 2: drawn twice as wide and high, then averaged
     /// Ambient light is dimmed in corners and under things closer than this, metres; 0 = nowhere.
     double occlusion_radius = 0.9;
+    /// What is behind other things is left out as soon as that is known. Pictures are the same either way.
+    bool leave_out_hidden = true;
     /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.
     double cell_size = 20.0;
 };

@@ -25,15 +25,22 @@ public:
 
     /// Drawing goes here from now on; cleared to `background` (linear) and the far plane.
     void begin(const Eigen::Vector3d& background) const;
+    /// Drawing goes here again, after it went elsewhere.
+    void resume() const;
+    /// Binds the depth of what has been drawn to the active texture unit: a 2D texture, multisampled when the
+    /// target is.
+    void bind_depth() const;
     /// Averages the samples and fetches the pixels.
     Picture finish() const;
 
 private:
-    GLuint attach(GLenum attachment, GLenum format, int samples) const;
+    GLuint attach_color(int samples) const;
+    GLuint attach_depth() const;
 
     const GlFunctions& gl_;
     int width_ = 0;
     int height_ = 0;
+    int samples_ = 0;  // as GL counts them: 0 for one a pixel
     GLuint framebuffer_ = 0;
     GLuint color_ = 0;
     GLuint depth_ = 0;

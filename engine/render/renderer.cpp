@@ -9,6 +9,7 @@
 #include "engine/render/avatar_figure.h"
 #include "engine/render/campus_geometry.h"
 #include "engine/render/channel_pass.h"
+#include "engine/render/drawn_depth.h"
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_campus.h"
 #include "engine/render/line_pass.h"
@@ -59,7 +60,8 @@ public:
           sky_(gl_, "sky", {shaders::kVersion, shaders::kScreenChunk, shaders::kSkyVertex},
                {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
-          occlusion_(gl_, depth_, masked_depth_) {
+          occlusion_(gl_, depth_, masked_depth_),
+          drawn_depth_(gl_, settings_.samples) {
         gl_.GenVertexArrays(1, &no_vertices_);
     }
     Drawing(const Drawing&) = delete;
@@ -214,6 +216,10 @@ private:
 
     void draw_solid(const Frame& frame) {
         const Frustum frustum(frame.clip_campus);
+        DrawnDepth* depth = settings_.leave_out_hidden && frame.perspective ? &drawn_depth_ : nullptr;
+        if (depth != nullptr) {
+            depth->begin(*target_, frame.clip_campus);
+        }
         gl_.Disable(GL_BLEND);
         if (frame.figure != nullptr) {
             const ShaderProgram& plain = surfaces_.of({});
@@ -223,11 +229,11 @@ private:
             frame.figure->draw(0, figure_indices_);
         }
         const ProgramChoice program_of = begun_programs(frame);
-        campus_.draw_solid(program_of, scene::AlphaMode::opaque, frustum, frame.eye);
+        campus_.draw_solid(program_of, scene::AlphaMode::opaque, frustum, frame.eye, depth);
         if (settings_.samples > 1) {
             gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
         }
-        campus_.draw_solid(program_of, scene::AlphaMode::mask, frustum, frame.eye);
+        campus_.draw_solid(program_of, scene::AlphaMode::mask, frustum, frame.eye, depth);
         gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     }
 
@@ -283,6 +289,7 @@ private:
     ShaderProgram sky_;
     ShadowMaps shadows_;
     OcclusionPass occlusion_;
+    DrawnDepth drawn_depth_;
     GLuint no_vertices_ = 0;
     std::unique_ptr<RenderTarget> target_;
     std::unique_ptr<ChannelPass> channels_;  // none before the first is asked for

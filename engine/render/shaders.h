@@ -39,5 +39,8 @@ extern const std::string_view kLineFragment;
 extern const std::string_view kScreenVertex;  ///< for passes over a whole picture
 extern const std::string_view kOcclusionFragment;
 extern const std::string_view kBlurFragment;
+/// The farthest depth in each tile of a picture; of all samples after the define.
+extern const std::string_view kFarthestFragment;
+extern const std::string_view kDefineMultisampled;
 
 }  // namespace campuswalk::engine::render::shaders

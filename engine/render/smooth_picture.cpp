@@ -4,7 +4,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <thread>
+#include <vector>
 
 namespace campuswalk::engine::render {
 namespace {
@@ -41,48 +44,117 @@ constexpr int kContrastShare = 6;      // nor is less than a sixth of the bright
 constexpr int kReach = 12;             // pixels along an edge in which its ends are looked for
 constexpr double kSoftestPixel = 0.6;  // how much of a single pixel that stands out is given up
 
-class EdgeSmoother {
+// The picture's brightness with its last pixels going on beyond its rim, so that no step asks where it is.
+class Brightness {
 public:
-    explicit EdgeSmoother(const Picture& picture)
-        : in_(picture), out_(picture), luma_(picture.rgba.size() / 4) {
-        for (std::size_t i = 0; i < luma_.size(); ++i) {
-            const std::uint8_t* rgb = &picture.rgba[4 * i];
-            luma_[i] = static_cast<std::uint8_t>((54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2]) >> 8);
+    static constexpr int kRim = kReach + 1;
+
+    explicit Brightness(const Picture& picture) : stride_(picture.width + 2 * kRim) {
+        luma_.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(picture.height + 2 * kRim));
+        for (int y = 0; y < picture.height; ++y) {
+            fill_row(picture, y);
+        }
+        for (int i = 1; i <= kRim; ++i) {
+            std::copy_n(row(0) - kRim, stride_, luma_.begin() + (row(-i) - kRim - luma_.data()));
+            std::copy_n(row(picture.height - 1) - kRim, stride_,
+                        luma_.begin() + (row(picture.height - 1 + i) - kRim - luma_.data()));
         }
     }
 
-    Picture smooth() {
-        for (int y = 0; y < in_.height; ++y) {
-            for (int x = 0; x < in_.width; ++x) {
-                smooth(x, y);
-            }
+    int stride() const { return stride_; }
+    /// Of the row's first pixel; others are beside it, `stride` apart from row to row.
+    const std::uint8_t* row(int y) const {
+        return luma_.data() + static_cast<std::ptrdiff_t>(y + kRim) * stride_ + kRim;
+    }
+
+private:
+    void fill_row(const Picture& picture, int y) {
+        const std::uint8_t* rgba = &picture.rgba[picture.offset(0, y)];
+        std::uint8_t* to = luma_.data() + (row(y) - luma_.data());
+        const int width = picture.width;
+        for (int x = 0; x < width; ++x) {
+            to[x] = static_cast<std::uint8_t>(
+                (54 * rgba[4 * x] + 183 * rgba[4 * x + 1] + 19 * rgba[4 * x + 2]) >> 8);
         }
+        std::fill_n(to - kRim, kRim, to[0]);
+        std::fill_n(to + picture.width, kRim, to[picture.width - 1]);
+    }
+
+    int stride_;
+    std::vector<std::uint8_t> luma_;
+};
+
+// Values, not references as std::min takes them: only so do compilers work on many pixels at once.
+int less(int a, int b) {
+    return a < b ? a : b;
+}
+int more(int a, int b) {
+    return a > b ? a : b;
+}
+
+// 1 for each pixel of a row that differs enough from one beside it, above or below; else 0.
+void mark_edges(const std::uint8_t* above, const std::uint8_t* row, const std::uint8_t* below, int width,
+                std::uint8_t* marks) {
+    for (int x = 0; x < width; ++x) {
+        const int m = row[x];
+        const int most = more(more(more(row[x - 1], row[x + 1]), more(above[x], below[x])), m);
+        const int least = less(less(less(row[x - 1], row[x + 1]), less(above[x], below[x])), m);
+        const int range = most - least;
+        // A share rounded down, without the division.
+        const bool is_share = kContrastShare * range + kContrastShare - 1 >= most;
+        marks[x] = static_cast<std::uint8_t>(is_share & (range >= kLeastContrast));
+    }
+}
+
+class EdgeSmoother {
+public:
+    explicit EdgeSmoother(const Picture& picture) : in_(picture), out_(picture), luma_(picture) {}
+
+    Picture smooth() {
+        // Each pixel is worked out from the picture as it was: in bands, the same bytes by any number of
+        // them.
+        const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
+                                     std::clamp(in_.height / kLeastBand, 1, kMostBands));
+        std::vector<std::jthread> others;
+        for (int band = 1; band < bands; ++band) {
+            others.emplace_back([this, band, bands] {
+                smooth_rows(in_.height * band / bands, in_.height * (band + 1) / bands);
+            });
+        }
+        smooth_rows(0, in_.height / bands);
+        others.clear();
         return std::move(out_);
     }
 
 private:
-    // Beyond the picture's rim its last pixels go on.
-    int luma(int x, int y) const {
-        x = std::clamp(x, 0, in_.width - 1);
-        y = std::clamp(y, 0, in_.height - 1);
-        return luma_[in_.offset(x, y) / 4];
+    static constexpr int kLeastBand = 64;  // rows that are worth a thread
+    static constexpr int kMostBands = 8;
+
+    // Most pixels aren't on an edge: they are sorted out a row at a time, which compilers do many at once.
+    void smooth_rows(int first, int end) {
+        std::vector<std::uint8_t> on_edge(static_cast<std::size_t>(in_.width));
+        for (int y = first; y < end; ++y) {
+            const std::uint8_t* row = luma_.row(y);
+            mark_edges(row - luma_.stride(), row, row + luma_.stride(), in_.width, on_edge.data());
+            for (auto it = on_edge.begin(); (it = std::find(it, on_edge.end(), 1)) != on_edge.end(); ++it) {
+                smooth(static_cast<int>(it - on_edge.begin()), y);
+            }
+        }
     }
 
     void smooth(int x, int y) {
-        const int m = luma(x, y);
-        const int n = luma(x, y - 1);
-        const int s = luma(x, y + 1);
-        const int w = luma(x - 1, y);
-        const int e = luma(x + 1, y);
-        const int most = std::max({m, n, s, w, e});
-        const int range = most - std::min({m, n, s, w, e});
-        if (range < std::max(kLeastContrast, most / kContrastShare)) {
-            return;
-        }
-        const int nw = luma(x - 1, y - 1);
-        const int ne = luma(x + 1, y - 1);
-        const int sw = luma(x - 1, y + 1);
-        const int se = luma(x + 1, y + 1);
+        const std::uint8_t* here = luma_.row(y) + x;
+        const auto luma = [&](int dx, int dy) -> int { return here[dy * luma_.stride() + dx]; };
+        const int m = luma(0, 0);
+        const int n = luma(0, -1);
+        const int s = luma(0, 1);
+        const int w = luma(-1, 0);
+        const int e = luma(1, 0);
+        const int range = std::max({m, n, s, w, e}) - std::min({m, n, s, w, e});
+        const int nw = luma(-1, -1);
+        const int ne = luma(1, -1);
+        const int sw = luma(-1, 1);
+        const int se = luma(1, 1);
         // A level edge bends brightness from row to row, an upright one from column to column.
         const int rows = 2 * std::abs(n + s - 2 * m) + std::abs(nw + sw - 2 * w) + std::abs(ne + se - 2 * e);
         const int columns =
@@ -95,24 +167,23 @@ private:
         // Beside a straight edge a third of the neighbours are other; what has more stands out by itself.
         const double alone = std::clamp(1.5 * std::abs(mean - m) / range - 0.5, 0.0, 1.0);
         const double by_itself = kSoftestPixel * alone * alone;
-        mix(x, y, level, side, std::max(by_itself, from_steps(x, y, level, side)));
+        const int along = level ? 1 : luma_.stride();
+        const int across = side * (level ? luma_.stride() : 1);
+        mix(x, y, level, side, std::max(by_itself, from_steps(here, along, across)));
     }
 
     // How much of the neighbour belongs to the pixel, from where along the edge it steps to the side: a half
-    // next to the step, less further away, nothing on the step's other side.
-    double from_steps(int x, int y, bool level, int side) const {
-        const int dx = level ? 1 : 0;
-        const int dy = level ? 0 : 1;
-        const int ox = level ? 0 : side;
-        const int oy = level ? side : 0;
+    // next to the step, less further away, nothing on the step's other side. `along` and `across` are the
+    // ways to the next pixel on the edge and over it.
+    static double from_steps(const std::uint8_t* pixel, int along, int across) {
         const auto pair = [&](int i) {  // brightness on the edge, twice
-            return luma(x + i * dx, y + i * dy) + luma(x + i * dx + ox, y + i * dy + oy);
+            return pixel[i * along] + pixel[i * along + across];
         };
         const int here = pair(0);
-        const int across = std::abs(luma(x, y) - luma(x + ox, y + oy));
+        const int step = std::abs(pixel[0] - pixel[across]);
         const auto end = [&](int way) {
             int i = way;
-            while (std::abs(i) < kReach && 2 * std::abs(pair(i) - here) < across) {
+            while (std::abs(i) < kReach && 2 * std::abs(pair(i) - here) < step) {
                 i += way;
             }
             return i;
@@ -120,7 +191,7 @@ private:
         const int back = end(-1);
         const int forth = end(1);
         const int near = -back <= forth ? back : forth;
-        const bool dark = 2 * luma(x, y) < here;
+        const bool dark = 2 * pixel[0] < here;
         // At the nearer end the edge goes over to this pixel's side, or away from it.
         const bool towards = (pair(near) < here) != dark;
         return towards ? 0.5 - static_cast<double>(std::abs(near) - 0.5) / (forth - back - 1) : 0.0;
@@ -140,7 +211,7 @@ private:
 
     const Picture& in_;
     Picture out_;
-    std::vector<std::uint8_t> luma_;
+    Brightness luma_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kLot = 72.0;   ///< metres
+constexpr double kLot = kWalkableLot;
 constexpr int kCellsALot = 36;  ///< of the terrain, along a side
 constexpr double kLevel =
     26.0;  ///< metres around the middle of a lot: the course's and a cell of the terrain
@@ -102,16 +102,24 @@ public:
         sizes_ = course_sizes(row % 3 * 3 + column % 3);
     }
 
-    void build(MeshParts& parts, std::vector<WalkPath>& paths) {
+    void build(WalkableCampus& campus, std::vector<WalkPath>& paths) {
+        MeshParts parts(campus.mesh);
+        const auto begin = [&](CampusPart part) {
+            campus.runs.push_back({part, campus.mesh.triangles.size()});
+        };
+        begin(CampusPart::course);
         add_course(parts, X_campus_course_, sizes_, paths);
         paths.push_back(over_the_hill());
+        begin(CampusPart::tree);
         for (int i = 0; i < kTrees; ++i) {
             add_tree(parts, around(kTreeLine), chance_);
         }
+        begin(CampusPart::bench);
         for (int i = 0; i < kBenches; ++i) {
             const Vec3 at = around(kLevel + 1.0);
             add_bench(parts, turned(at, chance_.between(0.0, 6.0)));
         }
+        begin(CampusPart::lamp);
         for (int i = 0; i < kLamps; ++i) {
             const Vec3 at = around(kLevel + 1.0);
             add_lamp(parts, turned(at, chance_.between(0.0, 6.0)));
@@ -168,13 +176,14 @@ bool is_walked(int lot, int lots) {
 WalkableCampus walkable_campus(int lots) {
     WalkableCampus campus;
     MeshParts parts(campus.mesh);
+    campus.runs.push_back({CampusPart::terrain, 0});
     add_terrain(parts, lots);
     Chance chance(4);
     std::vector<WalkPath> nowhere;
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {
             const bool walked = is_walked(row, lots) && is_walked(column, lots);
-            Lot(row, column, lots, chance).build(parts, walked ? campus.paths : nowhere);
+            Lot(row, column, lots, chance).build(campus, walked ? campus.paths : nowhere);
         }
     }
     return campus;

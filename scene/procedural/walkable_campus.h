@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "collision/triangle_mesh.h"
@@ -7,10 +9,22 @@
 
 namespace campuswalk::scene {
 
+enum class CampusPart : std::uint8_t { terrain, course, tree, bench, lamp };
+
+/// Triangles of one kind: from `first_triangle` to the next run's.
+struct CampusRun {
+    CampusPart part = CampusPart::terrain;
+    std::size_t first_triangle = 0;
+};
+
 struct WalkableCampus {
     collision::TriangleMesh mesh;  ///< about the middle of the campus, +Y up
     std::vector<WalkPath> paths;   ///< on up to nine lots that are spread over it
+    std::vector<CampusRun> runs;   ///< what the mesh's triangles are, in their order
 };
+
+/// A lot's side, metres.
+constexpr double kWalkableLot = 72.0;
 
 /// `lots` x `lots` plots of 72 m on gentle hills. On each stands a course (walk_course.h) on level ground of
 /// its own, turned somehow, with trees, benches and lamps around it. Every size of a course is among those

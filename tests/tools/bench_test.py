@@ -3,7 +3,9 @@
 
 import csv
 import io
+import json
 import shutil
+import sys
 
 from program import ProgramCase, main
 
@@ -11,6 +13,7 @@ PAIRS = [31, 142, 238, 347, 429, 666, 815, 961, 1081, 1295]
 COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
 WALK_COLUMNS = ("triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
                 "crossings").split(",")
+DRAWN_LOOKS = ["no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4", "default"]
 OF_THE_PAPER = ["paper", "obb", "sphere"]
 CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points"]
 HAS_NO_RENDERING = "this build has no rendering"
@@ -30,7 +33,7 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_bad_usage(self):
-        self.refused("a command is needed: table1, million, nested, trees, campus, walk, all")
+        self.refused("a command is needed: table1, million, nested, trees, campus, walk, draw, all")
         self.refused("there is no command 'table2' (did you mean 'table1'?)", "table2")
         for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
                                           ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
@@ -39,7 +42,7 @@ class Bench(ProgramCase):
 
     def test_every_case_takes_the_same_options(self):
         self.write("file", "")
-        for case in ("million", "nested", "trees", "campus", "walk"):
+        for case in ("million", "nested", "trees", "campus", "walk", "draw"):
             self.refused("--rounds: Value 100001 not in range 1 to 100000", case, "--quick", "--rounds", "100001",
                          where="bench " + case)
             outcome = self.run_program("bench", case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
@@ -149,6 +152,39 @@ class Bench(ProgramCase):
         for line in verdicts:
             if "MISSED" in line:
                 self.assertRegex(line, "mean tick|worst tick|two minutes")
+
+    def test_pictures(self):
+        """Of a small campus, beside a peer that draws nothing but says so; how fast says nothing here."""
+        self.write("peer.py", "import json, sys\n"
+                   "views = json.load(open(sys.argv[1] + '/views.json'))\n"
+                   "open(sys.argv[1] + '/campus.glb', 'rb').read(4) == b'glTF' or sys.exit(1)\n"
+                   "print('# says hello')\n"
+                   "[print('frame', 'no-aa', i, 1e6) for i in range(len(views['views']) * views['rounds'])]\n")
+        peer = f"peer={sys.executable} {self.path('peer.py')}"
+        outcome = self.run_program("bench", "draw", "--quick", "--csv", "new/d.csv", "--folder", "scenes", "--peer", peer,
+                                   "--peer", "broken=false", "--peer", "silent=true")
+        if HAS_NO_RENDERING in outcome.err:
+            self.assertEqual((outcome.code, outcome.out), (3, ""))
+            return
+        self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
+        self.assertIn("  absent: broken: its command failed\n  absent: silent: it drew no frame\n", outcome.out)
+        rows = list(csv.DictReader(io.StringIO(self.read("new/d.csv").decode())))
+        self.assertEqual([row["look"] for row in rows], DRAWN_LOOKS + ["no-aa"])
+        self.assertEqual([row["engine"] for row in rows], 6 * ["campuswalk"] + ["peer"])
+        for row in rows:
+            self.assertLessEqual(0.0, float(row["ms_least"]))
+            self.assertLessEqual(float(row["ms_least"]), float(row["ms_mean"]) + 0.01)
+        self.assertGreater(float(rows[-1]["times_ours"]), 100.0)
+        for look in DRAWN_LOOKS:
+            self.assertTrue(self.read(f"scenes/1/campuswalk-{look}.png").startswith(b"\x89PNG"))
+        # What peers are given is what we draw.
+        model = json.loads(self.passes("info", "scenes/1/campus.glb", "--json").out)
+        self.assertEqual(str(model["triangles"]), rows[0]["triangles"])
+        self.assertEqual(model["warnings"], [])
+
+    def test_peers_have_a_name_and_a_command(self):
+        for peer in ("three.js", "=node", "three.js="):
+            self.refused(f"--peer: '{peer}' is no NAME=COMMAND", "draw", "--peer", peer, where="bench draw")
 
     def plots(self, name, start, *arguments, **options):
         """What table1 prints while it plots; nothing where there is no rendering."""

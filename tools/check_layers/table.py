@@ -36,7 +36,10 @@ PROJECT = {
                          "engine/observers", "engine/render", "engine/render/compare", "engine/render/sequence",
                          "engine/report", "scene", "scene/cache", "scene/import", "scene/import/helper", "collision",
                          "tools/campuswalk/bench", "tools/campuswalk/init"],
-    "tools/campuswalk/bench": ["tools/campuswalk", "engine", "scene", "scene/procedural", "collision"],
+    "tools/campuswalk/bench": ["tools/campuswalk", "tools/campuswalk/bench/draw", "engine", "scene",
+                               "scene/procedural", "collision"],
+    "tools/campuswalk/bench/draw": ["tools/campuswalk/bench", "engine", "engine/render", "scene",
+                                    "scene/procedural", "collision"],
     # `init` builds the model that it writes.
     "tools/campuswalk/init": ["tools/campuswalk", "scene", "scene/procedural", "collision"],
     # Other people's engines: of ours they see what they are given and what they are asked.

@@ -6,6 +6,7 @@
 
 #include "scene/diagnostic.h"
 #include "tools/campuswalk/bench/campus_cases.h"
+#include "tools/campuswalk/bench/draw/draw_bench.h"
 #include "tools/campuswalk/bench/figure4.h"
 #include "tools/campuswalk/bench/import/import_cases.h"
 #include "tools/campuswalk/bench/pair_case.h"
@@ -71,17 +72,32 @@ constexpr BenchCommand kCommands[] = {
      "The avatar's mover beside Bullet's on campuses of up to 2 million triangles: where it gets to, where "
      "it "
      "mustn't, and how fast"},
+    {kBenchDraw,
+     "Pictures of campuses of half a million and two million triangles, beside other programs that draw"},
 };
-// `walk` has a CSV of its own, so it is none of these.
+// `walk` and `draw` have a CSV of their own, so they are none of these.
 constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus,
                                                           import};
-static_assert(std::size(kCommands) == std::size(kCases) + 1);
+static_assert(std::size(kCommands) == std::size(kCases) + 2);
 
 void check_output(const std::filesystem::path& file) {
     if (const std::string why = file.empty() ? "" : why_file_unwritable(file); !why.empty()) {
         throw scene::InputError({file.string(), 0, 0}, "output-unwritable",
                                 "the results can't be written here: " + why);
     }
+}
+
+/// Draws, as far as this build can.
+void draw(const BenchOptions& options) {
+    if (!can_draw()) {
+        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+    }
+    DrawBench bench{rounds_of(options, 5), options.quick, options.csv, options.folder, {}};
+    for (const std::string& peer : options.peers) {
+        const std::size_t equals = peer.find('=');
+        bench.peers.push_back({peer.substr(0, equals), peer.substr(equals + 1)});
+    }
+    run_draw_bench(bench);
 }
 
 }  // namespace
@@ -102,6 +118,10 @@ int run_bench(const BenchOptions& options) {
     if (options.which == kBenchWalk) {
         const bool right = run_walk_bench(rounds_of(options, 7), options.quick, options.csv);
         return right ? kPass : kExpectationFailed;
+    }
+    if (options.which == kBenchDraw) {
+        draw(options);
+        return kPass;
     }
     CaseResult all;
     for (std::size_t i = 0; i < std::size(kCases); ++i) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace campuswalk::tools {
 
@@ -11,8 +12,10 @@ struct BenchOptions {
     std::filesystem::path csv;   ///< empty: none
     std::filesystem::path plot;  ///< of table1: *.svg or *.png; empty: none
     int rounds = 0;              ///< how often each query or tick is timed; 0: as often as the case is worth
-    bool mixed = false;          ///< of table1: with the paper's mixed reading
-    bool quick = false;          ///< small scenes, one round: to see that it works
+    std::filesystem::path folder;    ///< of draw: where the models and pictures are left; empty: nowhere
+    std::vector<std::string> peers;  ///< of draw: NAME=COMMAND of another program that draws
+    bool mixed = false;              ///< of table1: with the paper's mixed reading
+    bool quick = false;              ///< small scenes, one round: to see that it works
 };
 
 struct BenchCommand {
@@ -20,7 +23,8 @@ struct BenchCommand {
     const char* description = "";
 };
 
-inline constexpr const char* kBenchAll = "all";  ///< but kBenchWalk
+inline constexpr const char* kBenchAll = "all";  ///< but kBenchDraw and kBenchWalk
+inline constexpr const char* kBenchDraw = "draw";
 inline constexpr const char* kBenchWalk = "walk";
 
 /// Whatever can be measured by itself.

@@ -27,6 +27,26 @@ void add_table1_options(Command& command, BenchOptions& options) {
                  options.mixed);
 }
 
+/// So has `draw`.
+void add_draw_options(Command& command, BenchOptions& options) {
+    command.option({.names = "--folder",
+                    .help = "Leave each campus as a GLB file here, and a picture of each look",
+                    .value = "DIR"},
+                   options.folder);
+    command.option({.names = "--peer",
+                    .help = "Run another program that draws, with the campus' folder as its argument: see "
+                            "below; may be given several times",
+                    .value = "NAME=COMMAND",
+                    .check =
+                        [](const std::string& peer) {
+                            const std::size_t equals = peer.find('=');
+                            return equals > 0 && equals < peer.size() - 1
+                                       ? std::string()
+                                       : "'" + peer + "' is no NAME=COMMAND";
+                        }},
+                   options.peers);
+}
+
 Command add_measurement(Command& bench, const std::string& name, const std::string& description,
                         const std::shared_ptr<BenchOptions>& options, Chosen& chosen) {
     Command command = bench.add(name, description);
@@ -40,7 +60,16 @@ Command add_measurement(Command& bench, const std::string& name, const std::stri
         "Exit code: 0 our own engines agree with each other and are right, 1 they don't or aren't, 2 bad "
         "usage,\n3 something failed while running. Other engines are built by tools/bench; where they differ "
         "it is shown.");
-    if (name == kBenchWalk) {
+    if (name == kBenchDraw) {
+        command.footer(
+            "A peer finds campus.glb and views.json (size, field of view, eyes and what they look at, "
+            "rounds) "
+            "in its\nfolder, and prints 'frame LOOK VIEW MILLISECONDS' for each picture; tools/bench draw "
+            "runs "
+            "three.js and VTK\nso. The CSV has a line a campus, program and look. Exit code: 0 measured, "
+            "however "
+            "fast, 2 bad usage, 3\nsomething failed while running.");
+    } else if (name == kBenchWalk) {
         command.footer(
             "The CSV has a line a campus and controller; forbidden: how many places it got to that no person "
             "of its\nsize gets to; bullet: the better of its defaults and a tuned set. Each tick's time is "
@@ -69,9 +98,11 @@ void add_bench(Command program, Chosen& chosen) {
         Command command = add_measurement(bench, it.name, it.description, options, chosen);
         if (it.name == std::string("table1")) {
             add_table1_options(command, *options);
+        } else if (it.name == kBenchDraw) {
+            add_draw_options(command, *options);
         }
     }
-    add_measurement(bench, kBenchAll, "All of these but walk, into one CSV", options, chosen);
+    add_measurement(bench, kBenchAll, "All of these but walk and draw, into one CSV", options, chosen);
 }
 
 }  // namespace campuswalk::tools

@@ -1,0 +1,130 @@
+// What `campuswalk bench draw` makes of times, on ones made up for it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "tests/support/temporary_folder.h"
+#include "tools/campuswalk/bench/draw/draw_peers.h"
+#include "tools/campuswalk/bench/draw/draw_report.h"
+#include "tools/campuswalk/bench/draw/drawn_campus.h"
+
+namespace campuswalk::tools::bench {
+namespace {
+
+DrawTimes times_of(const std::string& engine, const std::string& look, double ms) {
+    return {engine, look, {{0, ms}, {1, 3.0 * ms}, {0, 2.0 * ms}, {1, 2.0 * ms}}, {}};
+}
+
+TEST(DrawTimes, AreTheMeanTheMiddleAndTheLeastOfEachView) {
+    const DrawTimes times{"a", "fxaa", {{0, 10.0}, {1, 40.0}, {0, 30.0}, {1, 20.0}, {1, 50.0}}, {}};
+    EXPECT_DOUBLE_EQ(mean_ms(times), 30.0);
+    EXPECT_DOUBLE_EQ(median_ms(times), 30.0);
+    EXPECT_DOUBLE_EQ(least_ms(times), 15.0);
+    EXPECT_DOUBLE_EQ(median_ms(times_of("a", "fxaa", 10.0)), 20.0);
+}
+
+TEST(DrawPeers, AreReadLineByLine) {
+    const auto looks =
+        read_frames("three.js",
+                    "# three.js 187\nframe fxaa 0 12.5\nframe msaa4 0 50\nframe fxaa 1 13\nframe\n"
+                    "frame fxaa x 3\nother fxaa 1 2\n");
+    ASSERT_EQ(looks.size(), 2U);
+    EXPECT_EQ(looks[0].engine, "three.js");
+    EXPECT_EQ(looks[0].look, "fxaa");
+    ASSERT_EQ(looks[0].frames.size(), 2U);
+    EXPECT_EQ(looks[0].frames[1].view, 1U);
+    EXPECT_DOUBLE_EQ(looks[0].frames[1].ms, 13.0);
+    EXPECT_DOUBLE_EQ(looks[1].frames.at(0).ms, 50.0);
+    EXPECT_THROW(read_frames("three.js", "nothing\n"), std::runtime_error);
+}
+
+DrawnCampus made_up_campus(std::size_t triangles, double ms, std::size_t heap_bytes) {
+    return {triangles,
+            {times_of("campuswalk", "no-aa", 0.5 * ms), times_of("campuswalk", "shadows+fxaa", ms),
+             times_of("campuswalk", "shadows+msaa4", 3.0 * ms),
+             times_of("three.js", "shadows+fxaa", 3.0 * ms), times_of("vtk", "no-aa", ms)},
+            15.0,
+            heap_bytes};
+}
+
+const DrawVerdict& verdict(const std::vector<DrawVerdict>& all, const std::string& what,
+                           const std::string& unit) {
+    for (const DrawVerdict& each : all) {
+        if (each.what.starts_with(what) && each.unit == unit) {
+            return each;
+        }
+    }
+    throw std::out_of_range(what);
+}
+
+TEST(DrawVerdicts, SayWhatIsReached) {
+    const auto all =
+        draw_verdicts({made_up_campus(500000, 24.0, 100000000), made_up_campus(2000000, 50.0, 500000000)});
+    EXPECT_DOUBLE_EQ(*verdict(all, "a frame, shadows+fxaa, 500000", " ms").value, 48.0);
+    EXPECT_TRUE(verdict(all, "a frame, shadows+fxaa, 500000", " ms").holds());
+    EXPECT_FALSE(verdict(all, "a frame, shadows+msaa4, 500000", " ms").holds()) << "144 of 110";
+    EXPECT_FALSE(verdict(all, "a frame, shadows+fxaa, 2000000", " ms").holds()) << "100 of 85";
+    EXPECT_DOUBLE_EQ(*verdict(all, "shadows+fxaa, 500000", "x as long in three.js").value, 3.0);
+    EXPECT_TRUE(verdict(all, "shadows+fxaa, 500000", "x as long in three.js").holds());
+    EXPECT_FALSE(verdict(all, "no-aa, 500000", "x as long in VTK").holds()) << "twice, not three times";
+    EXPECT_FALSE(verdict(all, "msaa4, 500000", "x as long in VTK").value.has_value()) << "not measured";
+    EXPECT_NEAR(*verdict(all, "memory a triangle", " bytes").value, 266.67, 0.01);
+    EXPECT_FALSE(verdict(all, "memory a triangle", " bytes").holds());
+    EXPECT_FALSE(
+        verdict(draw_verdicts({made_up_campus(500000, 24.0, 1)}), "memory", " bytes").value.has_value());
+}
+
+TEST(DrawCsv, HasALineACampusEngineAndLook) {
+    const support::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "new" / "draw.csv";
+    DrawnCampus campus = made_up_campus(500000, 24.0, 1);
+    campus.looks.erase(campus.looks.begin() + 1, campus.looks.begin() + 4);
+    campus.looks[0].cpu_ms = 20.5;
+    write_draw_csv({campus}, file);
+    std::ifstream in(file);
+    std::stringstream text;
+    text << in.rdbuf();
+    EXPECT_EQ(text.str(),
+              "triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n"
+              "500000,campuswalk,no-aa,24.00,24.00,18.00,20.50,1.000\n"
+              "500000,vtk,no-aa,48.00,48.00,36.00,,2.000\n");
+}
+
+TEST(DrawnCampus, IsTheWholeWalkableCampus) {
+    const scene::WalkableCampus campus = scene::walkable_campus(1);
+    const scene::Model model = drawn_campus(campus);
+    EXPECT_EQ(scene::count_triangles(model), campus.mesh.triangles.size());
+    const scene::Bounds box = scene::world_bounds(model);
+    scene::Bounds wanted;
+    for (const Eigen::Vector3f& position : campus.mesh.positions) {
+        wanted.extend(position.cast<double>());
+    }
+    EXPECT_EQ(box.min, wanted.min);
+    EXPECT_EQ(box.max, wanted.max);
+    EXPECT_EQ(model.textures.size() + 1, model.materials.size());
+    for (const scene::Mesh& mesh : model.meshes) {
+        ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+        ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
+        EXPECT_LT(mesh.positions.size(), 3 * mesh.triangles.size()) << mesh.name << " shares no corner";
+        for (const Eigen::Vector3f& normal : mesh.normals) {
+            ASSERT_NEAR(normal.norm(), 1.0, 1e-4) << mesh.name;
+        }
+    }
+}
+
+TEST(DrawnCampus, IsSeenFromAPersonsEyes) {
+    const auto views = drawn_views(scene::walkable_campus(1));
+    ASSERT_EQ(views.size(), 3U);
+    for (const DrawnView& view : views) {
+        EXPECT_LT(std::abs(view.eye.y()), 8.0);
+        EXPECT_GT((view.target - view.eye).norm(), 1.0);
+    }
+    EXPECT_EQ(drawn_views(scene::walkable_campus(3)).size(), 24U);
+}
+
+}  // namespace
+}  // namespace campuswalk::tools::bench

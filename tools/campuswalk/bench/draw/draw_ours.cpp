@@ -1,0 +1,105 @@
+#include "tools/campuswalk/bench/draw/draw_ours.h"
+
+#include <sys/resource.h>
+
+#include <span>
+
+#include "engine/render/png.h"
+#include "engine/render/renderer.h"
+#include "tools/campuswalk/bench/heap.h"
+#include "tools/campuswalk/bench/shuffled_runs.h"
+
+namespace campuswalk::tools::bench {
+
+using engine::render::Picture;
+using engine::render::Renderer;
+using engine::render::RenderSettings;
+using engine::render::Viewpoint;
+
+namespace {
+
+struct Look {
+    const char* name = "";
+    int samples = 1;
+    bool fxaa = false;
+    bool shadows = false;
+    bool occlusion = false;
+};
+
+constexpr Look kLooks[] = {{"no-aa", 1, false, false, false},
+                           {"fxaa", 1, true, false, false},
+                           {"msaa4", 4, false, false, false},
+                           {"shadows+fxaa", 1, true, true, false},
+                           {"shadows+msaa4", 4, false, true, false}};
+constexpr const char* kDefaultLook = "default";
+
+RenderSettings settings_of(const Look& look) {
+    RenderSettings settings;
+    settings.samples = look.samples;
+    settings.fxaa = look.fxaa;
+    settings.shadows = look.shadows;
+    settings.occlusion_radius = 0.0;
+    return settings;
+}
+
+/// Of all threads of this process.
+double cpu_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto ms = [](const timeval& t) {
+        return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+    };
+    return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+DrawTimes draw_look(Renderer& renderer, const std::vector<Viewpoint>& views, int rounds) {
+    DrawTimes times;
+    double begun = 0.0;
+    for (int round = 0; round <= rounds; ++round) {
+        if (round == 1) {
+            begun = cpu_ms();
+        }
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const double us = microseconds_of([&] { renderer.draw(views[i], kDrawnWidth, kDrawnHeight); });
+            if (round > 0) {
+                times.frames.push_back({i, 1e-3 * us});
+            }
+        }
+    }
+    times.cpu_ms = (cpu_ms() - begun) / static_cast<double>(times.frames.size());
+    return times;
+}
+
+std::vector<Viewpoint> viewpoints(const std::vector<DrawnView>& views) {
+    std::vector<Viewpoint> points;
+    for (const DrawnView& view : views) {
+        points.push_back(engine::render::looking_at(view.eye, view.target, kDrawnFov));
+    }
+    return points;
+}
+
+}  // namespace
+
+OurDrawing draw_ours(const scene::Model& model, const std::vector<DrawnView>& views, int rounds,
+                     const std::filesystem::path& folder) {
+    OurDrawing drawing;
+    const std::vector<Viewpoint> points = viewpoints(views);
+    const auto draw = [&](const std::string& look, const RenderSettings& settings) {
+        const std::size_t before = heap_in_use();
+        Renderer renderer(std::span(&model, 1), settings);
+        drawing.looks.push_back(draw_look(renderer, points, rounds));
+        drawing.looks.back().engine = "campuswalk";
+        drawing.looks.back().look = look;
+        drawing.heap_bytes = heap_in_use() - before;
+        const Picture picture = renderer.draw(points.front(), kDrawnWidth, kDrawnHeight);
+        drawing.encode_ms = 1e-3 * microseconds_of([&] { engine::render::encode_png(picture); });
+        engine::render::write_png(picture, folder / ("campuswalk-" + look + ".png"));
+    };
+    for (const Look& look : kLooks) {
+        draw(look.name, settings_of(look));
+    }
+    draw(kDefaultLook, RenderSettings());
+    return drawing;
+}
+
+}  // namespace campuswalk::tools::bench
