@@ -109,6 +109,14 @@ class Info(ProgramCase):
         self.assertEqual(text.count("    'door_"), 5)
         self.assertIn("    and 3 more: see --json\n", text)
 
+    def test_more_nodes_than_one_wants_to_read(self):
+        self.write("town.obj", "".join(box("house_%d" % i, 1 + 8 * i, 9 * i, 0, 0, 9 * i + 5, 4, 5) for i in range(250)))
+        self.assertEqual(len(self.info("town.obj")["nodes"]), 251)  # with the root
+        text = self.passes("info", "town.obj").out
+        self.assertEqual(text.count("    house_"), 199)
+        self.assertIn("\nnodes      251\n", text)
+        self.assertIn("\n  and 51 more: see --json\nwarnings ", text)
+
     def test_the_map_of_what_lies_on_its_side_is_drawn_upright(self):
         self.write("town.obj", box("town", 1, 0, 0, 0, 80, 60, 4))
         turned = self.run_program("info", "town.obj", "--map", "turned.png")

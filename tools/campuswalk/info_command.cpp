@@ -29,6 +29,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// In text; more than that nobody reads, and the warnings come below.
+constexpr std::size_t kMostMaterials = 50;
+constexpr std::size_t kMostNodes = 200;
+
 Json json_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
@@ -88,6 +92,12 @@ Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnin
     return json;
 }
 
+void print_rest(std::size_t count, std::size_t shown) {
+    if (count > shown) {
+        std::printf("  and %zu more: see --json\n", count - shown);
+    }
+}
+
 void print_text(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
     const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
     std::printf("%s\n", report.file.c_str());
@@ -99,14 +109,18 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
                     engine::fixed(size.y(), 3).c_str(), engine::fixed(size.z(), 3).c_str());
     }
     std::printf("materials  %zu\n", report.materials.size());
-    for (const scene::MaterialReport& m : report.materials) {
+    for (std::size_t i = 0; i < std::min(report.materials.size(), kMostMaterials); ++i) {
+        const scene::MaterialReport& m = report.materials[i];
         std::printf("  %-28s %8zu triangles  %s\n", m.name.c_str(), m.triangles,
                     m.texture.empty() ? "no texture" : m.texture.c_str());
     }
+    print_rest(report.materials.size(), kMostMaterials);
     std::printf("nodes      %zu\n", report.nodes.size());
-    for (const scene::NodeReport& n : report.nodes) {
+    for (std::size_t i = 0; i < std::min(report.nodes.size(), kMostNodes); ++i) {
+        const scene::NodeReport& n = report.nodes[i];
         std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
     }
+    print_rest(report.nodes.size(), kMostNodes);
     std::printf("warnings   %zu\n", warnings.size());
     print_oddities(warnings);
 }

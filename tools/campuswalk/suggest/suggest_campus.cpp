@@ -201,8 +201,7 @@ SuggestedCampus suggestion(const UprightModel& model, const fs::path& campus_fil
     return campus;
 }
 
-bool walks(const fs::path& walk_file) {
-    WalkLoader loader([](const std::vector<scene::Diagnostic>&) {});
+bool walks(WalkLoader& loader, const fs::path& walk_file) {
     const LoadedWalk loaded = loader.load_walk(walk_file);
     return engine::run_walk(*loaded.campus, loaded.walk, {}).passed;
 }
@@ -215,12 +214,13 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     const SuggestedCampus campus = suggestion(upright, campus_file);
     scene::write_whole_file(campus_file, campus_yaml(campus));
     // What was planned on a grid is only written down if it can be walked.
+    WalkLoader loader([](const std::vector<scene::Diagnostic>&) {});
     std::size_t visits = campus.visits.size();
     bool passed = false;
     for (;; --visits) {
         scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
         try {
-            passed = walks(walk_file);
+            passed = walks(loader, walk_file);
         } catch (const scene::InputError&) {
             fs::remove(campus_file);
             fs::remove(walk_file);
