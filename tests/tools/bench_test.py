@@ -12,7 +12,7 @@ COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
 WALK_COLUMNS = ("triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
                 "crossings").split(",")
 OF_THE_PAPER = ["paper", "obb", "sphere"]
-CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points"]
+CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points", "import"]
 HAS_NO_RENDERING = "this build has no rendering"
 
 
@@ -30,7 +30,7 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_bad_usage(self):
-        self.refused("a command is needed: table1, million, nested, trees, campus, walk, all")
+        self.refused("a command is needed: table1, million, nested, trees, campus, import, walk, all")
         self.refused("there is no command 'table2' (did you mean 'table1'?)", "table2")
         for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
                                           ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
@@ -39,7 +39,7 @@ class Bench(ProgramCase):
 
     def test_every_case_takes_the_same_options(self):
         self.write("file", "")
-        for case in ("million", "nested", "trees", "campus", "walk"):
+        for case in ("million", "nested", "trees", "campus", "import", "walk"):
             self.refused("--rounds: Value 100001 not in range 1 to 100000", case, "--quick", "--rounds", "100001",
                          where="bench " + case)
             outcome = self.run_program("bench", case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
@@ -47,7 +47,8 @@ class Bench(ProgramCase):
             self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: ")
 
     def test_cases_in_small(self):
-        for name, cases in (("trees", ["build", "memory"]), ("campus", ["rays", "probes", "avatars", "points"])):
+        for name, cases in (("trees", ["build", "memory"]), ("campus", ["rays", "probes", "avatars", "points"]),
+                            ("import", ["import"])):
             self.passes("bench", name, "--quick", "--csv", name + ".csv")
             self.assertEqual(list(dict.fromkeys(row["case"] for row in self.rows(name + ".csv"))), cases)
 
@@ -108,7 +109,7 @@ class Bench(ProgramCase):
             self.assertEqual(found[case], {""})
         self.check_memory([row for row in rows if row["case"] == "memory"])
         summary = out[out.index("Against what is to be reached"):].splitlines()[1:]
-        self.assertEqual(len(summary), 14)
+        self.assertEqual(len(summary), 16)
         for line in summary:
             self.assertRegex(line, r"^  \S.* (not measured|\d+\.\d\dx?  +\(must [0-9.]+(, aim [0-9.]+)?\)  "
                                    r"(MISSED|reached|aim reached))$")

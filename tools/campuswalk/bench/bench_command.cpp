@@ -73,8 +73,7 @@ constexpr BenchCommand kCommands[] = {
      "mustn't, and how fast"},
 };
 // `walk` has a CSV of its own, so it is none of these.
-constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus,
-                                                          import};
+constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus, import};
 static_assert(std::size(kCommands) == std::size(kCases) + 1);
 
 void check_output(const std::filesystem::path& file) {
