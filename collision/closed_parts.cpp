@@ -170,7 +170,8 @@ ClosedParts::ClosedParts(const TriangleMesh& mesh) {
 
 ClosedParts::ClosedParts(Storage<std::uint64_t> members, const Aabb& bounds, std::size_t mesh_triangles)
     : members_(std::move(members)), bounds_(bounds) {
-    if (!members_.empty() && (members_.size() != (mesh_triangles + kBits - 1) / kBits || !is_finite(bounds))) {
+    if (!members_.empty() &&
+        (members_.size() != (mesh_triangles + kBits - 1) / kBits || !is_finite(bounds))) {
         throw std::invalid_argument("its closed parts aren't those of the mesh");
     }
 }

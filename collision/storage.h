@@ -73,6 +73,10 @@ public:
         own().resize(count);
         look();
     }
+    void resize(std::size_t count, const T& element) {
+        own().resize(count, element);
+        look();
+    }
     void clear() {
         own_.clear();
         owner_.reset();
@@ -92,9 +96,7 @@ public:
         own().pop_back();
         look();
     }
-    void assign(std::size_t count, const T& element) {
-        *this = Storage(std::vector<T>(count, element));
-    }
+    void assign(std::size_t count, const T& element) { *this = Storage(std::vector<T>(count, element)); }
     /// `first` and `last` aren't of this storage itself.
     template <typename Iterator>
     void insert(const T* before, Iterator first, Iterator last) {

@@ -1,12 +1,14 @@
 #include "scene/campus.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 
 #include "scene/cache/kept_meshes.h"
 #include "scene/cache/load_model.h"
 #include "scene/collider_globs.h"
 #include "scene/collider_shapes.h"
+#include "scene/import/at_once.h"
 #include "scene/node_frame.h"
 #include "scene/node_selection.h"
 #include "scene/object_names.h"
@@ -32,11 +34,23 @@ struct ImportedScenes {
 
 ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
                              std::vector<Diagnostic>& warnings, const Importer& importer,
-                             const CacheFolder* cache) {
-    ImportedScenes scenes;
-    for (const SceneFile& file : files) {
+                             const CacheFolder* cache, std::size_t imports_at_once) {
+    std::vector<LoadedModel> models(files.size());
+    std::vector<std::exception_ptr> failures(files.size());
+    do_at_once(files.size(), imports_at_once, [&](std::size_t i) {
         try {
-            LoadedModel loaded = load_model(file, EmptyModel::refuse, importer, cache);
+            models[i] = load_model(files[i], EmptyModel::refuse, importer, cache);
+        } catch (...) {
+            failures[i] = std::current_exception();
+        }
+    });
+    ImportedScenes scenes;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        try {
+            if (failures[i]) {
+                std::rethrow_exception(failures[i]);
+            }
+            LoadedModel& loaded = models[i];
             scenes.models.push_back(std::move(loaded.imported.model));
             if (loaded.contents) {
                 scenes.contents.push_back(*loaded.contents);
@@ -162,14 +176,16 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 }
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
-                   std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache) {
+                   std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache,
+                   std::size_t imports_at_once) {
     DiagnosticList diagnostics;
     if (description.layers.size() > kMostLayers) {
         diagnostics.error(description.mark, "too-many-layers",
                           std::to_string(description.layers.size()) + " layers; at most " +
                               std::to_string(kMostLayers) + " are possible");
     }
-    ImportedScenes scenes = import_scenes(description.scenes, diagnostics, warnings, importer, cache);
+    ImportedScenes scenes =
+        import_scenes(description.scenes, diagnostics, warnings, importer, cache, imports_at_once);
     diagnostics.throw_if_errors();  // without its scenes every glob would be wrong
 
     Campus campus{

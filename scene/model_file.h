@@ -40,8 +40,8 @@ std::vector<std::byte> write_model_file(const ImportedModel& imported);
 
 /// Reads bytes that may be anything; what it returns keeps all that `Model` promises: indices are in range,
 /// parents come before children, transforms and positions are finite, textures have all their pixels.
-/// Throws DamagedFile; memory is bounded by a small multiple of the bytes. With an `owner` that keeps the bytes
-/// as they are, meshes and pictures are used where they lie in them; without, they are copied.
+/// Throws DamagedFile; memory is bounded by a small multiple of the bytes. With an `owner` that keeps the
+/// bytes as they are, meshes and pictures are used where they lie in them; without, they are copied.
 ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner = nullptr);
 
 }  // namespace campuswalk::scene

@@ -121,8 +121,8 @@ public:
         }
         return elements;
     }
-    /// Likewise, from the next multiple of their alignment on. With an owner they stay where they are: nothing
-    /// is copied.
+    /// Likewise, from the next multiple of their alignment on. With an owner they stay where they are:
+    /// nothing is copied.
     template <typename Element>
     collision::Storage<Element> take_aligned(std::size_t count) {
         align(alignof(Element));

@@ -88,7 +88,8 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
     try {
         write_whole_file(file, parts);
         // What others may write to has to be copied when it is read.
-        fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove, error);
+        fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove,
+                        error);
     } catch (const std::runtime_error& failure) {
         if (unwritable_) {
             unwritable_(failure.what());

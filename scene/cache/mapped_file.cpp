@@ -37,9 +37,7 @@ public:
     }
 
     /// MAP_FAILED if it can't be.
-    void* map() const {
-        return mmap(nullptr, size(), PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0);
-    }
+    void* map() const { return mmap(nullptr, size(), PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0); }
     /// MAP_FAILED if it can't be, or is shorter by now.
     void* copy() const {
         void* start = mmap(nullptr, size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

@@ -91,6 +91,11 @@ std::optional<DecodedImage> AssimpSource::picture(const TextureReference& refere
 }
 
 void AssimpSource::add_warnings(DiagnosticList& warnings) {
+    if (read_.files->dropped_uvs()) {
+        warnings.warning(
+            file_.mark, "repaired-uvs",
+            file_.file + ": its faces name texture coordinates and it has none; they are left out");
+    }
     for (const std::string& name : read_.files->refused()) {
         if (name.ends_with(".mtl")) {
             warnings.warning(file_.mark, "missing-materials",

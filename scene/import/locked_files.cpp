@@ -105,7 +105,8 @@ Assimp::IOStream* LockedFiles::open_obj(const std::filesystem::path& path) {
     if (!obj_) {
         obj_ = read_bytes(path).value_or(std::vector<std::uint8_t>());
         origin_ = move_vertices_near(*obj_, metres_per_unit_);
-        if (origin_.isZero(0.0)) {
+        dropped_uvs_ = drop_absent_uvs(*obj_);
+        if (origin_.isZero(0.0) && !dropped_uvs_) {
             obj_ = std::vector<std::uint8_t>();
         }
     }
@@ -115,7 +116,7 @@ Assimp::IOStream* LockedFiles::open_obj(const std::filesystem::path& path) {
 Assimp::IOStream* LockedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
-    Assimp::IOStream* stream = !path               ? nullptr
+    Assimp::IOStream* stream = !path                          ? nullptr
                                : has_extension(*path, ".dae") ? open_collada(*path)
                                : has_extension(*path, ".obj") ? open_obj(*path)
                                                               : open_as_it_is(*path);

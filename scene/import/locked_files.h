@@ -32,6 +32,8 @@ public:
     const SceneFolder& folder() const { return folder_; }
     /// By how much the vertices of an OBJ were moved near the origin, in its units.
     const Eigen::Vector3d& origin() const { return origin_; }
+    /// Whether faces of an OBJ named texture coordinates that it hasn't.
+    bool dropped_uvs() const { return dropped_uvs_; }
     /// Names that were asked for and not given, in order.
     const std::vector<std::string>& refused() const { return refused_; }
 
@@ -40,8 +42,9 @@ private:
 
     SceneFolder folder_;
     double metres_per_unit_;
-    std::optional<std::vector<std::uint8_t>> obj_;  ///< once opened: moved text, empty if it is as it was
+    std::optional<std::vector<std::uint8_t>> obj_;  ///< once opened: mended text, empty if it is as it was
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+    bool dropped_uvs_ = false;
     std::vector<std::string> refused_;
 };
 

@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace campuswalk::scene {
 namespace {
@@ -49,6 +51,29 @@ std::string_view without_indent(std::string_view line) {
 
 bool is_vertex(std::string_view line) {
     return line.size() > 1 && line[0] == 'v' && is_space(line[1]);
+}
+
+bool is_face(std::string_view line) {
+    return line.size() > 1 && line[0] == 'f' && is_space(line[1]);
+}
+
+bool is_uv(std::string_view line) {
+    return line.starts_with("vt");
+}
+
+/// A face's line with its corners' second numbers taken out: `1/2/3` is `1//3`, `1/2` is `1`.
+std::string without_uvs(std::string_view line) {
+    std::string kept;
+    int slashes = 0;  // of this corner
+    for (const char c : line) {
+        slashes = is_space(c) ? 0 : slashes + (c == '/' ? 1 : 0);
+        if (slashes == 2 && c == '/') {
+            kept += "//";
+        } else if (slashes != 1) {
+            kept += c;
+        }
+    }
+    return kept;
 }
 
 /// nullopt if it isn't plainly written: no three numbers, a weight, or a line that goes on in the next.
@@ -128,6 +153,32 @@ void append_moved(std::vector<std::uint8_t>& to, const VertexLine& vertex, const
 }
 
 }  // namespace
+
+bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
+    const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());
+    bool named = false;
+    const bool absent = each_line(text, [&](std::string_view line) {
+        line = without_indent(line);
+        named = named || (is_face(line) && without_uvs(line) != line);
+        return !is_uv(line);
+    });
+    if (!absent || !named) {
+        return false;
+    }
+    std::vector<std::uint8_t> kept;
+    kept.reserve(obj.size());
+    each_line(text, [&](std::string_view line) {
+        if (is_face(without_indent(line))) {
+            append(kept, without_uvs(line));
+        } else {
+            append(kept, line);
+        }
+        kept.push_back('\n');
+        return true;
+    });
+    obj = std::move(kept);
+    return true;
+}
 
 Eigen::Vector3d move_vertices_near(std::vector<std::uint8_t>& obj, double metres_per_unit) {
     const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());

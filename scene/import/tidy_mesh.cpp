@@ -17,8 +17,7 @@ constexpr double kFlat = 1.0;
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 bool indices_in_range(const RawMesh& source) {
-    return source.triangles.empty() ||
-           collision::highest_vertex(source.triangles) < source.positions.size();
+    return source.triangles.empty() || collision::highest_vertex(source.triangles) < source.positions.size();
 }
 
 bool positions_finite(const RawMesh& source) {

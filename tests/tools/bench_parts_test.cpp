@@ -201,9 +201,9 @@ TEST(Judge, KnowsWhatIsTouched) {
     EXPECT_TRUE(is_touching_set(mesh, upright(0.4), 0.4, {}));
 }
 
-template <typename Element>
-std::size_t room_to_spare(const collision::Storage<Element>& elements) {
-    return (elements.capacity() - elements.size()) * sizeof(Element);
+template <typename Elements>
+std::size_t room_to_spare(const Elements& elements) {
+    return (elements.capacity() - elements.size()) * sizeof(typename Elements::value_type);
 }
 
 std::size_t room_to_spare(const collision::WideTree& tree) {

@@ -15,7 +15,7 @@ WALK_COLUMNS = ("triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached
                 "crossings").split(",")
 DRAWN_LOOKS = ["no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4", "default"]
 OF_THE_PAPER = ["paper", "obb", "sphere"]
-CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points"]
+CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points", "import"]
 HAS_NO_RENDERING = "this build has no rendering"
 
 
@@ -33,7 +33,7 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_bad_usage(self):
-        self.refused("a command is needed: table1, million, nested, trees, campus, walk, draw, all")
+        self.refused("a command is needed: table1, million, nested, trees, campus, import, walk, draw, all")
         self.refused("there is no command 'table2' (did you mean 'table1'?)", "table2")
         for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
                                           ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
@@ -42,7 +42,7 @@ class Bench(ProgramCase):
 
     def test_every_case_takes_the_same_options(self):
         self.write("file", "")
-        for case in ("million", "nested", "trees", "campus", "walk", "draw"):
+        for case in ("million", "nested", "trees", "campus", "import", "walk", "draw"):
             self.refused("--rounds: Value 100001 not in range 1 to 100000", case, "--quick", "--rounds", "100001",
                          where="bench " + case)
             outcome = self.run_program("bench", case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
@@ -50,7 +50,8 @@ class Bench(ProgramCase):
             self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: ")
 
     def test_cases_in_small(self):
-        for name, cases in (("trees", ["build", "memory"]), ("campus", ["rays", "probes", "avatars", "points"])):
+        for name, cases in (("trees", ["build", "memory"]), ("campus", ["rays", "probes", "avatars", "points"]),
+                            ("import", ["import"])):
             self.passes("bench", name, "--quick", "--csv", name + ".csv")
             self.assertEqual(list(dict.fromkeys(row["case"] for row in self.rows(name + ".csv"))), cases)
 
@@ -111,7 +112,7 @@ class Bench(ProgramCase):
             self.assertEqual(found[case], {""})
         self.check_memory([row for row in rows if row["case"] == "memory"])
         summary = out[out.index("Against what is to be reached"):].splitlines()[1:]
-        self.assertEqual(len(summary), 14)
+        self.assertEqual(len(summary), 16)
         for line in summary:
             self.assertRegex(line, r"^  \S.* (not measured|\d+\.\d\dx?  +\(must [0-9.]+(, aim [0-9.]+)?\)  "
                                    r"(MISSED|reached|aim reached))$")

@@ -70,7 +70,18 @@ class Cache(ProgramCase):
 
     def test_a_folder_that_cannot_be_is_no_mistake(self):
         log = self.walk("--no-cache")
-        self.assertEqual(self.walk(CAMPUSWALK_CACHE_DIR=self.path("room.obj") + "/kept"), log)
+        nowhere = self.path("room.obj") + "/kept"
+        out, err = self.walk(CAMPUSWALK_CACHE_DIR=nowhere)
+        self.assertEqual(out, log[0])
+        warning, *rest = err.splitlines()
+        self.assertRegex(warning, "^warning cache-unwritable: models are imported anew each time: can't write '%s/" % nowhere)
+        self.assertEqual(rest, log[1].splitlines(), "told once, not for each file")
+
+    def test_a_full_cache_folder_is_told_of_once_by_all_workers(self):
+        self.write("again.walk.yaml", self.read("short.walk.yaml"))
+        outcome = self.passes("run", ".", "-j2", "--quiet",
+                              env=dict(self.environment, CAMPUSWALK_CACHE_DIR=self.path("room.obj") + "/kept"))
+        self.assertEqual(outcome.err.count("cache-unwritable"), 1)
 
     def test_where_it_is(self):
         self.environment.pop("CAMPUSWALK_CACHE_DIR")

@@ -66,8 +66,7 @@ std::atomic<bool>& told() {
     static_assert(std::atomic<bool>::is_always_lock_free);
     static std::atomic<bool> own;
     static std::atomic<bool>& shared = [&]() -> std::atomic<bool>& {
-        void* memory =
-            mmap(nullptr, sizeof own, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        void* memory = mmap(nullptr, sizeof own, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         return memory == MAP_FAILED ? own : *new (memory) std::atomic<bool>();
     }();
     return shared;

@@ -1,5 +1,6 @@
 #include "tools/campuswalk/walk_loader.h"
 
+#include <thread>
 #include <utility>
 
 #include "collision/bullet_broad_phase.h"
@@ -67,7 +68,7 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
         try {
             campus = std::make_shared<scene::Campus>(
                 scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
-                                   model_importer(), wanted_cache()));
+                                   model_importer(), wanted_cache(), std::thread::hardware_concurrency()));
         } catch (const scene::InputError& error) {
             broken_.emplace(key, error);
             throw;

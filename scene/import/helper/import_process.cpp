@@ -154,8 +154,8 @@ public:
         }
         environment.push_back(nullptr);
         pid_t process = 0;
-        const int error =
-            posix_spawn(&process, name.c_str(), &actions_, &attributes_, arguments.data(), environment.data());
+        const int error = posix_spawn(&process, name.c_str(), &actions_, &attributes_, arguments.data(),
+                                      environment.data());
         if (error != 0) {
             cannot_start(error);
         }

@@ -41,7 +41,8 @@ ImportRequest read_request(std::span<const std::byte> bytes);
 /// The answer is a model file (model_file.h). One with errors among its warnings stands for an InputError
 /// with these.
 ImportedModel refusal_of(const InputError& error);
-/// Throws DamagedFile for bytes that are no answer, InputError for a refusal. `owner`: as for read_model_file.
+/// Throws DamagedFile for bytes that are no answer, InputError for a refusal. `owner`: as for
+/// read_model_file.
 ImportedModel read_answer(std::span<const std::byte> bytes, std::shared_ptr<const void> owner = nullptr);
 
 }  // namespace campuswalk::scene

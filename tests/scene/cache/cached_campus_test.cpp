@@ -1,5 +1,7 @@
+#include <chrono>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -200,6 +202,38 @@ TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
     EXPECT_EQ(campus(warnings, &nowhere).world.size(), 4U);
     EXPECT_EQ(campus(warnings, &nowhere).world.size(), 4U);
     EXPECT_EQ(imports_, 2);
+}
+
+/// What comes first is told first, whoever is done first.
+TEST_F(CachedCampus, TellsTheSameHoweverManyImportsAreAtOnce) {
+    const auto told = [&](std::size_t at_once, bool broken) {
+        const Importer slow_at_first = [&](const SceneFile& file, EmptyModel if_empty) {
+            const int number = file.file.back() - '0';
+            std::this_thread::sleep_for(std::chrono::milliseconds(4 * (5 - number)));
+            if (broken && number % 2 == 0) {
+                throw InputError(file.mark, "bad-model", file.file + " is broken");
+            }
+            ImportedModel imported = import_scene(file_, if_empty);
+            imported.warnings = {{Severity::warning, {}, "odd", file.file + " is odd"}};
+            return imported;
+        };
+        CampusDescription description;
+        for (const char* name : {"m0", "m1", "m2", "m3", "m4"}) {
+            description.scenes.push_back(file_);
+            description.scenes.back().file = name;
+        }
+        std::vector<Diagnostic> all;
+        try {
+            load_campus(description, std::make_unique<collision::LinearBroadPhase>(), all, slow_at_first,
+                        nullptr, at_once);
+        } catch (const InputError& error) {
+            all.insert(all.end(), error.diagnostics().begin(), error.diagnostics().end());
+        }
+        return test::text_of(all);
+    };
+    EXPECT_EQ(told(4, false), told(1, false));
+    EXPECT_EQ(told(4, true), told(1, true));
+    EXPECT_NE(told(4, true).find("m4 is broken"), std::string::npos);
 }
 
 }  // namespace

@@ -76,8 +76,7 @@ constexpr BenchCommand kCommands[] = {
      "Pictures of campuses of half a million and two million triangles, beside other programs that draw"},
 };
 // `walk` and `draw` have a CSV of their own, so they are none of these.
-constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus,
-                                                          import};
+constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus, import};
 static_assert(std::size(kCommands) == std::size(kCases) + 2);
 
 void check_output(const std::filesystem::path& file) {

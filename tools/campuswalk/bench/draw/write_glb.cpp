@@ -70,7 +70,8 @@ private:
     }
 
     void add_picture(const scene::Texture& texture) {
-        const auto png = engine::render::encode_png({texture.width, texture.height, texture.rgba});
+        const auto png = engine::render::encode_png(
+            {texture.width, texture.height, {texture.rgba.begin(), texture.rgba.end()}});
         const std::size_t view = add_view(std::span<const std::uint8_t>(png), 0);
         json_["textures"].push_back({{"source", json_["images"].size()}, {"sampler", 0}});
         json_["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}, {"name", texture.name}});

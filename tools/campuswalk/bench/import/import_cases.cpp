@@ -26,8 +26,7 @@ namespace {
 /// A folder that is gone afterwards.
 class ScratchFolder {
 public:
-    ScratchFolder()
-        : path_(fs::temp_directory_path() / ("campuswalk-bench-" + std::to_string(getpid()))) {
+    ScratchFolder() : path_(fs::temp_directory_path() / ("campuswalk-bench-" + std::to_string(getpid()))) {
         fs::create_directories(path_);
     }
     ~ScratchFolder() {

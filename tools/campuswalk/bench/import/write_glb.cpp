@@ -73,15 +73,14 @@ void write_glb(const std::filesystem::path& file, const collision::TriangleMesh&
     const std::size_t indices = buffer.add(
         std::as_bytes(std::span(mesh.triangles)),
         {{"componentType", kUnsignedInt}, {"count", 3 * mesh.triangles.size()}, {"type", "SCALAR"}});
-    const Json json = {
-        {"asset", {{"version", "2.0"}}},
-        {"scene", 0},
-        {"scenes", {{{"nodes", {0}}}}},
-        {"nodes", {{{"name", "campus"}, {"mesh", 0}}}},
-        {"meshes", {{{"primitives", {{{"attributes", attributes}, {"indices", indices}}}}}}},
-        {"buffers", {{{"byteLength", buffer.bytes().size()}}}},
-        {"bufferViews", buffer.views()},
-        {"accessors", buffer.accessors()}};
+    const Json json = {{"asset", {{"version", "2.0"}}},
+                       {"scene", 0},
+                       {"scenes", {{{"nodes", {0}}}}},
+                       {"nodes", {{{"name", "campus"}, {"mesh", 0}}}},
+                       {"meshes", {{{"primitives", {{{"attributes", attributes}, {"indices", indices}}}}}}},
+                       {"buffers", {{{"byteLength", buffer.bytes().size()}}}},
+                       {"bufferViews", buffer.views()},
+                       {"accessors", buffer.accessors()}};
     std::string text = json.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
 
