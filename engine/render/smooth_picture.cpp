@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <thread>
 #include <vector>
+
+#include "engine/render/row_bands.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -111,25 +112,12 @@ public:
     explicit EdgeSmoother(const Picture& picture) : in_(picture), out_(picture), luma_(picture) {}
 
     Picture smooth() {
-        // Each pixel is worked out from the picture as it was: in bands, the same bytes by any number of
-        // them.
-        const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
-                                     std::clamp(in_.height / kLeastBand, 1, kMostBands));
-        std::vector<std::jthread> others;
-        for (int band = 1; band < bands; ++band) {
-            others.emplace_back([this, band, bands] {
-                smooth_rows(in_.height * band / bands, in_.height * (band + 1) / bands);
-            });
-        }
-        smooth_rows(0, in_.height / bands);
-        others.clear();
+        // Each pixel is worked out from the picture as it was.
+        for_row_bands(in_.height, [this](int first, int end) { smooth_rows(first, end); });
         return std::move(out_);
     }
 
 private:
-    static constexpr int kLeastBand = 64;  // rows that are worth a thread
-    static constexpr int kMostBands = 8;
-
     // Most pixels aren't on an edge: they are sorted out a row at a time, which compilers do many at once.
     void smooth_rows(int first, int end) {
         std::vector<std::uint8_t> on_edge(static_cast<std::size_t>(in_.width));
