@@ -38,6 +38,16 @@ std::vector<std::uint8_t> srgb_table() {
     return table;
 }
 
+const std::array<std::uint16_t, 256>& linear_by_srgb() {
+    static const std::array<std::uint16_t, 256> table = linear_table();
+    return table;
+}
+
+const std::vector<std::uint8_t>& srgb_by_sum() {
+    static const std::vector<std::uint8_t> table = srgb_table();
+    return table;
+}
+
 // ---- edges ------------------------------------------------------------------------------------------------
 
 constexpr int kLeastContrast = 10;     // of 255: less is no edge
@@ -192,22 +202,26 @@ private:
         const std::uint8_t* other = &in_.rgba[in_.offset(ox, oy)];
         std::uint8_t* out = &out_.rgba[out_.offset(x, y)];
         const int weight = std::clamp(static_cast<int>(std::lround(256.0 * share)), 0, 256);
-        for (int i = 0; i < 3; ++i) {
-            out[i] = static_cast<std::uint8_t>((own[i] * (256 - weight) + other[i] * weight + 128) >> 8);
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Light is mixed, as among the samples of a pixel; the weights sum to 64 times four.
+            const int light = linear_[own[i]] * (256 - weight) + linear_[other[i]] * weight;
+            out[i] = srgb_[static_cast<std::size_t>(light >> 6)];
         }
     }
 
     const Picture& in_;
     Picture out_;
     Brightness luma_;
+    const std::array<std::uint16_t, 256>& linear_ = linear_by_srgb();
+    const std::vector<std::uint8_t>& srgb_ = srgb_by_sum();
 };
 
 }  // namespace
 
 Picture halved(const Picture& picture) {
     assert(picture.width % 2 == 0 && picture.height % 2 == 0);
-    static const std::array<std::uint16_t, 256> linear = linear_table();
-    static const std::vector<std::uint8_t> srgb = srgb_table();
+    const std::array<std::uint16_t, 256>& linear = linear_by_srgb();
+    const std::vector<std::uint8_t>& srgb = srgb_by_sum();
     Picture half{picture.width / 2, picture.height / 2, {}};
     half.rgba.resize(picture.rgba.size() / 4);
     const std::size_t row = picture.offset(0, 1);
