@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <thread>
 #include <vector>
+
+#include "engine/render/row_bands.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -34,6 +35,16 @@ std::vector<std::uint8_t> srgb_table() {
         const double s = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
         table[i] = static_cast<std::uint8_t>(std::lround(255.0 * s));
     }
+    return table;
+}
+
+const std::array<std::uint16_t, 256>& linear_by_srgb() {
+    static const std::array<std::uint16_t, 256> table = linear_table();
+    return table;
+}
+
+const std::vector<std::uint8_t>& srgb_by_sum() {
+    static const std::vector<std::uint8_t> table = srgb_table();
     return table;
 }
 
@@ -111,25 +122,12 @@ public:
     explicit EdgeSmoother(const Picture& picture) : in_(picture), out_(picture), luma_(picture) {}
 
     Picture smooth() {
-        // Each pixel is worked out from the picture as it was: in bands, the same bytes by any number of
-        // them.
-        const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
-                                     std::clamp(in_.height / kLeastBand, 1, kMostBands));
-        std::vector<std::jthread> others;
-        for (int band = 1; band < bands; ++band) {
-            others.emplace_back([this, band, bands] {
-                smooth_rows(in_.height * band / bands, in_.height * (band + 1) / bands);
-            });
-        }
-        smooth_rows(0, in_.height / bands);
-        others.clear();
+        // Each pixel is worked out from the picture as it was.
+        for_row_bands(in_.height, [this](int first, int end) { smooth_rows(first, end); });
         return std::move(out_);
     }
 
 private:
-    static constexpr int kLeastBand = 64;  // rows that are worth a thread
-    static constexpr int kMostBands = 8;
-
     // Most pixels aren't on an edge: they are sorted out a row at a time, which compilers do many at once.
     void smooth_rows(int first, int end) {
         std::vector<std::uint8_t> on_edge(static_cast<std::size_t>(in_.width));
@@ -204,22 +202,26 @@ private:
         const std::uint8_t* other = &in_.rgba[in_.offset(ox, oy)];
         std::uint8_t* out = &out_.rgba[out_.offset(x, y)];
         const int weight = std::clamp(static_cast<int>(std::lround(256.0 * share)), 0, 256);
-        for (int i = 0; i < 3; ++i) {
-            out[i] = static_cast<std::uint8_t>((own[i] * (256 - weight) + other[i] * weight + 128) >> 8);
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Light is mixed, as among the samples of a pixel; the weights sum to 64 times four.
+            const int light = linear_[own[i]] * (256 - weight) + linear_[other[i]] * weight;
+            out[i] = srgb_[static_cast<std::size_t>(light >> 6)];
         }
     }
 
     const Picture& in_;
     Picture out_;
     Brightness luma_;
+    const std::array<std::uint16_t, 256>& linear_ = linear_by_srgb();
+    const std::vector<std::uint8_t>& srgb_ = srgb_by_sum();
 };
 
 }  // namespace
 
 Picture halved(const Picture& picture) {
     assert(picture.width % 2 == 0 && picture.height % 2 == 0);
-    static const std::array<std::uint16_t, 256> linear = linear_table();
-    static const std::vector<std::uint8_t> srgb = srgb_table();
+    const std::array<std::uint16_t, 256>& linear = linear_by_srgb();
+    const std::vector<std::uint8_t>& srgb = srgb_by_sum();
     Picture half{picture.width / 2, picture.height / 2, {}};
     half.rgba.resize(picture.rgba.size() / 4);
     const std::size_t row = picture.offset(0, 1);

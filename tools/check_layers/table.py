@@ -28,7 +28,8 @@ PROJECT = {
                       "scene", "collision"],
     "engine/render/sequence": ["engine/render", "engine", "engine/script", "engine/observers", "scene"],
     # Pictures are plain data: nothing that draws is needed to compare them.
-    "engine/render/compare": ["engine/render/picture.h", "engine/script/picture_tolerance.h",
+    "engine/render/compare": ["engine/render/picture.h", "engine/render/row_bands.h",
+                              "engine/script/picture_tolerance.h",
                               "engine/decimals.h"],
     "config/loader": ["engine", "engine/events", "engine/expect", "engine/script", "scene", "collision"],
     "tools": [],

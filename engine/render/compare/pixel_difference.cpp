@@ -1,8 +1,12 @@
 #include "engine/render/compare/pixel_difference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
+
+#include "engine/render/row_bands.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -40,6 +44,18 @@ bool on_border(const Picture& picture, int x, int y) {
 
 template <typename Visit>
 void each_neighbour(const Picture& picture, int x, int y, const Visit& visit) {
+    if (!on_border(picture, x, y)) {
+        // As below, without a question a neighbour.
+        for (int i = -1; i <= 1; ++i) {
+            visit(x + i, y - 1);
+        }
+        visit(x - 1, y);
+        visit(x + 1, y);
+        for (int i = -1; i <= 1; ++i) {
+            visit(x + i, y + 1);
+        }
+        return;
+    }
     for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, picture.height - 1); ++ny) {
         for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, picture.width - 1); ++nx) {
             if (nx != x || ny != y) {
@@ -59,23 +75,110 @@ bool in_even_area(const Picture& picture, int x, int y) {
     return equal >= kEven;
 }
 
-struct Extreme {
-    double luma = 0.0;  ///< relative to the pixel in the middle
-    int x = 0;
-    int y = 0;
+/// is_antialiased(), with what gives the brightness at a place.
+template <typename LumaAt>
+bool antialiased(const Picture& picture, const Picture& other, int x, int y, const LumaAt& luma_at) {
+    const double centre = luma_at(x, y);
+    std::array<double, 8> relative{};  // to the pixel in the middle
+    std::array<int, 8> at_x{};
+    std::array<int, 8> at_y{};
+    std::size_t count = 0;
+    each_neighbour(picture, x, y, [&](int nx, int ny) {
+        relative[count] = luma_at(nx, ny) - centre;
+        at_x[count] = nx;
+        at_y[count] = ny;
+        ++count;
+    });
+    // Without a branch a neighbour: which of them is darker is as good as chance. None beyond `count` is
+    // either extreme, and equals are counted among the others alone.
+    int equal = (on_border(picture, x, y) ? 1 : 0) - static_cast<int>(relative.size() - count);
+    double darkest = 0.0;
+    double brightest = 0.0;
+    for (const double difference : relative) {
+        equal += difference == 0.0 ? 1 : 0;
+        darkest = difference < darkest ? difference : darkest;
+        brightest = difference > brightest ? difference : brightest;
+    }
+    if (equal >= kEven || darkest == 0.0 || brightest == 0.0) {
+        return false;
+    }
+    const auto even_in_both = [&](double extreme) {
+        const auto i =
+            static_cast<std::size_t>(std::find(relative.begin(), relative.end(), extreme) - relative.begin());
+        return in_even_area(picture, at_x[i], at_y[i]) && in_even_area(other, at_x[i], at_y[i]);
+    };
+    return even_in_both(darkest) || even_in_both(brightest);
+}
+
+/// The brightness of a picture's row and of those above and below: in one that differs much, each pixel's is
+/// asked for nine times.
+class NearLumas {
+public:
+    explicit NearLumas(const Picture& picture) : picture_(picture) {
+        for (std::vector<double>& row : rows_) {
+            row.resize(static_cast<std::size_t>(picture.width));
+        }
+    }
+
+    /// Before any of them is asked for: the row in the middle.
+    void go_to(int y) {
+        if (y == middle_) {
+            return;
+        }
+        for (int i = -1; i <= 1; ++i) {
+            if (y + i >= 0 && y + i < picture_.height) {
+                fill(rows_[static_cast<std::size_t>(i + 1)], y + i);
+            }
+        }
+        middle_ = y;
+    }
+
+    double operator()(int x, int y) const {
+        return rows_[static_cast<std::size_t>(y - middle_ + 1)][static_cast<std::size_t>(x)];
+    }
+
+private:
+    void fill(std::vector<double>& row, int y) const {
+        const std::uint8_t* rgba = &picture_.rgba[picture_.offset(0, y)];
+        for (double& value : row) {
+            value = luma(rgba);
+            rgba += 4;
+        }
+    }
+
+    const Picture& picture_;
+    int middle_ = -2;
+    std::array<std::vector<double>, 3> rows_;
 };
 
-PixelVerdict verdict(const Picture& a, const Picture& b, double largest_square, int x, int y) {
-    const std::size_t offset = a.offset(x, y);
-    if (same_color(&a.rgba[offset], &b.rgba[offset])) {
-        return PixelVerdict::same;
+/// Judges the pixels of two pictures, best row by row.
+class PixelJudge {
+public:
+    PixelJudge(const Picture& a, const Picture& b, double largest_square)
+        : a_(a), b_(b), largest_square_(largest_square), lumas_a_(a), lumas_b_(b) {}
+
+    PixelVerdict verdict(int x, int y) {
+        const std::size_t offset = a_.offset(x, y);
+        if (same_color(&a_.rgba[offset], &b_.rgba[offset])) {
+            return PixelVerdict::same;
+        }
+        if (distance_squared(&a_.rgba[offset], &b_.rgba[offset]) <= largest_square_) {
+            return PixelVerdict::close;
+        }
+        lumas_a_.go_to(y);
+        lumas_b_.go_to(y);
+        return antialiased(a_, b_, x, y, std::ref(lumas_a_)) || antialiased(b_, a_, x, y, std::ref(lumas_b_))
+                   ? PixelVerdict::antialiased
+                   : PixelVerdict::different;
     }
-    if (distance_squared(&a.rgba[offset], &b.rgba[offset]) <= largest_square) {
-        return PixelVerdict::close;
-    }
-    return is_antialiased(a, b, x, y) || is_antialiased(b, a, x, y) ? PixelVerdict::antialiased
-                                                                    : PixelVerdict::different;
-}
+
+private:
+    const Picture& a_;
+    const Picture& b_;
+    double largest_square_;
+    NearLumas lumas_a_;
+    NearLumas lumas_b_;
+};
 
 }  // namespace
 
@@ -84,26 +187,8 @@ double color_distance(const std::uint8_t* rgb_a, const std::uint8_t* rgb_b) {
 }
 
 bool is_antialiased(const Picture& picture, const Picture& other, int x, int y) {
-    const double centre = luma(&picture.rgba[picture.offset(x, y)]);
-    int equal = on_border(picture, x, y) ? 1 : 0;
-    Extreme darkest;
-    Extreme brightest;
-    each_neighbour(picture, x, y, [&](int nx, int ny) {
-        const double relative = luma(&picture.rgba[picture.offset(nx, ny)]) - centre;
-        equal += relative == 0.0 ? 1 : 0;
-        if (relative < darkest.luma) {
-            darkest = {relative, nx, ny};
-        } else if (relative > brightest.luma) {
-            brightest = {relative, nx, ny};
-        }
-    });
-    if (equal >= kEven || darkest.luma == 0.0 || brightest.luma == 0.0) {
-        return false;
-    }
-    const auto even_in_both = [&](const Extreme& at) {
-        return in_even_area(picture, at.x, at.y) && in_even_area(other, at.x, at.y);
-    };
-    return even_in_both(darkest) || even_in_both(brightest);
+    return antialiased(picture, other, x, y,
+                       [&](int nx, int ny) { return luma(&picture.rgba[picture.offset(nx, ny)]); });
 }
 
 PixelDifference pixel_difference(const Picture& a, const Picture& b, double threshold,
@@ -112,17 +197,21 @@ PixelDifference pixel_difference(const Picture& a, const Picture& b, double thre
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(a.width);
     PixelDifference difference;
     difference.verdicts.assign(a.rgba.size() / 4, PixelVerdict::same);
-    for (int y = 0; y < a.height; ++y) {
-        const std::size_t row = a.offset(0, y);
-        if (mask.empty() && std::memcmp(&a.rgba[row], &b.rgba[row], row_bytes) == 0) {
-            continue;
+    for_row_bands(a.height, [&](int first, int end) {
+        PixelJudge judge(a, b, largest_square);
+        for (int y = first; y < end; ++y) {
+            const std::size_t row = a.offset(0, y);
+            if (mask.empty() && std::memcmp(&a.rgba[row], &b.rgba[row], row_bytes) == 0) {
+                continue;
+            }
+            for (int x = 0; x < a.width; ++x) {
+                difference.verdicts[a.offset(x, y) / 4] =
+                    mask.hides(x, y) ? PixelVerdict::masked : judge.verdict(x, y);
+            }
         }
-        for (int x = 0; x < a.width; ++x) {
-            PixelVerdict& of_pixel = difference.verdicts[a.offset(x, y) / 4];
-            of_pixel = mask.hides(x, y) ? PixelVerdict::masked : verdict(a, b, largest_square, x, y);
-            difference.different += of_pixel == PixelVerdict::different ? 1 : 0;
-        }
-    }
+    });
+    difference.different = static_cast<std::size_t>(
+        std::count(difference.verdicts.begin(), difference.verdicts.end(), PixelVerdict::different));
     return difference;
 }
 

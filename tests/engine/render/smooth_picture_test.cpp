@@ -1,10 +1,13 @@
 #include "engine/render/smooth_picture.h"
 
 #include <cmath>
+#include <span>
 
 #include <gtest/gtest.h>
 
+#include "engine/render/renderer.h"
 #include "tests/engine/render/color_names.h"
+#include "tests/engine/render/small_scenes.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -37,11 +40,18 @@ Picture stairs(double offset, double slope, bool turned) {
     return picture;
 }
 
+// The light that a byte stands for, by the definition of sRGB.
+double light(std::uint8_t byte) {
+    const double s = byte / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+// In light: a pixel half of which is white sends back half as much.
 double error(const Picture& picture, double offset, double slope, bool turned) {
     double sum = 0.0;
     for (int y = 8; y < kSide - 8; ++y) {
         for (int x = 8; x < kSide - 8; ++x) {
-            const double drawn = (turned ? picture.pixel(y, x) : picture.pixel(x, y))[0] / 255.0;
+            const double drawn = light((turned ? picture.pixel(y, x) : picture.pixel(x, y))[0]);
             sum += std::pow(drawn - covered(x, y, offset, slope), 2);
         }
     }
@@ -58,6 +68,34 @@ TEST(SmoothEdges, StairsComeNearerToTheLineTheyStandFor) {
             EXPECT_LT(smooth, 0.66 * rough) << "slope " << slope;
         }
     }
+}
+
+// A drawn picture's error in brightness against one drawn with 16 samples a pixel, where that is an edge.
+double error_at_edges(const Picture& picture, const Picture& plain, const Picture& many) {
+    double sum = 0.0;
+    for (int y = 0; y < many.height; ++y) {
+        for (int x = 0; x < many.width; ++x) {
+            if (std::abs(brightness(plain, x, y) - brightness(many, x, y)) > 8.0) {
+                sum += std::pow(brightness(picture, x, y) - brightness(many, x, y), 2);
+            }
+        }
+    }
+    return std::sqrt(sum);
+}
+
+TEST(SmoothEdges, DrawnPicturesComeNearerToSupersampledOnes) {
+    constexpr int kAcross = 320;
+    constexpr int kDown = 180;
+    const scene::Model model = tower_scene();
+    RenderSettings settings = quick_settings();
+    settings.samples = 1;
+    settings.occlusion_radius = 0.0;
+    Renderer renderer(std::span(&model, 1), settings);
+    const Picture many = halved(halved(renderer.draw(tower_view(), 4 * kAcross, 4 * kDown)));
+    const Picture plain = renderer.draw(tower_view(), kAcross, kDown);
+    const double rough = error_at_edges(plain, plain, many);
+    ASSERT_GT(rough, 100.0) << "there are stairs";
+    EXPECT_LT(error_at_edges(with_smooth_edges(plain), plain, many), 0.75 * rough) << rough;
 }
 
 TEST(SmoothEdges, FlatPartsAndStraightEdgesStay) {
