@@ -27,8 +27,8 @@ public:
                     const Eigen::Matrix4d& clip_campus) const;
 
     /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `program_of`
-    /// is asked for each material that is drawn, and must have set what isn't the material's. `depth`, null for
-    /// none, leaves out what is hidden.
+    /// is asked for each material that is drawn, and must have set what isn't the material's. `depth`, null
+    /// for none, leaves out what is hidden.
     void draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
                     const Eigen::Vector3d& eye, DrawnDepth* depth = nullptr) const;
 

@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, 10> kRead = {
 
 // Sheen, lights, animation, metadata, which triangles were one polygon: nothing that a walk or its pictures
 // know of.
-constexpr std::array<std::string_view, 9> kHarmless = {
-    "KHR_materials_", "KHR_lights_",    "EXT_lights_", "KHR_animation_",   "KHR_xmp",
-    "KHR_audio",      "EXT_materials_", "MSFT_audio",  "FB_ngon_encoding"};
+constexpr std::array<std::string_view, 9> kHarmless = {"KHR_materials_", "KHR_lights_", "EXT_lights_",
+                                                       "KHR_animation_", "KHR_xmp",     "KHR_audio",
+                                                       "EXT_materials_", "MSFT_audio",  "FB_ngon_encoding"};
 
 bool is_read(const std::string& name) {
     return std::ranges::find(kRead, name) != kRead.end() ||
