@@ -56,7 +56,7 @@ public:
                  {shaders::kVersion, shaders::kDepthFragment}),
           masked_depth_(gl_, "masked depth", {shaders::kVersion, shaders::kDepthVertex},
                         {shaders::kVersion, shaders::kMaskedDepthFragment}),
-          surfaces_(gl_, settings_.shadows),
+          surfaces_(gl_, settings_.shadows, settings_.occlusion_radius > 0.0),
           sky_(gl_, "sky", {shaders::kVersion, shaders::kScreenChunk, shaders::kSkyVertex},
                {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),

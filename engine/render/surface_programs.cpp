@@ -10,7 +10,7 @@ namespace {
 // Duller than this, what a surface mirrors can't be told from the light all around.
 constexpr float kDull = 0.5F;
 
-std::string defines_of(const SurfaceKind& kind, bool shadows) {
+std::string defines_of(const SurfaceKind& kind, bool shadows, bool occlusion) {
     std::string defines;
     const auto define = [&](bool wanted, std::string_view name) {
         if (wanted) {
@@ -24,6 +24,8 @@ std::string defines_of(const SurfaceKind& kind, bool shadows) {
     define(kind.normal_map, "NORMAL_MAP");
     define(kind.shiny, "SHINY");
     define(!shadows, "NO_SHADOWS");
+    // What is behind a pane is in the map, the pane isn't.
+    define(occlusion && kind.alpha != scene::AlphaMode::blend, "OCCLUSION");
     return defines;
 }
 
@@ -48,7 +50,7 @@ const ShaderProgram& SurfacePrograms::of(const SurfaceKind& kind) {
     if (known != programs_.end()) {
         return known->second;
     }
-    const std::string defines = defines_of(kind, shadows_);
+    const std::string defines = defines_of(kind, shadows_, occlusion_);
     const ShaderProgram program(
         gl_, "surface", {shaders::kVersion, shaders::kSurfaceVertex},
         {shaders::kVersion, defines, shaders::kAirChunk, shaders::kShadowChunk, shaders::kSurfaceFragment});

@@ -26,7 +26,9 @@ SurfaceKind kind_of(const scene::Material& material);
 /// The programs that draw a campus' surfaces. Lives as long as its context.
 class SurfacePrograms {
 public:
-    SurfacePrograms(const GlFunctions& gl, bool shadows) : gl_(gl), shadows_(shadows) {}
+    /// `shadows`, `occlusion`: whether there are such maps at all.
+    SurfacePrograms(const GlFunctions& gl, bool shadows, bool occlusion)
+        : gl_(gl), shadows_(shadows), occlusion_(occlusion) {}
 
     /// Compiled when it is first asked for.
     const ShaderProgram& of(const SurfaceKind& kind);
@@ -34,6 +36,7 @@ public:
 private:
     const GlFunctions& gl_;
     bool shadows_;
+    bool occlusion_;
     std::map<SurfaceKind, ShaderProgram> programs_;
 };
 

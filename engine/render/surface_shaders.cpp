@@ -82,8 +82,10 @@ uniform sampler2D glow_map;
 #endif
 uniform float alpha_cutoff;
 uniform float glossy;       // 1 for panes and water, which mirror the sky
+#if defined(OCCLUSION)
 uniform sampler2D occlusion_map;
 uniform vec2 occlusion_scale;  // from pixels to the map's coordinates
+#endif
 
 #if defined(NORMAL_MAP)
 uniform sampler2D normal_map;
@@ -157,7 +159,7 @@ void main() {
     float sun = max(facing, 0.0) * sunlight(position, n);
 #endif
     vec3 ambient = ambient_middle + ambient_rise * n.y + sky_light * dot(n, side_axis);
-#if !defined(SEE_THROUGH)
+#if defined(OCCLUSION)
     ambient *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
 #endif
     vec3 light = ambient + sun_color * sun;
@@ -173,7 +175,7 @@ void main() {
     float grazing = 1.0 - max(dot(-outwards, n), 0.0);
     float grazing2 = grazing * grazing;
     vec3 share = straight_on + max(vec3(1.0 - metal.y) - straight_on, 0.0) * (grazing2 * grazing2 * grazing);
-#if !defined(SEE_THROUGH)
+#if defined(OCCLUSION)
     surroundings *= texture(occlusion_map, gl_FragCoord.xy * occlusion_scale).r;
 #endif
     vec3 result = base.rgb * (1.0 - metal.x) * light + share * surroundings +
