@@ -130,11 +130,11 @@ class Suggest(ProgramCase):
         self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
         self.assertIn("avatar.arrive", log)
 
-    def test_an_identifier_becomes_a_number_and_stays_the_title(self):
+    def test_an_identifier_becomes_a_number(self):
         guid = "b31bcc29d-00ba-11e6-b420-2bdcc4ab5d7f"
         self.write("hut.obj", HUT.replace("Hut_1", guid))
         campus, log = self.suggest("hut.obj")
-        self.assertIn('{id: "building-1", nodes: "%s", title: "%s"}' % (guid, guid), campus)
+        self.assertIn('{id: "building-1", nodes: "%s", title: "Building 1"}' % guid, campus)
         self.assertRegex(log, r"popup\.open +building-1")
 
     def test_the_visitor_begins_outside_and_sees_something(self):

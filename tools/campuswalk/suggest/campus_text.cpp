@@ -1,10 +1,13 @@
 #include "tools/campuswalk/suggest/campus_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "engine/decimals.h"
+#include "scene/name_words.h"
 
 namespace campuswalk::tools {
 
@@ -28,6 +31,17 @@ std::string box_yaml(const scene::UprightBox& box) {
            (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw, 2));
 }
 
+/// `building-3` is read as Building 3: nobody can read the identifier that the node is called by.
+std::string title_of(const scene::SuggestedBuilding& building) {
+    if (!scene::is_identifier(building.node)) {
+        return building.node;
+    }
+    std::string title = building.id;
+    std::ranges::replace(title, '-', ' ');
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    return title;
+}
+
 }  // namespace
 
 scene::UprightBox trigger_about(const scene::SuggestedBuilding& building) {
@@ -48,7 +62,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     text += campus.buildings.empty() ? "" : "buildings:\n";
     for (const scene::SuggestedBuilding& building : campus.buildings) {
         text += "  - {id: " + quoted(building.id) + ", nodes: " + quoted(building.glob) +
-                ", title: " + quoted(building.node) + "}\n";
+                ", title: " + quoted(title_of(building)) + "}\n";
     }
     text += "colliders:\n  - {id: world, nodes: \"*\", shape: mesh, mode: solid}\n";
     if (campus.ground) {
