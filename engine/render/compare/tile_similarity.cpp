@@ -91,7 +91,8 @@ private:
             Sums sums = sums_[index(column, y / kBlock)];
             for (int x = column * kBlock; x < std::min((column + 1) * kBlock, a.width); ++x) {
                 if (!mask.hides(x, y)) {
-                    sums.add(brightness(from_a + 4 * x), brightness(from_b + 4 * x));
+                    const std::ptrdiff_t at = std::ptrdiff_t{4} * x;
+                    sums.add(brightness(from_a + at), brightness(from_b + at));
                 }
             }
             sums_[index(column, y / kBlock)] = sums;
