@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Geometry>
+
+#include "scene/line_triangle.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -39,21 +42,9 @@ bool crosses(const Eigen::AlignedBox3d& box, const Vector3d& from, const Vector3
     return enter <= leave;
 }
 
-// Möller and Trumbore's test, either side.
 bool hits(const std::array<Vector3d, 3>& corners, const Vector3d& from, const Vector3d& way) {
-    const Vector3d e1 = corners[1] - corners[0];
-    const Vector3d e2 = corners[2] - corners[0];
-    const Vector3d p = way.cross(e2);
-    const double determinant = e1.dot(p);
-    if (determinant == 0.0) {
-        return false;
-    }
-    const Vector3d offset = from - corners[0];
-    const double u = offset.dot(p) / determinant;
-    const Vector3d q = offset.cross(e1);
-    const double v = way.dot(q) / determinant;
-    const double distance = e2.dot(q) / determinant;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 && distance < kReach;
+    const std::optional<double> distance = scene::line_through_triangle(corners, from, way);
+    return distance && *distance > 0.0 && *distance < kReach;
 }
 
 bool hits(const CampusGeometry& geometry, const Batch& batch, const Vector3d& from, const Vector3d& way) {

@@ -8,9 +8,7 @@
 
 namespace campuswalk::engine::render {
 void SnapshotObserver::begin(const Walk& walk) {
-    profile_ = walk.avatar;
-    light_ = walk.light;
-    trail_.clear();
+    shots_.begin(walk);
     sights_.clear();
     for (const Expectation& expectation : walk.expectations) {
         if (const auto* visible = std::get_if<ExpectVisible>(&expectation)) {
@@ -21,7 +19,7 @@ void SnapshotObserver::begin(const Walk& walk) {
 }
 
 void SnapshotObserver::frame(const FrameRecord& record) {
-    trail_.follow(record.avatar);
+    shots_.follow(record.avatar);
     for (const Event& event : record.events) {
         if (event.kind == EventKind::collision_enter) {
             contacts_.push_back(record.avatar.position);
@@ -33,17 +31,10 @@ void SnapshotObserver::frame(const FrameRecord& record) {
 }
 
 void SnapshotObserver::take(const SnapshotStep& step, const FrameRecord& record) {
-    const std::vector<Eigen::Vector3d> path = trail_.path();
-    Shot shot;
-    shot.camera = step.camera;
-    shot.avatar = record.avatar;
-    shot.profile = profile_;
-    shot.stride = trail_.stride();
-    shot.open_popups = record.open_popups;
-    shot.path = path;
+    Shot shot = shots_.shot(record, step.camera);
     shot.overlays = step.overlays;
     shot.contacts = contacts_;
-    SnapshotPainter& painter = painters_.of(campus_, light_);
+    SnapshotPainter& painter = painters_.of(campus_, shots_.light());
     const std::filesystem::path file = folder_ / (step.name + ".png");
     write_png(painter.draw(shot), file);
     files_.push_back(file);

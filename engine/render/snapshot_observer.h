@@ -7,7 +7,7 @@
 #include "engine/observers/observer.h"
 #include "engine/render/painter_store.h"
 #include "engine/render/snapshot_sight.h"
-#include "engine/render/walk_trail.h"
+#include "engine/render/walk_shots.h"
 #include "scene/campus.h"
 
 namespace campuswalk::engine::render {
@@ -38,9 +38,7 @@ private:
     const scene::Campus& campus_;
     std::filesystem::path folder_;
     PainterStore& painters_;
-    AvatarProfile profile_;
-    LightSettings light_;
-    WalkTrail trail_;
+    WalkShots shots_;
     std::vector<Eigen::Vector3d> contacts_;  // where the avatar touched something
     std::vector<std::filesystem::path> files_;
     SnapshotSights sights_;  ///< of those wanted; empty ones until they are taken

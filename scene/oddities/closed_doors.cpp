@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "scene/line_triangle.h"
 #include "scene/name_words.h"
 #include "scene/oddities/named_parts.h"
 #include "scene/upright_box.h"
@@ -52,20 +53,8 @@ struct Panel {
 
 /// Whether the segment from `a` to `b` meets the triangle, edges included.
 bool meets(const Vector3d& a, const Vector3d& b, const std::array<Vector3d, 3>& t) {
-    const Vector3d way = b - a;
-    const Vector3d e1 = t[1] - t[0];
-    const Vector3d e2 = t[2] - t[0];
-    const Vector3d p = way.cross(e2);
-    const double det = e1.dot(p);
-    if (det == 0.0) {
-        return false;
-    }
-    const Vector3d s = a - t[0];
-    const double u = s.dot(p) / det;
-    const Vector3d q = s.cross(e1);
-    const double v = way.dot(q) / det;
-    const double fraction = e2.dot(q) / det;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && fraction >= 0.0 && fraction <= 1.0;
+    const std::optional<double> fraction = line_through_triangle(t, a, b - a);
+    return fraction && *fraction >= 0.0 && *fraction <= 1.0;
 }
 
 bool meets(const Panel& panel, const Vector3d& a, const Vector3d& b, bool own) {

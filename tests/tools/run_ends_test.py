@@ -290,36 +290,31 @@ class CutShort(ManyWalks):
         self.assertIn(" error timeout: ", outcome.err)
         self.assertIn("b: FAIL after 2.0 s", outcome.err)
 
-    def test_progress_on_a_terminal(self):
+    def seen_on_a_terminal(self, until, *arguments):
+        """What a run that doesn't end shows until it shows `until`, and then when it is interrupted."""
         mine, theirs = os.openpty()
         self.addCleanup(os.close, mine)
         self.write("b.walk.yaml", ENDLESS)
-        process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", "-j", "1"], cwd=self.folder,
+        process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=theirs)
         os.close(theirs)
         self.addCleanup(process.stdout.close)
         seen = b""
-        while not re.search(rb"1/6, b at \d+\.\d s", seen):
+        while not re.search(until, seen):
             seen += os.read(mine, 1000)
         process.send_signal(signal.SIGINT)
         while b"interrupted" not in seen:
             seen += os.read(mine, 1000)
         self.assertEqual(process.wait(timeout=60), 130)
+        return seen
+
+    def test_progress_on_a_terminal(self):
+        seen = self.seen_on_a_terminal(rb"1/6, b at \d+\.\d s", "-j", "1")
         self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d s\r\x1b\[K")
 
     def test_where_a_single_walk_is_shows_on_a_terminal(self):
-        mine, theirs = os.openpty()
-        self.addCleanup(os.close, mine)
-        self.write("b.walk.yaml", ENDLESS)
-        process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", "--reporter", "list", "b.walk.yaml"],
-                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=theirs)
-        os.close(theirs)
-        self.addCleanup(process.stdout.close)
-        seen = b""
-        while not re.search(rb"b at \d+\.\d s\r\x1b\[Kb at", seen):
-            seen += os.read(mine, 1000)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(timeout=60), 130)
+        seen = self.seen_on_a_terminal(rb"b at \d+\.\d s\r\x1b\[Kb at", "--reporter", "list", "b.walk.yaml")
+        self.assertNotIn(b"[#", seen)
 
     def test_a_walk_that_takes_too_long(self):
         self.write("b.walk.yaml", ENDLESS)

@@ -15,25 +15,15 @@ SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings
     : campus_(campus), settings_(std::move(settings)), painters_(painters), queue_(std::move(sinks)) {}
 
 void SequenceObserver::begin(const Walk& walk) {
-    profile_ = walk.avatar;
-    light_ = walk.light;
-    trail_.clear();
+    shots_.begin(walk);
 }
 
 void SequenceObserver::frame(const FrameRecord& record) {
-    trail_.follow(record.avatar);
-    if (!is_due(record.time)) {
-        return;
+    shots_.follow(record.avatar);
+    if (is_due(record.time)) {
+        SnapshotPainter& painter = painters_.of(campus_, shots_.light());
+        queue_.add({painter.draw(shots_.shot(record, settings_.camera)), taken_++, record.time});
     }
-    const std::vector<Eigen::Vector3d> path = trail_.path();
-    Shot shot;
-    shot.camera = settings_.camera;
-    shot.avatar = record.avatar;
-    shot.profile = profile_;
-    shot.stride = trail_.stride();
-    shot.open_popups = record.open_popups;
-    shot.path = path;
-    queue_.add({painters_.of(campus_, light_).draw(shot), taken_++, record.time});
 }
 
 void SequenceObserver::end() {

@@ -7,7 +7,7 @@
 #include "engine/observers/observer.h"
 #include "engine/render/painter_store.h"
 #include "engine/render/sequence/frame_queue.h"
-#include "engine/render/walk_trail.h"
+#include "engine/render/walk_shots.h"
 #include "scene/campus.h"
 
 namespace campuswalk::engine::render {
@@ -36,9 +36,7 @@ private:
     const scene::Campus& campus_;
     SequenceSettings settings_;
     PainterStore& painters_;
-    AvatarProfile profile_;
-    LightSettings light_;
-    WalkTrail trail_;
+    WalkShots shots_;
     std::size_t taken_ = 0;
     double next_ = 0.0;  ///< times of `every`
     FrameQueue queue_;

@@ -7,16 +7,21 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-TEST(PainterStore, KeepsOneACampusAndLight) {
-    const scene::Campus tower = campus_of(tower_scene());
-    const scene::Campus other = campus_of(SceneBuilder().paint(kRed).ground(10.0).model());
-    std::size_t made = 0;
-    PainterStore store([&](const scene::Campus&) {
+/// Counts in `made` how many painters it makes.
+PainterStore counting_store(std::size_t& made) {
+    return PainterStore([&made](const scene::Campus&) {
         ++made;
         SnapshotSettings settings;
         settings.light = quick_settings();
         return settings;
     });
+}
+
+TEST(PainterStore, KeepsOneACampusAndLight) {
+    const scene::Campus tower = campus_of(tower_scene());
+    const scene::Campus other = campus_of(SceneBuilder().paint(kRed).ground(10.0).model());
+    std::size_t made = 0;
+    PainterStore store = counting_store(made);
     LightSettings no_shadows;
     no_shadows.shadows = false;
     for (int i = 0; i < 3; ++i) {
@@ -30,12 +35,7 @@ TEST(PainterStore, KeepsOneACampusAndLight) {
 TEST(PainterStore, ForgetsThemWhenTheyAreMany) {
     const scene::Campus tower = campus_of(tower_scene());
     std::size_t made = 0;
-    PainterStore store([&](const scene::Campus&) {
-        ++made;
-        SnapshotSettings settings;
-        settings.light = quick_settings();
-        return settings;
-    });
+    PainterStore store = counting_store(made);
     for (int i = 0; i < 6; ++i) {
         LightSettings light;
         light.fog_distance = 100.0 + i;

@@ -1,14 +1,14 @@
 #include "tools/campuswalk/bench/draw/draw_bench.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <exception>
 #include <string>
 
+#include "engine/render/png.h"
 #include "tools/campuswalk/bench/draw/draw_ours.h"
 #include "tools/campuswalk/bench/draw/draw_report.h"
-#include "tools/campuswalk/bench/draw/write_glb.h"
+#include "tools/campuswalk/bench/scratch_folder.h"
+#include "tools/campuswalk/bench/write_glb.h"
 
 namespace campuswalk::tools::bench {
 
@@ -16,36 +16,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Ours alone is taken away again.
-class Scratch {
-public:
-    explicit Scratch(const fs::path& wanted) : path_(wanted), is_ours_(wanted.empty()) {
-        if (is_ours_) {
-            path_ = fs::temp_directory_path() / ("campuswalk-draw-" + std::to_string(getpid()));
-        }
-        fs::create_directories(path_);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    ~Scratch() {
-        if (is_ours_) {
-            std::error_code ignored;
-            fs::remove_all(path_, ignored);
-        }
-    }
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-    bool is_ours_;
-};
-
 DrawnCampus draw_campus(int lots, const DrawBench& bench, const fs::path& folder) {
     const scene::WalkableCampus campus = scene::walkable_campus(lots);
     const std::vector<DrawnView> views = drawn_views(campus);
     const scene::Model model = drawn_campus(campus);
     fs::create_directories(folder);
-    write_glb(model, folder / "campus.glb");
+    write_glb(model, folder / "campus.glb", [](const scene::Texture& texture) {
+        return engine::render::encode_png(
+            {texture.width, texture.height, {texture.rgba.begin(), texture.rgba.end()}});
+    });
     write_views(views, bench.rounds, folder);
     DrawnCampus drawn;
     drawn.triangles = scene::count_triangles(model);
@@ -75,7 +54,7 @@ bool can_draw() {
 }
 
 void run_draw_bench(const DrawBench& bench) {
-    const Scratch scratch(bench.folder);
+    const ScratchFolder scratch(bench.folder);
     std::vector<DrawnCampus> campuses;
     for (const int lots : bench.quick ? std::vector<int>{1} : std::vector<int>{8, 17}) {
         campuses.push_back(draw_campus(lots, bench, scratch.path() / std::to_string(lots)));

@@ -1,20 +1,23 @@
 #include "tools/campuswalk/bench/import/import_cases.h"
 
-#include <unistd.h>
-
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "scene/campus_description.h"
 #include "scene/model.h"
 #include "scene/procedural/walkable_campus.h"
-#include "tools/campuswalk/bench/import/write_glb.h"
 #include "tools/campuswalk/bench/peer_engines.h"
+#include "tools/campuswalk/bench/scratch_folder.h"
 #include "tools/campuswalk/bench/shuffled_runs.h"
+#include "tools/campuswalk/bench/write_glb.h"
 #include "tools/campuswalk/model_importer.h"
 
 namespace campuswalk::tools::bench {
@@ -23,24 +26,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that is gone afterwards.
-class ScratchFolder {
-public:
-    ScratchFolder() : path_(fs::temp_directory_path() / ("campuswalk-bench-" + std::to_string(getpid()))) {
-        fs::create_directories(path_);
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
+scene::Model one_mesh(const collision::TriangleMesh& triangles) {
+    scene::Model model;
+    scene::Mesh mesh;
+    mesh.name = "campus";
+    mesh.positions = triangles.positions;
+    mesh.triangles = triangles.triangles;
+    model.meshes.push_back(std::move(mesh));
+    scene::Node node;
+    node.name = "campus";
+    node.meshes.push_back(scene::MeshIndex{0});
+    model.nodes.push_back(std::move(node));
+    return model;
+}
 
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
+/// Unit normals of the positions, each the mean of those of the triangles around it, by area.
+std::vector<Eigen::Vector3f> smooth_normals(const collision::TriangleMesh& mesh) {
+    std::vector<Eigen::Vector3f> normals(mesh.positions.size(), Eigen::Vector3f::Zero());
+    for (const auto& t : mesh.triangles) {
+        const Eigen::Vector3f& a = mesh.positions[t[0]];
+        const Eigen::Vector3f n = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+        for (const std::uint32_t v : t) {
+            normals[v] += n;
+        }
+    }
+    for (Eigen::Vector3f& n : normals) {
+        n = n.squaredNorm() > 0.0F ? n.normalized() : Eigen::Vector3f(0, 1, 0);
+    }
+    return normals;
+}
 
 /// Who imports, and how many triangles that gives.
 struct Reader {
@@ -103,8 +117,10 @@ CaseResult run_import_cases(int lots, int rounds) {
                 triangles, rounds);
     const fs::path with = folder.path() / "with-normals.glb";
     const fs::path without = folder.path() / "without-normals.glb";
-    write_glb(with, mesh, smooth_normals(mesh));
-    write_glb(without, mesh, {});
+    scene::Model model = one_mesh(mesh);
+    write_glb(model, without);
+    model.meshes[0].normals = smooth_normals(mesh);
+    write_glb(model, with);
     CaseResult result;
     time_readers("glb", with, false, triangles, rounds, result);
     time_readers("glb_without_normals", without, true, triangles, rounds, result);

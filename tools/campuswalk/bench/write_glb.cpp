@@ -1,4 +1,4 @@
-#include "tools/campuswalk/bench/draw/write_glb.h"
+#include "tools/campuswalk/bench/write_glb.h"
 
 #include <fstream>
 #include <span>
@@ -7,8 +7,6 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-
-#include "engine/render/png.h"
 
 namespace campuswalk::tools::bench {
 
@@ -24,18 +22,18 @@ constexpr int kIndices = 34963;
 
 class GlbText {
 public:
-    explicit GlbText(const scene::Model& model) {
-        json_["asset"] = {{"version", "2.0"}, {"generator", "campuswalk bench draw"}};
+    GlbText(const scene::Model& model, const PictureEncoder& encode) {
+        json_["asset"] = {{"version", "2.0"}, {"generator", "campuswalk bench"}};
         json_["scene"] = 0;
         json_["samplers"] = json::array({json::object()});
         for (const scene::Texture& texture : model.textures) {
-            add_picture(texture);
+            add_picture(texture.name, encode(texture));
         }
         for (const scene::Material& material : model.materials) {
             add_material(material);
         }
         for (const scene::Mesh& mesh : model.meshes) {
-            add_mesh(mesh);
+            add_mesh(mesh, model.materials.size());
         }
         json roots = json::array();
         for (const scene::Node& node : model.nodes) {
@@ -69,12 +67,10 @@ private:
         return json_["accessors"].size() - 1;
     }
 
-    void add_picture(const scene::Texture& texture) {
-        const auto png = engine::render::encode_png(
-            {texture.width, texture.height, {texture.rgba.begin(), texture.rgba.end()}});
+    void add_picture(const std::string& name, const std::vector<std::uint8_t>& png) {
         const std::size_t view = add_view(std::span<const std::uint8_t>(png), 0);
         json_["textures"].push_back({{"source", json_["images"].size()}, {"sampler", 0}});
-        json_["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}, {"name", texture.name}});
+        json_["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}, {"name", name}});
     }
 
     void add_material(const scene::Material& material) {
@@ -88,7 +84,7 @@ private:
                                       {"doubleSided", material.double_sided}});
     }
 
-    void add_mesh(const scene::Mesh& mesh) {
+    void add_mesh(const scene::Mesh& mesh, std::size_t materials) {
         const std::size_t count = mesh.positions.size();
         const std::size_t positions =
             add_accessor(add_view(std::span(mesh.positions), kVertices), kFloat, count, "VEC3");
@@ -99,18 +95,22 @@ private:
         for (const auto& [key, corner] : {std::pair("min", box.min), std::pair("max", box.max)}) {
             json_["accessors"][positions][key] = {corner.x(), corner.y(), corner.z()};
         }
-        const std::size_t normals =
-            add_accessor(add_view(std::span(mesh.normals), kVertices), kFloat, count, "VEC3");
-        const std::size_t uvs = add_accessor(add_view(std::span(mesh.uvs), kVertices), kFloat, count, "VEC2");
+        json attributes = {{"POSITION", positions}};
+        if (!mesh.normals.empty()) {
+            attributes["NORMAL"] =
+                add_accessor(add_view(std::span(mesh.normals), kVertices), kFloat, count, "VEC3");
+        }
+        if (!mesh.uvs.empty()) {
+            attributes["TEXCOORD_0"] =
+                add_accessor(add_view(std::span(mesh.uvs), kVertices), kFloat, count, "VEC2");
+        }
         const std::size_t indices = add_accessor(add_view(std::span(mesh.triangles), kIndices), kUnsignedInt,
                                                  3 * mesh.triangles.size(), "SCALAR");
-        json_["meshes"].push_back(
-            {{"name", mesh.name},
-             {"primitives",
-              json::array(
-                  {{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uvs}}},
-                    {"indices", indices},
-                    {"material", scene::index_of(mesh.material)}}})}});
+        json primitive = {{"attributes", attributes}, {"indices", indices}};
+        if (scene::index_of(mesh.material) < materials) {
+            primitive["material"] = scene::index_of(mesh.material);
+        }
+        json_["meshes"].push_back({{"name", mesh.name}, {"primitives", json::array({primitive})}});
     }
 
     json json_;
@@ -125,8 +125,8 @@ void put_number(std::ofstream& out, std::size_t number) {
 
 }  // namespace
 
-void write_glb(const scene::Model& model, const std::filesystem::path& file) {
-    const GlbText glb(model);
+void write_glb(const scene::Model& model, const std::filesystem::path& file, const PictureEncoder& encode) {
+    const GlbText glb(model, encode);
     std::string text = glb.text();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::ofstream out(file, std::ios::binary);
