@@ -5,12 +5,6 @@ namespace campuswalk::engine::render::shaders {
 const std::string_view kVersion = "#version 330 core\n";
 
 const std::string_view kAirChunk = R"(
-uniform vec3 to_sun;
-uniform vec3 sun_color;
-uniform float sun_disc;
-uniform vec3 zenith_color;
-uniform vec3 horizon_color;
-
 // Around the sun, even down to the horizon: the haze it lights up.
 vec3 wide_glow(float towards_sun) {
     float t = max(towards_sun, 0.0);
@@ -28,9 +22,13 @@ vec3 sky_color(vec3 direction) {
     float haze = exp(-4.5 * up);
     vec3 color = mix(zenith_color, horizon_color, haze);
     float towards_sun = max(dot(direction, to_sun), 0.0);
+    float t2 = towards_sun * towards_sun;
+    float t8 = t2 * t2 * t2 * t2;
+    float t16 = t8 * t8;
+    float t64 = t16 * t16 * t16 * t16;
     float disc = 3.0 * smoothstep(0.9994, 0.9998, towards_sun);
     color += wide_glow(towards_sun) +
-             (sun_disc * (0.22 * pow(towards_sun, 90.0) + disc)) * sun_color * vec3(1.0, 0.92, 0.78);
+             (sun_disc * (0.22 * (t64 * t16 * t8 * t2) + disc)) * sun_color * vec3(1.0, 0.92, 0.78);
     // Below the horizon, where the campus ends: the ground's far haze.
     float down = smoothstep(0.0, 0.25, -direction.y);
     return mix(color, horizon_color * vec3(0.62, 0.63, 0.60), down);
@@ -46,6 +44,23 @@ vec3 tone(vec3 linear) {
     float squeezed = min(peak, start) + room * over / (over + room);
     float share = squeezed / max(peak, 0.0001);
     return mix(linear * share, vec3(squeezed), 0.35 * (1.0 - share));
+}
+)";
+
+// The driver would do both, but eight times for a trilinear look-up and four times for a pixel of four
+// samples.
+const std::string_view kSrgbChunk = R"(
+// To 0.05 of an 8-bit step.
+vec3 decoded(vec3 srgb) {
+    vec3 curve = 0.0010461 + srgb * (0.0284068 + srgb * (0.5603638 + srgb * (0.5265154 - 0.1167877 * srgb)));
+    return mix(curve, srgb * (1.0 / 12.92), lessThanEqual(srgb, vec3(0.04045)));
+}
+
+// To 0.1 of an 8-bit step.
+vec3 encoded(vec3 linear) {
+    vec3 root = sqrt(linear);
+    vec3 curve = 0.8337435 * root + 0.2981160 * sqrt(root) - (0.0553145 * linear + 0.0769048);
+    return mix(curve, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
 }
 )";
 
@@ -75,8 +90,7 @@ float dither(ivec2 p) {
 
 void main() {
     vec3 color = tone(sky_color(normalize(ray)));
-    vec3 root = sqrt(color) + dither(ivec2(gl_FragCoord.xy)) / 255.0;
-    fragment = vec4(root * root, 1.0);
+    fragment = vec4(encoded(color) + dither(ivec2(gl_FragCoord.xy)) / 255.0, 1.0);
 }
 )";
 

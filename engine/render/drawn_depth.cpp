@@ -7,7 +7,7 @@ namespace {
 
 // A look makes the driver finish what it has been given, and takes a millisecond or two. The first comes when
 // the near ground and walls are there, which hide most of what can be hidden; each other after twice as much.
-constexpr std::size_t kFirstLook = std::size_t{3} * 5000;  // indices
+constexpr std::size_t kFirstLook = std::size_t{3} * 15000;  // indices
 
 }  // namespace
 

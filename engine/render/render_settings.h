@@ -33,8 +33,8 @@ struct RenderSettings {
     /// Shadow texels a side. 4096 over a campus of 300 m is 7 cm, the width of a pole's shadow.
     int shadow_size = 4096;
     /// Texels a side of the finer map around the camera, drawn for every picture.
-    int near_shadow_size = 1536;
-    double near_shadow_radius = 24.0;  ///< metres around the camera: 3 cm texels, where blur would be seen
+    int near_shadow_size = 1024;
+    double near_shadow_radius = 16.0;  ///< metres around the camera: 3 cm texels, where blur would be seen
     bool shadows = true;
 
     /// Samples a pixel: 1 or 4. llvmpipe has no other number; 4 costs about three times 1.

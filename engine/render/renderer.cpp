@@ -16,6 +16,7 @@
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/render_error.h"
 #include "engine/render/render_target.h"
+#include "engine/render/shader_constants.h"
 #include "engine/render/shader_program.h"
 #include "engine/render/shaders.h"
 #include "engine/render/shadow_maps.h"
@@ -32,8 +33,6 @@ const Eigen::Vector3d kPaper(0.60, 0.61, 0.59);
 // Shares of open sky: with less the camera is in a room, with more it is outside.
 constexpr double kInside = 0.06;
 constexpr double kOutside = 0.42;
-// What floors get more of the light in a room, and ceilings less: treads and risers must differ.
-constexpr double kLampsAbove = 0.18;
 
 std::unique_ptr<GlContext> made_current(std::unique_ptr<GlContext> context) {
     context->make_current();
@@ -56,10 +55,12 @@ public:
                  {shaders::kVersion, shaders::kDepthFragment}),
           masked_depth_(gl_, "masked depth", {shaders::kVersion, shaders::kDepthVertex},
                         {shaders::kVersion, shaders::kMaskedDepthFragment}),
-          surfaces_(gl_, settings_.shadows, settings_.occlusion_radius > 0.0),
           sky_(gl_, "sky", {shaders::kVersion, shaders::kScreenChunk, shaders::kSkyVertex},
-               {shaders::kVersion, shaders::kAirChunk, shaders::kSkyFragment}),
+               {shaders::kVersion, light_constants(settings_).text(), shaders::kAirChunk, shaders::kSrgbChunk,
+                shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
+          surfaces_(gl_, settings_.shadows, settings_.occlusion_radius > 0.0,
+                    light_constants(settings_).add(shadows_.constants()).text()),
           occlusion_(gl_, depth_, masked_depth_),
           drawn_depth_(gl_, settings_.samples) {
         gl_.GenVertexArrays(1, &no_vertices_);
@@ -95,7 +96,7 @@ public:
         frame.eye = view.position - geometry_.origin;
         frame.clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
         frame.perspective = view.projection == Projection::perspective;
-        frame.room_light = room_light(frame);
+        frame.room_share = room_share(frame);
         frame.figure = figure ? upload(*figure) : nullptr;
         frame.near_shadows = settings_.shadows && frame.perspective;
         frame.occlusion = frame.perspective && settings_.occlusion_radius > 0.0;
@@ -109,10 +110,13 @@ public:
             occlusion_.leave_open();
         }
         target_->begin(kPaper);
+        // What covers a pixel is written as its byte; what is mixed with what is there, as light.
+        gl_.Disable(GL_FRAMEBUFFER_SRGB);
         draw_solid(frame);
         if (frame.perspective) {
             draw_sky(view, width, height);
         }
+        gl_.Enable(GL_FRAMEBUFFER_SRGB);
         draw_see_through(frame);
         if (!lines.empty()) {
             if (!lines_) {
@@ -141,7 +145,7 @@ private:
     // What the passes of one picture share.
     struct Frame {
         Eigen::Vector3d eye = Eigen::Vector3d::Zero();  // campus frame
-        Eigen::Vector3d room_light = Eigen::Vector3d::Zero();
+        double room_share = 0.0;                        // 1 in a room
         Eigen::Matrix4d clip_campus = Eigen::Matrix4d::Identity();
         bool perspective = true;
         bool near_shadows = false;
@@ -164,12 +168,12 @@ private:
         }
     }
 
-    Eigen::Vector3d room_light(const Frame& frame) const {
+    double room_share(const Frame& frame) const {
         if (!frame.perspective) {
-            return Eigen::Vector3d::Zero();
+            return 0.0;
         }
         const double open = open_sky(geometry_, frame.eye);
-        return std::clamp((kOutside - open) / (kOutside - kInside), 0.0, 1.0) * settings_.room_light;
+        return std::clamp((kOutside - open) / (kOutside - kInside), 0.0, 1.0);
     }
 
     Eigen::Matrix4d clip_from_campus(const Viewpoint& view, double aspect) const {
@@ -186,27 +190,11 @@ private:
         return &figure_mesh_;
     }
 
-    void set_air(const ShaderProgram& program) const {
-        program.set("to_sun", Eigen::Vector3d(settings_.to_sun.normalized()));
-        program.set("sun_color", settings_.sun_color);
-        program.set("sun_disc", settings_.sun_disc);
-        program.set("zenith_color", settings_.zenith_color);
-        program.set("horizon_color", settings_.horizon_color);
-    }
-
     void begin_surfaces(const ShaderProgram& surface, const Frame& frame) const {
         surface.use();
-        set_air(surface);
         surface.set("clip_campus", frame.clip_campus);
         surface.set("eye", frame.eye);
-        surface.set("ambient_middle",
-                    Eigen::Vector3d(0.5 * (settings_.sky_light + settings_.ground_light) + frame.room_light));
-        surface.set("ambient_rise", Eigen::Vector3d(0.5 * (settings_.sky_light - settings_.ground_light) +
-                                                    kLampsAbove * frame.room_light));
-        const Eigen::Vector3d level = Eigen::Vector3d(settings_.to_sun.x(), 0.0, settings_.to_sun.z());
-        surface.set("side_axis", Eigen::Vector3d(settings_.side_light * level.normalized()));
-        surface.set("sky_light", settings_.sky_light);
-        surface.set("glow_scale", settings_.glow);
+        surface.set("room_share", frame.room_share);
         const bool fog = frame.perspective && settings_.fog_distance > 0.0;
         surface.set("fog_density", fog ? 1.0 / settings_.fog_distance : 0.0);
         surface.set("base_color_map", 0);
@@ -240,7 +228,6 @@ private:
     void draw_sky(const Viewpoint& view, int width, int height) const {
         const double tangent = std::tan(0.5 * view.fov);
         sky_.use();
-        set_air(sky_);
         sky_.set("ray_centre", Eigen::Vector3d(-view.R_world_camera.col(2)));
         sky_.set("ray_right", Eigen::Vector3d(tangent * width / height * view.R_world_camera.col(0)));
         sky_.set("ray_up", Eigen::Vector3d(tangent * view.R_world_camera.col(1)));
@@ -285,9 +272,9 @@ private:
     std::size_t figure_indices_ = 0;
     ShaderProgram depth_;
     ShaderProgram masked_depth_;
-    SurfacePrograms surfaces_;
     ShaderProgram sky_;
     ShadowMaps shadows_;
+    SurfacePrograms surfaces_;
     OcclusionPass occlusion_;
     DrawnDepth drawn_depth_;
     GLuint no_vertices_ = 0;

@@ -5,16 +5,20 @@
 namespace campuswalk::engine::render::shaders {
 
 // GLSL 3.30 sources. A program is `version` + chunks + its own source; the chunks declare the uniforms that
-// they use. llvmpipe runs both sides of every branch and does uniform arithmetic again for every pixel, so
-// there are few branches here and the arithmetic is done by the caller. Positions are in the campus frame
-// (metres from CampusGeometry::origin).
+// they use. llvmpipe runs both sides of every branch and reads uniforms again for every pixel, so there are
+// few branches here, what a renderer knows beforehand is a constant (ShaderConstants), and what a picture or
+// a material adds comes through the vertex shader as a flat value. Positions are in the campus frame (metres
+// from CampusGeometry::origin).
 
 extern const std::string_view kVersion;
 
-/// vec3 sky_color(vec3 direction): gradient, haze and sun. vec3 fog_color(vec3 direction): the sky where it
-/// meets the ground. vec3 tone(vec3 linear): tone curve.
+/// Needs light_constants. vec3 sky_color(vec3 direction): gradient, haze and sun. vec3 fog_color(vec3
+/// direction): the sky where it meets the ground. vec3 tone(vec3 linear): tone curve.
 extern const std::string_view kAirChunk;
-/// float sunlight(vec3 position, vec3 normal): 0 in shadow, 1 in the sun.
+/// vec3 decoded(vec3 srgb), vec3 encoded(vec3 linear): IEC 61966-2-1's curve and its inverse.
+extern const std::string_view kSrgbChunk;
+/// Needs ShadowMaps::constants. float sunlight(vec3 position, vec3 normal, vec2 near_start): 0 in shadow, 1
+/// in the sun; `near_start` is ShadowMaps::near_start.
 extern const std::string_view kShadowChunk;
 
 /// vec4 screen_corner(): the vertices 0 to 2 make a triangle over the whole picture, at the far plane.

@@ -8,6 +8,15 @@
 namespace campuswalk::engine::render {
 namespace {
 
+// Of the near map, from its middle: at its rim the taps would reach into the other map.
+constexpr double kNearReach = 0.49;
+// Where a surface's light is looked up: so many texels off it, along its normal.
+constexpr double kLift = 1.6;
+// The taps' distance from there on both axes, texels.
+constexpr double kTap = 0.85;
+// A place in the texture that no surface has.
+constexpr double kNowhere = -1000.0;
+
 // The sun sees the box from `low` to `high` of its frame; depth 0 is the side towards it.
 void aim(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vector3d& low,
          const Eigen::Vector3d& high) {
@@ -64,7 +73,7 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, const RenderSettings& settings, co
     near_.left = far_.size;
     make_texture();
     aim(far_, R_sun_campus_, lowest_, highest_);
-    aim(near_, R_sun_campus_, lowest_, highest_);
+    aim_near(Eigen::Vector3d::Zero());
     draw(far_, nullptr, 0);
 }
 
@@ -91,20 +100,24 @@ void ShadowMaps::make_texture() {
 
 void ShadowMaps::draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
                            std::size_t figure_indices) {
-    const double radius = settings_.near_shadow_radius;
     const Eigen::Vector3d level = Eigen::Vector3d(forwards.x(), 0.0, forwards.z());
-    const Eigen::Vector3d centre = R_sun_campus_ * (eye + 0.75 * radius * level);
+    aim_near(eye + 0.75 * settings_.near_shadow_radius * level);
+    draw(near_, figure, figure_indices);
+}
+
+void ShadowMaps::aim_near(const Eigen::Vector3d& centre) {
+    const double radius = settings_.near_shadow_radius;
+    const Eigen::Vector3d in_sun = R_sun_campus_ * centre;
     // In whole texels, so that edges don't crawl from one picture to the next.
     const double texel = 2.0 * radius / near_.size;
     Eigen::Vector3d low = lowest_;
     Eigen::Vector3d high = highest_;
     for (int i = 0; i < 2; ++i) {
-        const double snapped = texel * std::round(centre[i] / texel);
+        const double snapped = texel * std::round(in_sun[i] / texel);
         low[i] = snapped - radius;
         high[i] = snapped + radius;
     }
     aim(near_, R_sun_campus_, low, high);
-    draw(near_, figure, figure_indices);
 }
 
 void ShadowMaps::draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const {
@@ -133,12 +146,34 @@ void ShadowMaps::draw(const ShadowMap& map, const GpuMesh* figure, std::size_t f
     gl_.Disable(GL_SCISSOR_TEST);
 }
 
-void ShadowMaps::set_map(const ShaderProgram& surface, const ShadowMap& map, const char* matrix,
-                         const char* region) const {
-    surface.set(matrix, Eigen::Matrix4d(unit_from_clip() * map.clip_campus));
-    const double size = map.size;
-    surface.set(region,
-                Eigen::Vector4d(size / width_, size / height_, static_cast<double>(map.left) / width_, 0.0));
+Eigen::Vector2d ShadowMaps::share(const ShadowMap& map) const {
+    return {static_cast<double>(map.size) / width_, static_cast<double>(map.size) / height_};
+}
+
+// The near map has the far one's axes and depth: a place in it is the one in the far map, scaled and shifted.
+Eigen::Vector2d ShadowMaps::near_step() const {
+    return (near_.clip_campus.topLeftCorner<2, 3>().rowwise().norm().array() /
+            far_.clip_campus.topLeftCorner<2, 3>().rowwise().norm().array() * share(near_).array())
+        .matrix();
+}
+
+ShaderConstants ShadowMaps::constants() const {
+    ShaderConstants constants;
+    if (!settings_.shadows) {
+        return constants;
+    }
+    const Eigen::Matrix4d unit_campus = unit_from_clip() * far_.clip_campus;
+    const Eigen::Vector2d left(static_cast<double>(near_.left) / width_, 0.0);
+    constants.add("far_axes", Eigen::Matrix3d(unit_campus.topLeftCorner<3, 3>()))
+        .add("far_start", Eigen::Vector3d(unit_campus.topRightCorner<3, 1>()))
+        .add("far_step", share(far_))
+        .add("near_step", near_step())
+        .add("near_middle", Eigen::Vector2d(left + 0.5 * share(near_)))
+        .add("near_reach", Eigen::Vector2d(kNearReach * share(near_)))
+        .add("far_lift", kLift * far_.metres_per_texel)
+        .add("near_lift", kLift * near_.metres_per_texel)
+        .add("tap", Eigen::Vector2d(kTap / width_, kTap / height_));
+    return constants;
 }
 
 void ShadowMaps::bind(const ShaderProgram& surface, bool with_near) const {
@@ -148,11 +183,14 @@ void ShadowMaps::bind(const ShaderProgram& surface, bool with_near) const {
     gl_.ActiveTexture(GL_TEXTURE1);
     gl_.BindTexture(GL_TEXTURE_2D, texture_);
     surface.set("shadow_map", 1);
-    set_map(surface, far_, "far_shadow_campus", "far_region");
-    set_map(surface, near_, "near_shadow_campus", "near_region");
-    surface.set("shadow_texel", Eigen::Vector2d(1.0 / width_, 1.0 / height_));
-    surface.set("texel_metres", Eigen::Vector2d(far_.metres_per_texel, near_.metres_per_texel));
-    surface.set("near_share", with_near ? 1.0 : 0.0);
+    // The campus frame's origin, by the near map and by the far one.
+    const auto origin_in = [](const ShadowMap& map) -> Eigen::Vector2d {
+        return (unit_from_clip() * map.clip_campus).topRightCorner<2, 1>();
+    };
+    const Eigen::Vector2d in_near = Eigen::Vector2d(static_cast<double>(near_.left) / width_, 0.0) +
+                                    share(near_).cwiseProduct(origin_in(near_));
+    const Eigen::Vector2d offset = in_near - near_step().cwiseProduct(origin_in(far_));
+    surface.set("near_offset", with_near ? offset : Eigen::Vector2d(kNowhere, kNowhere));
 }
 
 }  // namespace campuswalk::engine::render

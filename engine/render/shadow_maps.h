@@ -5,6 +5,7 @@
 #include "engine/render/gl_functions.h"
 #include "engine/render/gpu_campus.h"
 #include "engine/render/render_settings.h"
+#include "engine/render/shader_constants.h"
 #include "engine/render/shader_program.h"
 
 namespace campuswalk::engine::render {
@@ -29,13 +30,17 @@ public:
     void draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
                    std::size_t figure_indices);
 
-    /// Sets the shadow chunk's uniforms; binds the maps to texture unit 1.
+    /// What the shadow chunk wants to know; none without shadows.
+    ShaderConstants constants() const;
+
+    /// Sets the surface programs' `near_offset`; binds the maps to texture unit 1.
     void bind(const ShaderProgram& surface, bool with_near) const;
 
 private:
     void make_texture();
-    void set_map(const ShaderProgram& surface, const ShadowMap& map, const char* matrix,
-                 const char* region) const;
+    void aim_near(const Eigen::Vector3d& centre);
+    Eigen::Vector2d share(const ShadowMap& map) const;
+    Eigen::Vector2d near_step() const;
     void draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const;
 
     const GlFunctions& gl_;

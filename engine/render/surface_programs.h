@@ -2,6 +2,8 @@
 
 #include <compare>
 #include <map>
+#include <string>
+#include <string_view>
 
 #include "engine/render/gl_functions.h"
 #include "engine/render/shader_program.h"
@@ -27,8 +29,9 @@ SurfaceKind kind_of(const scene::Material& material);
 class SurfacePrograms {
 public:
     /// `shadows`, `occlusion`: whether there are such maps at all.
-    SurfacePrograms(const GlFunctions& gl, bool shadows, bool occlusion)
-        : gl_(gl), shadows_(shadows), occlusion_(occlusion) {}
+    /// `constants`: of the light and the shadow maps.
+    SurfacePrograms(const GlFunctions& gl, bool shadows, bool occlusion, std::string_view constants)
+        : gl_(gl), shadows_(shadows), occlusion_(occlusion), constants_(constants) {}
 
     /// Compiled when it is first asked for.
     const ShaderProgram& of(const SurfaceKind& kind);
@@ -37,6 +40,7 @@ private:
     const GlFunctions& gl_;
     bool shadows_;
     bool occlusion_;
+    std::string constants_;
     std::map<SurfaceKind, ShaderProgram> programs_;
 };
 

@@ -86,8 +86,10 @@ std::map<std::string, Picture> drawn_elsewhere(const std::string& environment) {
 
 TEST_F(DemoFaults, ForgiveAnotherProcessor) {
     bool any = false;
-    for (const char* features : {"LP_NATIVE_VECTOR_WIDTH=128", "GALLIUM_OVERRIDE_CPU_CAPS=sse4.1"}) {
-        for (const auto& [view, picture] : drawn_elsewhere(features)) {
+    // Not by LP_NATIVE_VECTOR_WIDTH=128: with AVX-512 in the processor Mesa 22.3.6 then writes beyond its
+    // memory.
+    for (const std::string features : {"avx", "sse4.1"}) {
+        for (const auto& [view, picture] : drawn_elsewhere("GALLIUM_OVERRIDE_CPU_CAPS=" + features)) {
             EXPECT_FALSE(found(view, picture)) << features << " " << view;
             any = any || picture.rgba != right(view).rgba;
         }
