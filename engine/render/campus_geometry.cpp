@@ -5,6 +5,8 @@
 
 #include <Eigen/LU>
 
+#include "engine/render/reversed_twins.h"
+
 namespace campuswalk::engine::render {
 namespace {
 
@@ -48,21 +50,57 @@ public:
             return std::tie(a.material, a.cell_x, a.cell_z) < std::tie(b.material, b.cell_x, b.cell_z);
         });
         geometry_.indices.reserve(3 * triangles_.size());
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            if (i == 0 || !triangles_[i].same_batch(triangles_[i - 1])) {
-                geometry_.batches.push_back({triangles_[i].material, geometry_.indices.size(), 0, {}});
+        for (const SortedTriangle& triangle : triangles_) {
+            geometry_.indices.insert(geometry_.indices.end(), triangle.corners.begin(),
+                                     triangle.corners.end());
+        }
+        const std::vector<bool> one_sided = one_sided_triangles();
+        for (std::size_t first = 0; first < triangles_.size();) {
+            std::size_t end = first + 1;
+            while (end < triangles_.size() && triangles_[end].same_batch(triangles_[first])) {
+                ++end;
             }
-            Batch& batch = geometry_.batches.back();
-            for (const std::uint32_t corner : triangles_[i].corners) {
-                geometry_.indices.push_back(corner);
-                batch.bounds.extend(position(corner).cast<double>());
-            }
-            batch.count += 3;
+            add_batches(first, end, one_sided);
+            first = end;
         }
         return std::move(geometry_);
     }
 
 private:
+    bool double_sided(std::size_t material) const {
+        return geometry_.materials[material].material.double_sided;
+    }
+
+    // Drawn from both sides, a twin would fight with its other half for every pixel: each shows its own side.
+    std::vector<bool> one_sided_triangles() const {
+        const bool any = std::ranges::any_of(
+            triangles_, [this](const SortedTriangle& t) { return double_sided(t.material); });
+        return any ? reversed_twins(geometry_.vertices, geometry_.indices)
+                   : std::vector<bool>(triangles_.size(), true);
+    }
+
+    // The triangles of one material and cell: those that are drawn from both sides, then the others.
+    void add_batches(std::size_t first, std::size_t end, const std::vector<bool>& one_sided) {
+        const std::size_t material = triangles_[first].material;
+        std::size_t at = 3 * first;
+        for (const bool both_sides : {true, false}) {
+            Batch batch{material, at, 0, both_sides, {}};
+            for (std::size_t i = first; i < end; ++i) {
+                if ((double_sided(material) && !one_sided[i]) != both_sides) {
+                    continue;
+                }
+                for (const std::uint32_t corner : triangles_[i].corners) {
+                    geometry_.indices[at++] = corner;
+                    batch.bounds.extend(position(corner).cast<double>());
+                }
+                batch.count += 3;
+            }
+            if (batch.count > 0) {
+                geometry_.batches.push_back(batch);
+            }
+        }
+    }
+
     Eigen::Vector3f position(std::uint32_t vertex) const {
         return Eigen::Vector3f(geometry_.vertices[vertex].position.data());
     }

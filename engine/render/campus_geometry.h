@@ -34,6 +34,7 @@ struct Batch {
     std::size_t material = 0;    ///< index into CampusGeometry::materials
     std::size_t first = 0;       ///< index into CampusGeometry::indices
     std::size_t count = 0;       ///< indices
+    bool both_sides = false;     ///< drawn from behind too
     Eigen::AlignedBox3d bounds;  ///< metres from CampusGeometry::origin
 };
 
