@@ -128,13 +128,12 @@ private:
         geometry_.placements.push_back({first, node_});
         const Eigen::Matrix3d linear = X_world_node.topLeftCorner<3, 3>();
         const Eigen::Vector3d offset = X_world_node.topRightCorner<3, 1>() - geometry_.origin;
-        const double determinant = linear.determinant();
         // The cofactor matrix maps normals; unlike the inverse it also exists for flattened nodes.
         Eigen::Matrix3d cofactor;
         for (int i = 0; i < 3; ++i) {
             cofactor.col(i) = linear.col((i + 1) % 3).cross(linear.col((i + 2) % 3));
         }
-        if (determinant < 0.0) {
+        if (linear.determinant() < 0.0) {
             cofactor = -cofactor;
         }
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -147,11 +146,7 @@ private:
                 i < mesh.colors.size() ? mesh.colors[i] : std::array<std::uint8_t, 4>{255, 255, 255, 255}));
         }
         for (const auto& t : mesh.triangles) {
-            std::array<std::uint32_t, 3> corners = {first + t[0], first + t[1], first + t[2]};
-            if (determinant < 0.0) {
-                std::swap(corners[1], corners[2]);  // a mirrored node turns its triangles inside out
-            }
-            add_triangle(corners, material);
+            add_triangle({first + t[0], first + t[1], first + t[2]}, material);
         }
     }
 

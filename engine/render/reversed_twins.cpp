@@ -57,8 +57,8 @@ private:
     void enter(std::uint32_t triangle) {
         const std::size_t first = std::size_t{3} * triangle;
         // A sum, because it must not depend on the corners' order.
-        const std::uint64_t hash = scattered(hashes_[indices_[first]] + hashes_[indices_[first + 1]] +
-                                             hashes_[indices_[first + 2]]);
+        const std::uint64_t hash =
+            scattered(hashes_[indices_[first]] + hashes_[indices_[first + 1]] + hashes_[indices_[first + 2]]);
         const auto tag = static_cast<std::uint32_t>(hash >> 32U);
         std::size_t at = static_cast<std::size_t>(hash) & (slots_.size() - 1);
         for (; slots_[at].triangle != kEmpty; at = (at + 1) & (slots_.size() - 1)) {
