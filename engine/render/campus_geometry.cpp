@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include <Eigen/LU>
 
+#include "engine/render/instancing.h"
 #include "engine/render/reversed_twins.h"
 
 namespace campuswalk::engine::render {
@@ -17,18 +20,22 @@ std::int16_t to_signed_16(double value) {
 // An opaque triangle with the place it has in the drawing order.
 struct SortedTriangle {
     std::size_t material = 0;
+    std::uint32_t shared = 0;  // number of the shared mesh it belongs to, from 1 on; 0 for none
     std::int32_t cell_x = 0;
     std::int32_t cell_z = 0;
     std::array<std::uint32_t, 3> corners = {0, 0, 0};
 
-    bool same_batch(const SortedTriangle& o) const {
-        return material == o.material && cell_x == o.cell_x && cell_z == o.cell_z;
+    std::tuple<std::size_t, std::uint32_t, std::int32_t, std::int32_t> order() const {
+        return {material, shared, cell_x, cell_z};
     }
+    bool same_batch(const SortedTriangle& o) const { return order() == o.order(); }
 };
 
 class Baker {
 public:
-    Baker(std::span<const scene::Model> models, double cell_size) : cell_size_(cell_size) {
+    Baker(std::span<const scene::Model> models, double cell_size, bool instancing)
+        : cell_size_(cell_size), instancing_(instancing) {
+        geometry_.instances.emplace_back();
         for (const scene::Model& model : models) {
             const scene::Bounds bounds = scene::world_bounds(model);
             if (!bounds.empty()) {
@@ -46,9 +53,7 @@ public:
 
     CampusGeometry finish() {
         // Stable: triangles of a batch keep the models' order, so equal depths resolve the same everywhere.
-        std::ranges::stable_sort(triangles_, [](const SortedTriangle& a, const SortedTriangle& b) {
-            return std::tie(a.material, a.cell_x, a.cell_z) < std::tie(b.material, b.cell_x, b.cell_z);
-        });
+        std::ranges::stable_sort(triangles_, {}, &SortedTriangle::order);
         geometry_.indices.reserve(3 * triangles_.size());
         for (const SortedTriangle& triangle : triangles_) {
             geometry_.indices.insert(geometry_.indices.end(), triangle.corners.begin(),
@@ -84,7 +89,10 @@ private:
         const std::size_t material = triangles_[first].material;
         std::size_t at = 3 * first;
         for (const bool both_sides : {true, false}) {
-            Batch batch{material, at, 0, both_sides, {}};
+            Batch batch;
+            batch.material = material;
+            batch.first = at;
+            batch.both_sides = both_sides;
             for (std::size_t i = first; i < end; ++i) {
                 if ((double_sided(material) && !one_sided[i]) != both_sides) {
                     continue;
@@ -96,9 +104,26 @@ private:
                 batch.count += 3;
             }
             if (batch.count > 0) {
-                geometry_.batches.push_back(batch);
+                add_batch(batch, triangles_[first].shared);
             }
         }
+    }
+
+    void add_batch(const Batch& batch, std::uint32_t shared) {
+        if (shared == 0) {
+            geometry_.batches.push_back(batch);
+            return;
+        }
+        SharedMesh& mesh = shared_[shared - 1];
+        const std::vector<InstanceGroup> groups = mesh.group(batch.bounds, cell_size_);
+        for (const InstanceGroup& group : groups) {
+            Batch& added = geometry_.batches.emplace_back(batch);
+            added.first_instance = geometry_.instances.size() + group.first;
+            added.instances = group.count;
+            added.bounds = group.bounds;
+        }
+        geometry_.instances.insert(geometry_.instances.end(), mesh.instances().begin(),
+                                   mesh.instances().end());
     }
 
     Eigen::Vector3f position(std::uint32_t vertex) const {
@@ -112,22 +137,37 @@ private:
         }
         const std::size_t plain = geometry_.materials.size();  // for meshes without a material
         geometry_.materials.emplace_back();
+        const std::vector<bool> share =
+            instancing_ ? meshes_to_share(model) : std::vector<bool>(model.meshes.size(), false);
+        std::vector<std::optional<std::size_t>> shared(model.meshes.size());  // index into shared_
         for (const scene::Node& node : model.nodes) {
             ++node_;
+            Eigen::Matrix4d X_campus_node = node.X_world_node;
+            X_campus_node.topRightCorner<3, 1>() -= geometry_.origin;
             for (const scene::MeshIndex mesh_index : node.meshes) {
-                const scene::Mesh& mesh = model.meshes[index_of(mesh_index)];
-                const std::size_t material = index_of(mesh.material);
-                add_mesh(mesh, node.X_world_node,
-                         material < model.materials.size() ? first_material + material : plain);
+                const std::size_t i = index_of(mesh_index);
+                if (shared[i] && shared_[*shared[i]].add(X_campus_node, node_)) {
+                    continue;
+                }
+                std::uint32_t number = 0;
+                if (share[i] && !shared[i]) {
+                    shared[i] = shared_.size();
+                    shared_.emplace_back(X_campus_node, node_);
+                    number = static_cast<std::uint32_t>(shared_.size());
+                }
+                const std::size_t material = index_of(model.meshes[i].material);
+                add_mesh(model.meshes[i], X_campus_node,
+                         material < model.materials.size() ? first_material + material : plain, number);
             }
         }
     }
 
-    void add_mesh(const scene::Mesh& mesh, const Eigen::Matrix4d& X_world_node, std::size_t material) {
+    void add_mesh(const scene::Mesh& mesh, const Eigen::Matrix4d& X_campus_mesh, std::size_t material,
+                  std::uint32_t shared) {
         const auto first = static_cast<std::uint32_t>(geometry_.vertices.size());
         geometry_.placements.push_back({first, node_});
-        const Eigen::Matrix3d linear = X_world_node.topLeftCorner<3, 3>();
-        const Eigen::Vector3d offset = X_world_node.topRightCorner<3, 1>() - geometry_.origin;
+        const Eigen::Matrix3d linear = X_campus_mesh.topLeftCorner<3, 3>();
+        const Eigen::Vector3d offset = X_campus_mesh.topRightCorner<3, 1>();
         // The cofactor matrix maps normals; unlike the inverse it also exists for flattened nodes.
         Eigen::Matrix3d cofactor;
         for (int i = 0; i < 3; ++i) {
@@ -146,24 +186,29 @@ private:
                 i < mesh.colors.size() ? mesh.colors[i] : std::array<std::uint8_t, 4>{255, 255, 255, 255}));
         }
         for (const auto& t : mesh.triangles) {
-            add_triangle({first + t[0], first + t[1], first + t[2]}, material);
+            add_triangle({first + t[0], first + t[1], first + t[2]}, material, shared);
         }
     }
 
-    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t material) {
+    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t material,
+                      std::uint32_t shared) {
         const Eigen::Vector3f centre =
             (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0F;
         if (geometry_.materials[material].material.alpha_mode == scene::AlphaMode::blend) {
             geometry_.blend.push_back({material, corners, centre});
             return;
         }
-        triangles_.push_back({material, static_cast<std::int32_t>(std::floor(centre.x() / cell_size_)),
-                              static_cast<std::int32_t>(std::floor(centre.z() / cell_size_)), corners});
+        const auto cell = [&](float value) {  // a shared mesh stays whole: its instances have cells
+            return shared > 0 ? 0 : static_cast<std::int32_t>(std::floor(value / cell_size_));
+        };
+        triangles_.push_back({material, shared, cell(centre.x()), cell(centre.z()), corners});
     }
 
     double cell_size_;
+    bool instancing_;
     std::uint32_t node_ = 0;  // number of the node that is being added
     CampusGeometry geometry_;
+    std::vector<SharedMesh> shared_;
     std::vector<SortedTriangle> triangles_;
 };
 
@@ -181,8 +226,17 @@ Vertex make_vertex(const Eigen::Vector3d& position, const Eigen::Vector3d& norma
     return vertex;
 }
 
-CampusGeometry bake(std::span<const scene::Model> models, double cell_size) {
-    return Baker(models, cell_size).finish();
+Eigen::Affine3d placement_of(const Instance& instance) {
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    for (std::size_t row = 0; row < 3; ++row) {
+        placement.matrix().row(static_cast<Eigen::Index>(row)) =
+            Eigen::RowVector4f(instance.rows[row].data()).cast<double>();
+    }
+    return placement;
+}
+
+CampusGeometry bake(std::span<const scene::Model> models, double cell_size, bool instancing) {
+    return Baker(models, cell_size, instancing).finish();
 }
 
 }  // namespace campuswalk::engine::render

@@ -88,6 +88,7 @@ GpuCampus::GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry)
       white_(upload_white(gl)) {
     mesh_.upload_vertices(geometry.vertices);
     mesh_.upload_indices(geometry.indices);
+    mesh_.upload_instances(geometry.instances);
     TextureUploads uploads(gl, white_);
     for (const SurfaceMaterial& surface : geometry.materials) {
         pictures_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
@@ -118,7 +119,7 @@ void GpuCampus::draw_depth(const ShaderProgram& opaque, const ShaderProgram& mas
                 program.set("base_color", Eigen::Vector4d(1, 1, 1, material.base_color[3]));
                 program.set("alpha_cutoff", material.alpha_cutoff);
             }
-            mesh_.draw(batch.first, batch.count);
+            mesh_.draw(batch);
         }
     }
 }
@@ -176,8 +177,8 @@ void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mod
         const ShaderProgram& surface = program_of(geometry_.materials[batch->material].material);
         surface.use();
         set_material(surface, batch->material, batch->both_sides);
-        mesh_.draw(batch->first, batch->count);
-        if (depth != nullptr && depth->drawn(batch->count)) {
+        mesh_.draw(*batch);
+        if (depth != nullptr && depth->drawn(batch->count * batch->instances)) {
             mesh_.bind();
         }
     }

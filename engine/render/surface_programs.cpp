@@ -52,7 +52,7 @@ const ShaderProgram& SurfacePrograms::of(const SurfaceKind& kind) {
     }
     const std::string defines = defines_of(kind, shadows_, occlusion_);
     const ShaderProgram program(
-        gl_, "surface", {shaders::kVersion, shaders::kSurfaceVertex},
+        gl_, "surface", {shaders::kVersion, shaders::kInstanceChunk, shaders::kSurfaceVertex},
         {shaders::kVersion, defines, shaders::kAirChunk, shaders::kShadowChunk, shaders::kSurfaceFragment});
     return programs_.emplace(kind, program).first->second;
 }

@@ -47,11 +47,11 @@ out vec2 uv;
 out vec4 color;
 
 void main() {
-    position = vertex_position;
-    normal = vertex_normal;
+    position = placed(vertex_position);
+    normal = turned(vertex_normal);
     uv = vertex_uv;
     color = vertex_color;
-    gl_Position = clip_campus * vec4(vertex_position, 1.0);
+    gl_Position = clip_campus * vec4(position, 1.0);
 }
 )";
 
@@ -205,7 +205,7 @@ out vec2 uv;
 
 void main() {
     uv = vertex_uv;
-    gl_Position = clip_campus * vec4(vertex_position, 1.0);
+    gl_Position = clip_campus * vec4(placed(vertex_position), 1.0);
 }
 )";
 
