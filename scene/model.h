@@ -61,7 +61,8 @@ struct Material {
     bool double_sided = false;
 };
 
-/// Indexed triangles, counter-clockwise seen from outside.
+/// Indexed triangles, counter-clockwise seen from outside once a node has placed them: the mesh of a node
+/// that mirrors is wound the other way round.
 struct Mesh {
     std::string name;
     Storage<Eigen::Vector3f> positions;

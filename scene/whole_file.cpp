@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace campuswalk::scene {
 
@@ -20,21 +21,6 @@ namespace {
 
 std::error_code last_error() {
     return {errno, std::generic_category()};
-}
-
-/// What went wrong, nothing if nothing did.
-std::error_code write_parts(std::FILE* stream, std::span<const std::span<const std::byte>> parts) {
-    std::error_code error;
-    for (const std::span<const std::byte> part : parts) {
-        if (!error && std::fwrite(part.data(), 1, part.size(), stream) != part.size()) {
-            error = last_error();
-        }
-    }
-    // Closing flushes: a full disk may only show here.
-    if (std::fclose(stream) != 0 && !error) {
-        error = last_error();
-    }
-    return error;
 }
 
 /// A new file beside it. Process numbers alone are not unique where containers share a folder.
@@ -51,31 +37,66 @@ std::FILE* open_part(const fs::path& file, fs::path& part) {
 
 }  // namespace
 
-void write_whole_file(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
+WholeFile::WholeFile(fs::path file) : file_(std::move(file)) {
     std::error_code error;
-    if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
-        fail(file, "it is not a regular file");  // the rename would put one in its place
+    if (fs::exists(file_, error) && !fs::is_regular_file(file_, error)) {
+        fail(file_, "it is not a regular file");  // the rename would put one in its place
     }
-    if (file.has_parent_path()) {
-        fs::create_directories(file.parent_path(), error);
+    if (file_.has_parent_path()) {
+        fs::create_directories(file_.parent_path(), error);
         if (error) {
-            fail(file, error.message());
+            fail(file_, error.message());
         }
     }
-    fs::path part;
-    std::FILE* stream = open_part(file, part);
-    if (stream == nullptr) {
-        fail(file, last_error().message());
+    stream_.reset(open_part(file_, part_));
+    if (!stream_) {
+        fail(file_, last_error().message());
     }
-    error = write_parts(stream, parts);
-    if (!error) {
-        fs::rename(part, file, error);
-    }
-    if (error) {
+}
+
+WholeFile::~WholeFile() {
+    if (!part_.empty()) {
+        stream_.reset();
         std::error_code ignored;
-        fs::remove(part, ignored);
-        fail(file, error.message());
+        fs::remove(part_, ignored);
     }
+}
+
+void WholeFile::write(std::span<const std::byte> bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stream_.get()) != bytes.size()) {
+        fail(file_, last_error().message());
+    }
+}
+
+void WholeFile::replace(std::size_t offset, std::span<const std::byte> bytes) {
+    if (std::fseek(stream_.get(), static_cast<long>(offset), SEEK_SET) != 0) {
+        fail(file_, last_error().message());
+    }
+    write(bytes);
+    if (std::fseek(stream_.get(), 0, SEEK_END) != 0) {
+        fail(file_, last_error().message());
+    }
+}
+
+void WholeFile::finish() {
+    // Closing flushes: a full disk may only show here.
+    if (std::fclose(stream_.release()) != 0) {
+        fail(file_, last_error().message());
+    }
+    std::error_code error;
+    fs::rename(part_, file_, error);
+    if (error) {
+        fail(file_, error.message());
+    }
+    part_.clear();
+}
+
+void write_whole_file(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
+    WholeFile whole(file);
+    for (const std::span<const std::byte> part : parts) {
+        whole.write(part);
+    }
+    whole.finish();
 }
 
 void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string_view>
 
@@ -15,6 +17,31 @@ void write_whole_file(const std::filesystem::path& file, std::span<const std::by
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
 /// Of bytes that lie in several places.
 void write_whole_file(const std::filesystem::path& file, std::span<const std::span<const std::byte>> parts);
+
+/// Likewise a file whose bytes come one after the other: they go into the neighbour, which is gone again
+/// unless all ends well. Everything throws as above.
+class WholeFile {
+public:
+    /// Makes the neighbour.
+    explicit WholeFile(std::filesystem::path file);
+    ~WholeFile();
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    void write(std::span<const std::byte> bytes);
+    /// In the place of others that were written there.
+    void replace(std::size_t offset, std::span<const std::byte> bytes);
+    /// Renames it. Nothing can be written after that.
+    void finish();
+
+private:
+    struct Close {
+        void operator()(std::FILE* stream) const { std::fclose(stream); }
+    };
+    std::filesystem::path file_;
+    std::filesystem::path part_;
+    std::unique_ptr<std::FILE, Close> stream_;
+};
 
 /// How the neighbours' names end, should a process be killed and leave one behind.
 inline constexpr std::string_view kPartSuffix = ".part";

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include <Eigen/LU>
+
+#include "engine/render/instancing.h"
+#include "engine/render/reversed_twins.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -15,18 +20,22 @@ std::int16_t to_signed_16(double value) {
 // An opaque triangle with the place it has in the drawing order.
 struct SortedTriangle {
     std::size_t material = 0;
+    std::uint32_t shared = 0;  // number of the shared mesh it belongs to, from 1 on; 0 for none
     std::int32_t cell_x = 0;
     std::int32_t cell_z = 0;
     std::array<std::uint32_t, 3> corners = {0, 0, 0};
 
-    bool same_batch(const SortedTriangle& o) const {
-        return material == o.material && cell_x == o.cell_x && cell_z == o.cell_z;
+    std::tuple<std::size_t, std::uint32_t, std::int32_t, std::int32_t> order() const {
+        return {material, shared, cell_x, cell_z};
     }
+    bool same_batch(const SortedTriangle& o) const { return order() == o.order(); }
 };
 
 class Baker {
 public:
-    Baker(std::span<const scene::Model> models, double cell_size) : cell_size_(cell_size) {
+    Baker(std::span<const scene::Model> models, double cell_size, bool instancing)
+        : cell_size_(cell_size), instancing_(instancing) {
+        geometry_.instances.emplace_back();
         for (const scene::Model& model : models) {
             const scene::Bounds bounds = scene::world_bounds(model);
             if (!bounds.empty()) {
@@ -44,25 +53,79 @@ public:
 
     CampusGeometry finish() {
         // Stable: triangles of a batch keep the models' order, so equal depths resolve the same everywhere.
-        std::ranges::stable_sort(triangles_, [](const SortedTriangle& a, const SortedTriangle& b) {
-            return std::tie(a.material, a.cell_x, a.cell_z) < std::tie(b.material, b.cell_x, b.cell_z);
-        });
+        std::ranges::stable_sort(triangles_, {}, &SortedTriangle::order);
         geometry_.indices.reserve(3 * triangles_.size());
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            if (i == 0 || !triangles_[i].same_batch(triangles_[i - 1])) {
-                geometry_.batches.push_back({triangles_[i].material, geometry_.indices.size(), 0, {}});
+        for (const SortedTriangle& triangle : triangles_) {
+            geometry_.indices.insert(geometry_.indices.end(), triangle.corners.begin(),
+                                     triangle.corners.end());
+        }
+        const std::vector<bool> one_sided = one_sided_triangles();
+        for (std::size_t first = 0; first < triangles_.size();) {
+            std::size_t end = first + 1;
+            while (end < triangles_.size() && triangles_[end].same_batch(triangles_[first])) {
+                ++end;
             }
-            Batch& batch = geometry_.batches.back();
-            for (const std::uint32_t corner : triangles_[i].corners) {
-                geometry_.indices.push_back(corner);
-                batch.bounds.extend(position(corner).cast<double>());
-            }
-            batch.count += 3;
+            add_batches(first, end, one_sided);
+            first = end;
         }
         return std::move(geometry_);
     }
 
 private:
+    bool double_sided(std::size_t material) const {
+        return geometry_.materials[material].material.double_sided;
+    }
+
+    // Drawn from both sides, a twin would fight with its other half for every pixel: each shows its own side.
+    std::vector<bool> one_sided_triangles() const {
+        const bool any = std::ranges::any_of(
+            triangles_, [this](const SortedTriangle& t) { return double_sided(t.material); });
+        return any ? reversed_twins(geometry_.vertices, geometry_.indices)
+                   : std::vector<bool>(triangles_.size(), true);
+    }
+
+    // The triangles of one material and cell: those that are drawn from both sides, then the others.
+    void add_batches(std::size_t first, std::size_t end, const std::vector<bool>& one_sided) {
+        const std::size_t material = triangles_[first].material;
+        std::size_t at = 3 * first;
+        for (const bool both_sides : {true, false}) {
+            Batch batch;
+            batch.material = material;
+            batch.first = at;
+            batch.both_sides = both_sides;
+            for (std::size_t i = first; i < end; ++i) {
+                if ((double_sided(material) && !one_sided[i]) != both_sides) {
+                    continue;
+                }
+                for (const std::uint32_t corner : triangles_[i].corners) {
+                    geometry_.indices[at++] = corner;
+                    batch.bounds.extend(position(corner).cast<double>());
+                }
+                batch.count += 3;
+            }
+            if (batch.count > 0) {
+                add_batch(batch, triangles_[first].shared);
+            }
+        }
+    }
+
+    void add_batch(const Batch& batch, std::uint32_t shared) {
+        if (shared == 0) {
+            geometry_.batches.push_back(batch);
+            return;
+        }
+        SharedMesh& mesh = shared_[shared - 1];
+        const std::vector<InstanceGroup> groups = mesh.group(batch.bounds, cell_size_);
+        for (const InstanceGroup& group : groups) {
+            Batch& added = geometry_.batches.emplace_back(batch);
+            added.first_instance = geometry_.instances.size() + group.first;
+            added.instances = group.count;
+            added.bounds = group.bounds;
+        }
+        geometry_.instances.insert(geometry_.instances.end(), mesh.instances().begin(),
+                                   mesh.instances().end());
+    }
+
     Eigen::Vector3f position(std::uint32_t vertex) const {
         return Eigen::Vector3f(geometry_.vertices[vertex].position.data());
     }
@@ -74,29 +137,43 @@ private:
         }
         const std::size_t plain = geometry_.materials.size();  // for meshes without a material
         geometry_.materials.emplace_back();
+        const std::vector<bool> share =
+            instancing_ ? meshes_to_share(model) : std::vector<bool>(model.meshes.size(), false);
+        std::vector<std::optional<std::size_t>> shared(model.meshes.size());  // index into shared_
         for (const scene::Node& node : model.nodes) {
             ++node_;
+            Eigen::Matrix4d X_campus_node = node.X_world_node;
+            X_campus_node.topRightCorner<3, 1>() -= geometry_.origin;
             for (const scene::MeshIndex mesh_index : node.meshes) {
-                const scene::Mesh& mesh = model.meshes[index_of(mesh_index)];
-                const std::size_t material = index_of(mesh.material);
-                add_mesh(mesh, node.X_world_node,
-                         material < model.materials.size() ? first_material + material : plain);
+                const std::size_t i = index_of(mesh_index);
+                if (shared[i] && shared_[*shared[i]].add(X_campus_node, node_)) {
+                    continue;
+                }
+                std::uint32_t number = 0;
+                if (share[i] && !shared[i]) {
+                    shared[i] = shared_.size();
+                    shared_.emplace_back(X_campus_node, node_);
+                    number = static_cast<std::uint32_t>(shared_.size());
+                }
+                const std::size_t material = index_of(model.meshes[i].material);
+                add_mesh(model.meshes[i], X_campus_node,
+                         material < model.materials.size() ? first_material + material : plain, number);
             }
         }
     }
 
-    void add_mesh(const scene::Mesh& mesh, const Eigen::Matrix4d& X_world_node, std::size_t material) {
+    void add_mesh(const scene::Mesh& mesh, const Eigen::Matrix4d& X_campus_mesh, std::size_t material,
+                  std::uint32_t shared) {
         const auto first = static_cast<std::uint32_t>(geometry_.vertices.size());
         geometry_.placements.push_back({first, node_});
-        const Eigen::Matrix3d linear = X_world_node.topLeftCorner<3, 3>();
-        const Eigen::Vector3d offset = X_world_node.topRightCorner<3, 1>() - geometry_.origin;
-        const double determinant = linear.determinant();
+        const Eigen::Matrix3d linear = X_campus_mesh.topLeftCorner<3, 3>();
+        const Eigen::Vector3d offset = X_campus_mesh.topRightCorner<3, 1>();
         // The cofactor matrix maps normals; unlike the inverse it also exists for flattened nodes.
         Eigen::Matrix3d cofactor;
         for (int i = 0; i < 3; ++i) {
             cofactor.col(i) = linear.col((i + 1) % 3).cross(linear.col((i + 2) % 3));
         }
-        if (determinant < 0.0) {
+        if (linear.determinant() < 0.0) {
             cofactor = -cofactor;
         }
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -109,28 +186,29 @@ private:
                 i < mesh.colors.size() ? mesh.colors[i] : std::array<std::uint8_t, 4>{255, 255, 255, 255}));
         }
         for (const auto& t : mesh.triangles) {
-            std::array<std::uint32_t, 3> corners = {first + t[0], first + t[1], first + t[2]};
-            if (determinant < 0.0) {
-                std::swap(corners[1], corners[2]);  // a mirrored node turns its triangles inside out
-            }
-            add_triangle(corners, material);
+            add_triangle({first + t[0], first + t[1], first + t[2]}, material, shared);
         }
     }
 
-    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t material) {
+    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t material,
+                      std::uint32_t shared) {
         const Eigen::Vector3f centre =
             (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0F;
         if (geometry_.materials[material].material.alpha_mode == scene::AlphaMode::blend) {
             geometry_.blend.push_back({material, corners, centre});
             return;
         }
-        triangles_.push_back({material, static_cast<std::int32_t>(std::floor(centre.x() / cell_size_)),
-                              static_cast<std::int32_t>(std::floor(centre.z() / cell_size_)), corners});
+        const auto cell = [&](float value) {  // a shared mesh stays whole: its instances have cells
+            return shared > 0 ? 0 : static_cast<std::int32_t>(std::floor(value / cell_size_));
+        };
+        triangles_.push_back({material, shared, cell(centre.x()), cell(centre.z()), corners});
     }
 
     double cell_size_;
+    bool instancing_;
     std::uint32_t node_ = 0;  // number of the node that is being added
     CampusGeometry geometry_;
+    std::vector<SharedMesh> shared_;
     std::vector<SortedTriangle> triangles_;
 };
 
@@ -148,8 +226,17 @@ Vertex make_vertex(const Eigen::Vector3d& position, const Eigen::Vector3d& norma
     return vertex;
 }
 
-CampusGeometry bake(std::span<const scene::Model> models, double cell_size) {
-    return Baker(models, cell_size).finish();
+Eigen::Affine3d placement_of(const Instance& instance) {
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    for (std::size_t row = 0; row < 3; ++row) {
+        placement.matrix().row(static_cast<Eigen::Index>(row)) =
+            Eigen::RowVector4f(instance.rows[row].data()).cast<double>();
+    }
+    return placement;
+}
+
+CampusGeometry bake(std::span<const scene::Model> models, double cell_size, bool instancing) {
+    return Baker(models, cell_size, instancing).finish();
 }
 
 }  // namespace campuswalk::engine::render

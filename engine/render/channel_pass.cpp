@@ -119,7 +119,7 @@ ChannelPass::~ChannelPass() {
 ShaderProgram ChannelPass::program(const char* name, std::string_view define) const {
     return {gl_,
             name,
-            {shaders::kVersion, shaders::kChannelVertex},
+            {shaders::kVersion, shaders::kInstanceChunk, shaders::kChannelVertex},
             {shaders::kVersion, define, shaders::kChannelFragment}};
 }
 

@@ -19,12 +19,14 @@ out float alpha;
 
 void main() {
     int columns = textureSize(node_map, 0).x;
-    node = numbered == 0 ? 0u : texelFetch(node_map, ivec2(gl_VertexID % columns, gl_VertexID / columns), 0).r;
-    away = dot(camera_plane, vec4(vertex_position, 1.0));
-    normal = vertex_normal;
+    uint own = texelFetch(node_map, ivec2(gl_VertexID % columns, gl_VertexID / columns), 0).r;
+    node = numbered == 0 ? 0u : (instance_node != 0u ? instance_node : own);
+    vec4 position = vec4(placed(vertex_position), 1.0);
+    away = dot(camera_plane, position);
+    normal = turned(vertex_normal);
     uv = vertex_uv;
     alpha = vertex_color.a;
-    gl_Position = clip_campus * vec4(vertex_position, 1.0);
+    gl_Position = clip_campus * position;
 }
 )";
 

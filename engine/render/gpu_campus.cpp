@@ -74,8 +74,8 @@ void bind_picture(const GlFunctions& gl, const ShaderProgram& surface, const cha
     surface.set(uniform, unit);
 }
 
-void set_culling(const GlFunctions& gl, bool double_sided) {
-    (double_sided ? gl.Disable : gl.Enable)(GL_CULL_FACE);
+void set_culling(const GlFunctions& gl, bool both_sides) {
+    (both_sides ? gl.Disable : gl.Enable)(GL_CULL_FACE);
 }
 
 }  // namespace
@@ -88,6 +88,7 @@ GpuCampus::GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry)
       white_(upload_white(gl)) {
     mesh_.upload_vertices(geometry.vertices);
     mesh_.upload_indices(geometry.indices);
+    mesh_.upload_instances(geometry.instances);
     TextureUploads uploads(gl, white_);
     for (const SurfaceMaterial& surface : geometry.materials) {
         pictures_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
@@ -118,7 +119,7 @@ void GpuCampus::draw_depth(const ShaderProgram& opaque, const ShaderProgram& mas
                 program.set("base_color", Eigen::Vector4d(1, 1, 1, material.base_color[3]));
                 program.set("alpha_cutoff", material.alpha_cutoff);
             }
-            mesh_.draw(batch.first, batch.count);
+            mesh_.draw(batch);
         }
     }
 }
@@ -131,7 +132,7 @@ void GpuCampus::set_plain_material(const ShaderProgram& surface) const {
     set_culling(gl_, false);
 }
 
-void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index) const {
+void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index, bool both_sides) const {
     const scene::Material& material = geometry_.materials[index].material;
     const Pictures& pictures = pictures_[index];
     const SurfaceKind kind = kind_of(material);
@@ -155,7 +156,7 @@ void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index) co
     surface.set("alpha_cutoff", material.alpha_cutoff);
     // Translucent all over is glass or water far more often than not; a picture with holes is not.
     surface.set("glossy", material.base_color[3] < 1.0F ? 1.0 : 0.0);
-    set_culling(gl_, material.double_sided);
+    set_culling(gl_, both_sides);
 }
 
 void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
@@ -175,9 +176,9 @@ void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mod
         }
         const ShaderProgram& surface = program_of(geometry_.materials[batch->material].material);
         surface.use();
-        set_material(surface, batch->material);
-        mesh_.draw(batch->first, batch->count);
-        if (depth != nullptr && depth->drawn(batch->count)) {
+        set_material(surface, batch->material, batch->both_sides);
+        mesh_.draw(*batch);
+        if (depth != nullptr && depth->drawn(batch->count * batch->instances)) {
             mesh_.bind();
         }
     }
@@ -214,7 +215,7 @@ void GpuCampus::draw_blend(const ProgramChoice& program_of, const Frustum& frust
         const std::size_t material = order[first].second->material;
         const ShaderProgram& surface = program_of(geometry_.materials[material].material);
         surface.use();
-        set_material(surface, material);
+        set_material(surface, material, geometry_.materials[material].material.double_sided);
         blend_mesh_.draw(3 * first, 3 * (end - first));
         first = end;
     }

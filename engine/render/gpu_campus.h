@@ -48,7 +48,7 @@ private:
         GLuint metal = 0;
     };
 
-    void set_material(const ShaderProgram& surface, std::size_t material) const;
+    void set_material(const ShaderProgram& surface, std::size_t material, bool both_sides) const;
 
     const GlFunctions& gl_;
     const CampusGeometry& geometry_;

@@ -114,10 +114,14 @@ void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<cons
     draw_labels(canvas, seen);
 }
 
-void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels) {
+void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
+                 std::span<const WindowFrame> windows) {
     const double s = canvas.scale();
     const TextStyle style = {14.0 * s, true, kLine, 0.0, 1};
     std::vector<Eigen::Vector4d> taken;
+    for (const WindowFrame& window : windows) {
+        taken.emplace_back(window.x, window.y, window.x + window.width, window.y + window.height);
+    }
     for (const PixelLabel& label : labels) {
         const Eigen::Vector2d half = 0.5 * canvas.text_size(label.text, style) + Eigen::Vector2d(4, 2) * s;
         if (const auto box = free_place(canvas, label.pixel, half, taken)) {
@@ -127,10 +131,14 @@ void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels) {
     }
 }
 
-void draw_compass(const Canvas& canvas, double yaw) {
+void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame> windows) {
     const double s = canvas.scale();
     const double radius = 30.0 * s;
-    const double x = canvas.width() - kEdge * s - radius;
+    double right = canvas.width();
+    for (const WindowFrame& window : windows) {
+        right = std::min(right, window.x);
+    }
+    const double x = right - kEdge * s - radius;
     const double y = kEdge * s + radius;
     cairo_t* cr = canvas.cairo();
     constexpr double kFullTurn = 6.283185307179586;

@@ -8,6 +8,7 @@
 
 #include "engine/render/camera.h"
 #include "engine/render/canvas.h"
+#include "engine/render/info_window.h"
 
 namespace campuswalk::engine::render {
 
@@ -31,9 +32,12 @@ void draw_scale_bar(const Canvas& canvas, const Viewpoint& view);
 void draw_north_arrow(const Canvas& canvas);
 /// Names at their places, moved a little where they would cover each other.
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
-void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels);
-/// Where north is for a camera with the heading `yaw`, in the upper right corner: up is ahead.
-void draw_compass(const Canvas& canvas, double yaw);
+/// Likewise beside the windows, which stand there already.
+void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
+                 std::span<const WindowFrame> windows = {});
+/// Where north is for a camera with the heading `yaw`, in the upper right corner, or to the left of the
+/// windows there: up is ahead.
+void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame> windows = {});
 /// The way walked so far, world points.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
 /// An arrow head of `size` pixels at (x, y) that points along the heading `yaw` on a north-up map.

@@ -50,20 +50,7 @@ void PngFile::chunk(std::string_view kind, std::initializer_list<std::span<const
     for (const std::span<const std::uint8_t> part : parts) {
         put(part);
     }
-    const std::size_t checksum_at = bytes_.size();
-    bytes_.resize(checksum_at + 4);
-    put_checksum(kind_at, checksum_at);
-}
-
-void PngFile::replace(std::size_t offset, std::span<const std::uint8_t> data) {
-    const std::size_t data_at = offset + 8;
-    std::ranges::copy(data, bytes_.begin() + static_cast<std::ptrdiff_t>(data_at));
-    put_checksum(offset + 4, data_at + data.size());
-}
-
-void PngFile::put_checksum(std::size_t kind_at, std::size_t checksum_at) {
-    const std::uint32_t checksum = libdeflate_crc32(0, &bytes_[kind_at], checksum_at - kind_at);
-    std::ranges::copy(png_number(checksum), bytes_.begin() + static_cast<std::ptrdiff_t>(checksum_at));
+    put(png_number(libdeflate_crc32(0, &bytes_[kind_at], bytes_.size() - kind_at)));
 }
 
 PixelCompressor::PixelCompressor() : compressor_(libdeflate_alloc_compressor(kCompressionLevel)) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/render/picture.h"
@@ -24,14 +25,10 @@ public:
     void chunk(std::string_view kind, std::initializer_list<std::span<const std::uint8_t>> parts);
     void end() { chunk("IEND", {}); }
 
-    std::size_t size() const { return bytes_.size(); }
-    /// Replaces the data of a chunk that begins at this offset, the same number of bytes.
-    void replace(std::size_t offset, std::span<const std::uint8_t> data);
-    std::vector<std::uint8_t> take() { return std::move(bytes_); }
+    /// What has come since the last time.
+    std::vector<std::uint8_t> take() { return std::exchange(bytes_, {}); }
 
 private:
-    void put_checksum(std::size_t kind_at, std::size_t checksum_at);
-
     std::vector<std::uint8_t> bytes_;
 };
 

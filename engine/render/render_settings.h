@@ -45,6 +45,8 @@ struct RenderSettings {
     double occlusion_radius = 0.9;
     /// What is behind other things is left out as soon as that is known. Pictures are the same either way.
     bool leave_out_hidden = true;
+    /// A mesh that is placed very often is kept once. Pictures are the same but for rounding.
+    bool instancing = true;
     /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.
     double cell_size = 20.0;
 };

@@ -24,6 +24,10 @@ extern const std::string_view kShadowChunk;
 /// vec4 screen_corner(): the vertices 0 to 2 make a triangle over the whole picture, at the far plane.
 extern const std::string_view kScreenChunk;
 
+/// vec3 placed(vec3 position), vec3 turned(vec3 normal): where and how an instance has a vertex; uint
+/// instance_node. Exact for what is drawn where its vertices are.
+extern const std::string_view kInstanceChunk;
+
 extern const std::string_view kSurfaceVertex;
 /// Many programs in one text: opaque as it stands, with holes or glass after one of the next two, and so on
 /// for what else SurfaceKind has.

@@ -47,7 +47,8 @@ bool hits(const std::array<Vector3d, 3>& corners, const Vector3d& from, const Ve
     return distance && *distance > 0.0 && *distance < kReach;
 }
 
-bool hits(const CampusGeometry& geometry, const Batch& batch, const Vector3d& from, const Vector3d& way) {
+bool hits_in_place(const CampusGeometry& geometry, const Batch& batch, const Vector3d& from,
+                   const Vector3d& way) {
     for (std::size_t i = batch.first; i < batch.first + batch.count; i += 3) {
         std::array<Vector3d, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -55,6 +56,17 @@ bool hits(const CampusGeometry& geometry, const Batch& batch, const Vector3d& fr
                 Eigen::Vector3f(geometry.vertices[geometry.indices[i + k]].position.data()).cast<double>();
         }
         if (hits(corners, from, way)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Each instance by the ray as it looks from there, whose lengths count as before.
+bool hits(const CampusGeometry& geometry, const Batch& batch, const Vector3d& from, const Vector3d& way) {
+    for (std::size_t i = 0; i < batch.instances; ++i) {
+        const Eigen::Affine3d back = placement_of(geometry.instances[batch.first_instance + i]).inverse();
+        if (hits_in_place(geometry, batch, back * from, back.linear() * way)) {
             return true;
         }
     }

@@ -166,16 +166,17 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
     } else if (shot.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
         draw_minimap(canvas, minimap(), shot.avatar);
     }
+    const std::vector<WindowFrame> frames =
+        draw_info_windows(canvas, windows(shot, view), settings_.max_windows);
     if (shot.overlays.labels) {
-        draw_labels(canvas, labels_in(shot));
+        draw_labels(canvas, labels_in(shot), frames);
     }
     if (shot.overlays.compass && view.projection == Projection::perspective) {
         const Eigen::Vector3d back = view.R_world_camera.col(2);
         const Eigen::Vector3d up = view.R_world_camera.col(1);
         const Eigen::Vector3d level = std::abs(back.y()) > kSteep ? Eigen::Vector3d(-up) : back;
-        draw_compass(canvas, std::atan2(level.x(), level.z()));
+        draw_compass(canvas, std::atan2(level.x(), level.z()), frames);
     }
-    draw_info_windows(canvas, windows(shot, view), settings_.max_windows);
     if (!shot.caption.empty()) {
         const double s = canvas.scale();
         const TextStyle style = {14.0 * s, true, {1, 1, 1, 1}, 0.0, 1};

@@ -51,7 +51,8 @@ const ShaderProgram& SurfacePrograms::of(const SurfaceKind& kind) {
         return known->second;
     }
     const std::string defines = defines_of(kind, shadows_, occlusion_);
-    const ShaderProgram program(gl_, "surface", {shaders::kVersion, shaders::kSurfaceVertex},
+    const ShaderProgram program(gl_, "surface",
+                                {shaders::kVersion, shaders::kInstanceChunk, shaders::kSurfaceVertex},
                                 {shaders::kVersion, defines, constants_, shaders::kAirChunk,
                                  shaders::kSrgbChunk, shaders::kShadowChunk, shaders::kSurfaceFragment});
     return programs_.emplace(kind, program).first->second;

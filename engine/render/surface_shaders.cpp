@@ -53,8 +53,8 @@ flat out vec4 cutoff_bumps_metal;
 flat out float room;
 
 void main() {
-    position = vertex_position;
-    normal = vertex_normal;
+    position = placed(vertex_position);
+    normal = turned(vertex_normal);
     uv = vertex_uv;
     color = base_color * vertex_color;
     eye_and_fog = vec4(eye, fog_density);
@@ -62,7 +62,7 @@ void main() {
     glow_and_gloss = vec4(emissive, glossy);
     cutoff_bumps_metal = vec4(alpha_cutoff, normal_scale, metal_rough);
     room = room_share;
-    gl_Position = clip_campus * vec4(vertex_position, 1.0);
+    gl_Position = clip_campus * vec4(position, 1.0);
 }
 )";
 
@@ -220,7 +220,7 @@ out vec2 uv;
 
 void main() {
     uv = vertex_uv;
-    gl_Position = clip_campus * vec4(vertex_position, 1.0);
+    gl_Position = clip_campus * vec4(placed(vertex_position), 1.0);
 }
 )";
 

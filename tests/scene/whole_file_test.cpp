@@ -4,8 +4,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +45,36 @@ TEST(WholeFile, LeavesNeighboursOfOthersAlone) {
     EXPECT_EQ(text_of(folder.path() / "c.txt"), "mine");
     EXPECT_EQ(text_of(folder.path() / others), "of somebody else");
     EXPECT_EQ(files_in(folder.path()), 2);
+}
+
+std::span<const std::byte> bytes(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+TEST(WholeFile, IsThereOnceItIsFinished) {
+    const support::TemporaryFolder folder;
+    const fs::path file = folder.path() / "c.txt";
+    write_whole_file(file, "before");
+    {
+        WholeFile whole(file);
+        whole.write(bytes("0000 and "));
+        whole.replace(2, bytes("12"));
+        whole.write(bytes("more"));
+        EXPECT_EQ(text_of(file), "before");
+        whole.finish();
+    }
+    EXPECT_EQ(text_of(file), "0012 and more");
+    EXPECT_EQ(files_in(folder.path()), 1);
+}
+
+TEST(WholeFile, IsNothingWhenItIsGivenUp) {
+    const support::TemporaryFolder folder;
+    {
+        WholeFile whole(folder.path() / "c.txt");
+        whole.write(bytes("half"));
+        EXPECT_EQ(files_in(folder.path()), 1);
+    }
+    EXPECT_EQ(files_in(folder.path()), 0);
 }
 
 TEST(WholeFile, PutsNoFileInADevicesPlace) {

@@ -12,6 +12,8 @@ from program import WALK, ProgramCase, main
 
 FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
 ENDLESS = WALK.replace("turn: 180", "wait: 86400").replace("steps:", "sim: {ticks_per_second: 10000}\nsteps:")
+LONG = ENDLESS.replace("86400", "1200")
+WAITING = ENDLESS.replace("wait: 86400", "wait_until: {event: popup.open hut, timeout: 86400}")
 
 
 class ManyWalks(ProgramCase):
@@ -290,11 +292,11 @@ class CutShort(ManyWalks):
         self.assertIn(" error timeout: ", outcome.err)
         self.assertIn("b: FAIL after 2.0 s", outcome.err)
 
-    def seen_on_a_terminal(self, until, *arguments):
+    def seen_on_a_terminal(self, until, *arguments, walk=ENDLESS):
         """What a run that doesn't end shows until it shows `until`, and then when it is interrupted."""
         mine, theirs = os.openpty()
         self.addCleanup(os.close, mine)
-        self.write("b.walk.yaml", ENDLESS)
+        self.write("b.walk.yaml", walk)
         process = subprocess.Popen([self.program, "run", "--rendering-backend", "none", *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=theirs)
         os.close(theirs)
@@ -309,12 +311,25 @@ class CutShort(ManyWalks):
         return seen
 
     def test_progress_on_a_terminal(self):
-        seen = self.seen_on_a_terminal(rb"1/6, b at \d+\.\d s", "-j", "1")
-        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d s\r\x1b\[K")
+        seen = self.seen_on_a_terminal(rb"1/6, b at \d+\.\d of 86\d+\.\d s", "-j", "1")
+        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d of 86\d+\.\d s\r\x1b\[K")
 
     def test_where_a_single_walk_is_shows_on_a_terminal(self):
-        seen = self.seen_on_a_terminal(rb"b at \d+\.\d s\r\x1b\[Kb at", "--reporter", "list", "b.walk.yaml")
+        place = rb"\[#*\.+\] b at \d+\.\d of 86\d+\.\d s"
+        seen = self.seen_on_a_terminal(place + rb"\r\x1b\[K" + place, "--reporter", "list", "b.walk.yaml")
+        for bar in re.findall(rb"\[(#*\.*)\]", seen):
+            self.assertEqual(len(bar), 30)
+
+    def test_the_bar_fills_as_the_walk_goes_on(self):
+        seen = self.seen_on_a_terminal(rb"\[##", "--reporter", "list", "b.walk.yaml", walk=LONG)
+        steps = [len(bar) for bar in re.findall(rb"\[(#*)\.+\] b at", seen)]
+        self.assertEqual(steps, sorted(steps))
+        self.assertGreaterEqual(steps[-1], 2)
+
+    def test_a_walk_whose_length_nobody_knows_has_no_bar(self):
+        seen = self.seen_on_a_terminal(rb"b at \d+\.\d s\r\x1b\[Kb at", "--reporter", "list", "b.walk.yaml", walk=WAITING)
         self.assertNotIn(b"[#", seen)
+        self.assertNotIn(b"..]", seen)
 
     def test_a_walk_that_takes_too_long(self):
         self.write("b.walk.yaml", ENDLESS)

@@ -75,23 +75,32 @@ bool in_even_area(const Picture& picture, int x, int y) {
     return equal >= kEven;
 }
 
+struct Step {
+    int x = 0;
+    int y = 0;
+};
+/// To a pixel's neighbours, in the order of each_neighbour.
+constexpr std::array<Step, 8> kAround = {
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+
 /// is_antialiased(), with what gives the brightness at a place.
 template <typename LumaAt>
 bool antialiased(const Picture& picture, const Picture& other, int x, int y, const LumaAt& luma_at) {
     const double centre = luma_at(x, y);
-    std::array<double, 8> relative{};  // to the pixel in the middle
-    std::array<int, 8> at_x{};
-    std::array<int, 8> at_y{};
-    std::size_t count = 0;
-    each_neighbour(picture, x, y, [&](int nx, int ny) {
-        relative[count] = luma_at(nx, ny) - centre;
-        at_x[count] = nx;
-        at_y[count] = ny;
-        ++count;
-    });
-    // Without a branch a neighbour: which of them is darker is as good as chance. None beyond `count` is
-    // either extreme, and equals are counted among the others alone.
-    int equal = (on_border(picture, x, y) ? 1 : 0) - static_cast<int>(relative.size() - count);
+    const bool border = on_border(picture, x, y);
+    std::array<double, 8> relative{};  // to the pixel in the middle; 0 for what lies beyond the border
+    int beyond = 0;
+    for (std::size_t i = 0; i < kAround.size(); ++i) {
+        const int nx = x + kAround[i].x;
+        const int ny = y + kAround[i].y;
+        if (border && (nx < 0 || ny < 0 || nx >= picture.width || ny >= picture.height)) {
+            ++beyond;
+        } else {
+            relative[i] = luma_at(nx, ny) - centre;
+        }
+    }
+    // Without a branch a neighbour: which of them is darker is as good as chance.
+    int equal = (border ? 1 : 0) - beyond;
     double darkest = 0.0;
     double brightest = 0.0;
     for (const double difference : relative) {
@@ -103,9 +112,9 @@ bool antialiased(const Picture& picture, const Picture& other, int x, int y, con
         return false;
     }
     const auto even_in_both = [&](double extreme) {
-        const auto i =
-            static_cast<std::size_t>(std::find(relative.begin(), relative.end(), extreme) - relative.begin());
-        return in_even_area(picture, at_x[i], at_y[i]) && in_even_area(other, at_x[i], at_y[i]);
+        const Step& way = kAround[static_cast<std::size_t>(
+            std::find(relative.begin(), relative.end(), extreme) - relative.begin())];
+        return in_even_area(picture, x + way.x, y + way.y) && in_even_area(other, x + way.x, y + way.y);
     };
     return even_in_both(darkest) || even_in_both(brightest);
 }
@@ -125,7 +134,11 @@ public:
         if (y == middle_) {
             return;
         }
-        for (int i = -1; i <= 1; ++i) {
+        const bool next = y == middle_ + 1;
+        if (next) {
+            std::rotate(rows_.begin(), rows_.begin() + 1, rows_.end());
+        }
+        for (int i = next ? 1 : -1; i <= 1; ++i) {
             if (y + i >= 0 && y + i < picture_.height) {
                 fill(rows_[static_cast<std::size_t>(i + 1)], y + i);
             }

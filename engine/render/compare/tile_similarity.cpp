@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/render/row_bands.h"
+
 namespace campuswalk::engine::render {
 namespace {
 
@@ -58,9 +60,11 @@ public:
     Blocks(const Picture& a, const Picture& b, const PictureMask& mask)
         : columns_(blocks_along(a.width)), rows_(blocks_along(a.height)) {
         sums_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-        for (int y = 0; y < a.height; ++y) {
-            add_row(a, b, mask, y);
-        }
+        for_row_bands(rows_, [&](int first, int end) {
+            for (int y = first * kBlock; y < std::min(end * kBlock, a.height); ++y) {
+                add_row(a, b, mask, y);
+            }
+        });
     }
 
     int columns() const { return columns_; }

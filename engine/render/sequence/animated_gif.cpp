@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -11,7 +12,6 @@
 
 #include "engine/render/sequence/animated_png.h"
 #include "engine/render/sequence/scaled_picture.h"
-#include "scene/whole_file.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -64,18 +64,6 @@ void dither_row(const Picture& picture, int y, std::vector<GifPixelType>& row) {
     }
 }
 
-int append(GifFileType* gif, const GifByteType* data, int size) {
-    static_cast<std::string*>(gif->UserData)
-        ->append(reinterpret_cast<const char*>(data), static_cast<std::size_t>(size));
-    return size;
-}
-
-void check(int status) {
-    if (status != GIF_OK) {
-        throw std::runtime_error("can't make the GIF: out of memory");
-    }
-}
-
 }  // namespace
 
 AnimatedGif::AnimatedGif(std::filesystem::path file, double seconds_a_frame)
@@ -87,9 +75,30 @@ void AnimatedGif::Close::operator()(GifFileType* gif) const {
     EGifCloseFile(gif, &error);
 }
 
+int AnimatedGif::write(GifFileType* gif, const unsigned char* data, int size) {
+    Output& output = *static_cast<Output*>(gif->UserData);
+    try {
+        output.file.write(std::as_bytes(std::span(data, static_cast<std::size_t>(size))));
+        return size;
+    } catch (...) {
+        output.failure = std::current_exception();
+        return 0;
+    }
+}
+
+void AnimatedGif::check(int status) const {
+    if (output_->failure) {
+        std::rethrow_exception(output_->failure);
+    }
+    if (status != GIF_OK) {
+        throw std::runtime_error("can't make the GIF: out of memory");
+    }
+}
+
 void AnimatedGif::begin(const Picture& picture) {
+    output_ = std::unique_ptr<Output>(new Output{scene::WholeFile(file_), nullptr});
     int error = 0;
-    gif_.reset(EGifOpen(&bytes_, append, &error));
+    gif_.reset(EGifOpen(output_.get(), write, &error));
     check(gif_ ? GIF_OK : GIF_ERROR);
     EGifSetGifVersion(gif_.get(), true);
     const std::array<GifColorType, kColors> colors = palette();
@@ -123,7 +132,8 @@ void AnimatedGif::add(const Frame& frame) {
 void AnimatedGif::finish() {
     if (gif_) {
         gif_.reset();
-        scene::write_whole_file(file_, bytes_);
+        check(GIF_OK);
+        output_->file.finish();
     }
 }
 

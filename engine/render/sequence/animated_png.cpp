@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/render/sequence/scaled_picture.h"
-#include "scene/whole_file.h"
 
 namespace campuswalk::engine::render {
 
@@ -20,9 +19,12 @@ void AnimatedPng::add(const Frame& frame) {
     const Picture picture = scaled_down(frame.picture, kAnimationWidth);
     const bool first = !png_;
     if (first) {
+        written_ = std::make_unique<scene::WholeFile>(file_);
         png_ = std::make_unique<PngFile>(picture.width, picture.height);
-        control_at_ = png_->size();
-        png_->chunk("acTL", {png_number(0), png_number(0)});
+        const std::vector<std::uint8_t> start = png_->take();
+        written_->write(std::as_bytes(std::span(start)));
+        count_at_ = start.size();
+        put_count(0);  // nobody knows it yet
     }
     put_control(picture);
     const std::span<const std::uint8_t> pixels = compressor_.compress(picture);
@@ -31,7 +33,13 @@ void AnimatedPng::add(const Frame& frame) {
     } else {
         png_->chunk("fdAT", {png_number(sequence_++), pixels});
     }
+    written_->write(std::as_bytes(std::span<const std::uint8_t>(png_->take())));
     ++frames_;
+}
+
+// The second number: how often, 0 is for ever.
+void AnimatedPng::put_count(std::uint32_t frames) {
+    png_->chunk("acTL", {png_number(frames), png_number(0)});
 }
 
 void AnimatedPng::put_control(const Picture& picture) {
@@ -49,11 +57,10 @@ void AnimatedPng::finish() {
         return;
     }
     png_->end();
-    std::array<std::uint8_t, 8> control{};  // the second number: how often, 0 is for ever
-    std::ranges::copy(png_number(frames_), control.begin());
-    png_->replace(control_at_, control);
-    const std::vector<std::uint8_t> bytes = png_->take();
-    scene::write_whole_file(file_, std::as_bytes(std::span(bytes)));
+    written_->write(std::as_bytes(std::span<const std::uint8_t>(png_->take())));
+    put_count(frames_);
+    written_->replace(count_at_, std::as_bytes(std::span<const std::uint8_t>(png_->take())));
+    written_->finish();
 }
 
 }  // namespace campuswalk::engine::render

@@ -107,6 +107,21 @@ TEST_F(MapMarks, ANameThatWouldCoverAnotherMovesAside) {
     EXPECT_EQ(covered, middle) << "the first one is untouched";
 }
 
+TEST_F(MapMarks, NamesAndTheCompassKeepClearOfWindows) {
+    const WindowFrame window = {250, 20, 140, 120};
+    const std::vector<WindowFrame> windows = {window};
+    const std::vector<PixelLabel> labels = {{"Hall", {320, 80}}, {"Gate", {248, 80}}, {"Pond", {100, 80}}};
+    draw_labels(canvas_, labels, windows);
+    draw_compass(canvas_, 0.3, windows);
+    EXPECT_EQ(marked(250, 20, 390, 140), 0);
+    EXPECT_GT(marked(200, 60, 250, 100), 20) << "moved to its left";
+    EXPECT_GT(marked(80, 60, 120, 100), 20);
+    EXPECT_GT(marked(180, 0, 250, 60), 50) << "the compass";
+    const Canvas free(plain_picture(kSide, kSide, kGround), fonts_);
+    draw_compass(free, 0.3);
+    EXPECT_NE(free.picture().pixel(370, 31), kGround) << "in the corner, when that is free";
+}
+
 TEST_F(MapMarks, NamesBeyondThePictureAreLeftOut) {
     const std::vector<MapLabel> labels = {{"Far away", {900, 0, 0}}};
     draw_map_labels(canvas_, map_view(), labels);

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -24,13 +23,9 @@ std::vector<FlatTriangle> triangles_of(const scene::Model& model) {
     std::vector<FlatTriangle> all;
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const scene::Node& node = model.nodes[n];
-        const bool mirrored = node.X_world_node.topLeftCorner<3, 3>().determinant() < 0.0;
         for (const scene::MeshIndex index : node.meshes) {
             const scene::Mesh& mesh = model.meshes[index_of(index)];
-            for (std::array<std::uint32_t, 3> t : mesh.triangles) {
-                if (mirrored) {
-                    std::swap(t[1], t[2]);
-                }
+            for (const std::array<std::uint32_t, 3>& t : mesh.triangles) {
                 FlatTriangle& triangle = all.emplace_back();
                 for (std::size_t k = 0; k < 3; ++k) {
                     triangle.corners[k] =

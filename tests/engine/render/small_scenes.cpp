@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "collision/broad_phase.h"
+#include "scene/import/mirror_meshes.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -141,6 +142,12 @@ SceneBuilder& SceneBuilder::ground(double size) {
                 Eigen::Vector3d(-h, 0, -h)});
     add(std::move(mesh));
     return *this;
+}
+
+scene::Model SceneBuilder::model() const {
+    scene::Model model = model_;
+    scene::mirror_meshes(model);
+    return model;
 }
 
 scene::Texture four_blocks() {

@@ -48,7 +48,8 @@ public:
     /// A square in the plane y = 0 about the origin.
     SceneBuilder& ground(double size);
 
-    scene::Model model() const { return model_; }
+    /// As import hands it over: what a node mirrors is turned right side out.
+    scene::Model model() const;
 
 private:
     void quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) const;

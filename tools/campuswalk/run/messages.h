@@ -12,7 +12,7 @@ namespace campuswalk::tools {
 enum class Topic : std::uint8_t {
     log,     ///< lines of the text log
     events,  ///< lines of the log as JSON
-    place,   ///< how far the walk is, for people to see
+    place,   ///< the walk's time in seconds, for people to see
     result,  ///< the last: engine::to_json_line
 };
 

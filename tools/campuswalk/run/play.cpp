@@ -101,7 +101,7 @@ public:
         const auto now = std::chrono::steady_clock::now();
         if (settings_.place && now - last_place_ > std::chrono::milliseconds(200)) {
             last_place_ = now;
-            say_(Topic::place, engine::fixed(record.time, 1) + " s");
+            say_(Topic::place, engine::fixed(record.time, 1));
         }
         log_.flush_if_old(now);
         events_.flush_if_old(now);

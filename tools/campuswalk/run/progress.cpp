@@ -4,11 +4,18 @@
 #include <cstdio>
 #include <string>
 
+#include "engine/decimals.h"
+
 namespace campuswalk::tools {
 
 namespace {
 
 constexpr std::size_t kWidth = 30;  // characters
+
+std::string bar(double share) {
+    const auto filled = static_cast<std::size_t>(kWidth * std::clamp(share, 0.0, 1.0));
+    return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] ";
+}
 
 }  // namespace
 
@@ -21,26 +28,30 @@ void Progress::count(bool good) {
     walk_.clear();
 }
 
-void Progress::walk_is_at(std::string_view walk, std::string_view place) {
+void Progress::walk_is_at(std::string_view walk, double seconds, std::optional<double> planned) {
     hide();
-    walk_.assign(walk).append(" at ").append(place);
+    walk_.assign(walk).append(" at ").append(engine::fixed(seconds, 1));
+    // It may have been held up, and then nobody knows how long it still takes.
+    const bool known = planned && seconds <= *planned;
+    walk_ += known ? " of " + engine::fixed(*planned, 1) + " s" : " s";
+    share_ = known ? std::optional(seconds / *planned) : std::nullopt;
     show();
 }
 
+std::string Progress::line() const {
+    if (total_ == 1) {
+        return (share_ ? bar(*share_) : "") + walk_;
+    }
+    return bar(static_cast<double>(done_) / static_cast<double>(total_)) + std::to_string(done_) + "/" +
+           std::to_string(total_) + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "") +
+           (walk_.empty() ? "" : ", ") + walk_;
+}
+
 void Progress::show() {
-    const bool many = total_ > 1;
-    if (!wanted_ || shown_ || done_ >= total_ || (!many && walk_.empty())) {
+    if (!wanted_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
         return;
     }
-    std::string line;
-    if (many) {
-        const std::size_t filled = std::min(kWidth, kWidth * done_ / total_);
-        line = "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] " +
-               std::to_string(done_) + "/" + std::to_string(total_);
-        line += failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "";
-        line += walk_.empty() ? "" : ", ";
-    }
-    std::fputs((line + walk_).c_str(), stderr);
+    std::fputs(line().c_str(), stderr);
     std::fflush(stderr);
     shown_ = true;
 }

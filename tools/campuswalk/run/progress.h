@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,19 +16,23 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void count(bool good);
-    /// A walk that takes long enough to be asked for.
-    void walk_is_at(std::string_view walk, std::string_view place);
+    /// A walk that takes long enough to be asked for has come to this simulated time, of so much that is
+    /// planned; none where that can't be known.
+    void walk_is_at(std::string_view walk, double seconds, std::optional<double> planned);
     /// Draws it unless it stands there as it is.
     void show();
     /// Before anything else is printed.
     void hide();
 
 private:
+    std::string line() const;
+
     bool wanted_;
     std::size_t total_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
-    std::string walk_;  ///< that was heard of last, and where it is
+    std::string walk_;             ///< that was heard of last, and where it is
+    std::optional<double> share_;  ///< of it that is done
     bool shown_ = false;
 };
 

@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "engine/report/result_json.h"
+#include "engine/script/planned_time.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/run/interrupt.h"
@@ -76,7 +78,9 @@ int Session::run() {
     listener.ended_first = [this](std::size_t index, const Ending& ending) { keep(index, ending); };
     listener.heard = [this](std::size_t index, Topic topic, std::string_view lines) {
         if (topic == Topic::place) {
-            progress_.walk_is_at(plan_.cases[index].result.name, lines);
+            const Case& played = plan_.cases[index];
+            progress_.walk_is_at(played.result.name, std::stod(std::string(lines)),
+                                 engine::planned_seconds(played.walk->walk));
         } else {
             hear(topic, lines);
         }

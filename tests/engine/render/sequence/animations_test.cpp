@@ -1,6 +1,9 @@
 // Animations are taken apart again by other code than made them.
 
+#include <sys/resource.h>
+
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -114,6 +117,76 @@ TEST(AnimatedPng, IsTheSameBytesForTheSameFramesAndNoFileWithoutAny) {
     AnimatedGif none_either(folder.path() / "none.gif", 0.25);
     feed(none_either, {});
     EXPECT_EQ(folder.contents().size(), 2U);
+}
+
+std::unique_ptr<FrameSink> animation(const std::filesystem::path& file) {
+    if (file.extension() == ".gif") {
+        return std::make_unique<AnimatedGif>(file, 0.25);
+    }
+    return std::make_unique<AnimatedPng>(file, 0.25);
+}
+
+std::uintmax_t bytes_in(const ScratchFolder& folder) {
+    std::uintmax_t sum = 0;
+    for (const std::filesystem::path& file : folder.contents()) {
+        sum += std::filesystem::file_size(folder.path() / file);
+    }
+    return sum;
+}
+
+TEST(Animations, GoToDiskAsTheyComeAndAreNotThereBeforeTheyAreWhole) {
+    for (const char* name : {"a.png", "a.gif"}) {
+        const ScratchFolder folder;
+        std::mt19937 random(3);
+        {
+            const auto sink = animation(folder.path() / name);
+            std::uintmax_t before = 0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                sink->add({noise(200, 150, random), i, 0.0});
+                EXPECT_GT(bytes_in(folder), before + 15000) << name << ", frame " << i;
+                before = bytes_in(folder);
+                EXPECT_FALSE(std::filesystem::exists(folder.path() / name));
+            }
+        }
+        EXPECT_TRUE(folder.contents().empty()) << name << " was given up";
+    }
+}
+
+// Files can't grow beyond so many bytes, as on a full disk.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        signal_ = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit = {bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, signal_);
+    }
+
+private:
+    rlimit before_{};
+    void (*signal_)(int) = nullptr;
+};
+
+TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
+    for (const char* name : {"a.png", "a.gif"}) {
+        const ScratchFolder folder;
+        feed(*animation(folder.path() / name), three_pictures(8, 8));
+        const std::string earlier = bytes_of(folder.path() / name);
+        std::mt19937 random(3);
+        const std::vector<Picture> pictures(6, noise(200, 150, random));
+        {
+            const FullDisk full(100000);
+            EXPECT_THROW(feed(*animation(folder.path() / name), pictures), std::runtime_error) << name;
+        }
+        EXPECT_EQ(folder.contents(), std::vector<std::filesystem::path>{name});
+        EXPECT_EQ(bytes_of(folder.path() / name), earlier);
+    }
 }
 
 TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
