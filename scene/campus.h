@@ -31,6 +31,9 @@ struct Campus {
     std::vector<Model> models;  ///< one a scene file
     std::vector<CampusObject> objects;
     collision::World world;
+    /// What was taken off the scenes' coordinates. On the Earth it is where the campus file says, or else the
+    /// first scene that says anything.
+    Origin origin = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
     std::uint32_t layer_index(const std::string& layer) const;
