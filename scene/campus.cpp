@@ -63,6 +63,22 @@ ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList
     return scenes;
 }
 
+Origin move_to_origin(const CampusOrigin& wanted, std::vector<Model>& models) {
+    Origin origin = wanted.origin;
+    if (wanted.near) {
+        origin.at = origin_near(world_bounds(models.front()));
+    }
+    for (Model& model : models) {
+        if (!origin.at.isZero(0.0)) {
+            move_origin(model, origin.at);
+        }
+        if (!origin.geographic) {
+            origin.geographic = model.geographic;
+        }
+    }
+    return origin;
+}
+
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
@@ -73,10 +89,9 @@ public:
     void add(const ColliderDescription& collider);
 
 private:
-    std::optional<PlacedShape> shape_of(const ColliderDescription& collider,
-                                        const std::vector<NodeRef>& nodes);
+    std::optional<PlacedShape> shape_of(const ColliderDescription& collider, const NodeSelection& selection);
     void add_object(const ColliderDescription& collider, const std::string& id,
-                    const std::vector<NodeRef>& nodes);
+                    const NodeSelection& selection);
 
     Campus& campus_;
     KeptMeshes& meshes_;
@@ -88,7 +103,7 @@ private:
 void ColliderBuilder::add(const ColliderDescription& collider) {
     const std::vector<NodeGlob>& globs = globs_of(campus_.description, collider);
     if (globs.empty()) {
-        if (is_placed_by_numbers(collider.shape)) {
+        if (is_placed_by_numbers(collider.shape) && collider.except.empty()) {
             add_object(collider, collider.id, {});
         } else {
             diagnostics_.error(collider.mark, "missing-nodes",
@@ -97,12 +112,17 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
         }
         return;
     }
-    const std::vector<NodeRef> matches = topmost_matches(campus_.models, globs);
+    const NodeSelection selection = select_nodes(campus_.models, globs, collider.except);
+    const std::vector<NodeRef>& matches = selection.roots;
     if (matches.empty()) {
-        return;  // check_globs has said so
+        if (!topmost_matches(campus_.models, globs).empty()) {  // else check_globs has said so
+            diagnostics_.error(collider.mark, "empty-mesh",
+                               "'except' leaves nothing of the nodes of collider '" + collider.id + "'");
+        }
+        return;
     }
     if (!collider.each) {
-        add_object(collider, collider.id, matches);
+        add_object(collider, collider.id, selection);
         return;
     }
     std::vector<std::string> names;
@@ -112,12 +132,13 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     }
     const std::vector<std::string> words = distinct_words(names);
     for (std::size_t i = 0; i < matches.size(); ++i) {
-        add_object(collider, collider.id + '/' + words[i], {matches[i]});
+        add_object(collider, collider.id + '/' + words[i], {{matches[i]}, selection.except});
     }
 }
 
 std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& collider,
-                                                     const std::vector<NodeRef>& nodes) {
+                                                     const NodeSelection& selection) {
+    const std::vector<NodeRef>& nodes = selection.roots;
     const bool is_mesh = std::holds_alternative<MeshShape>(collider.shape);
     if (is_mesh) {
         if (std::optional<PlacedShape> kept = meshes_.next()) {
@@ -126,7 +147,7 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     }
     ShapeSource source;
     source.has_nodes = !nodes.empty();
-    source.geometry = gather_geometry(campus_.models, nodes);
+    source.geometry = gather_geometry(campus_.models, nodes, selection.except);
     if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }
@@ -138,13 +159,13 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
 }
 
 void ColliderBuilder::add_object(const ColliderDescription& collider, const std::string& id,
-                                 const std::vector<NodeRef>& nodes) {
+                                 const NodeSelection& selection) {
     if (!ids_.emplace(id, collider.mark).second) {
         diagnostics_.error(collider.mark, "duplicate-id",
                            "two objects are called '" + id + "'; rename one of the colliders");
         return;
     }
-    std::optional<PlacedShape> placed = shape_of(collider, nodes);
+    std::optional<PlacedShape> placed = shape_of(collider, selection);
     if (!placed) {
         diagnostics_.error(collider.mark, "empty-mesh",
                            "the nodes of collider '" + id + "' have no triangle");
@@ -158,7 +179,7 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
                        campus_.layer_index(collider.layer)});
     campus_.objects.push_back({id, collider.mark, building_of(campus_.description, collider), collider.popup,
-                               collider.popup_rule, nodes});
+                               collider.popup_rule, selection.roots});
 }
 
 }  // namespace
@@ -190,14 +211,17 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 
     Campus campus{
         std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
+    campus.origin = move_to_origin(campus.description.origin, campus.models);
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);
     }
     const bool known = cache != nullptr && scenes.contents.size() == campus.models.size();
-    KeptMeshes meshes = known ? KeptMeshes(*cache, campus.description, scenes.contents) : KeptMeshes();
+    KeptMeshes meshes =
+        known ? KeptMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : KeptMeshes();
     ColliderBuilder builder(campus, meshes, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
         check_globs(campus.models, collider.nodes, diagnostics);
+        check_globs(campus.models, collider.except, diagnostics);
         builder.add(collider);
     }
     diagnostics.throw_if_errors();

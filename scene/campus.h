@@ -22,7 +22,7 @@ struct CampusObject {
     std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
     bool popup = false;
     PopupRule popup_rule = {};
-    std::vector<NodeRef> nodes = {};  ///< whose geometry it stands for, each with its subtree
+    std::vector<NodeRef> nodes = {};  ///< whose geometry it stands for, each with its subtree but `except`
 };
 
 /// A campus ready to walk in: what the user described, the models to draw, the world to collide with.
@@ -31,6 +31,9 @@ struct Campus {
     std::vector<Model> models;  ///< one a scene file
     std::vector<CampusObject> objects;
     collision::World world;
+    /// What was taken off the scenes' coordinates. On the Earth it is where the campus file says, or else the
+    /// first scene that says anything.
+    Origin origin = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
     std::uint32_t layer_index(const std::string& layer) const;

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "scene/diagnostic.h"
+#include "scene/origin.h"
 
 namespace campuswalk::scene {
 
@@ -107,7 +108,8 @@ struct ColliderDescription {
     std::string id;        ///< object id in events; with `each` the prefix of every object's id
     std::string building;  ///< owner, empty for none; the loader has checked that it exists
     std::vector<NodeGlob> nodes;
-    bool each = false;  ///< one object a matched node instead of one for all
+    std::vector<NodeGlob> except;  ///< nodes, each with its subtree, that are left out of those
+    bool each = false;             ///< one object a matched node instead of one for all
     ShapeDescription shape;
     DetectionModes modes;
     std::string layer;   ///< empty or one of CampusDescription::layers
@@ -128,10 +130,17 @@ struct Place {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
+/// What all scenes' coordinates are moved by, and where on the Earth the world's origin then is.
+struct CampusOrigin {
+    bool near = false;  ///< `at` is for origin_near of the first scene to find
+    Origin origin;
+};
+
 struct CampusDescription {
     std::string name;  ///< from the file's name
     SourceMark mark;
     std::vector<SceneFile> scenes;
+    CampusOrigin origin;
     std::vector<std::string> layers;
     std::vector<Building> buildings;
     std::vector<ColliderDescription> colliders;

@@ -84,4 +84,15 @@ bool glob_matches(std::string_view glob, std::string_view name) {
     return at == glob.size();
 }
 
+std::string glob_for(std::string_view name) {
+    std::string glob;
+    for (const char c : name) {
+        if (c == '*' || c == '?' || c == '[' || c == '\\') {
+            glob += '\\';
+        }
+        glob += c;
+    }
+    return glob;
+}
+
 }  // namespace campuswalk::scene

@@ -1,5 +1,7 @@
 #include "scene/model.h"
 
+#include <cmath>
+
 #include "scene/glob.h"
 
 namespace campuswalk::scene {
@@ -26,6 +28,25 @@ Bounds world_bounds(const Model& model) {
         }
     }
     return bounds;
+}
+
+Eigen::Vector3d origin_near(const Bounds& bounds) {
+    constexpr double kRound = 1e3;  // metres
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    for (Eigen::Index axis = 0; axis < 3 && !bounds.empty(); ++axis) {
+        const double middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
+        origin[axis] = std::abs(middle) > kFarAway ? std::round(middle / kRound) * kRound : 0.0;
+    }
+    return origin;
+}
+
+void move_origin(Model& model, const Eigen::Vector3d& origin) {
+    for (Node& node : model.nodes) {
+        node.X_world_node.topRightCorner<3, 1>() -= origin;
+    }
+    if (model.geographic) {
+        model.geographic->at -= origin;
+    }
 }
 
 std::vector<std::size_t> match_nodes(const Model& model, const std::string& glob) {

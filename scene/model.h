@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "collision/storage.h"
+#include "scene/origin.h"
 
 namespace campuswalk::scene {
 
@@ -87,6 +88,7 @@ struct Model {
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
     std::vector<Texture> textures;
+    std::optional<GeographicPlace> geographic;  ///< where the file says it is on the Earth
 };
 
 /// World-space bounds, empty (min > max) for a model without a vertex.
@@ -104,6 +106,13 @@ struct Bounds {
 /// Triangles as drawn: a mesh placed by three nodes counts three times.
 std::size_t count_triangles(const Model& model);
 Bounds world_bounds(const Model& model);
+
+/// What to take off the coordinates of a map to come near 0: along each axis the whole kilometres next to
+/// the middle where that is over 10 km away, else 0. Small changes of a model don't change it.
+Eigen::Vector3d origin_near(const Bounds& bounds);
+
+/// Takes `origin` off all coordinates of the world.
+void move_origin(Model& model, const Eigen::Vector3d& origin);
 
 /// Indices of the nodes whose name matches the glob (`*`, `?`, `[a-z]`), each with its whole subtree,
 /// ascending and without repeats.

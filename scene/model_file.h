@@ -29,7 +29,7 @@ struct ImportedModel {
 };
 
 /// Raise it with whatever changes below, in `Model`, or in what an import makes of the same files.
-inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 3};
+inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 4};
 
 /// An imported model as the bytes of a file, yet to be sealed: what is large in it is left where it is.
 SealedWriter lay_out_model(const ImportedModel& imported);

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kLeastSize = 0.5;       // metres
 constexpr double kGreatestSize = 5e3;    // metres
-constexpr double kFarAway = 10e3;        // metres
 constexpr double kCoarsestStep = 0.005;  // metres between neighbouring float32 coordinates
 constexpr double kFacing = 0.9;          // cosine within which a face counts as facing an axis
 
@@ -39,8 +38,9 @@ void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
     }
     const double distance = (0.5 * (bounds.min + bounds.max)).norm();
     if (distance > kFarAway) {
-        out.push_back({"far-from-origin", "its middle lies " + in_metres(distance) +
-                                              " from the origin; move it with `position`"});
+        out.push_back({"far-from-origin",
+                       "its middle lies " + in_metres(distance) +
+                           " from the origin; `origin: {at: near}` in the campus file brings it near"});
     }
 }
 

@@ -65,6 +65,7 @@ std::vector<MaterialReport> report_materials(const Model& model) {
 ModelReport report(const Model& model) {
     ModelReport result;
     result.file = model.file;
+    result.geographic = model.geographic;
     result.meshes = model.meshes.size();
     result.nodes = report_nodes(model);
     result.materials = report_materials(model);

@@ -64,6 +64,7 @@ struct ModelReport {
     std::size_t triangles = 0;   ///< as drawn
     std::size_t vertices = 0;    ///< of the distinct meshes
     Bounds bounds;
+    std::optional<GeographicPlace> geographic;
     std::vector<NodeReport> nodes;
     std::vector<MaterialReport> materials;
     std::vector<TextureReport> textures;

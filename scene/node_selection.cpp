@@ -48,6 +48,10 @@ std::string suggestion(const std::vector<Model>& models, const std::string& patt
     return "; the scenes have " + shown + (names.size() > kNamesShown ? ", …" : "");
 }
 
+bool contains(std::span<const NodeRef> refs, const NodeRef& wanted) {
+    return std::binary_search(refs.begin(), refs.end(), wanted);
+}
+
 void append_mesh(const Mesh& mesh, const Eigen::Matrix4d& X_world_mesh, WorldGeometry& out) {
     const auto first = static_cast<std::uint32_t>(out.positions.size());
     const Eigen::Matrix3d linear = X_world_mesh.topLeftCorner<3, 3>();
@@ -92,14 +96,32 @@ void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> glo
     }
 }
 
-WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots) {
+NodeSelection select_nodes(const std::vector<Model>& models, std::span<const NodeGlob> globs,
+                           std::span<const NodeGlob> except) {
+    NodeSelection selection{topmost_matches(models, globs), topmost_matches(models, except)};
+    std::erase_if(selection.roots, [&](const NodeRef& root) {
+        const std::vector<Node>& nodes = models[root.model].nodes;
+        for (auto n = static_cast<int>(root.node); n >= 0; n = nodes[static_cast<std::size_t>(n)].parent) {
+            if (contains(selection.except, {root.model, static_cast<std::size_t>(n)})) {
+                return true;
+            }
+        }
+        return false;
+    });
+    return selection;
+}
+
+WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots,
+                              std::span<const NodeRef> except) {
     WorldGeometry geometry;
     for (const NodeRef& root : roots) {
         const Model& model = models[root.model];
         std::vector<bool> inside(model.nodes.size(), false);
         for (std::size_t n = root.node; n < model.nodes.size(); ++n) {
             const Node& node = model.nodes[n];
-            inside[n] = n == root.node || (node.parent >= 0 && inside[static_cast<std::size_t>(node.parent)]);
+            inside[n] =
+                (n == root.node || (node.parent >= 0 && inside[static_cast<std::size_t>(node.parent)])) &&
+                !contains(except, {root.model, n});
             for (const MeshIndex mesh : inside[n] ? node.meshes : std::vector<MeshIndex>()) {
                 append_mesh(model.meshes[index_of(mesh)], node.X_world_node, geometry);
             }

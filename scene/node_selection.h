@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,22 +18,35 @@ namespace campuswalk::scene {
 struct NodeRef {
     std::size_t model = 0;
     std::size_t node = 0;
+
+    friend auto operator<=>(const NodeRef&, const NodeRef&) = default;
 };
 
 /// The nodes that a glob names, without those below another named one: a node stands for its subtree.
 /// In the order of the scene files, then of the nodes.
 std::vector<NodeRef> topmost_matches(const std::vector<Model>& models, std::span<const NodeGlob> globs);
 
+/// Some subtrees without others in them.
+struct NodeSelection {
+    std::vector<NodeRef> roots;   ///< each with its subtree
+    std::vector<NodeRef> except;  ///< likewise, left out of those; ascending
+};
+
+/// What `globs` name without what `except` does; no root lies in what is left out.
+NodeSelection select_nodes(const std::vector<Model>& models, std::span<const NodeGlob> globs,
+                           std::span<const NodeGlob> except);
+
 /// Complains (`no-node`, at the glob) about every glob that no node's name matches, with the nearest name.
 void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> globs,
                  DiagnosticList& diagnostics);
 
-/// The triangles of some subtrees in world coordinates.
+/// The triangles of some subtrees in world coordinates, without those of `except`, which is ascending.
 struct WorldGeometry {
     std::vector<Eigen::Vector3d> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots);
+WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots,
+                              std::span<const NodeRef> except = {});
 
 }  // namespace campuswalk::scene

@@ -151,6 +151,25 @@ Node take_node(SealedReader& in, std::size_t nodes_before, std::size_t meshes) {
     return node;
 }
 
+std::optional<GeographicPlace> take_geographic(SealedReader& in) {
+    if (!in.take_flag()) {
+        return std::nullopt;
+    }
+    GeographicPlace place;
+    place.latitude_deg = in.take<double>();
+    place.longitude_deg = in.take<double>();
+    place.height = in.take<double>();
+    for (double& along : place.at) {
+        along = in.take<double>();
+    }
+    const bool on_earth = std::abs(place.latitude_deg) <= kMostLatitude &&
+                          std::abs(place.longitude_deg) <= kMostLongitude && std::isfinite(place.height);
+    if (!on_earth || !place.at.allFinite()) {
+        refuse("a place in it is not on the Earth");
+    }
+    return place;
+}
+
 template <typename Item, typename Take>
 std::vector<Item> take_each(SealedReader& in, std::size_t least_bytes, const Take& take) {
     std::vector<Item> items;
@@ -171,6 +190,7 @@ ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<
     read.warnings = take_each<Diagnostic>(in, kLeastDiagnostic, [&](auto) { return take_diagnostic(in); });
     read.requests = take_each<FileRequest>(in, kLeastRequest, [&](auto) { return take_request(in); });
     model.file = in.take_text();
+    model.geographic = take_geographic(in);
     model.textures = take_each<Texture>(in, kLeastTexture, [&](auto) { return take_texture(in); });
     model.materials = take_each<Material>(in, kLeastMaterial,
                                           [&](auto) { return take_material(in, model.textures.size()); });

@@ -76,6 +76,16 @@ void put(SealedWriter& out, const Node& node) {
     out.put_all(std::span(node.meshes));
 }
 
+void put(SealedWriter& out, const std::optional<GeographicPlace>& place) {
+    out.put(std::uint32_t{place.has_value()});
+    if (place) {
+        out.put(place->latitude_deg);
+        out.put(place->longitude_deg);
+        out.put(place->height);
+        out.put_all(std::span<const double>(place->at.data(), 3));
+    }
+}
+
 template <typename Item>
 void put_each(SealedWriter& out, const std::vector<Item>& items) {
     out.put(std::uint64_t{items.size()});
@@ -91,6 +101,7 @@ SealedWriter lay_out_model(const ImportedModel& imported) {
     put_each(out, imported.warnings);
     put_each(out, imported.requests);
     out.put_text(imported.model.file);
+    put(out, imported.model.geographic);
     // What is named before what names it.
     put_each(out, imported.model.textures);
     put_each(out, imported.model.materials);

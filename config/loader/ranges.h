@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/loader/number.h"
+#include "scene/origin.h"
 
 namespace campuswalk::config {
 
@@ -11,6 +12,8 @@ constexpr Range kCoordinate{-1e7, 1e7, false, "m"};
 constexpr Range kLength{0.0, 1e6, true, "m"};
 constexpr Range kDistance{0.0, 1e6, false, "m"};
 constexpr Range kYaw{-3600.0, 3600.0, false, "degrees"};
+constexpr Range kLatitude{-scene::kMostLatitude, scene::kMostLatitude, false, "degrees"};
+constexpr Range kLongitude{-scene::kMostLongitude, scene::kMostLongitude, false, "degrees"};
 constexpr Range kSeconds{0.0, 86'400.0, false, "s"};
 constexpr Range kTimeout{0.0, 86'400.0, true, "s"};
 constexpr Range kPace{0.0, 100.0, true, "m/s"};

@@ -6,6 +6,7 @@
 #include "config/loader/names.h"
 #include "config/loader/ranges.h"
 #include "config/loader/read_collider.h"
+#include "config/loader/read_origin.h"
 #include "config/loader/read_popup.h"
 #include "config/loader/wording.h"
 
@@ -155,6 +156,9 @@ CampusDescription read_campus(const CheckedNode& root, const std::filesystem::pa
     CheckedMap map(root, "a campus");
     if (const auto section = map.require("scenes")) {
         campus.scenes = read_scenes(*section, folder);
+    }
+    if (const auto section = map.find("origin")) {
+        campus.origin = read_origin(*section);
     }
     if (const auto section = map.find("layers")) {
         campus.layers = read_layers(*section);

@@ -162,6 +162,9 @@ ColliderDescription read_collider(const CheckedNode& node, const CampusDescripti
     if (const auto nodes = map.find("nodes")) {
         collider.nodes = node_globs(*nodes);
     }
+    if (const auto except = map.find("except")) {
+        collider.except = node_globs(*except);
+    }
     map.truth("each", collider.each);
     if (const auto layer = map.find("layer")) {
         collider.layer = known_name(*layer, campus.layers, "layers");

@@ -36,6 +36,22 @@ Json json_of(const Text& value) {
     return value.value;
 }
 
+Json exactly(const Eigen::Vector3d& value) {
+    return {value.x(), value.y(), value.z()};
+}
+
+/// To the bit: it is for those who go back to a map's coordinates.
+Json json_of(const scene::Origin& origin) {
+    Json json = {{"at", exactly(origin.at)}};
+    if (const auto& place = origin.geographic) {
+        json["latitude_deg"] = place->latitude_deg;
+        json["longitude_deg"] = place->longitude_deg;
+        json["height"] = place->height;
+        json["of"] = exactly(place->at);
+    }
+    return json;
+}
+
 /// Bytes that are not UTF-8 can't be said in JSON: they become U+FFFD.
 std::string line_of(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -54,6 +70,9 @@ void JsonLines::begin(const Walk& walk) {
     }
     if (walk.timeout) {
         header["timeout"] = *walk.timeout;  // to the bit: whoever walks it again needs it so
+    }
+    if (walk.origin.is_known()) {
+        header["origin"] = json_of(walk.origin);
     }
     sink_(line_of(header));
 }

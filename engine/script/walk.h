@@ -14,6 +14,7 @@
 #include "engine/script/expectation.h"
 #include "engine/script/mentions.h"
 #include "scene/diagnostic.h"
+#include "scene/origin.h"
 
 namespace campuswalk::engine {
 
@@ -216,6 +217,7 @@ struct Walk {
     std::optional<double> timeout;  ///< simulated seconds for all steps together
     std::filesystem::path campus;   ///< the campus file, resolved
     std::string campus_name;
+    scene::Origin origin;  ///< the campus', once that is loaded
     AvatarProfile avatar;
     SimSettings sim;
     CameraSettings camera;

@@ -12,8 +12,16 @@ namespace {
 
 constexpr const char* kTreesKind = "trees";
 
+void add_globs(const std::vector<NodeGlob>& globs, ContentHasher& hasher) {
+    hasher.add_number(std::uint64_t{globs.size()});
+    for (const NodeGlob& glob : globs) {
+        hasher.add_text(glob.pattern);
+    }
+}
+
 /// Of everything that decides over the meshes and their order.
-ContentHash key_of(const CampusDescription& campus, std::span<const ContentHash> models) {
+ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origin,
+                   std::span<const ContentHash> models) {
     ContentHasher hasher;
     hasher.add_hash(program_hash());
     hasher.add_number(std::uint64_t{kTreeFile.version});
@@ -21,14 +29,14 @@ ContentHash key_of(const CampusDescription& campus, std::span<const ContentHash>
     for (const ContentHash& model : models) {
         hasher.add_hash(model);
     }
+    for (const double along : origin) {
+        hasher.add_number(along);
+    }
     for (const ColliderDescription& collider : campus.colliders) {
         if (std::holds_alternative<MeshShape>(collider.shape)) {
-            const std::vector<NodeGlob>& globs = globs_of(campus, collider);
             hasher.add_number(std::uint64_t{collider.each});
-            hasher.add_number(std::uint64_t{globs.size()});
-            for (const NodeGlob& glob : globs) {
-                hasher.add_text(glob.pattern);
-            }
+            add_globs(globs_of(campus, collider), hasher);
+            add_globs(collider.except, hasher);
         }
     }
     return hasher.result();
@@ -37,8 +45,8 @@ ContentHash key_of(const CampusDescription& campus, std::span<const ContentHash>
 }  // namespace
 
 KeptMeshes::KeptMeshes(const CacheFolder& cache, const CampusDescription& campus,
-                       std::span<const ContentHash> models)
-    : cache_(&cache), key_(key_of(campus, models)) {
+                       const Eigen::Vector3d& origin, std::span<const ContentHash> models)
+    : cache_(&cache), key_(key_of(campus, origin, models)) {
     if (const auto file = cache.find(key_, kTreesKind)) {
         try {
             meshes_ = read_tree_file(file->bytes(), file);

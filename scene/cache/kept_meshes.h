@@ -18,8 +18,9 @@ class KeptMeshes {
 public:
     /// Without a cache: nothing is found and nothing kept.
     KeptMeshes() = default;
-    /// `models`: what each of the campus' models is made of (see load_model.h).
-    KeptMeshes(const CacheFolder& cache, const CampusDescription& campus,
+    /// `origin`: what is taken off the models' coordinates; `models`: what each of them is made of (see
+    /// load_model.h).
+    KeptMeshes(const CacheFolder& cache, const CampusDescription& campus, const Eigen::Vector3d& origin,
                std::span<const ContentHash> models);
 
     /// The one whose turn it is; nullopt if it has to be made, and then given to `add`.

@@ -50,6 +50,14 @@ NodeTree AssimpSource::nodes() {
     return tree;
 }
 
+std::optional<GeographicPlace> AssimpSource::geographic() const {
+    std::optional<GeographicPlace> place = read_.files->geographic().place;
+    if (place) {
+        place->at = file_.position;  // it is the place of the file's own origin
+    }
+    return place;
+}
+
 /// A COLLADA node may have an id and no name: its id is the author's word all the same.
 void AssimpSource::name_nodes(NodeTree& tree) const {
     const auto is_made_up = [](const Node& node) { return node.name.starts_with(kMadeUpColladaName); };
@@ -95,6 +103,11 @@ void AssimpSource::add_warnings(DiagnosticList& warnings) {
         warnings.warning(
             file_.mark, "repaired-uvs",
             file_.file + ": its faces name texture coordinates and it has none; they are left out");
+    }
+    if (!read_.files->geographic().refused.empty()) {
+        warnings.warning(file_.mark, "bad-geography",
+                         file_.file + ": its geographic_location " + read_.files->geographic().refused +
+                             "; it is taken as unknown");
     }
     for (const std::string& name : read_.files->refused()) {
         if (name.ends_with(".mtl")) {

@@ -18,6 +18,7 @@ public:
     RawMesh mesh(std::size_t number) override;
     std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
     bool flat_normals() const override { return false; }
+    std::optional<GeographicPlace> geographic() const override;
     void add_warnings(DiagnosticList& warnings) override;
     std::vector<FileRequest> requests() const override { return folder_.requests(); }
 

@@ -183,6 +183,7 @@ Model Import::finish(std::vector<Diagnostic>& warnings) {
     source_.add_warnings(diagnostics_);
     warnings.insert(warnings.end(), diagnostics_.all().begin(), diagnostics_.all().end());
     model_.nodes = std::move(tree_.nodes);
+    model_.geographic = source_.geographic();
     mirror_meshes(model_);
     model_.textures = textures_.take_textures();
     for (SourceMaterial& material : materials_) {

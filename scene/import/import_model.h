@@ -31,6 +31,7 @@ enum class EmptyModel { refuse, accept };
 ///   repaired-uvs       texture coordinates that are not finite, set to 0
 ///   missing-materials  an OBJ's material file isn't there
 ///   unsupported-feature  what is passed over in a glTF file although the picture or the shape needs it
+///   bad-geography      a COLLADA file's geographic_location is none
 ///   unplaced-mesh      a glTF file without a default scene: meshes of no node are put at the origin
 Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings,
                    EmptyModel if_empty = EmptyModel::refuse);

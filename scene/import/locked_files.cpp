@@ -10,7 +10,6 @@
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/IOStream.hpp>
 
-#include "scene/import/collada_text.h"
 #include "scene/import/obj_text.h"
 
 namespace campuswalk::scene {
@@ -79,18 +78,6 @@ bool has_extension(const std::filesystem::path& path, const char* lower_case) {
     return extension == lower_case;
 }
 
-/// COLLADA text, made such that assimp can read it; nullptr when the file can't be read.
-Assimp::IOStream* open_collada(const std::filesystem::path& path) {
-    auto text = read_bytes(path);
-    if (!text) {
-        return nullptr;
-    }
-    trim_element_starts(*text);
-    auto* copy = new std::uint8_t[text->size()];  // assimp's stream deletes it
-    std::ranges::copy(*text, copy);
-    return new Assimp::MemoryIOStream(copy, text->size(), true);
-}
-
 Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
@@ -99,6 +86,19 @@ Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+/// Text made such that assimp can read it; nullptr when the file can't be read.
+Assimp::IOStream* LockedFiles::open_collada(const std::filesystem::path& path) {
+    auto text = read_bytes(path);
+    if (!text) {
+        return nullptr;
+    }
+    trim_element_starts(*text);
+    geographic_ = read_geography(*text);
+    auto* copy = new std::uint8_t[text->size()];  // assimp's stream deletes it
+    std::ranges::copy(*text, copy);
+    return new Assimp::MemoryIOStream(copy, text->size(), true);
+}
 
 /// Assimp opens it more than once.
 Assimp::IOStream* LockedFiles::open_obj(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <assimp/IOSystem.hpp>
 
+#include "scene/import/collada_text.h"
 #include "scene/import/scene_folder.h"
 
 namespace campuswalk::scene {
@@ -32,18 +33,22 @@ public:
     const SceneFolder& folder() const { return folder_; }
     /// By how much the vertices of an OBJ were moved near the origin, in its units.
     const Eigen::Vector3d& origin() const { return origin_; }
+    /// Where a COLLADA file says it is.
+    const ColladaGeography& geographic() const { return geographic_; }
     /// Whether faces of an OBJ named texture coordinates that it hasn't.
     bool dropped_uvs() const { return dropped_uvs_; }
     /// Names that were asked for and not given, in order.
     const std::vector<std::string>& refused() const { return refused_; }
 
 private:
+    Assimp::IOStream* open_collada(const std::filesystem::path& path);
     Assimp::IOStream* open_obj(const std::filesystem::path& path);
 
     SceneFolder folder_;
     double metres_per_unit_;
     std::optional<std::vector<std::uint8_t>> obj_;  ///< once opened: mended text, empty if it is as it was
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+    ColladaGeography geographic_;
     bool dropped_uvs_ = false;
     std::vector<std::string> refused_;
 };

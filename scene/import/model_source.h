@@ -51,6 +51,8 @@ public:
     virtual NodeTree nodes() = 0;
     virtual const std::vector<SourceMaterial>& materials() = 0;  ///< at least one
     virtual RawMesh mesh(std::size_t number) = 0;
+    /// Where the file says it is on the Earth, asked for after the nodes.
+    virtual std::optional<GeographicPlace> geographic() const = 0;
     /// nullopt when it is missing or can't be decoded, with the reason.
     virtual std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) = 0;
     /// How surfaces without normals are shaded: flat as glTF demands, else creased.

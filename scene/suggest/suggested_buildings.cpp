@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "scene/glob.h"
 #include "scene/name_words.h"
 #include "scene/object_names.h"
 #include "scene/world_triangles.h"
@@ -72,17 +73,6 @@ std::optional<UprightBox> box_if_walled(const Model& model, const Children& chil
     const bool wide = box.size.x() >= kRoom && box.size.z() >= kRoom;
     const double all_round = 2.0 * (box.size.x() + box.size.z()) * kStorey;
     return wide && walls >= kWalled * all_round ? std::optional(box) : std::nullopt;
-}
-
-std::string glob_of(const std::string& name) {
-    std::string glob;
-    for (const char c : name) {
-        if (c == '*' || c == '?' || c == '[' || c == '\\') {
-            glob += '\\';
-        }
-        glob += c;
-    }
-    return glob;
 }
 
 struct Candidate {
@@ -162,7 +152,7 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
     const std::vector<std::string> ids = ids_of(names);
     std::vector<SuggestedBuilding> buildings;
     for (std::size_t k = 0; k < found.size(); ++k) {
-        buildings.push_back({ids[k], names[k], glob_of(names[k]), found[k].box});
+        buildings.push_back({ids[k], names[k], glob_for(names[k]), found[k].box});
     }
     return buildings;
 }

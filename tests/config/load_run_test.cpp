@@ -82,7 +82,7 @@ TEST_F(LoadRun, TellsAllMistakesOfAllFilesAtOnceAndInOrder) {
             "a.campus.yaml:4:32: error unknown-key: unknown key 'yaw' in a spawn; known here: at, yaw_deg",
             "a.campus.yaml:5:18: error wrong-type: 'square' must be three numbers, as in [0, 1.5, -2]",
             "a.campus.yaml:7:1: error unknown-key: unknown key 'colour' in a campus; known here: scenes, "
-            "layers, buildings, colliders, spawns, places",
+            "origin, layers, buildings, colliders, spawns, places",
             "avatars/adult.avatar.yaml:1:1: error unknown-key: unknown key 'hight' in an avatar (did you "
             "mean 'height'?)",
             "avatars/adult.avatar.yaml:2:8: error wrong-type: 'speed' must be a number, not 'fast'"));

@@ -123,7 +123,7 @@ TEST_F(ReadCampus, ComplainsOfTheFileAsAWhole) {
     EXPECT_THAT(
         about("weather: rain\n"),
         ElementsAre("a.campus.yaml:3:1: error unknown-key: unknown key 'weather' in a campus; known here: "
-                    "scenes, layers, buildings, colliders, spawns, places"));
+                    "scenes, origin, layers, buildings, colliders, spawns, places"));
 }
 
 TEST_F(ReadCampus, ComplainsOfScenes) {
@@ -158,6 +158,33 @@ TEST_F(ReadCampus, ComplainsOfScenes) {
             "a.campus.yaml:2:33: error bad-value: 'unit' must be one of m, cm, mm, in, ft, not 'inch'",
             "a.campus.yaml:2:46: error bad-value: 'scale' must be more than 0 and at most 1000000, not '0'",
             "a.campus.yaml:2:59: error wrong-type: 'position' must be three numbers, as in [0, 1.5, -2]"));
+}
+
+TEST_F(ReadCampus, ReadsTheOrigin) {
+    const auto origin_of = [&](const std::string& origin) {
+        return read("scenes: [{file: a.obj}]\ncolliders: []\norigin: " + origin + "\n").origin;
+    };
+    EXPECT_FALSE(origin_of("{}").origin.is_known());
+    EXPECT_TRUE(origin_of("{at: near}").near);
+    EXPECT_EQ(origin_of("{at: [84000, 0, -447000.5]}").origin.at, Eigen::Vector3d(84000, 0, -447000.5));
+    const auto place =
+        origin_of("{latitude_deg: -33.5, longitude_deg: 151.25, height: 12}").origin.geographic;
+    EXPECT_EQ(place, (scene::GeographicPlace{-33.5, 151.25, 12, {0, 0, 0}}));
+}
+
+TEST_F(ReadCampus, ComplainsOfTheOrigin) {
+    EXPECT_THAT(
+        about("origin: {at: here, latitude_deg: 91, longitude_deg: -180.5, altitude: 3}\n"),
+        ElementsAre(
+            "a.campus.yaml:3:14: error bad-value: 'at' must be near, or three numbers, as in [84000, 0, "
+            "-447000]",
+            "a.campus.yaml:3:34: error bad-value: 'latitude_deg' must be from -90 to 90 degrees, not '91'",
+            "a.campus.yaml:3:53: error bad-value: 'longitude_deg' must be from -180 to 180 degrees, not "
+            "'-180.5'",
+            "a.campus.yaml:3:61: error unknown-key: unknown key 'altitude' in 'origin'; known here: at, "
+            "latitude_deg, longitude_deg, height"));
+    EXPECT_THAT(about("origin: {latitude_deg: 52}\n"),
+                ElementsAre("a.campus.yaml:3:9: error missing-key: 'origin' needs the key 'longitude_deg'"));
 }
 
 TEST_F(ReadCampus, ComplainsOfNumbers) {

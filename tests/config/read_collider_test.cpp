@@ -95,7 +95,8 @@ TEST_F(ReadCollider, ComplainsOfMissingAndUnknownKeys) {
     EXPECT_THAT(
         folder_.about_collider("{id: a, shape: box, radius: 3, mode: solid}"),
         ElementsAre("a.campus.yaml:5:25: error unknown-key: unknown key 'radius' in a collider; known here: "
-                    "id, building, popup, nodes, each, layer, mode, shape, center, size, yaw_deg"));
+                    "id, building, popup, nodes, except, each, layer, mode, shape, center, size, "
+                    "yaw_deg"));
     EXPECT_THAT(
         folder_.about_collider("{id: a, nodes: b, shape: mesh, mode: solid, popup: true}"),
         ElementsAre(

@@ -148,6 +148,42 @@ TEST_F(CampusTest, SearchesAllScenesForNodes) {
     EXPECT_NEAR(campus.world.object(collision::ObjectId{1}).X_world_shape.translation.x(), 30.5, 1e-6);
 }
 
+TEST_F(CampusTest, LeavesOutWhatIsExcepted) {
+    const auto triangles_of = [](const Campus& campus, std::size_t object) {
+        const auto& shape =
+            campus.world.object(collision::ObjectId{static_cast<std::uint32_t>(object)}).shape;
+        return std::get<std::shared_ptr<const collision::MeshCollider>>(shape)->mesh().triangles.size();
+    };
+    add("all", MeshShape{}, {"*"}).except = {{mark_at(30), "library"}, {mark_at(31), "bench"}};
+    add("inner", MeshShape{}, {"library"}).except = {{mark_at(32), "Tree_*"}};
+    ColliderDescription& each = add("tree", MeshShape{}, {"Tree_*"});
+    each.each = true;
+    each.except = {{mark_at(33), "Tree_02"}};
+    const Campus campus = load();
+    ASSERT_EQ(campus.objects.size(), 3U);
+    EXPECT_EQ(triangles_of(campus, 0), 4U * 12U);  // the terrain and three trees
+    EXPECT_EQ(triangles_of(campus, 1), 12U);
+    EXPECT_EQ(campus.objects[2].id, "tree/tree-01");
+    EXPECT_EQ(triangles_of(campus, 2), 12U);
+}
+
+TEST_F(CampusTest, LeavesOutNodesBelowThoseItTakes) {
+    add("hull", BoxShape{}, {"library"}).except = {{mark_at(30), "library_walls"}};
+    EXPECT_TRUE(has_code(errors(), "empty-mesh"));
+}
+
+TEST_F(CampusTest, ReportsExceptionsThatLeaveNothing) {
+    add("none", MeshShape{}, {"library_walls"}).except = {{mark_at(30), "library"}};
+    add("wrong", MeshShape{}, {"library"}).except = {{mark_at(31), "libary"}};
+    add("numbers", SphereShape{Eigen::Vector3d(1, 2, 3), 1.0}).except = {{mark_at(32), "library"}};
+    EXPECT_EQ(
+        text_of(errors()),
+        "demo.campus.yaml:20:9: error empty-mesh: 'except' leaves nothing of the nodes of collider 'none'\n"
+        "demo.campus.yaml:31:9: error no-node: no node is called 'libary'; did you mean 'library'?\n"
+        "demo.campus.yaml:30:9: error missing-nodes: collider 'numbers' needs nodes to take its shape from, "
+        "or all numbers of its shape\n");
+}
+
 TEST_F(CampusTest, NumbersLayersFromOne) {
     add("ground", MeshShape{}, {"terrain"});
     const Campus campus = load();

@@ -51,6 +51,16 @@ TEST(GlobMatches, BracketsCanBeMeant) {
     EXPECT_FALSE(glob_matches("\\*", "a"));
 }
 
+TEST(GlobFor, MatchesTheNameAlone) {
+    for (const std::string name : {"door", "*", "a?b", "nodes[3]", "[!x]", "\\", "a\\*", "Tür [1] *"}) {
+        EXPECT_TRUE(glob_matches(glob_for(name), name)) << name;
+        EXPECT_FALSE(glob_matches(glob_for(name), name + "x")) << name;
+        EXPECT_FALSE(glob_matches(glob_for(name), "x" + name)) << name;
+    }
+    EXPECT_FALSE(glob_matches(glob_for("*"), "a"));
+    EXPECT_FALSE(glob_matches(glob_for("nodes[3]"), "nodes3"));
+}
+
 TEST(GlobMatches, HostilePatternsEnd) {
     std::string pattern;
     for (int i = 0; i < 200; ++i) {

@@ -19,6 +19,7 @@ ImportedModel small_import() {
     imported.requests = {{"a b.bin", false}, {"textures/r.png", true}};
     Model& model = imported.model;
     model.file = "models/a.gltf";
+    model.geographic = {-33.25, 151.125, 17.5, {1.0 / 3.0, -2e5, 0.25}};
     model.textures = {{"r.png", 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, false},
                       {"n.png", 1, 1, {128, 129, 255, 254}, true}};
     Material red;

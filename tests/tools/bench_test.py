@@ -55,6 +55,15 @@ class Bench(ProgramCase):
             self.passes("bench", name, "--quick", "--csv", name + ".csv")
             self.assertEqual(list(dict.fromkeys(row["case"] for row in self.rows(name + ".csv"))), cases)
 
+    def test_models_of_ones_own_are_imported_too(self):
+        out = self.passes("bench", "import", "--quick", "--model", "room.obj", "--model", "room.obj", "--csv", "m.csv").out
+        self.assertEqual(out.count("room.obj: 14 triangles\n"), 2)
+        self.assertEqual(out.count("room.obj, milliseconds\n"), 2)
+        rows = [row for row in self.rows("m.csv") if row["query"] == "room.obj" and row["engine"] == "helper"]
+        self.assertEqual(len(rows), 2)
+        outcome = self.run_program("bench", "import", "--quick", "--model", "gone.obj")
+        self.assertEqual((outcome.code, outcome.complaints), (2, ["gone.obj: error missing-file: 'gone.obj': no such file; check the path"]))
+
     def test_output_that_cannot_be_written_is_seen_before_the_run(self):
         self.write("file", "")
         outcome = self.run_program("bench", "table1", "--csv", "file/a.csv")

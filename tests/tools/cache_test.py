@@ -77,6 +77,31 @@ class Cache(ProgramCase):
         self.assertRegex(warning, "^warning cache-unwritable: models are imported anew each time: can't write '%s/" % nowhere)
         self.assertEqual(rest, log[1].splitlines(), "told once, not for each file")
 
+    def test_a_full_disk_is_told_of_once_and_filled_later(self):
+        """On a disk of 4 kB, in a name space of its own, which needs no root where the system allows it."""
+        os.mkdir(self.cache)
+        script = """mount -t tmpfs -o size=4k full kept || exit 77
+            "$0" run short.walk.yaml >full.log 2>full.err || exit 1
+            ls kept >full.names
+            mount -o remount,size=1m kept
+            "$0" run short.walk.yaml >roomy.log 2>roomy.err || exit 1
+            ls kept >roomy.names"""
+        log, err = self.walk("--no-cache")
+        done = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script, self.program],
+                              cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
+                              timeout=120, check=False)
+        if done.returncode == 77 or b"unshare" in done.stderr:
+            self.skipTest("no disk of one's own can be had here")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        warning, *rest = self.read("full.err").decode().splitlines()
+        self.assertRegex(warning, "^warning cache-unwritable: models are imported anew each time: can't write '%s/.*"
+                                  "No space left on device" % self.cache)
+        self.assertEqual((self.read("full.log").decode(), rest), (log, err.splitlines()))
+        self.assertNotIn(b".part", self.read("full.names"))
+        self.assertLess(self.read("full.names").count(b".campuswalk\n"), 3)
+        self.assertEqual((self.read("roomy.log").decode(), self.read("roomy.err").decode()), (log, err))
+        self.assertEqual(self.read("roomy.names").count(b".campuswalk\n"), 3)
+
     def test_a_full_cache_folder_is_told_of_once_by_all_workers(self):
         self.write("again.walk.yaml", self.read("short.walk.yaml"))
         outcome = self.passes("run", ".", "-j2", "--quiet",

@@ -88,6 +88,33 @@ class Info(ProgramCase):
             del part[next(iter(part))]
             self.assertFalse(JUDGE.is_valid(other), way)
 
+    def test_a_map_has_an_origin_and_a_place_on_the_earth(self):
+        self.write("map.obj", box("floor", 1, 84100, 447100, -0.2, 84300, 447300, 0))
+        found = self.info("map.obj")
+        self.assertEqual((found["origin_near"], found["geographic"]), ([84000, 447000, 0], None))
+        self.assertIn("origin     84000.000,447000.000,0.000 m, with `origin: {at: near}`\n",
+                      self.passes("info", "map.obj").out)
+        self.write("near.obj", HOUSE)
+        self.assertEqual(self.info("near.obj")["origin_near"], [0, 0, 0])
+        self.assertNotIn("origin  ", self.passes("info", "near.obj").out)
+        # The north pole, as CESIUM_RTC's axes have it: half the Earth's axis along the third.
+        positions = struct.pack("<9f", 0, 0, 0, 0, 1, 0, 1, 0, 0)
+        with open(self.path("pole.bin"), "wb") as file:
+            file.write(positions)
+        self.write("pole.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "extensionsUsed": ["CESIUM_RTC"], "extensionsRequired": ["CESIUM_RTC"],
+            "extensions": {"CESIUM_RTC": {"center": [0, 0, 6356752.314245 + 25]}},
+            "buffers": [{"uri": "pole.bin", "byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                           "min": [0, 0, 0], "max": [1, 1, 0]}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "nodes": [{"mesh": 0, "name": "mark"}],
+            "scenes": [{"nodes": [0]}], "scene": 0}))
+        place = self.info("pole.gltf")["geographic"]
+        self.assertEqual((place["latitude_deg"], place["at"]), (90, [0, 0, 0]))
+        self.assertAlmostEqual(place["height"], 25, 5)
+        self.assertIn("on Earth   latitude 90.00000000, longitude 0.00000000, height 25.000 m, at 0.000,0.000,0.000\n",
+                      self.passes("info", "pole.gltf").out)
+
     def test_what_is_odd_is_told_with_its_place(self):
         self.write("house.obj", HOUSE)
         found = {warning["code"]: warning for warning in self.info("house.obj")["warnings"]}

@@ -102,6 +102,8 @@ class Documents:
         if not trail:
             return lambda value: wrap({**self.base, key: self._with_first_step(key, value)})
         beside = {} if schema.get("maxProperties") == 1 else self.minimal(name, schema)
+        for other in schema.get("dependencies", {}).get(key, []):
+            beside[other] = self.minimal(name, schema["properties"][other])
         return lambda value: wrap({**beside, key: value})
 
     def _with_first_step(self, key, value):

@@ -78,10 +78,11 @@ class Suggest(ProgramCase):
             return "v %g %g %g" % (x + 85000, 446000 - z, y)
         self.write("hut.obj", "\n".join(map(moved, HUT.splitlines())))
         campus, log = self.suggest("hut.obj")
-        self.assertIn("up: z, position: [-85000", campus)
+        self.assertIn("up: z}\norigin: {at: [85000.000, 0.000, -44600", campus)
+        self.assertRegex(log, r" origin=85000\.000,0\.000,-446000\.000")
         self.assertRegex(log, r"trigger\.enter +hut-1/around")
 
-    def test_centimetres_are_known_by_a_door_and_the_door_is_told_of(self):
+    def test_centimetres_are_known_by_a_door_and_the_door_is_left_open(self):
         door = [[-0.5, 0, -4.04], [0.5, 2.1, -4.02]]
         # The hut with a doorway in its front, and a door in that.
         boxes = [("meadow", -20, -1, -20, 20, 0, 20), ("l", -3, 0, -8, -2.8, 3, -4), ("r", 2.8, 0, -8, 3, 3, -4),
@@ -94,9 +95,17 @@ class Suggest(ProgramCase):
             lines += ["o " + name] + faces
         self.write("hut.obj", "\n".join(lines) + "\n")
         told = self.passes("info", "hut.obj", "--suggest", "new.campus.yaml").out
-        self.assertIn("1 warning about the model as it stands there\n  solid-door: ", told)
-        self.assertIn("    'Tür' at 0.000,0.000,-4.030\n", told)
-        self.assertIn('{file: "hut.obj", scale: 0.01}', self.read("new.campus.yaml").decode())
+        self.assertIn("1 closed door left out of what is solid\n0 warnings about the model as it stands there\n", told)
+        campus = self.read("new.campus.yaml").decode()
+        self.assertIn('{file: "hut.obj", scale: 0.01}', campus)
+        self.assertIn('{id: world, nodes: "*", except: ["Tür"], shape: mesh, mode: solid}', campus)
+        # In through the door, and out again; with the door solid nobody comes in.
+        self.write("door.walk.yaml", "campus: new.campus.yaml\navatar: adult\nsteps:\n  - spawn: {at: [0, 0, -1]}\n"
+                   "  - walk_to: [0, 0, -6]\n  - walk_to: [0, 0, -1]\n")
+        self.passes("run", "door.walk.yaml")
+        self.write("new.campus.yaml", campus.replace(', except: ["Tür"]', ""))
+        stuck = self.run_program("run", "door.walk.yaml")
+        self.assertEqual(stuck.code, 1, stuck.out)
 
     def test_nothing_is_overwritten_unasked(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):

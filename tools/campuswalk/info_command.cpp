@@ -42,6 +42,14 @@ Json json_of(const scene::Bounds& bounds) {
     return bounds.empty() ? Json() : Json{{"min", json_of(bounds.min)}, {"max", json_of(bounds.max)}};
 }
 
+Json json_of(const std::optional<scene::GeographicPlace>& place) {
+    return place ? Json{{"latitude_deg", place->latitude_deg},
+                        {"longitude_deg", place->longitude_deg},
+                        {"height", place->height},
+                        {"at", json_of(place->at)}}
+                 : Json();
+}
+
 const char* name_of(scene::AlphaMode mode) {
     switch (mode) {
         case scene::AlphaMode::mask:
@@ -62,6 +70,8 @@ Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnin
                  {"triangles", report.triangles},
                  {"vertices", report.vertices},
                  {"bounds", json_of(report.bounds)},
+                 {"origin_near", json_of(scene::origin_near(report.bounds))},
+                 {"geographic", json_of(report.geographic)},
                  {"materials", Json::array()},
                  {"textures", Json::array()},
                  {"nodes", Json::array()},
@@ -98,6 +108,13 @@ void print_rest(std::size_t count, std::size_t shown) {
     }
 }
 
+std::string text_of(const scene::GeographicPlace& place) {
+    constexpr int kDigits = 8;  // a millimetre
+    return "latitude " + engine::fixed(place.latitude_deg, kDigits) + ", longitude " +
+           engine::fixed(place.longitude_deg, kDigits) + ", height " + engine::fixed(place.height, 3) +
+           " m, at " + engine::fixed(place.at);
+}
+
 void print_text(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
     const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
     std::printf("%s\n", report.file.c_str());
@@ -107,6 +124,12 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
         std::printf("bounds     %s to %s m (%s x %s x %s m)\n", engine::fixed(report.bounds.min).c_str(),
                     engine::fixed(report.bounds.max).c_str(), engine::fixed(size.x(), 3).c_str(),
                     engine::fixed(size.y(), 3).c_str(), engine::fixed(size.z(), 3).c_str());
+    }
+    if (const Eigen::Vector3d origin = scene::origin_near(report.bounds); !origin.isZero(0.0)) {
+        std::printf("origin     %s m, with `origin: {at: near}`\n", engine::fixed(origin).c_str());
+    }
+    if (report.geographic) {
+        std::printf("on Earth   %s\n", text_of(*report.geographic).c_str());
     }
     std::printf("materials  %zu\n", report.materials.size());
     for (std::size_t i = 0; i < std::min(report.materials.size(), kMostMaterials); ++i) {

@@ -39,6 +39,7 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     LoadedWalk loaded;
     loaded.campus = build(run.walk.campus, *run.campus, warnings);
     loaded.walk = std::move(run.walk);
+    loaded.walk.origin = loaded.campus->origin;
     warn_(warnings);
     if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(*loaded.campus, loaded.walk);
         !mistakes.empty()) {

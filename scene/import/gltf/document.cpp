@@ -116,15 +116,27 @@ double Item::number(const char* key, double otherwise) const {
 }
 
 std::optional<std::vector<float>> Item::numbers(const char* key, std::size_t count) const {
+    const auto exact = exact_numbers(key, count);
+    if (!exact) {
+        return std::nullopt;
+    }
+    std::vector<float> result;
+    for (const double number : *exact) {
+        result.push_back(static_cast<float>(number));
+    }
+    return result;
+}
+
+std::optional<std::vector<double>> Item::exact_numbers(const char* key, std::size_t count) const {
     const Json* value = find(key);
     if (value == nullptr) {
         return std::nullopt;
     }
-    std::vector<float> result;
+    std::vector<double> result;
     if (value->is_array() && value->size() == count) {
         for (const Json& element : *value) {
             if (element.is_number()) {
-                result.push_back(static_cast<float>(element.get<double>()));
+                result.push_back(element.get<double>());
             }
         }
     }

@@ -29,6 +29,8 @@ public:
     /// An array of exactly `count` numbers as single precision, which is all that glTF asks for; none when
     /// the key isn't there.
     std::optional<std::vector<float>> numbers(const char* key, std::size_t count) const;
+    /// Likewise as they are written.
+    std::optional<std::vector<double>> exact_numbers(const char* key, std::size_t count) const;
     std::vector<std::size_t> wholes(const char* key) const;
     std::vector<std::string> texts(const char* key) const;
     std::vector<std::string> keys() const;

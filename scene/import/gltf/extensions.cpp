@@ -10,10 +10,10 @@ namespace campuswalk::scene::gltf {
 namespace {
 
 // Read here, one way or the other; pictures that aren't read are told of where a material needs one.
-constexpr std::array<std::string_view, 10> kRead = {
-    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression", "EXT_texture_avif",        "EXT_texture_webp",
-    "KHR_draco_mesh_compression", "KHR_mesh_quantization",   "KHR_meshopt_compression", "KHR_texture_basisu",
-    "KHR_texture_transform",      "MSFT_texture_dds"};
+constexpr std::array<std::string_view, 11> kRead = {
+    "CESIUM_RTC",         "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression", "EXT_texture_avif",
+    "EXT_texture_webp",   "KHR_draco_mesh_compression", "KHR_mesh_quantization",   "KHR_meshopt_compression",
+    "KHR_texture_basisu", "KHR_texture_transform",      "MSFT_texture_dds"};
 
 // Sheen, lights, animation, metadata, which triangles were one polygon: nothing that a walk or its pictures
 // know of.

@@ -6,6 +6,7 @@
 #include "scene/import/gltf/extensions.h"
 #include "scene/import/gltf/fault.h"
 #include "scene/import/gltf/node_graph.h"
+#include "scene/import/gltf/relative_to_center.h"
 #include "scene/import/picture_files.h"
 
 namespace campuswalk::scene::gltf {
@@ -24,6 +25,7 @@ struct GltfSource::Parts {
     std::vector<GltfMaterial> materials;
     std::unique_ptr<Primitives> primitives;
     GraphNotes notes;
+    std::optional<GeographicPlace> geographic;  ///< of what its center is
 };
 
 /// Calls, and makes an InputError of what is wrong with the file.
@@ -55,9 +57,19 @@ GltfSource::~GltfSource() = default;
 NodeTree GltfSource::nodes() {
     return reading([&] {
         Accessors accessors(parts_->document, parts_->buffers);
-        return read_node_graph(parts_->document, *parts_->primitives, accessors, house_from_file(file_),
-                               parts_->notes);
+        const CenterFrame frame = center_frame(parts_->document);
+        parts_->geographic = frame.place;
+        return read_node_graph(parts_->document, *parts_->primitives, accessors,
+                               house_from_file(file_) * frame.X_house_file, parts_->notes);
     });
+}
+
+std::optional<GeographicPlace> GltfSource::geographic() const {
+    std::optional<GeographicPlace> place = parts_->geographic;
+    if (place) {
+        place->at = file_.position;
+    }
+    return place;
 }
 
 RawMesh GltfSource::mesh(std::size_t number) {

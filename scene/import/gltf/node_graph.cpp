@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "scene/import/gltf/fault.h"
 
@@ -32,18 +33,35 @@ Eigen::Matrix4d transform_of(const Eigen::Vector3f& translation, const Quaternio
     return m.cast<double>();
 }
 
+/// A translation as single precision has it, which is all that glTF asks for; but a map's, where that has
+/// steps of half a millimetre and more, as it is written.
+void place_exactly(const std::vector<double>& written, Eigen::Matrix4d& X_parent_node) {
+    constexpr double kFar = 4096.0;  // metres
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (std::abs(written[k]) > kFar) {
+            X_parent_node(static_cast<Eigen::Index>(k), 3) = written[k];
+        }
+    }
+}
+
 Eigen::Matrix4d local_transform(const Item& node) {
     if (const auto matrix = node.numbers("matrix", 16)) {
         const Eigen::Map<const Eigen::Matrix4f> m(matrix->data());
         if (m.row(3) != Eigen::RowVector4f(0, 0, 0, 1)) {
             node.fail("has a 'matrix' that is no affine one; export it again");
         }
-        return m.cast<double>();
+        Eigen::Matrix4d X_parent_node = m.cast<double>();
+        const std::vector<double> written = *node.exact_numbers("matrix", 16);
+        place_exactly({written.begin() + 12, written.begin() + 15}, X_parent_node);
+        return X_parent_node;
     }
-    const auto t = node.numbers("translation", 3).value_or(std::vector<float>{0, 0, 0});
+    const auto t = node.exact_numbers("translation", 3).value_or(std::vector<double>{0, 0, 0});
     const auto r = node.numbers("rotation", 4).value_or(std::vector<float>{0, 0, 0, 1});
     const auto s = node.numbers("scale", 3).value_or(std::vector<float>{1, 1, 1});
-    return transform_of({t[0], t[1], t[2]}, {r[0], r[1], r[2], r[3]}, {s[0], s[1], s[2]});
+    const Eigen::Vector3f translation = Eigen::Vector3d(t[0], t[1], t[2]).cast<float>();
+    Eigen::Matrix4d X_parent_node = transform_of(translation, {r[0], r[1], r[2], r[3]}, {s[0], s[1], s[2]});
+    place_exactly(t, X_parent_node);
+    return X_parent_node;
 }
 
 std::vector<Eigen::Matrix4d> instances_of(const Item& instancing, Accessors& accessors) {

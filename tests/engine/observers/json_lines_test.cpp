@@ -48,6 +48,14 @@ TEST(JsonLines, BeginsWithWhatTheWalkRanWith) {
     json.begin(walk);
     EXPECT_TRUE(header.ends_with(R"(,"seed":18446744073709551615,"project":"robot","timeout":0.1})"))
         << header;
+    walk.origin = {{84000, 0, -447000.25}, {}};
+    json.begin(walk);
+    EXPECT_TRUE(header.ends_with(R"(,"origin":{"at":[84000.0,0.0,-447000.25]}})")) << header;
+    walk.origin.geographic = scene::GeographicPlace{51.99875, 4.37325, 43.5, {0, 0, 0}};
+    json.begin(walk);
+    EXPECT_EQ(Json::parse(header)["origin"],
+              Json::parse(R"({"at": [84000.0, 0.0, -447000.25], "latitude_deg": 51.99875,
+                              "longitude_deg": 4.37325, "height": 43.5, "of": [0.0, 0.0, 0.0]})"));
 }
 
 TEST(JsonLines, IsAnObjectAnEventWithItsFieldsInOrder) {

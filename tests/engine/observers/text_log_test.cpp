@@ -73,6 +73,14 @@ TEST(TextLog, SaysWhatTheWalkRanWith) {
     walk.timeout = 0.1;
     log.begin(walk);
     EXPECT_TRUE(header.ends_with(" seed=18446744073709551615 project=robot timeout=0.100")) << header;
+    walk.timeout.reset();
+    walk.project.clear();
+    walk.origin = {{84000, 0, -447000.25}, scene::GeographicPlace{51.99875, 4.37325, 43.5, {1, 0, -2}}};
+    log.begin(walk);
+    EXPECT_TRUE(
+        header.ends_with(" origin=84000.000,0.000,-447000.250 latitude_deg=51.99875000 "
+                         "longitude_deg=4.37325000 height=43.500 of=1.000,0.000,-2.000"))
+        << header;
 }
 
 TEST(TextLog, IsSilentWhenNothingHappened) {

@@ -1,4 +1,7 @@
+#include <sys/resource.h>
+
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -202,6 +205,46 @@ TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
     EXPECT_EQ(campus(warnings, &nowhere).world.size(), 4U);
     EXPECT_EQ(campus(warnings, &nowhere).world.size(), 4U);
     EXPECT_EQ(imports_, 2);
+}
+
+/// As long as it lives no file grows beyond so many bytes, as if the disk were full.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit = {bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+private:
+    rlimit before_{};
+    void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);  // an error is wanted, and no death
+};
+
+TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
+    std::vector<Diagnostic> warnings;
+    std::vector<std::string> complaints;
+    const CacheFolder cache(where_, CacheFolder::kUsualLimit,
+                            [&](const std::string& reason) { complaints.push_back(reason); });
+    for (const rlim_t bytes : {rlim_t{0}, rlim_t{200}}) {
+        const FullDisk full(bytes);
+        EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
+        EXPECT_EQ(complaints.size(),
+                  bytes == 0 ? 3U : 5U);  // what is looked for beside it fits into 200 bytes
+    }
+    for (const auto& entry : fs::directory_iterator(where_)) {
+        EXPECT_TRUE(entry.path().string().ends_with(".requests.campuswalk")) << entry.path();
+    }
+    EXPECT_EQ(imports_, 2);
+    EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
+    EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
+    EXPECT_EQ(imports_, 3);
 }
 
 /// What comes first is told first, whoever is done first.

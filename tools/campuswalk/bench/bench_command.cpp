@@ -56,7 +56,7 @@ CaseResult campus(const BenchOptions& options) {
 }
 
 CaseResult import(const BenchOptions& options) {
-    return run_import_cases(options.quick ? 1 : kLotsOfTwoMillion, rounds_of(options, 7));
+    return run_import_cases(options.quick ? 1 : kLotsOfTwoMillion, rounds_of(options, 7), options.models);
 }
 
 constexpr BenchCommand kCommands[] = {

@@ -14,8 +14,9 @@ struct BenchOptions {
     int rounds = 0;              ///< how often each query or tick is timed; 0: as often as the case is worth
     std::filesystem::path folder;    ///< of draw: where the models and pictures are left; empty: nowhere
     std::vector<std::string> peers;  ///< of draw: NAME=COMMAND of another program that draws
-    bool mixed = false;              ///< of table1: with the paper's mixed reading
-    bool quick = false;              ///< small scenes, one round: to see that it works
+    std::vector<std::filesystem::path> models;  ///< of import: files to read, too
+    bool mixed = false;                         ///< of table1: with the paper's mixed reading
+    bool quick = false;                         ///< small scenes, one round: to see that it works
 };
 
 struct BenchCommand {

@@ -47,6 +47,14 @@ void add_draw_options(Command& command, BenchOptions& options) {
                    options.peers);
 }
 
+/// And `import`.
+void add_import_options(Command& command, BenchOptions& options) {
+    command.option({.names = "--model",
+                    .help = "Read this model file, too; may be given several times",
+                    .value = "FILE"},
+                   options.models);
+}
+
 Command add_measurement(Command& bench, const std::string& name, const std::string& description,
                         const std::shared_ptr<BenchOptions>& options, Chosen& chosen) {
     Command command = bench.add(name, description);
@@ -98,6 +106,8 @@ void add_bench(Command program, Chosen& chosen) {
         Command command = add_measurement(bench, it.name, it.description, options, chosen);
         if (it.name == std::string("table1")) {
             add_table1_options(command, *options);
+        } else if (it.name == std::string("import")) {
+            add_import_options(command, *options);
         } else if (it.name == kBenchDraw) {
             add_draw_options(command, *options);
         }

@@ -75,6 +75,7 @@ Patterns have globs: 'collision.* bench/*', 'popup.open library', 'avatar.fell'.
 
 std::string campus() {
     return "NAME.campus.yaml describes a campus. Its keys:\n\n" + key_table("campus.schema.json") +
+           "\nAn origin's keys:\n\n" + key_table("campus.schema.json#/definitions/origin") +
            "\nA collider's keys, by its shape:\n\nmesh:\n" +
            key_table("campus.schema.json#/definitions/mesh") + "\nbox, too:\n" + R"(  center, size, yaw_deg
 sphere, too:

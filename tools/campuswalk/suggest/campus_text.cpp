@@ -31,6 +31,14 @@ std::string box_yaml(const scene::UprightBox& box) {
            (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw, 2));
 }
 
+std::string except_yaml(const std::vector<scene::NodeGlob>& doors) {
+    std::string list;
+    for (const scene::NodeGlob& door : doors) {
+        list += (list.empty() ? "" : ", ") + quoted(door.pattern);
+    }
+    return list.empty() ? "" : ", except: [" + list + "]";
+}
+
 /// `building-3` is read as Building 3: nobody can read the identifier that the node is called by.
 std::string title_of(const scene::SuggestedBuilding& building) {
     if (!scene::is_identifier(building.node)) {
@@ -57,14 +65,17 @@ std::string campus_yaml(const SuggestedCampus& campus) {
         quoted(campus.model);
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
     text += campus.scene.scale != 1.0 ? ", scale: " + nlohmann::json(campus.scene.scale).dump() : "";
-    text += campus.scene.position.isZero(0.0) ? "" : ", position: " + list_of(campus.scene.position);
     text += "}\n";
+    text += campus.origin.isZero(0.0) ? "" : "origin: {at: " + list_of(campus.origin) + "}\n";
     text += campus.buildings.empty() ? "" : "buildings:\n";
     for (const scene::SuggestedBuilding& building : campus.buildings) {
         text += "  - {id: " + quoted(building.id) + ", nodes: " + quoted(building.glob) +
                 ", title: " + quoted(title_of(building)) + "}\n";
     }
-    text += "colliders:\n  - {id: world, nodes: \"*\", shape: mesh, mode: solid}\n";
+    text += campus.doors.empty()
+                ? "colliders:\n"
+                : "colliders:\n  # Doors that are closed are left out: nobody could go through.\n";
+    text += "  - {id: world, nodes: \"*\"" + except_yaml(campus.doors) + ", shape: mesh, mode: solid}\n";
     if (campus.ground) {
         const scene::UprightBox box{0.5 * (campus.ground->min + campus.ground->max),
                                     campus.ground->max - campus.ground->min, Eigen::Vector3d::UnitX()};

@@ -21,7 +21,9 @@ struct SuggestedVisit {
 struct SuggestedCampus {
     scene::SceneFile scene;
     std::string model;  ///< path from the campus file
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     std::vector<scene::SuggestedBuilding> buildings;
+    std::vector<scene::NodeGlob> doors;   ///< that are closed: not to be solid
     std::optional<scene::Bounds> ground;  ///< a box to stand on where the model has nothing
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
     double yaw_deg = 0.0;

@@ -5,25 +5,25 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "collision/mesh_collider.h"
 #include "engine/run_walk.h"
 #include "scene/bake_mesh.h"
-#include "scene/cache/load_model.h"
+#include "scene/glob.h"
 #include "scene/model_report.h"
 #include "scene/node_selection.h"
-#include "scene/oddities/named_sizes.h"
 #include "scene/oddities/wording.h"
 #include "scene/suggest/first_view.h"
 #include "scene/suggest/walkable_ground.h"
 #include "scene/whole_file.h"
-#include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/model_importer.h"
 #include "tools/campuswalk/oddities_text.h"
 #include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/plan_visits.h"
+#include "tools/campuswalk/suggest/upright_model.h"
 #include "tools/campuswalk/walk_loader.h"
 
 namespace campuswalk::tools {
@@ -55,40 +55,6 @@ fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
         }
     }
     return walk;
-}
-
-bool is_odd(const scene::ModelReport& report, const std::string& code) {
-    return std::ranges::any_of(report.warnings, [&](const scene::Oddity& odd) { return odd.code == code; });
-}
-
-/// The model the way it should stand: turned upright, with doors as high as doors, and near the origin.
-struct UprightModel {
-    scene::SceneFile file;
-    std::vector<scene::Model> models;
-    scene::ModelReport report;
-};
-
-UprightModel load_upright(const scene::SceneFile& file) {
-    UprightModel upright{file, {}, {}};
-    for (int turn = 0; turn < 4; ++turn) {
-        scene::ImportedModel imported =
-            load_model(upright.file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
-        upright.report = scene::report(imported.model);
-        upright.models.assign(1, std::move(imported.model));
-        const scene::Bounds& bounds = upright.report.bounds;
-        if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
-            upright.file.up = scene::UpAxis::z;
-        } else if (const auto scale = scene::scale_by_doors(upright.models[0], upright.report.nodes)) {
-            upright.file.scale *= *scale;
-        } else if (is_odd(upright.report, "far-from-origin") && upright.file.position.isZero(0.0)) {
-            Vector3d middle = 0.5 * (bounds.min + bounds.max);
-            middle.y() = bounds.min.y();
-            upright.file.position = -middle.array().round();
-        } else {
-            break;
-        }
-    }
-    return upright;
 }
 
 const scene::SuggestedBuilding* nearest_building(const std::vector<scene::SuggestedBuilding>& buildings,
@@ -127,34 +93,31 @@ void add_top(const scene::Bounds& box, scene::WorldGeometry& geometry) {
 }
 
 struct Solid {
-    std::shared_ptr<const collision::MeshCollider> mesh;  ///< null for a model without a triangle
+    std::shared_ptr<const collision::MeshCollider> mesh;
     Vector3d p_world_origin;
 };
 
-Solid solid_of(const UprightModel& model, const std::optional<scene::Bounds>& ground) {
-    std::vector<scene::NodeRef> roots;
-    for (std::size_t n = 0; n < model.models[0].nodes.size(); ++n) {
-        if (model.models[0].nodes[n].parent < 0) {
-            roots.push_back({0, n});
-        }
-    }
-    scene::WorldGeometry geometry = scene::gather_geometry(model.models, roots);
-    if (ground) {
-        add_top(*ground, geometry);
-    }
+/// What is solid of a campus as it is suggested: its first collider.
+Solid solid_of(const scene::Campus& campus) {
+    const collision::Object& world = campus.world.object(collision::ObjectId{0});
+    return {std::get<std::shared_ptr<const collision::MeshCollider>>(world.shape),
+            world.X_world_shape.translation};
+}
+
+/// The same with the top of the box that stands in for ground.
+Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
+                 const std::vector<scene::NodeGlob>& doors) {
+    scene::NodeGlob all;
+    all.pattern = "*";
+    const scene::NodeSelection nodes = scene::select_nodes(model.models, {&all, 1}, doors);
+    scene::WorldGeometry geometry = scene::gather_geometry(model.models, nodes.roots, nodes.except);
+    add_top(ground, geometry);
     scene::BakedMesh baked = scene::bake_mesh(geometry);
-    return baked.mesh.triangles.empty()
-               ? Solid{nullptr, baked.p_world_origin}
-               : Solid{std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)),
-                       baked.p_world_origin};
+    return {std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)), baked.p_world_origin};
 }
 
 /// Finds a spawn, what to see from it and where to walk to. False if there is no ground, or next to none.
-bool place_visitor(const UprightModel& model, SuggestedCampus& campus) {
-    const Solid solid = solid_of(model, campus.ground);
-    if (!solid.mesh) {
-        return false;
-    }
+bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampus& campus) {
     Vector3d middle = 0.5 * (model.report.bounds.min + model.report.bounds.max);
     if (const auto* building = nearest_building(campus.buildings, middle)) {
         middle = building->box.center;
@@ -177,20 +140,41 @@ bool place_visitor(const UprightModel& model, SuggestedCampus& campus) {
     return true;
 }
 
-SuggestedCampus suggestion(const UprightModel& model, const fs::path& campus_file) {
+/// All but where the visitor is.
+SuggestedCampus without_visitor(const UprightModel& model, const fs::path& campus_file) {
     SuggestedCampus campus;
     campus.scene = model.file;
+    campus.origin = model.origin;
     campus.model = fs::absolute(model.file.path)
                        .lexically_normal()
                        .lexically_relative(fs::absolute(campus_file).lexically_normal().parent_path())
                        .generic_string();
     campus.buildings = scene::suggest_buildings(model.models[0], model.report);
+    for (const std::string& name : closed_door_names(model.report)) {
+        campus.doors.emplace_back().pattern = scene::glob_for(name);
+    }
+    return campus;
+}
+
+WalkLoader quiet_loader() {
+    return WalkLoader([](const std::vector<scene::Diagnostic>&) {});
+}
+
+/// Puts a visitor in and writes the campus down. A large model's tree takes seconds to build: that of the
+/// campus in `loader` is planned on, where it needs no ground beside it, and walked on later.
+void write_campus(const UprightModel& model, const fs::path& campus_file, SuggestedCampus& campus,
+                  WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
     const bool tiny = is_odd(model.report, "odd-scale") && size < 1.0;
-    bool placed = !tiny && !is_odd(model.report, "no-ground") && place_visitor(model, campus);
+    bool placed = false;
+    if (!tiny && !is_odd(model.report, "no-ground")) {
+        scene::write_whole_file(campus_file, campus_yaml(campus));  // with a spawn that is none yet
+        placed = place_visitor(model, solid_of(*loader.load_campus(campus_file)), campus);
+    }
     if (!placed && !tiny) {
+        loader = quiet_loader();  // which knows no campus without ground
         campus.ground = stand_in_ground(model.report.bounds, campus.buildings);
-        placed = place_visitor(model, campus);
+        placed = place_visitor(model, solid_with(*campus.ground, model, campus.doors), campus);
     }
     if (!placed) {
         throw about(
@@ -198,12 +182,35 @@ SuggestedCampus suggestion(const UprightModel& model, const fs::path& campus_fil
             "nobody can stand anywhere in the middle of it; look at what `campuswalk info` says of its size "
             "and axes, and give --scale or --up");
     }
-    return campus;
+    scene::write_whole_file(campus_file, campus_yaml(campus));
 }
 
-bool walks(WalkLoader& loader, const fs::path& walk_file) {
-    const LoadedWalk loaded = loader.load_walk(walk_file);
-    return engine::run_walk(*loaded.campus, loaded.walk, {}).passed;
+/// Writes as many of the planned visits down as can be walked: they were planned on a grid.
+std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_file, const fs::path& walk_file,
+                       WalkLoader& loader) {
+    for (std::size_t visits = campus.visits.size();; --visits) {
+        scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
+        const LoadedWalk loaded = loader.load_walk(walk_file);
+        if (engine::run_walk(*loaded.campus, loaded.walk, {}).passed) {
+            return visits;
+        }
+        if (visits == 0) {
+            throw about(campus.scene.file, "no-ground", "no place was found where a visitor stays standing");
+        }
+    }
+}
+
+/// What the model's oddities are in the campus: doors that it leaves out close nothing.
+std::vector<scene::Oddity> left_odd(const UprightModel& model) {
+    const std::vector<std::string> open = closed_door_names(model.report);
+    const auto is_open = [&](const scene::Oddity::Place& place) {
+        return std::ranges::find(open, place.node) != open.end();
+    };
+    std::vector<scene::Oddity> left = model.report.warnings;
+    std::erase_if(left, [&](const scene::Oddity& odd) {
+        return odd.code == "solid-door" && std::ranges::all_of(odd.places, is_open);
+    });
+    return left;
 }
 
 }  // namespace
@@ -211,35 +218,26 @@ bool walks(WalkLoader& loader, const fs::path& walk_file) {
 int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, bool overwrite) {
     const fs::path walk_file = walk_beside(campus_file, overwrite);
     const UprightModel upright = load_upright(model);
-    const SuggestedCampus campus = suggestion(upright, campus_file);
-    scene::write_whole_file(campus_file, campus_yaml(campus));
-    // What was planned on a grid is only written down if it can be walked.
-    WalkLoader loader([](const std::vector<scene::Diagnostic>&) {});
-    std::size_t visits = campus.visits.size();
-    bool passed = false;
-    for (;; --visits) {
-        scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-        try {
-            passed = walks(loader, walk_file);
-        } catch (const scene::InputError&) {
-            fs::remove(campus_file);
-            fs::remove(walk_file);
-            throw;
-        }
-        if (passed || visits == 0) {
-            break;
-        }
-    }
-    if (!passed) {
+    SuggestedCampus campus = without_visitor(upright, campus_file);
+    WalkLoader loader = quiet_loader();
+    std::size_t visits = 0;
+    try {
+        write_campus(upright, campus_file, campus, loader);
+        visits = write_walk(campus, campus_file, walk_file, loader);
+    } catch (const scene::InputError&) {
         fs::remove(campus_file);
         fs::remove(walk_file);
-        throw about(model.file, "no-ground", "no place was found where a visitor stays standing");
+        throw;
     }
     std::printf("%s: %zu buildings\n%s: %zu ways, walked\n", campus_file.string().c_str(),
                 campus.buildings.size(), walk_file.string().c_str(), visits);
-    std::printf("%s about the model as it stands there\n",
-                scene::plural(upright.report.warnings.size(), "warning").c_str());
-    print_oddities(upright.report.warnings);
+    if (!campus.doors.empty()) {
+        std::printf("%s left out of what is solid\n",
+                    scene::plural(campus.doors.size(), "closed door").c_str());
+    }
+    const std::vector<scene::Oddity> odd = left_odd(upright);
+    std::printf("%s about the model as it stands there\n", scene::plural(odd.size(), "warning").c_str());
+    print_oddities(odd);
     return kPass;
 }
 

@@ -1,0 +1,58 @@
+#include "tools/campuswalk/suggest/upright_model.h"
+
+#include <algorithm>
+
+#include "scene/cache/load_model.h"
+#include "scene/name_words.h"
+#include "scene/oddities/named_sizes.h"
+#include "tools/campuswalk/cache_choice.h"
+#include "tools/campuswalk/model_importer.h"
+
+namespace campuswalk::tools {
+
+using Eigen::Vector3d;
+
+bool is_odd(const scene::ModelReport& report, const std::string& code) {
+    return std::ranges::any_of(report.warnings, [&](const scene::Oddity& odd) { return odd.code == code; });
+}
+
+UprightModel load_upright(const scene::SceneFile& file) {
+    UprightModel upright{file, {}, {}, Vector3d::Zero()};
+    for (int turn = 0; turn < 3; ++turn) {
+        scene::ImportedModel imported =
+            load_model(upright.file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
+        upright.report = scene::report(imported.model);
+        upright.models.assign(1, std::move(imported.model));
+        if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
+            upright.file.up = scene::UpAxis::z;
+        } else if (const auto scale = scene::scale_by_doors(upright.models[0], upright.report.nodes)) {
+            upright.file.scale *= *scale;
+        } else {
+            break;
+        }
+    }
+    if (is_odd(upright.report, "far-from-origin")) {
+        const scene::Bounds& bounds = upright.report.bounds;
+        Vector3d middle = 0.5 * (bounds.min + bounds.max);
+        middle.y() = bounds.min.y();
+        upright.origin = middle.array().round();
+        scene::move_origin(upright.models[0], upright.origin);
+        upright.report = scene::report(upright.models[0]);
+    }
+    return upright;
+}
+
+std::vector<std::string> closed_door_names(const scene::ModelReport& report) {
+    std::vector<std::string> names;
+    for (const scene::Oddity& odd : report.warnings) {
+        for (const scene::Oddity::Place& place : odd.places) {
+            const bool fresh = std::ranges::find(names, place.node) == names.end();
+            if (odd.code == "solid-door" && scene::is_door_name(place.node) && fresh) {
+                names.push_back(place.node);
+            }
+        }
+    }
+    return names;
+}
+
+}  // namespace campuswalk::tools
