@@ -68,6 +68,7 @@ public:
             add_batches(first, end, one_sided);
             first = end;
         }
+        geometry_.vertices.shrink_to_fit();  // they grew by doubling
         return std::move(geometry_);
     }
 

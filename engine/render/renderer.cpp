@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -85,8 +86,8 @@ public:
             RenderTarget::check_size(gl_, width, height, 2);
             return halved(draw_once(view, 2 * width, 2 * height, figure, lines));
         }
-        const Picture picture = draw_once(view, width, height, figure, lines);
-        return settings_.fxaa ? with_smooth_edges(picture) : picture;
+        Picture picture = draw_once(view, width, height, figure, lines);
+        return settings_.fxaa ? with_smooth_edges(picture) : std::move(picture);
     }
 
     Picture draw_once(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
