@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 #include <vector>
 
@@ -11,16 +12,22 @@ namespace campuswalk::engine::render {
 /// the same by any number of bands. `work` must not throw.
 template <typename Work>
 void for_row_bands(int rows, const Work& work) {
-    constexpr int kLeastRows = 64;  // that are worth a thread
-    constexpr int kMostBands = 8;
-    const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
-                                 std::clamp(rows / kLeastRows, 1, kMostBands));
+    // Whoever is free takes the next band: halves would be unequal, as most pictures have sky above.
+    constexpr int kRows = 32;
+    constexpr int kMostThreads = 8;
+    std::atomic<int> next = 0;
+    const auto work_on = [&] {
+        for (int first = 0; (first = next.fetch_add(kRows)) < rows;) {
+            work(first, std::min(first + kRows, rows));
+        }
+    };
+    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1,
+                                   std::clamp(rows / (2 * kRows), 1, kMostThreads));
     std::vector<std::jthread> others;
-    for (int band = 1; band < bands; ++band) {
-        others.emplace_back(
-            [&work, first = rows * band / bands, end = rows * (band + 1) / bands] { work(first, end); });
+    for (int i = 1; i < threads; ++i) {
+        others.emplace_back(work_on);
     }
-    work(0, rows / bands);
+    work_on();
 }
 
 }  // namespace campuswalk::engine::render
