@@ -2,7 +2,7 @@
 // FOLDER holds campus.glb and views.json of `campuswalk bench draw`. Prints "frame LOOK VIEW MS" for each
 // picture, and leaves the first view's as FOLDER/three.js-LOOK.png.
 import { spawn } from 'node:child_process';
-import { createReadStream, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { createReadStream, existsSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { dirname, extname, join, normalize } from 'node:path';
@@ -51,7 +51,11 @@ function end(code, complaint = '') {
         process.stderr.write(`three.js: ${complaint}\n`);
     }
     const leave = () => {
-        rmSync(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 });
+        try {
+            rmSync(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 });
+        } catch { // one of the browser's processes still writes there
+            process.stderr.write(`three.js: ${profile} is left over\n`);
+        }
         process.exit(code);
     };
     if (browser === null || browser.exitCode !== null || browser.pid === undefined) {
@@ -80,6 +84,11 @@ const server = createServer(async (request, response) => {
         end(1, posted.toString());
     }
 });
+
+// A page that can't load its modules says nothing at all.
+if (!existsSync(join(here, 'node_modules', 'three'))) {
+    end(1, `not installed: npm ci --prefix ${here}`);
+}
 
 server.listen(0, '127.0.0.1', () => {
     const { port } = server.address();
