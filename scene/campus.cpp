@@ -103,7 +103,10 @@ private:
 void ColliderBuilder::add(const ColliderDescription& collider) {
     const std::vector<NodeGlob>& globs = globs_of(campus_.description, collider);
     if (globs.empty()) {
-        if (is_placed_by_numbers(collider.shape) && collider.except.empty()) {
+        if (!collider.except.empty()) {
+            diagnostics_.error(collider.except.front().mark, "missing-nodes",
+                               "'except' leaves out of nodes, and collider '" + collider.id + "' names none");
+        } else if (is_placed_by_numbers(collider.shape)) {
             add_object(collider, collider.id, {});
         } else {
             diagnostics_.error(collider.mark, "missing-nodes",
@@ -116,7 +119,7 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     const std::vector<NodeRef>& matches = selection.roots;
     if (matches.empty()) {
         if (!topmost_matches(campus_.models, globs).empty()) {  // else check_globs has said so
-            diagnostics_.error(collider.mark, "empty-mesh",
+            diagnostics_.error(collider.except.front().mark, "empty-mesh",
                                "'except' leaves nothing of the nodes of collider '" + collider.id + "'");
         }
         return;
@@ -179,7 +182,7 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
                        campus_.layer_index(collider.layer)});
     campus_.objects.push_back({id, collider.mark, building_of(campus_.description, collider), collider.popup,
-                               collider.popup_rule, selection.roots});
+                               collider.popup_rule, selection});
 }
 
 }  // namespace

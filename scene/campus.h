@@ -22,7 +22,7 @@ struct CampusObject {
     std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
     bool popup = false;
     PopupRule popup_rule = {};
-    std::vector<NodeRef> nodes = {};  ///< whose geometry it stands for, each with its subtree but `except`
+    NodeSelection nodes = {};  ///< whose geometry it stands for
 };
 
 /// A campus ready to walk in: what the user described, the models to draw, the world to collide with.

@@ -36,8 +36,9 @@ void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
         out.push_back({"odd-scale",
                        "it is " + in_metres(size) + " across, which hardly any campus is" + unit_hint(size)});
     }
-    const double distance = (0.5 * (bounds.min + bounds.max)).norm();
-    if (distance > kFarAway) {
+    const Eigen::Vector3d middle = 0.5 * (bounds.min + bounds.max);
+    const double distance = middle.norm();
+    if (middle.cwiseAbs().maxCoeff() > kFarAway) {  // as origin_near has it
         out.push_back({"far-from-origin",
                        "its middle lies " + in_metres(distance) +
                            " from the origin; `origin: {at: near}` in the campus file brings it near"});

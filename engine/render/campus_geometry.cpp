@@ -81,8 +81,16 @@ private:
     std::vector<bool> one_sided_triangles() const {
         const bool any = std::ranges::any_of(
             triangles_, [this](const SortedTriangle& t) { return double_sided(t.material); });
-        return any ? reversed_twins(geometry_.vertices, geometry_.indices)
-                   : std::vector<bool>(triangles_.size(), true);
+        if (!any) {
+            return std::vector<bool>(triangles_.size(), true);
+        }
+        // A shared mesh is looked at in one of its many places: what happens to lie there is no twin of it.
+        std::vector<std::uint32_t> families;
+        families.reserve(triangles_.size());
+        for (const SortedTriangle& triangle : triangles_) {
+            families.push_back(triangle.shared);
+        }
+        return reversed_twins(geometry_.vertices, geometry_.indices, families);
     }
 
     // The triangles of one material and cell: those that are drawn from both sides, then the others.

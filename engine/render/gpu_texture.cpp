@@ -41,8 +41,8 @@ void leave_encoded(const GlFunctions& gl) {
 GLuint upload_colors(const GlFunctions& gl, const scene::Texture& texture) {
     const GLuint name = make_texture(gl, texture.repeat);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
-    leave_encoded(gl);
     gl.GenerateMipmap(GL_TEXTURE_2D);
+    leave_encoded(gl);  // after the copies: else they would be means of bytes, not of light
     return name;
 }
 

@@ -5,7 +5,8 @@
 
 namespace campuswalk::engine::render {
 
-/// Uploads an sRGB texture with its chain of smaller copies.
+/// Uploads an sRGB texture with its chain of smaller copies. Shaders get it as it is encoded, and decode it
+/// (kSrgbChunk).
 GLuint upload_colors(const GlFunctions& gl, const scene::Texture& texture);
 /// Likewise one whose alpha is tested against `alpha_cutoff` when drawn: the smaller copies keep the share of
 /// the texture that passes, or trees would lose their leaves with distance.

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kPlacements = 8;
 constexpr std::size_t kSavedTriangles = 20000;  // of one mesh: 1.5 MB
 
+constexpr double kLargest = 4.0;    // times the first: its vertices are rounded to floats where it stands
 constexpr double kRounding = 1e-6;  // of an element of a turn
 
 bool keeps_shape(const Eigen::Matrix4d& transform) {
@@ -24,6 +25,9 @@ bool keeps_shape(const Eigen::Matrix4d& transform) {
         return false;
     }
     const double scale = std::cbrt(volume);
+    if (scale > kLargest) {
+        return false;
+    }
     const Eigen::Matrix3d stretch = linear.transpose() * linear / (scale * scale);
     return (stretch - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < kRounding;
 }

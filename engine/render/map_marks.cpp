@@ -138,6 +138,9 @@ void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame>
     for (const WindowFrame& window : windows) {
         right = std::min(right, window.x);
     }
+    if (right < 0.5 * canvas.width()) {
+        return;  // no room beside the windows of a small picture
+    }
     const double x = right - kEdge * s - radius;
     const double y = kEdge * s + radius;
     cairo_t* cr = canvas.cairo();

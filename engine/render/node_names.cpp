@@ -23,16 +23,16 @@ std::vector<std::uint32_t> first_numbers(const std::vector<scene::Model>& models
     return first;
 }
 
-std::vector<std::uint32_t> with_subtrees(const scene::Campus& campus,
-                                         const std::vector<scene::NodeRef>& roots) {
+std::vector<std::uint32_t> with_subtrees(const scene::Campus& campus, const scene::NodeSelection& selection) {
     const std::vector<std::uint32_t> first = first_numbers(campus.models);
     std::vector<std::uint32_t> numbers;
-    for (const scene::NodeRef& root : roots) {
+    for (const scene::NodeRef& root : selection.roots) {
         const std::vector<scene::Node>& nodes = campus.models[root.model].nodes;
         std::vector<bool> inside(nodes.size(), false);
         for (std::size_t n = root.node; n < nodes.size(); ++n) {
-            inside[n] =
-                n == root.node || (nodes[n].parent >= 0 && inside[static_cast<std::size_t>(nodes[n].parent)]);
+            const bool below = nodes[n].parent >= 0 && inside[static_cast<std::size_t>(nodes[n].parent)];
+            inside[n] = (n == root.node || below) &&
+                        !std::ranges::binary_search(selection.except, scene::NodeRef{root.model, n});
             if (inside[n]) {
                 numbers.push_back(first[root.model] + static_cast<std::uint32_t>(n));
             }
@@ -69,7 +69,7 @@ NodeNames name_nodes(const scene::Campus& campus) {
     std::vector<Claim> of_buildings;
     for (std::size_t i = 0; i < campus.description.buildings.size(); ++i) {
         const auto roots = scene::topmost_matches(campus.models, campus.description.buildings[i].nodes);
-        of_buildings.push_back({i, false, with_subtrees(campus, roots)});
+        of_buildings.push_back({i, false, with_subtrees(campus, {roots, {}})});
     }
     std::vector<Claim> of_objects;
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {

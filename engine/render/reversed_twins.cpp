@@ -21,8 +21,9 @@ enum class Match { none, same_way, other_way };
 /// A hash table of triangles by their corners, whatever corner they begin with and whichever way they run.
 class TwinFinder {
 public:
-    TwinFinder(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices)
-        : vertices_(vertices), indices_(indices), twin_(indices.size() / 3, false) {
+    TwinFinder(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
+               std::span<const std::uint32_t> families)
+        : vertices_(vertices), indices_(indices), families_(families), twin_(indices.size() / 3, false) {
         slots_.resize(std::bit_ceil(2 * twin_.size() + 16));
         hashes_.reserve(vertices.size());
         for (const Vertex& vertex : vertices) {
@@ -86,6 +87,9 @@ private:
     }
 
     Match compare(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
+        if (families_[triangle_a] != families_[triangle_b]) {
+            return Match::none;
+        }
         const std::array<Position, 3> a = corners(triangle_a);
         const std::array<Position, 3> b = corners(triangle_b);
         for (std::size_t turn = 0; turn < 3; ++turn) {
@@ -103,6 +107,7 @@ private:
 
     std::span<const Vertex> vertices_;
     std::span<const std::uint32_t> indices_;
+    std::span<const std::uint32_t> families_;
     std::vector<bool> twin_;
     std::vector<std::uint64_t> hashes_;  // of the vertices' positions
     std::vector<Slot> slots_;
@@ -111,8 +116,9 @@ private:
 
 }  // namespace
 
-std::vector<bool> reversed_twins(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices) {
-    return TwinFinder(vertices, indices).find();
+std::vector<bool> reversed_twins(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
+                                 std::span<const std::uint32_t> families) {
+    return TwinFinder(vertices, indices, families).find();
 }
 
 }  // namespace campuswalk::engine::render

@@ -4,11 +4,11 @@
 
 namespace campuswalk::engine::render::shaders {
 
-// GLSL 3.30 sources. A program is `version` + chunks + its own source; the chunks declare the uniforms that
-// they use. llvmpipe runs both sides of every branch and reads uniforms again for every pixel, so there are
-// few branches here, what a renderer knows beforehand is a constant (ShaderConstants), and what a picture or
-// a material adds comes through the vertex shader as a flat value. Positions are in the campus frame (metres
-// from CampusGeometry::origin).
+// GLSL 3.30 sources. A program is `version` + chunks + its own source. llvmpipe runs both sides of every
+// branch and reads uniforms again for every pixel, so there are few branches here, what a renderer knows
+// beforehand is a constant (ShaderConstants), and what a picture or a material adds comes to surfaces through
+// their vertex shader as a flat value. Positions are in the campus frame (metres from
+// CampusGeometry::origin).
 
 extern const std::string_view kVersion;
 

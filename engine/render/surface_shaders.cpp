@@ -19,8 +19,10 @@ float sunlight(vec3 position, vec3 normal, vec2 near_start) {
     vec3 p = far + far_axes * normal * (is_near ? near_lift : far_lift);
     p.xy = is_near ? p.xy * near_step + near_start : p.xy * far_step;
     // Four taps, each already a blend of 2x2 texels: an edge about three texels wide.
-    return 0.25 * (texture(shadow_map, p + vec3(tap.x, tap.y, 0.0)) + texture(shadow_map, p + vec3(-tap.x, tap.y, 0.0)) +
-                   texture(shadow_map, p + vec3(tap.x, -tap.y, 0.0)) + texture(shadow_map, p + vec3(-tap.x, -tap.y, 0.0)));
+    vec3 right_up = vec3(tap, 0.0);
+    vec3 left_up = vec3(-tap.x, tap.y, 0.0);
+    return 0.25 * (texture(shadow_map, p + right_up) + texture(shadow_map, p - right_up) +
+                   texture(shadow_map, p + left_up) + texture(shadow_map, p - left_up));
 }
 #endif
 )";
@@ -139,6 +141,11 @@ vec4 finished(vec3 light, float alpha) {
 #endif
 }
 
+// From all around on a surface that faces up by `rise`, -1 to 1; more of it in rooms.
+vec3 light_around(float rise) {
+    return ambient_middle + ambient_rise * rise + room_light * (room + room * lamps_above * rise);
+}
+
 void main() {
     vec4 base = texture(base_color_map, uv);
     base.rgb = decoded(base.rgb);
@@ -172,8 +179,7 @@ void main() {
 #else
     float sun = max(facing, 0.0) * sunlight(position, n, near_and_occlusion.xy);
 #endif
-    vec3 ambient = ambient_middle + ambient_rise * n.y + sky_light * dot(n, side_axis) +
-                   room_light * (room + room * lamps_above * n.y);
+    vec3 ambient = light_around(n.y) + sky_light * dot(n, side_axis);
 #if defined(OCCLUSION)
     ambient *= texture(occlusion_map, gl_FragCoord.xy * near_and_occlusion.zw).r;
 #endif
@@ -186,7 +192,7 @@ void main() {
     vec2 metal = cutoff_bumps_metal.zw * texture(metal_map, uv).bg;
     vec3 straight_on = mix(vec3(0.04), base.rgb, metal.x);
     vec3 mirrored = reflect(outwards, n);
-    vec3 surroundings = mix(sky_color(mirrored), ambient_middle + ambient_rise * mirrored.y + room_light * (room + room * lamps_above * mirrored.y), metal.y);
+    vec3 surroundings = mix(sky_color(mirrored), light_around(mirrored.y), metal.y);
     float grazing = 1.0 - max(dot(-outwards, n), 0.0);
     float grazing2 = grazing * grazing;
     vec3 share = straight_on + max(vec3(1.0 - metal.y) - straight_on, 0.0) * (grazing2 * grazing2 * grazing);

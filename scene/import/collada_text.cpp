@@ -34,6 +34,9 @@ std::optional<double> number_of(std::string_view text) {
         return std::nullopt;
     }
     text = text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
+    if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
+        text.remove_prefix(1);  // allowed in XML, not by from_chars
+    }
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);

@@ -178,10 +178,11 @@ TEST_F(CampusTest, ReportsExceptionsThatLeaveNothing) {
     add("numbers", SphereShape{Eigen::Vector3d(1, 2, 3), 1.0}).except = {{mark_at(32), "library"}};
     EXPECT_EQ(
         text_of(errors()),
-        "demo.campus.yaml:20:9: error empty-mesh: 'except' leaves nothing of the nodes of collider 'none'\n"
+        "demo.campus.yaml:30:9: error empty-mesh: 'except' leaves nothing of the nodes of collider 'none'\n"
         "demo.campus.yaml:31:9: error no-node: no node is called 'libary'; did you mean 'library'?\n"
-        "demo.campus.yaml:30:9: error missing-nodes: collider 'numbers' needs nodes to take its shape from, "
-        "or all numbers of its shape\n");
+        "demo.campus.yaml:32:9: error missing-nodes: 'except' leaves out of nodes, and collider 'numbers' "
+        "names "
+        "none\n");
 }
 
 TEST_F(CampusTest, NumbersLayersFromOne) {

@@ -125,11 +125,14 @@ class Suggest(ProgramCase):
 
     def test_no_ground(self):
         self.write("wall.obj", "v 0 0 0\nv 0.05 0 0\nv 0 0.05 0.03\nf 1 2 3\n")
+        self.write("new.campus.yaml", "mine")
+        self.write("new.walk.yaml", "mine")
         before = sorted(self.contents())
-        outcome = self.run_program("info", "wall.obj", "--suggest", "new.campus.yaml")
+        outcome = self.run_program("info", "wall.obj", "--suggest", "new.campus.yaml", "--overwrite")
         self.assertEqual(outcome.code, 2)
         self.assertIn("wall.obj: error no-ground", outcome.err)
         self.assertEqual(sorted(self.contents()), before)
+        self.assertEqual((self.read("new.campus.yaml"), self.read("new.walk.yaml")), (b"mine", b"mine"))
 
     def test_a_building_without_ground_gets_some(self):
         self.write("hut.obj", "o Hut_1\n" + "\n".join(box(-2, 0, -8, 2, 3, -4)) + "\n")

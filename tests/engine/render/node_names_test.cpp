@@ -35,7 +35,7 @@ void add_object(scene::Campus& campus, const char* id, std::vector<scene::NodeRe
     campus.world.add({.shape = collision::Sphere{}, .X_world_shape = {}, .detection = detection});
     scene::CampusObject& object = campus.objects.emplace_back();
     object.id = id;
-    object.nodes = std::move(nodes);
+    object.nodes.roots = std::move(nodes);
 }
 
 PictureName name_of(const NodeNames& names, std::size_t node) {
@@ -65,6 +65,16 @@ TEST(NodeNames, TheObjectOfFewestNodesTakesANodeInWhicheverOrder) {
         EXPECT_EQ(name_of(names, 1), (PictureName{0, walls}));
         EXPECT_EQ(name_of(names, 2), (PictureName{0, 1 - walls}));
     }
+}
+
+TEST(NodeNames, WhatAnObjectLeavesOutIsNotItsOwn) {
+    scene::Campus campus = hall_campus();
+    add_object(campus, "world", {{0, 0}});
+    campus.objects[0].nodes.except = {{0, 1}};
+    const NodeNames names = name_nodes(campus);
+    EXPECT_EQ(name_of(names, 0), (PictureName{0, 0}));
+    EXPECT_EQ(name_of(names, 1), (PictureName{0, std::nullopt}));
+    EXPECT_EQ(name_of(names, 2), (PictureName{0, std::nullopt})) << "below it";
 }
 
 TEST(NodeNames, WhatIsOnlyATriggerNamesOnlyWhatNobodyElseDoes) {

@@ -68,6 +68,26 @@ TEST(Materials, TextureColorsAreSrgb) {
     EXPECT_NEAR(ratio, 128.0 / 255.0, 0.03);
 }
 
+TEST(Materials, FineTexturesAreAsBrightAsTheirLight) {
+    // 64 columns of black and white on some ten pixels: half of the light, 188 of 255 in sRGB, and not 128.
+    scene::Texture stripes;
+    stripes.width = stripes.height = 64;
+    for (int i = 0; i < 64 * 64; ++i) {
+        const std::uint8_t value = i % 2 == 0 ? 0 : 255;
+        for (const std::uint8_t channel : {value, value, value, std::uint8_t{255}}) {
+            stripes.rgba.push_back(channel);
+        }
+    }
+    SceneBuilder scene;
+    scene.paint({1, 1, 1, 1}, stripes).upright({0, 0, -8.0}, 1.0);
+    scene.material().unlit = true;
+    RenderSettings settings = quick_settings();
+    settings.fog_distance = 0.0;
+    const scene::Model model = scene.model();
+    Renderer renderer(std::span(&model, 1), settings);
+    EXPECT_NEAR(renderer.draw(ahead(), kWidth, kHeight).pixel(80, 45)[0], 188, 4);
+}
+
 TEST(Materials, MaskCutsHolesAndKeepsTheRest) {
     const Picture picture = drawn(SceneBuilder()
                                       .paint(kBlue)

@@ -63,7 +63,8 @@ TEST(ReversedTwins, AreWhatComparingEveryPairFinds) {
     std::size_t twins = 0;
     for (int round = 0; round < 50; ++round) {
         const Soup soup = random_soup(random, 4 + round / 5, 60);
-        const std::vector<bool> found = reversed_twins(soup.vertices, soup.indices);
+        const std::vector<bool> found =
+            reversed_twins(soup.vertices, soup.indices, std::vector<std::uint32_t>(60, 0));
         ASSERT_EQ(found.size(), 60U);
         for (std::size_t i = 0; i < found.size(); ++i) {
             const auto corners = soup.corners(i);
@@ -82,7 +83,20 @@ TEST(ReversedTwins, AreWhatComparingEveryPairFinds) {
 }
 
 TEST(ReversedTwins, OfNothingAreNone) {
-    EXPECT_TRUE(reversed_twins({}, {}).empty());
+    EXPECT_TRUE(reversed_twins({}, {}, {}).empty());
+}
+
+TEST(ReversedTwins, AreOfOneFamily) {
+    const std::vector<Vertex> corners = {
+        make_vertex({0, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
+        make_vertex({1, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
+        make_vertex({0, 0, 1}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
+    };
+    const std::vector<std::uint32_t> both_sides = {0, 1, 2, 2, 1, 0};
+    EXPECT_EQ(reversed_twins(corners, both_sides, std::vector<std::uint32_t>{5, 5}),
+              (std::vector<bool>{true, true}));
+    EXPECT_EQ(reversed_twins(corners, both_sides, std::vector<std::uint32_t>{0, 5}),
+              (std::vector<bool>{false, false}));
 }
 
 // A sheet as SketchUp writes it: each side of another colour and material, both materials double-sided.

@@ -32,7 +32,7 @@ void Progress::walk_is_at(std::string_view walk, double seconds, std::optional<d
     hide();
     walk_.assign(walk).append(" at ").append(engine::fixed(seconds, 1));
     // It may have been held up, and then nobody knows how long it still takes.
-    const bool known = planned && seconds <= *planned;
+    const bool known = planned && *planned > 0.0 && seconds <= *planned;
     walk_ += known ? " of " + engine::fixed(*planned, 1) + " s" : " s";
     share_ = known ? std::optional(seconds / *planned) : std::nullopt;
     show();

@@ -213,6 +213,32 @@ std::vector<scene::Oddity> left_odd(const UprightModel& model) {
     return left;
 }
 
+/// Where a campus and its walk are tried before they get their names: what is there under these isn't touched
+/// until there is something better. Beside them, as the campus names its model from there.
+struct Drafts {
+    explicit Drafts(const fs::path& campus_file)
+        : campus(beside(campus_file, ".campus.yaml")), walk(beside(campus_file, ".walk.yaml")) {}
+    Drafts(const Drafts&) = delete;
+    Drafts& operator=(const Drafts&) = delete;
+    ~Drafts() {
+        std::error_code ignored;
+        fs::remove(campus, ignored);
+        fs::remove(walk, ignored);
+    }
+
+    fs::path campus;
+    fs::path walk;
+
+private:
+    static fs::path beside(const fs::path& campus_file, const std::string& ending) {
+        std::string name = campus_file.stem().stem().string() + "-draft";
+        while (fs::exists(campus_file.parent_path() / (name + ending))) {
+            name += "-";  // somebody else's
+        }
+        return campus_file.parent_path() / (name + ending);
+    }
+};
+
 }  // namespace
 
 int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, bool overwrite) {
@@ -220,15 +246,11 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     const UprightModel upright = load_upright(model);
     SuggestedCampus campus = without_visitor(upright, campus_file);
     WalkLoader loader = quiet_loader();
-    std::size_t visits = 0;
-    try {
-        write_campus(upright, campus_file, campus, loader);
-        visits = write_walk(campus, campus_file, walk_file, loader);
-    } catch (const scene::InputError&) {
-        fs::remove(campus_file);
-        fs::remove(walk_file);
-        throw;
-    }
+    const Drafts drafts(campus_file);
+    write_campus(upright, drafts.campus, campus, loader);
+    const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
+    scene::write_whole_file(campus_file, campus_yaml(campus));
+    scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
     std::printf("%s: %zu buildings\n%s: %zu ways, walked\n", campus_file.string().c_str(),
                 campus.buildings.size(), walk_file.string().c_str(), visits);
     if (!campus.doors.empty()) {
