@@ -23,7 +23,8 @@ def gltf_parts():
         views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(part)})
         data += part
     document = {
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+        "asset": {"version": "2.0"}, "scene": 0,
+        "extensionsUsed": ["CESIUM_RTC"], "extensions": {"CESIUM_RTC": {"center": [3919000.0, 332000.0, 5006000.0]}}, "scenes": [{"nodes": [0, 1]}],
         "nodes": [
             {"name": "house", "mesh": 0, "children": [2], "rotation": [0, 0.7071068, 0, 0.7071068]},
             {"name": "lamps", "mesh": 1,
@@ -101,7 +102,8 @@ def dae():
     indices = " ".join(str(i) for f in FACES for i in f)
     return """<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit meter="0.5"/><up_axis>Z_UP</up_axis></asset>
+<asset><coverage><geographic_location><longitude>4.37</longitude><latitude>+52.0</latitude><altitude>3</altitude>
+</geographic_location></coverage><unit meter="0.5"/><up_axis>Z_UP</up_axis></asset>
 <library_effects><effect id="e"><profile_COMMON><technique sid="t"><phong><diffuse><color>1 0 0 1</color></diffuse>
 <shininess><float> 20</float></shininess></phong></technique></profile_COMMON></effect></library_effects>
 <library_materials><material id="m" name="red"><instance_effect url="#e"/></material></library_materials>
