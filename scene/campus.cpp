@@ -150,7 +150,7 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     }
     ShapeSource source;
     source.has_nodes = !nodes.empty();
-    source.geometry = gather_geometry(campus_.models, nodes, selection.except);
+    source.geometry = gather_geometry(campus_.models, selection);
     if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }

@@ -111,20 +111,29 @@ NodeSelection select_nodes(const std::vector<Model>& models, std::span<const Nod
     return selection;
 }
 
-WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots,
-                              std::span<const NodeRef> except) {
-    WorldGeometry geometry;
-    for (const NodeRef& root : roots) {
-        const Model& model = models[root.model];
-        std::vector<bool> inside(model.nodes.size(), false);
-        for (std::size_t n = root.node; n < model.nodes.size(); ++n) {
-            const Node& node = model.nodes[n];
-            inside[n] =
-                (n == root.node || (node.parent >= 0 && inside[static_cast<std::size_t>(node.parent)])) &&
-                !contains(except, {root.model, n});
-            for (const MeshIndex mesh : inside[n] ? node.meshes : std::vector<MeshIndex>()) {
-                append_mesh(model.meshes[index_of(mesh)], node.X_world_node, geometry);
+std::vector<NodeRef> nodes_of(const std::vector<Model>& models, const NodeSelection& selection) {
+    std::vector<NodeRef> found;
+    for (const NodeRef& root : selection.roots) {
+        const std::vector<Node>& nodes = models[root.model].nodes;
+        std::vector<bool> inside(nodes.size(), false);
+        for (std::size_t n = root.node; n < nodes.size(); ++n) {
+            const bool below = nodes[n].parent >= 0 && inside[static_cast<std::size_t>(nodes[n].parent)];
+            inside[n] = (n == root.node || below) && !contains(selection.except, {root.model, n});
+            if (inside[n]) {
+                found.push_back({root.model, n});
             }
+        }
+    }
+    return found;
+}
+
+WorldGeometry gather_geometry(const std::vector<Model>& models, const NodeSelection& selection) {
+    WorldGeometry geometry;
+    for (const NodeRef& ref : nodes_of(models, selection)) {
+        const Model& model = models[ref.model];
+        const Node& node = model.nodes[ref.node];
+        for (const MeshIndex mesh : node.meshes) {
+            append_mesh(model.meshes[index_of(mesh)], node.X_world_node, geometry);
         }
     }
     return geometry;

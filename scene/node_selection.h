@@ -40,13 +40,15 @@ NodeSelection select_nodes(const std::vector<Model>& models, std::span<const Nod
 void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> globs,
                  DiagnosticList& diagnostics);
 
-/// The triangles of some subtrees in world coordinates, without those of `except`, which is ascending.
+/// All nodes of the roots' subtrees that aren't left out, one root after the other; parents come first.
+std::vector<NodeRef> nodes_of(const std::vector<Model>& models, const NodeSelection& selection);
+
+/// The triangles of some subtrees in world coordinates.
 struct WorldGeometry {
     std::vector<Eigen::Vector3d> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-WorldGeometry gather_geometry(const std::vector<Model>& models, std::span<const NodeRef> roots,
-                              std::span<const NodeRef> except = {});
+WorldGeometry gather_geometry(const std::vector<Model>& models, const NodeSelection& selection);
 
 }  // namespace campuswalk::scene

@@ -23,20 +23,11 @@ std::vector<std::uint32_t> first_numbers(const std::vector<scene::Model>& models
     return first;
 }
 
-std::vector<std::uint32_t> with_subtrees(const scene::Campus& campus, const scene::NodeSelection& selection) {
+std::vector<std::uint32_t> numbers_of(const scene::Campus& campus, const scene::NodeSelection& selection) {
     const std::vector<std::uint32_t> first = first_numbers(campus.models);
     std::vector<std::uint32_t> numbers;
-    for (const scene::NodeRef& root : selection.roots) {
-        const std::vector<scene::Node>& nodes = campus.models[root.model].nodes;
-        std::vector<bool> inside(nodes.size(), false);
-        for (std::size_t n = root.node; n < nodes.size(); ++n) {
-            const bool below = nodes[n].parent >= 0 && inside[static_cast<std::size_t>(nodes[n].parent)];
-            inside[n] = (n == root.node || below) &&
-                        !std::ranges::binary_search(selection.except, scene::NodeRef{root.model, n});
-            if (inside[n]) {
-                numbers.push_back(first[root.model] + static_cast<std::uint32_t>(n));
-            }
-        }
+    for (const scene::NodeRef& ref : scene::nodes_of(campus.models, selection)) {
+        numbers.push_back(first[ref.model] + static_cast<std::uint32_t>(ref.node));
     }
     return numbers;
 }
@@ -69,11 +60,11 @@ NodeNames name_nodes(const scene::Campus& campus) {
     std::vector<Claim> of_buildings;
     for (std::size_t i = 0; i < campus.description.buildings.size(); ++i) {
         const auto roots = scene::topmost_matches(campus.models, campus.description.buildings[i].nodes);
-        of_buildings.push_back({i, false, with_subtrees(campus, {roots, {}})});
+        of_buildings.push_back({i, false, numbers_of(campus, {roots, {}})});
     }
     std::vector<Claim> of_objects;
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {
-        of_objects.push_back({i, only_trigger(campus, i), with_subtrees(campus, campus.objects[i].nodes)});
+        of_objects.push_back({i, only_trigger(campus, i), numbers_of(campus, campus.objects[i].nodes)});
     }
     const auto buildings = settle(std::move(of_buildings), nodes);
     const auto objects = settle(std::move(of_objects), nodes);

@@ -146,6 +146,64 @@ vec3 light_around(float rise) {
     return ambient_middle + ambient_rise * rise + room_light * (room + room * lamps_above * rise);
 }
 
+// How much of it comes to this place past what is near.
+float openness() {
+#if defined(OCCLUSION)
+    return texture(occlusion_map, gl_FragCoord.xy * near_and_occlusion.zw).r;
+#else
+    return 1.0;
+#endif
+}
+
+float sun_on(vec3 n) {
+    float facing = dot(n, to_sun);
+#if defined(CUTOUT)
+    // Leaves and petals are thin: seen from their shady side, half of the sun shines through.
+    return max(facing, -0.5 * facing) * sunlight(position, n * sign(facing), near_and_occlusion.xy);
+#else
+    return max(facing, 0.0) * sunlight(position, n, near_and_occlusion.xy);
+#endif
+}
+
+vec3 glow_here() {
+    vec3 glow = glow_scale * glow_and_gloss.rgb;
+#if defined(GLOW_MAP)
+    glow *= decoded(texture(glow_map, uv).rgb);
+#endif
+    return glow;
+}
+
+// What a surface of this colour sends to the eye, through clear air.
+vec3 lit(vec3 paint, vec3 n, vec3 outwards) {
+    float sun = sun_on(n);
+    vec3 light = (light_around(n.y) + sky_light * dot(n, side_axis)) * openness() + sun_color * sun;
+#if defined(SHINY)
+    vec2 metal = cutoff_bumps_metal.zw * texture(metal_map, uv).bg;
+    vec3 straight_on = mix(vec3(0.04), paint, metal.x);
+    vec3 mirrored = reflect(outwards, n);
+    vec3 surroundings = mix(sky_color(mirrored), light_around(mirrored.y), metal.y) * openness();
+    float grazing = 1.0 - max(dot(-outwards, n), 0.0);
+    float grazing2 = grazing * grazing;
+    vec3 share = straight_on + max(vec3(1.0 - metal.y) - straight_on, 0.0) * (grazing2 * grazing2 * grazing);
+    return paint * (1.0 - metal.x) * light + share * surroundings +
+           straight_on * sun_gleam(n, -outwards, metal.y) * sun * sun_color + glow_here();
+#else
+    return paint * light + glow_here();
+#endif
+}
+
+#if defined(SEE_THROUGH)
+// A pane or water before what is behind it. Schlick's approximation: 4 % is mirrored straight on, everything
+// at a grazing angle.
+vec4 pane(vec3 own, float alpha, vec3 n, vec3 outwards) {
+    float mirror = glow_and_gloss.w * (0.04 + 0.96 * pow(1.0 - max(dot(-outwards, n), 0.0), 5.0));
+    vec3 reflected = reflect(outwards, n);
+    vec3 both = mix(own * alpha, sky_color(vec3(reflected.x, abs(reflected.y), reflected.z)), mirror);
+    float cover = mirror + (1.0 - mirror) * alpha;
+    return vec4(both / max(cover, 0.001), cover);
+}
+#endif
+
 void main() {
     vec4 base = texture(base_color_map, uv);
     base.rgb = decoded(base.rgb);
@@ -172,48 +230,11 @@ void main() {
 #if defined(NORMAL_MAP)
     n = bent(n);
 #endif
-    float facing = dot(n, to_sun);
-#if defined(CUTOUT)
-    // Leaves and petals are thin: seen from their shady side, half of the sun shines through.
-    float sun = max(facing, -0.5 * facing) * sunlight(position, n * sign(facing), near_and_occlusion.xy);
-#else
-    float sun = max(facing, 0.0) * sunlight(position, n, near_and_occlusion.xy);
-#endif
-    vec3 ambient = light_around(n.y) + sky_light * dot(n, side_axis);
-#if defined(OCCLUSION)
-    ambient *= texture(occlusion_map, gl_FragCoord.xy * near_and_occlusion.zw).r;
-#endif
-    vec3 light = ambient + sun_color * sun;
-    vec3 glow = glow_scale * glow_and_gloss.rgb;
-#if defined(GLOW_MAP)
-    glow *= decoded(texture(glow_map, uv).rgb);
-#endif
-#if defined(SHINY)
-    vec2 metal = cutoff_bumps_metal.zw * texture(metal_map, uv).bg;
-    vec3 straight_on = mix(vec3(0.04), base.rgb, metal.x);
-    vec3 mirrored = reflect(outwards, n);
-    vec3 surroundings = mix(sky_color(mirrored), light_around(mirrored.y), metal.y);
-    float grazing = 1.0 - max(dot(-outwards, n), 0.0);
-    float grazing2 = grazing * grazing;
-    vec3 share = straight_on + max(vec3(1.0 - metal.y) - straight_on, 0.0) * (grazing2 * grazing2 * grazing);
-#if defined(OCCLUSION)
-    surroundings *= texture(occlusion_map, gl_FragCoord.xy * near_and_occlusion.zw).r;
-#endif
-    vec3 result = base.rgb * (1.0 - metal.x) * light + share * surroundings +
-                  straight_on * sun_gleam(n, -outwards, metal.y) * sun * sun_color + glow;
-#else
-    vec3 result = base.rgb * light + glow;
-#endif
+    base.rgb = lit(base.rgb, n, outwards);
 #if defined(SEE_THROUGH)
-    // Schlick's approximation for glass and water: 4 % seen straight on, everything at a grazing angle.
-    float mirror = glow_and_gloss.w * (0.04 + 0.96 * pow(1.0 - max(dot(-outwards, n), 0.0), 5.0));
-    vec3 reflected = reflect(outwards, n);
-    result = mix(result * base.a, sky_color(vec3(reflected.x, abs(reflected.y), reflected.z)), mirror);
-    base.a = mirror + (1.0 - mirror) * base.a;
-    result /= max(base.a, 0.001);
+    base = pane(base.rgb, base.a, n, outwards);
 #endif
-    result = mix(fog_color(outwards), result, clear);
-    fragment = finished(tone(result), base.a);
+    fragment = finished(tone(mix(fog_color(outwards), base.rgb, clear)), base.a);
 #endif
 }
 )";

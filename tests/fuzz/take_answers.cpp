@@ -30,7 +30,7 @@ void use(const std::vector<scene::Model>& models) {
             all.push_back({0, n});
         }
     }
-    scene::BakedMesh baked = scene::bake_mesh(scene::gather_geometry(models, all));
+    scene::BakedMesh baked = scene::bake_mesh(scene::gather_geometry(models, {all, {}}));
     const std::size_t triangles = baked.mesh.triangles.size();
     if (triangles > 0) {
         const collision::MeshCollider collider(std::move(baked.mesh));

@@ -1,6 +1,5 @@
 #include "engine/render/png.h"
 
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -9,10 +8,9 @@
 
 #include <cairo.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/scratch_folder.h"
+#include "tests/support/full_disk.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -63,26 +61,6 @@ std::string error_of_writing(const Picture& picture, const std::filesystem::path
     }
     return {};
 }
-
-// No file may grow beyond `bytes`, as if the disk were full.
-class SmallDisk {
-public:
-    explicit SmallDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit = {bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~SmallDisk() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, signal_);
-    }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-
-private:
-    rlimit before_{};
-    void (*signal_)(int);
-};
 
 TEST(Png, AnotherDecoderReadsTheSamePixels) {
     const ScratchFolder folder;
@@ -135,7 +113,7 @@ TEST(Png, AFullDiskLeavesNoHalfPictureAndKeepsTheOldOne) {
     write_png(pattern(8, 8), file);
     std::string error;
     {
-        const SmallDisk disk(1000);
+        const campuswalk::test::FullDisk disk(1000);
         error = error_of_writing(pattern(300, 300), file);
     }
     EXPECT_NE(error.find(std::strerror(EFBIG)), std::string::npos) << error;

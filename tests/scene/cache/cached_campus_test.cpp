@@ -1,7 +1,4 @@
-#include <sys/resource.h>
-
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -13,6 +10,7 @@
 #include "scene/cache/load_model.h"
 #include "scene/campus.h"
 #include "tests/scene/model_files.h"
+#include "tests/support/full_disk.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -207,33 +205,13 @@ TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
     EXPECT_EQ(imports_, 2);
 }
 
-/// As long as it lives no file grows beyond so many bytes, as if the disk were full.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit = {bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-    ~FullDisk() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-private:
-    rlimit before_{};
-    void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);  // an error is wanted, and no death
-};
-
 TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
     std::vector<Diagnostic> warnings;
     std::vector<std::string> complaints;
     const CacheFolder cache(where_, CacheFolder::kUsualLimit,
                             [&](const std::string& reason) { complaints.push_back(reason); });
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{200}}) {
-        const FullDisk full(bytes);
+        const test::FullDisk full(bytes);
         EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
         EXPECT_EQ(complaints.size(),
                   bytes == 0 ? 3U : 5U);  // what is looked for beside it fits into 200 bytes

@@ -94,7 +94,8 @@ Body read_body(const std::string& word, const scene::SceneFile& frame,
         imported.warnings, std::back_inserter(warnings), [](const scene::Diagnostic& repair) {
             return repair.code == "unsupported-feature";  // the others leave surfaces where they are
         });
-    scene::BakedMesh baked = scene::bake_every_triangle(scene::gather_geometry(models, roots_of(models[0])));
+    scene::BakedMesh baked =
+        scene::bake_every_triangle(scene::gather_geometry(models, {roots_of(models[0]), {}}));
     check_size(baked.mesh, file.mark);
     body.shape = std::make_shared<const collision::MeshCollider>(std::move(baked.mesh));
     body.p_body_mesh = baked.p_world_origin;

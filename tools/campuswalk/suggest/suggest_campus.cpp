@@ -110,7 +110,7 @@ Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
     scene::NodeGlob all;
     all.pattern = "*";
     const scene::NodeSelection nodes = scene::select_nodes(model.models, {&all, 1}, doors);
-    scene::WorldGeometry geometry = scene::gather_geometry(model.models, nodes.roots, nodes.except);
+    scene::WorldGeometry geometry = scene::gather_geometry(model.models, nodes);
     add_top(ground, geometry);
     scene::BakedMesh baked = scene::bake_mesh(geometry);
     return {std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)), baked.p_world_origin};

@@ -1,9 +1,6 @@
 // Animations are taken apart again by other code than made them.
 
-#include <sys/resource.h>
-
 #include <array>
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -22,6 +19,7 @@
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/compare/made_pictures.h"
 #include "tests/engine/render/scratch_folder.h"
+#include "tests/support/full_disk.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -152,27 +150,6 @@ TEST(Animations, GoToDiskAsTheyComeAndAreNotThereBeforeTheyAreWhole) {
     }
 }
 
-// Files can't grow beyond so many bytes, as on a full disk.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        signal_ = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit = {bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-    ~FullDisk() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, signal_);
-    }
-
-private:
-    rlimit before_{};
-    void (*signal_)(int) = nullptr;
-};
-
 TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
     for (const char* name : {"a.png", "a.gif"}) {
         const ScratchFolder folder;
@@ -181,7 +158,7 @@ TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
         std::mt19937 random(3);
         const std::vector<Picture> pictures(6, noise(200, 150, random));
         {
-            const FullDisk full(100000);
+            const campuswalk::test::FullDisk full(100000);
             EXPECT_THROW(feed(*animation(folder.path() / name), pictures), std::runtime_error) << name;
         }
         EXPECT_EQ(folder.contents(), std::vector<std::filesystem::path>{name});
