@@ -211,7 +211,7 @@ TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
     const CacheFolder cache(where_, CacheFolder::kUsualLimit,
                             [&](const std::string& reason) { complaints.push_back(reason); });
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{200}}) {
-        const test::FullDisk full(bytes);
+        const campuswalk::test::FullDisk full(bytes);
         EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
         EXPECT_EQ(complaints.size(),
                   bytes == 0 ? 3U : 5U);  // what is looked for beside it fits into 200 bytes
