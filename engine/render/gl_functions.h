@@ -41,6 +41,7 @@ namespace campuswalk::engine::render {
     X(DRAWELEMENTSINSTANCEDBASEINSTANCE, DrawElementsInstancedBaseInstance) \
     X(ENABLE, Enable)                                                       \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                     \
+    X(FLUSH, Flush)                                                         \
     X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)                     \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                           \
     X(FRONTFACE, FrontFace)                                                 \

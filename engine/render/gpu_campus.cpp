@@ -15,6 +15,10 @@ constexpr GLint kGlowUnit = 5;
 constexpr GLint kNormalUnit = 6;
 constexpr GLint kMetalUnit = 7;
 
+// The driver's threads fill the pixels of what has been handed over, while this one goes on with vertices.
+// Less at a time costs more than it brings.
+constexpr std::size_t kHandOver = std::size_t{3} * 5000;  // indices
+
 using TextureUse = std::optional<scene::TextureIndex> scene::Material::*;
 
 /// One upload a texture and way of use: whole, as a cut-out, as numbers.
@@ -170,6 +174,7 @@ void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mod
     }
     std::ranges::stable_sort(order, {}, [](const auto& entry) { return entry.first; });
     mesh_.bind();
+    std::size_t waiting = 0;
     for (const auto& [distance, batch] : order) {
         if (depth != nullptr && depth->hides(batch->bounds)) {
             continue;
@@ -178,7 +183,13 @@ void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mod
         surface.use();
         set_material(surface, batch->material, batch->both_sides);
         mesh_.draw(*batch);
-        if (depth != nullptr && depth->drawn(batch->count * batch->instances)) {
+        const std::size_t indices = batch->count * batch->instances;
+        waiting += indices;
+        if (waiting >= kHandOver) {
+            gl_.Flush();
+            waiting = 0;
+        }
+        if (depth != nullptr && depth->drawn(indices)) {
             mesh_.bind();
         }
     }

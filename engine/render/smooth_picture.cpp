@@ -50,10 +50,10 @@ const std::vector<std::uint8_t>& srgb_by_sum() {
 
 // ---- edges ------------------------------------------------------------------------------------------------
 
-constexpr int kLeastContrast = 10;     // of 255: less is no edge
-constexpr int kContrastShare = 6;      // nor is less than a sixth of the brightest neighbour
-constexpr int kReach = 12;             // pixels along an edge in which its ends are looked for
-constexpr double kSoftestPixel = 0.6;  // how much of a single pixel that stands out is given up
+constexpr std::uint8_t kLeastContrast = 10;  // of 255: less is no edge
+constexpr std::uint16_t kSixth = 171;        // of 1024: nor is less than a sixth of the brightest neighbour
+constexpr int kReach = 12;                   // pixels along an edge in which its ends are looked for
+constexpr double kSoftestPixel = 0.6;        // how much of a single pixel that stands out is given up
 
 // The picture's brightness with its last pixels going on beyond its rim, so that no step asks where it is.
 class Brightness {
@@ -95,11 +95,12 @@ private:
     std::vector<std::uint8_t> luma_;
 };
 
-// Values, not references as std::min takes them: only so do compilers work on many pixels at once.
-int less(int a, int b) {
+// Values, not references as std::min takes them, and no wider than they must be: so compilers work on many
+// pixels at once.
+std::uint8_t less(std::uint8_t a, std::uint8_t b) {
     return a < b ? a : b;
 }
-int more(int a, int b) {
+std::uint8_t more(std::uint8_t a, std::uint8_t b) {
     return a > b ? a : b;
 }
 
@@ -107,13 +108,12 @@ int more(int a, int b) {
 void mark_edges(const std::uint8_t* above, const std::uint8_t* row, const std::uint8_t* below, int width,
                 std::uint8_t* marks) {
     for (int x = 0; x < width; ++x) {
-        const int m = row[x];
-        const int most = more(more(more(row[x - 1], row[x + 1]), more(above[x], below[x])), m);
-        const int least = less(less(less(row[x - 1], row[x + 1]), less(above[x], below[x])), m);
-        const int range = most - least;
-        // A share rounded down, without the division.
-        const bool is_share = kContrastShare * range + kContrastShare - 1 >= most;
-        marks[x] = static_cast<std::uint8_t>(is_share & (range >= kLeastContrast));
+        const std::uint8_t m = row[x];
+        const std::uint8_t most = more(more(more(row[x - 1], row[x + 1]), more(above[x], below[x])), m);
+        const std::uint8_t least = less(less(less(row[x - 1], row[x + 1]), less(above[x], below[x])), m);
+        const auto range = static_cast<std::uint8_t>(most - least);
+        const auto share = static_cast<std::uint8_t>((kSixth * most) >> 10);
+        marks[x] = static_cast<std::uint8_t>(range >= more(share, kLeastContrast));
     }
 }
 
