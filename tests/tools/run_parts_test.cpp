@@ -10,6 +10,7 @@
 #include "scene/diagnostic.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/campuswalk/run/find_walks.h"
+#include "tools/campuswalk/run/frame_helpers.h"
 #include "tools/campuswalk/run/messages.h"
 #include "tools/campuswalk/run/selector.h"
 #include "tools/campuswalk/run/shard.h"
@@ -314,6 +315,67 @@ TEST(WorkerPool, LeavesOutTheRestWhenThereHasBeenEnough) {
     told.enough = 3;
     EXPECT_TRUE(told.run(pool, {7, 8, 9, 9, 9, 9}));
     EXPECT_THAT(told.lines, ElementsAre("7 says a", "7 says b", "7 answers 49"));
+}
+
+// ---- helpers that draw ------------------------------------------------------------------------------------
+
+TEST(FrameHelpers, GiveTheFramesOfEachPartInTurn) {
+    FrameHelpers helpers(3, [](std::size_t task, std::size_t part, const Say& say) {
+        for (int i = 0; i < 3; ++i) {
+            say(Topic::frame, std::to_string(task) + ' ' + std::to_string(part) + ' ' + std::to_string(i));
+        }
+        say(Topic::result, "");
+    });
+    EXPECT_EQ(helpers.parts(), 3U);
+    for (const std::size_t task : {7U, 4U}) {
+        helpers.begin(task);
+        for (const int i : {0, 1}) {  // and leave the last one: the next task begins all the same
+            for (const std::size_t part : {1U, 2U}) {
+                EXPECT_EQ(helpers.next_frame(part),
+                          std::to_string(task) + ' ' + std::to_string(part) + ' ' + std::to_string(i));
+            }
+        }
+    }
+}
+
+std::string complaint_of(const FrameHelpers::Draw& draw) {
+    FrameHelpers helpers(2, draw);
+    helpers.begin(0);
+    EXPECT_EQ(helpers.next_frame(1), "one");
+    try {
+        return helpers.next_frame(1);
+    } catch (const std::runtime_error& error) {
+        EXPECT_THROW(helpers.next_frame(1), std::runtime_error);
+        return error.what();
+    }
+}
+
+TEST(FrameHelpers, SayWhyThereAreNoMoreFrames) {
+    EXPECT_EQ(complaint_of([](std::size_t, std::size_t, const Say& say) {
+                  say(Topic::frame, "one");
+                  say(Topic::result, "no driver here");
+              }),
+              "no driver here");
+    EXPECT_EQ(complaint_of([](std::size_t, std::size_t, const Say& say) {
+                  say(Topic::frame, "one");
+                  say(Topic::result, "");
+              }),
+              "a frame is missing");
+    EXPECT_EQ(complaint_of([](std::size_t, std::size_t, const Say& say) {
+                  say(Topic::frame, "one");
+                  raise(SIGKILL);
+              }),
+              "a process that drew frames is gone: it was ended by signal 9 (Killed)");
+}
+
+TEST(FrameHelpers, EndWithTheirWalkUnfinished) {
+    FrameHelpers helpers(2, [](std::size_t, std::size_t, const Say& say) {
+        while (true) {
+            say(Topic::frame, std::string(100'000, 'x'));
+        }
+    });
+    helpers.begin(0);
+    EXPECT_EQ(helpers.next_frame(1).size(), 100'000U);
 }
 
 // ---- verdicts

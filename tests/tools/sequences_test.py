@@ -3,8 +3,12 @@
 
 import json
 import os
+import pathlib
+import signal
 import struct
+import subprocess
 import sys
+import time
 import unittest
 
 from program import WALK, ProgramCase, main
@@ -26,6 +30,19 @@ class Sequences(ProgramCase):
 
     def frames(self, folder="out/short/frames"):
         return sorted(name for name in self.contents() if name.startswith(folder + "/"))
+
+    def forked_by(self, process):
+        """The only one, when it is there; the importer isn't: it is another program."""
+        for _ in range(1000):
+            for child in pathlib.Path("/proc/%d/task/%d/children" % (process, process)).read_text("ascii").split():
+                try:
+                    if pathlib.Path("/proc", child, "cmdline").read_bytes() == pathlib.Path(
+                            "/proc/%d/cmdline" % process).read_bytes():
+                        return int(child)
+                except FileNotFoundError:
+                    pass  # it has ended
+            time.sleep(0.01)
+        return self.fail("process %d has no child like itself" % process)
 
     def size_of(self, name):
         return struct.unpack(">II", self.read(name)[16:24])
@@ -61,6 +78,37 @@ class Drawn(Sequences):
         for name in ("animation.png", "animation.gif", "contact-sheet.png", "frames/frame-00003.png"):
             for walk in ("short", "other"):
                 self.assertEqual(self.read("one/%s/%s" % (walk, name)), self.read("two/%s/%s" % (walk, name)))
+
+    def test_frames_of_one_walk_are_drawn_by_idle_processes(self):
+        made = ("animation.png", "contact-sheet.png", "frames/frame-00002.png", "frames/frame-00004.png")
+        arguments = ("run", "short.walk.yaml", "--every", "0.5", "--animation", "apng", "--contact-sheet", "--output")
+        alone = self.passes(*arguments, "one", "-j", "1")
+        for workers in ("2", "5"):
+            outcome = self.passes(*arguments, "many", "-j", workers)
+            self.assertEqual(outcome.out, alone.out)
+            self.assertEqual(outcome.err, alone.err)
+            self.assertEqual(len(self.frames("many/short/frames")), len(self.frames("one/short/frames")))
+            for name in made:
+                self.assertEqual(self.read("one/short/" + name), self.read("many/short/" + name), name)
+
+    def test_a_process_that_helps_to_draw_is_killed(self):
+        with subprocess.Popen([self.program, "run", "short.walk.yaml", "--every", "0.02", "--frame-width", "1000", "-j", "2"],
+                              cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as run:
+            worker = self.forked_by(run.pid)
+            os.kill(self.forked_by(worker), signal.SIGKILL)
+            complaint = run.communicate(timeout=120)[1].decode()
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("error: a process that drew frames is gone: it was ended by signal 9 (Killed)", complaint)
+
+    def test_interrupted(self):
+        with subprocess.Popen([self.program, "run", "short.walk.yaml", "--every", "0.02", "--frame-width", "1000", "-j", "2"],
+                              cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              start_new_session=True) as run:
+            helper = self.forked_by(self.forked_by(run.pid))
+            os.killpg(run.pid, signal.SIGINT)  # as a terminal does: all of them
+            complaint = run.communicate(timeout=120)[1].decode()
+        self.assertEqual((run.returncode, complaint.splitlines()[-1]), (130, "interrupted"))
+        self.assertFalse(os.path.exists("/proc/%d/cwd" % helper), "it ends with the others")
 
     def test_views_and_sizes(self):
         pictures = []

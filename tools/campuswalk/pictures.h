@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/expect/failure.h"
@@ -48,12 +51,32 @@ inline constexpr const char* kFramesFolder = "frames";
 inline constexpr const char* kContactSheetFile = "contact-sheet.png";
 inline constexpr const char* kVideoFile = "video.mp4";
 
-/// Takes the pictures that are wished for, and writes what is to be made of them to `FOLDER/`. `campus` and
-/// `painters` must outlive it.
+/// A walk's frames drawn by several processes in turn, all of which play it.
+struct FrameSharing {
+    std::size_t parts = 1;
+    /// The next frame of a part other than 0, as that part handed it over; waits for it. Throws
+    /// std::runtime_error when it will never come.
+    std::function<std::string(std::size_t part)> take;
+};
+
+/// Takes the pictures that are wished for, of them part 0 by itself, and writes what is to be made of them to
+/// `FOLDER/`. `campus` and `painters` must outlive it.
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const std::filesystem::path& folder,
-                                                      const SequenceWish& wish,
+                                                      const SequenceWish& wish, FrameSharing sharing,
                                                       engine::render::PainterStore& painters);
+
+/// Takes those of one part, and hands them over, on a thread of its own.
+std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
+                                                       const SequenceWish& wish, std::size_t part,
+                                                       std::size_t parts,
+                                                       std::function<void(std::string_view frame)> hand_over,
+                                                       engine::render::PainterStore& painters);
+
+/// So many processes, of which this is one, are about to draw at the same time; to be said before the first
+/// picture.
+void share_processors(std::size_t processes);
+
 /// Whether a video can be made: it takes a program of others.
 bool can_make_videos();
 

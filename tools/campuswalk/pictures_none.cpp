@@ -33,10 +33,20 @@ std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus&, const engine::Walk&,
                                                       const std::filesystem::path&, const SequenceWish&,
-                                                      engine::render::PainterStore&) {
+                                                      FrameSharing, engine::render::PainterStore&) {
     assert(false);
     return nullptr;
 }
+
+std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus&, const engine::Walk&,
+                                                       const SequenceWish&, std::size_t, std::size_t,
+                                                       std::function<void(std::string_view)>,
+                                                       engine::render::PainterStore&) {
+    assert(false);
+    return nullptr;
+}
+
+void share_processors(std::size_t) {}
 
 bool can_make_videos() {
     return false;

@@ -1,13 +1,20 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/render/driver_threads.h"
 #include "engine/render/sequence/animated_gif.h"
 #include "engine/render/sequence/animated_png.h"
 #include "engine/render/sequence/contact_sheet.h"
+#include "engine/render/sequence/frame_bytes.h"
 #include "engine/render/sequence/frame_files.h"
+#include "engine/render/sequence/frame_sharing.h"
 #include "engine/render/sequence/sequence_observer.h"
 #include "tools/campuswalk/ffmpeg_video.h"
 #include "tools/campuswalk/pictures.h"
@@ -44,14 +51,17 @@ std::unique_ptr<render::FrameSink> animation(const std::string& name, const fs::
     return nullptr;
 }
 
-}  // namespace
-
-std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
-                                                      const fs::path& folder, const SequenceWish& wish,
-                                                      render::PainterStore& painters) {
+render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceWish& wish,
+                                     const render::FrameShare& share) {
     render::SequenceSettings settings;
     settings.every = wish.every.value_or(kUsualInterval);
     settings.camera = camera_for(walk, wish);
+    settings.share = share;
+    return settings;
+}
+
+std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceWish& wish, const fs::path& folder,
+                                                         double every) {
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
     if (wish.every) {
         sinks.push_back(std::make_unique<render::FrameFiles>(folder / kFramesFolder));
@@ -60,13 +70,81 @@ std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campu
         sinks.push_back(std::make_unique<render::ContactSheet>(folder / kContactSheetFile));
     }
     for (const std::string& name : wish.animations) {
-        sinks.push_back(animation(name, folder, settings.every));
+        sinks.push_back(animation(name, folder, every));
     }
     if (wish.video) {
-        sinks.push_back(std::make_unique<FfmpegVideo>(folder / kVideoFile, settings.every));
+        sinks.push_back(std::make_unique<FfmpegVideo>(folder / kVideoFile, every));
     }
-    return std::make_unique<render::SequenceObserver>(campus, std::move(settings), painters,
-                                                      std::move(sinks));
+    return sinks;
+}
+
+/// What the other parts hand over.
+class OtherParts final : public render::FrameSource {
+public:
+    explicit OtherParts(FrameSharing sharing) : sharing_(std::move(sharing)) {}
+
+    render::Frame take(std::size_t number) override {
+        render::Frame frame = render::frame_from_bytes(sharing_.take(number % sharing_.parts));
+        if (frame.number != number) {
+            throw std::runtime_error("processes that draw the same walk's frames don't agree on them");
+        }
+        return frame;
+    }
+
+private:
+    FrameSharing sharing_;
+};
+
+class HandedOver final : public render::FrameSink {
+public:
+    explicit HandedOver(std::function<void(std::string_view)> hand_over) : hand_over_(std::move(hand_over)) {}
+    void add(const render::Frame& frame) override { hand_over_(render::to_bytes(frame)); }
+    void finish() override {}
+
+private:
+    std::function<void(std::string_view)> hand_over_;
+};
+
+/// Takes part 0, with where the others come from.
+class SequenceTaker final : public engine::Observer {
+public:
+    SequenceTaker(const scene::Campus& campus, const render::SequenceSettings& settings,
+                  std::vector<std::unique_ptr<render::FrameSink>> sinks, FrameSharing sharing,
+                  render::PainterStore& painters)
+        : others_(std::move(sharing)), observer_(campus, settings, painters, std::move(sinks), &others_) {}
+
+    void begin(const engine::Walk& walk) override { observer_.begin(walk); }
+    void frame(const engine::FrameRecord& record) override { observer_.frame(record); }
+    void end() override { observer_.end(); }
+
+private:
+    OtherParts others_;
+    render::SequenceObserver observer_;
+};
+
+}  // namespace
+
+std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
+                                                      const fs::path& folder, const SequenceWish& wish,
+                                                      FrameSharing sharing, render::PainterStore& painters) {
+    const render::SequenceSettings settings = settings_of(walk, wish, {0, sharing.parts});
+    return std::make_unique<SequenceTaker>(campus, settings, sinks_of(wish, folder, settings.every),
+                                           std::move(sharing), painters);
+}
+
+std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
+                                                       const SequenceWish& wish, std::size_t part,
+                                                       std::size_t parts,
+                                                       std::function<void(std::string_view)> hand_over,
+                                                       render::PainterStore& painters) {
+    std::vector<std::unique_ptr<render::FrameSink>> sinks;
+    sinks.push_back(std::make_unique<HandedOver>(std::move(hand_over)));
+    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {part, parts}),
+                                                      painters, std::move(sinks));
+}
+
+void share_processors(std::size_t processes) {
+    render::share_processors(processes);
 }
 
 bool can_make_videos() {

@@ -5,24 +5,27 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr std::size_t kMostWaiting = 4;
+constexpr std::size_t kMostWaiting = 4;  // pictures of one's own
 
 }  // namespace
 
-FrameQueue::FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks)
-    : sinks_(std::move(sinks)), thread_([this] { work(); }) {}
+FrameQueue::FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* others, std::size_t parts)
+    : sinks_(std::move(sinks)),
+      others_(others),
+      most_waiting_(kMostWaiting * parts),
+      thread_([this] { work(); }) {}
 
 FrameQueue::~FrameQueue() {
     stop(true);
 }
 
-void FrameQueue::add(Frame frame) {
+void FrameQueue::wait_for_turn(Waiting waiting) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_.size() < kMostWaiting || failure_; });
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting_ || failure_; });
     if (failure_) {
         std::rethrow_exception(failure_);
     }
-    waiting_.push_back(std::move(frame));
+    waiting_.push_back(std::move(waiting));
     changed_.notify_all();
 }
 
@@ -60,15 +63,13 @@ void FrameQueue::work() {
         if (waiting_.empty()) {
             return;
         }
-        const Frame frame = std::move(waiting_.front());
+        Waiting next = std::move(waiting_.front());
         waiting_.pop_front();
         lock.unlock();
         changed_.notify_all();
         std::exception_ptr failure;
         try {
-            for (const std::unique_ptr<FrameSink>& sink : sinks_) {
-                sink->add(frame);
-            }
+            hand_over(std::move(next));
         } catch (...) {
             failure = std::current_exception();
         }
@@ -79,6 +80,13 @@ void FrameQueue::work() {
             changed_.notify_all();
             return;
         }
+    }
+}
+
+void FrameQueue::hand_over(Waiting waiting) {
+    const Frame frame = waiting.of_others ? others_->take(waiting.frame.number) : std::move(waiting.frame);
+    for (const std::unique_ptr<FrameSink>& sink : sinks_) {
+        sink->add(frame);
     }
 }
 

@@ -11,8 +11,13 @@ constexpr double kRounding = 1e-9;  ///< of a time, in times of `every`
 }  // namespace
 
 SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
-                                   PainterStore& painters, std::vector<std::unique_ptr<FrameSink>> sinks)
-    : campus_(campus), settings_(std::move(settings)), painters_(painters), queue_(std::move(sinks)) {}
+                                   PainterStore& painters, std::vector<std::unique_ptr<FrameSink>> sinks,
+                                   FrameSource* others)
+    : campus_(campus),
+      settings_(std::move(settings)),
+      painters_(painters),
+      others_draw_(others != nullptr),
+      queue_(std::move(sinks), others, settings_.share.parts) {}
 
 void SequenceObserver::begin(const Walk& walk) {
     shots_.begin(walk);
@@ -20,9 +25,15 @@ void SequenceObserver::begin(const Walk& walk) {
 
 void SequenceObserver::frame(const FrameRecord& record) {
     shots_.follow(record.avatar);
-    if (is_due(record.time)) {
+    if (!is_due(record.time)) {
+        return;
+    }
+    const std::size_t number = taken_++;
+    if (settings_.share.has(number)) {
         SnapshotPainter& painter = painters_.of(campus_, shots_.light());
-        queue_.add({painter.draw(shots_.shot(record, settings_.camera)), taken_++, record.time});
+        queue_.add({painter.draw(shots_.shot(record, settings_.camera)), number, record.time});
+    } else if (others_draw_) {
+        queue_.add_of_others(number);
     }
 }
 

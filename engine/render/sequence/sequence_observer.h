@@ -16,17 +16,19 @@ namespace campuswalk::engine::render {
 struct SequenceSettings {
     double every = 0.5;     ///< simulated seconds; no more than a frame a tick
     CameraSettings camera;  ///< what each is taken with
+    FrameShare share;       ///< which of them
 };
 
 /// Takes the first frame at a walk's first tick, and the others as their times come.
 class SequenceObserver final : public Observer {
 public:
-    /// `campus` and `painters` must outlive it.
+    /// `others` draw what isn't in the share; without them the sinks get the share alone. All but the
+    /// settings must outlive it.
     SequenceObserver(const scene::Campus& campus, SequenceSettings settings, PainterStore& painters,
-                     std::vector<std::unique_ptr<FrameSink>> sinks);
+                     std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* others = nullptr);
 
     void begin(const Walk& walk) override;
-    /// Throws RenderError when the machine can't draw, and what a sink threw at a frame before.
+    /// Throws RenderError when the machine can't draw, and what a sink or the others threw at a frame before.
     void frame(const FrameRecord& record) override;
     void end() override;
 
@@ -37,8 +39,9 @@ private:
     SequenceSettings settings_;
     PainterStore& painters_;
     WalkShots shots_;
-    std::size_t taken_ = 0;
-    double next_ = 0.0;  ///< times of `every`
+    bool others_draw_;
+    std::size_t taken_ = 0;  ///< by whomever
+    double next_ = 0.0;      ///< times of `every`
     FrameQueue queue_;
 };
 

@@ -13,6 +13,7 @@ enum class Topic : std::uint8_t {
     log,     ///< lines of the text log
     events,  ///< lines of the log as JSON
     place,   ///< the walk's time in seconds, for people to see
+    frame,   ///< what FrameSharing::take gives, from one that helps to draw
     result,  ///< the last: engine::to_json_line
 };
 

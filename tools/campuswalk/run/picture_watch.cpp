@@ -26,14 +26,18 @@ bool must_fail_in_pictures(const engine::Walk& walk) {
             }));
 }
 
-PictureWatch::PictureWatch(const Case& played, const PlaySettings& settings,
-                           engine::render::PainterStore& painters)
+PictureWatch::PictureWatch(const Case& played, const PlaySettings& settings, const PictureMakers& makers)
     : played_(played), settings_(settings) {
     const LoadedWalk& loaded = *played.walk;
     const std::filesystem::path folder = settings.output / played.folder;
-    taker_ = make_snapshot_taker(*loaded.campus, folder, painters);
+    taker_ = make_snapshot_taker(*loaded.campus, folder, *makers.painters);
     if (settings.sequence.any()) {
-        sequence_ = make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence, painters);
+        FrameSharing sharing;
+        if (FrameHelpers* helpers = makers.helpers) {
+            sharing = {helpers->parts(), [helpers](std::size_t part) { return helpers->next_frame(part); }};
+        }
+        sequence_ = make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence,
+                                        std::move(sharing), *makers.painters);
     }
 }
 

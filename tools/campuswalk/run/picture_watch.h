@@ -21,7 +21,7 @@ bool must_fail_in_pictures(const engine::Walk& walk);
 class PictureWatch {
 public:
     /// All must outlive it.
-    PictureWatch(const Case& played, const PlaySettings& settings, engine::render::PainterStore& painters);
+    PictureWatch(const Case& played, const PlaySettings& settings, const PictureMakers& makers);
 
     /// Alive as long as this.
     std::vector<engine::Observer*> observers();

@@ -185,13 +185,13 @@ void fill(WalkResult& result, const engine::WalkSummary& summary) {
 }
 
 void play_into(WalkResult& result, const Case& played, const PlaySettings& settings,
-               engine::render::PainterStore* painters, Listener& listener) {
+               const PictureMakers& makers, Listener& listener) {
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
     std::vector<engine::Observer*> observers = {&listener, &interrupt};
     std::optional<PictureWatch> pictures;
     if (settings.pictures) {
-        std::ranges::copy(pictures.emplace(played, settings, *painters).observers(),
+        std::ranges::copy(pictures.emplace(played, settings, makers).observers(),
                           std::back_inserter(observers));
     }
     const Records records(settings.records);
@@ -223,14 +223,14 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
     }
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
         std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
-                                                            settings.output, played.folder, *painters);
+                                                            settings.output, played.folder, *makers.painters);
         std::ranges::move(drawn, std::back_inserter(result.artifacts));
     }
 }
 
 }  // namespace
 
-WalkResult play(const Case& played, const PlaySettings& settings, engine::render::PainterStore* painters,
+WalkResult play(const Case& played, const PlaySettings& settings, const PictureMakers& makers,
                 const Say& say) {
     WalkResult result = played.result;
     if (!settings.pictures && must_fail_in_pictures(played.walk->walk)) {
@@ -240,7 +240,7 @@ WalkResult play(const Case& played, const PlaySettings& settings, engine::render
     }
     Listener listener(say, settings, golden_log_of(played.walk->walk) != nullptr);
     try {
-        play_into(result, played, settings, painters, listener);
+        play_into(result, played, settings, makers, listener);
     } catch (const Interrupted&) {
         result.outcome = Outcome::interrupted;
     } catch (const std::exception& error) {
@@ -249,6 +249,22 @@ WalkResult play(const Case& played, const PlaySettings& settings, engine::render
     }
     listener.flush();
     return result;
+}
+
+void draw_frames(const Case& played, const PlaySettings& settings, engine::render::PainterStore& painters,
+                 std::size_t part, std::size_t parts, const Say& say) {
+    std::string complaint;
+    try {
+        const LoadedWalk& loaded = *played.walk;
+        const std::unique_ptr<engine::Observer> frames = make_sequence_helper(
+            *loaded.campus, loaded.walk, settings.sequence, part, parts,
+            [&say](std::string_view frame) { say(Topic::frame, frame); }, painters);
+        engine::Observer* const observers[] = {frames.get()};
+        engine::run_walk(*loaded.campus, loaded.walk, observers);
+    } catch (const std::exception& error) {
+        complaint = error.what();
+    }
+    say(Topic::result, complaint);
 }
 
 }  // namespace campuswalk::tools

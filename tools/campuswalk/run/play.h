@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "tools/campuswalk/golden_log.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/rendering_backend.h"
+#include "tools/campuswalk/run/frame_helpers.h"
 #include "tools/campuswalk/run/plan.h"
 #include "tools/campuswalk/run/worker.h"
 #include "tools/campuswalk/sequence_wish.h"
@@ -27,9 +30,19 @@ struct PlaySettings {
     engine::PictureTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
 };
 
+/// What makes the pictures of all cases that a process plays.
+struct PictureMakers {
+    std::shared_ptr<engine::render::PainterStore> painters;  ///< null without pictures
+    FrameHelpers* helpers = nullptr;                         ///< set to the case; null when there are none
+};
+
 /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole
-/// lines. `painters` are for all cases that a process plays, null without pictures.
-engine::WalkResult play(const Case& played, const PlaySettings& settings,
-                        engine::render::PainterStore* painters, const Say& say);
+/// lines.
+engine::WalkResult play(const Case& played, const PlaySettings& settings, const PictureMakers& makers,
+                        const Say& say);
+
+/// Plays it for its frames alone, and draws one part of them: a FrameHelpers::Draw.
+void draw_frames(const Case& played, const PlaySettings& settings, engine::render::PainterStore& painters,
+                 std::size_t part, std::size_t parts, const Say& say);
 
 }  // namespace campuswalk::tools

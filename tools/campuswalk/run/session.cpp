@@ -1,8 +1,10 @@
 #include "tools/campuswalk/run/session.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -68,10 +70,11 @@ int Session::run() {
             last_run_->add(engine::to_json_line(each.result));
         }
     }
+    const std::vector<std::size_t> tasks = to_play();
+    workers_ = std::max<std::size_t>(1, std::min(settings_.pool.workers, tasks.size()));
     WorkerPool pool(
         [this](std::size_t index, const Say& say) {
-            say(Topic::result,
-                engine::to_json_line(play(plan_.cases[index], settings_.play, painters_.get(), say)));
+            say(Topic::result, engine::to_json_line(play_case(index, say)));
         },
         settings_.pool);
     PoolListener listener;
@@ -99,7 +102,45 @@ int Session::run() {
     if (!over_.empty() && over_.front()) {
         tell_up_to(0);
     }
-    return finish(!enough() && !pool.run(to_play(), listener));
+    return finish(!enough() && !pool.run(tasks, listener));
+}
+
+WalkResult Session::play_case(std::size_t index, const Say& say) {
+    if (!drawing_begun_ && painters_ != nullptr) {
+        drawing_begun_ = true;
+        start_frame_helpers();
+    }
+    if (frame_helpers_) {
+        try {
+            frame_helpers_->begin(index);
+        } catch (const std::runtime_error&) {
+            frame_helpers_.reset();  // one is gone; there is still this process
+        }
+    }
+    WalkResult result = play(plan_.cases[index], settings_.play, {painters_, frame_helpers_.get()}, say);
+    if (result.outcome == Outcome::broken || result.outcome == Outcome::interrupted) {
+        frame_helpers_.reset();  // they may be anywhere in the walk
+    }
+    return result;
+}
+
+// Processors that no worker has a walk for draw frames for those that have.
+void Session::start_frame_helpers() {
+    constexpr std::size_t kMostParts = 8;  // each holds what the driver makes of the campus
+    const std::size_t spare = settings_.pool.workers / workers_;
+    const std::size_t parts = settings_.play.sequence.any() ? std::min(spare, kMostParts) : 1;
+    share_processors(workers_ * parts);
+    if (parts < 2) {
+        return;
+    }
+    try {
+        frame_helpers_ = std::make_unique<FrameHelpers>(
+            parts, [this, parts](std::size_t index, std::size_t part, const Say& say) {
+                draw_frames(plan_.cases[index], settings_.play, *painters_, part, parts, say);
+            });
+    } catch (const std::runtime_error&) {
+        // No room for more processes: this one draws by itself.
+    }
 }
 
 void Session::keep(std::size_t index, const Ending& ending) {

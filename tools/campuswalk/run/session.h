@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/campuswalk/log_output.h"
+#include "tools/campuswalk/run/frame_helpers.h"
 #include "tools/campuswalk/run/last_run.h"
 #include "tools/campuswalk/run/plan.h"
 #include "tools/campuswalk/run/play.h"
@@ -42,6 +43,9 @@ public:
 
 private:
     std::vector<std::size_t> to_play() const;
+    /// In a worker's process.
+    engine::WalkResult play_case(std::size_t index, const Say& say);
+    void start_frame_helpers();
     void keep(std::size_t index, const Ending& ending);
     void hear(Topic topic, std::string_view lines);
     /// Those up to the case and those that need no playing after it; false when there have been enough
@@ -58,7 +62,10 @@ private:
     LogOutput* events_;
     LastRunWriter* last_run_;
     Progress progress_;
+    std::size_t workers_ = 1;                                 ///< that there will be at most
     std::shared_ptr<engine::render::PainterStore> painters_;  ///< of the process that plays; null for none
+    bool drawing_begun_ = false;                              ///< likewise
+    std::unique_ptr<FrameHelpers> frame_helpers_;             ///< likewise
     std::vector<bool> over_;                                  ///< of each case: its result is known
     std::size_t told_ = 0;
     int failures_ = 0;

@@ -77,6 +77,52 @@ TEST(FrameQueue, TellsOfWhatWentWrong) {
     EXPECT_FALSE(seen.finished);
 }
 
+/// Draws every frame but those of part 0, until one can't be drawn.
+class Others final : public FrameSource {
+public:
+    explicit Others(std::size_t bad = 1'000'000) : bad_(bad) {}
+    Frame take(std::size_t number) override {
+        if (number >= bad_) {
+            throw std::runtime_error("who draws is gone");
+        }
+        return {{}, number, 1.0};
+    }
+
+private:
+    std::size_t bad_;
+};
+
+TEST(FrameQueue, PutsFramesOfOthersBetweenItsOwn) {
+    Seen seen;
+    Others others;
+    FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 3);
+    for (std::size_t i = 0; i < 50; ++i) {
+        ++seen.in_hand;
+        i % 3 == 0 ? queue.add({{}, i, 0.0}) : queue.add_of_others(i);
+    }
+    queue.finish();
+    ASSERT_EQ(seen.numbers.size(), 50U);
+    for (std::size_t i = 0; i < 50; ++i) {
+        EXPECT_EQ(seen.numbers[i], i);
+    }
+}
+
+TEST(FrameQueue, TellsOfOthersThatAreGone) {
+    Seen seen;
+    Others others(5);
+    FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 2);
+    EXPECT_THROW(
+        {
+            for (std::size_t i = 0; i < 100; ++i) {
+                i % 2 == 0 ? queue.add({{}, i, 0.0}) : queue.add_of_others(i);
+            }
+        },
+        std::runtime_error);
+    EXPECT_EQ(seen.numbers.size(), 5U);
+    EXPECT_THROW(queue.finish(), std::runtime_error);
+    EXPECT_FALSE(seen.finished);
+}
+
 TEST(FrameQueue, GivesUpWithoutFinish) {
     Seen seen;
     {

@@ -1,6 +1,10 @@
 #include "engine/render/sequence/sequence_observer.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -19,8 +23,22 @@ private:
     std::vector<Frame>& frames_;
 };
 
+/// Frames that were drawn before.
+class Drawn final : public FrameSource {
+public:
+    explicit Drawn(std::vector<Frame> frames) : frames_(std::move(frames)) {}
+    Frame take(std::size_t number) override {
+        const auto found = std::ranges::find(frames_, number, &Frame::number);
+        return found == frames_.end() ? throw std::runtime_error("there is none") : *found;
+    }
+
+private:
+    std::vector<Frame> frames_;
+};
+
 /// The frames of a walk of so many ticks.
-std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, const Walk& walk = {}) {
+std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, const Walk& walk = {},
+                             const FrameShare& share = {}, FrameSource* others = nullptr) {
     const scene::Campus campus = campus_of(tower_scene());
     SequenceSettings settings;
     settings.every = every;
@@ -34,7 +52,8 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
     std::vector<Frame> frames;
     std::vector<std::unique_ptr<FrameSink>> sinks;
     sinks.push_back(std::make_unique<Times>(frames));
-    SequenceObserver observer(campus, settings, painters, std::move(sinks));
+    settings.share = share;
+    SequenceObserver observer(campus, settings, painters, std::move(sinks), others);
     observer.begin(walk);
     FrameRecord record;
     for (int i = 0; i < ticks; ++i) {
@@ -77,6 +96,22 @@ TEST(SequenceObserver, DrawsByTheWalksLight) {
         return std::accumulate(picture.rgba.begin(), picture.rgba.end(), 0.0);
     };
     EXPECT_LT(brightness_of(frames_of(1.0, 2, 60, dark)), 0.7 * brightness_of(frames_of(1.0, 2, 60)));
+}
+
+TEST(SequenceObserver, SharesTheFramesOfAWalk) {
+    const std::vector<Frame> whole = frames_of(0.1, 61, 60);
+    std::vector<Frame> by_others = frames_of(0.1, 61, 60, {}, {1, 3});
+    ASSERT_EQ(by_others.size(), 4U);
+    EXPECT_EQ(by_others[2].number, 7U);
+    std::ranges::copy(frames_of(0.1, 61, 60, {}, {2, 3}), std::back_inserter(by_others));
+    Drawn others(std::move(by_others));
+    const std::vector<Frame> shared = frames_of(0.1, 61, 60, {}, {0, 3}, &others);
+    ASSERT_EQ(shared.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(shared[i].number, i);
+        EXPECT_EQ(shared[i].time, whole[i].time);
+        EXPECT_EQ(shared[i].picture.rgba, whole[i].picture.rgba) << i;
+    }
 }
 
 TEST(SequenceObserver, TakesOneATickAtMost) {

@@ -1,0 +1,37 @@
+#include "engine/render/sequence/frame_bytes.h"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+Frame small_frame() {
+    Frame frame{{3, 2, {}}, 70'000'000'000, 0.1};
+    for (int i = 0; i < 24; ++i) {
+        frame.picture.rgba.push_back(static_cast<std::uint8_t>(i == 5 ? 0 : 200 + i));
+    }
+    return frame;
+}
+
+TEST(FrameBytes, ComeBackAsTheFrameTheyWere) {
+    const Frame back = frame_from_bytes(to_bytes(small_frame()));
+    EXPECT_EQ(back.number, small_frame().number);
+    EXPECT_EQ(back.time, small_frame().time);
+    EXPECT_EQ(back.picture.width, 3);
+    EXPECT_EQ(back.picture.height, 2);
+    EXPECT_EQ(back.picture.rgba, small_frame().picture.rgba);
+}
+
+TEST(FrameBytes, OfAnythingElseAreRefused) {
+    const std::string bytes = to_bytes(small_frame());
+    EXPECT_THROW(frame_from_bytes(""), std::runtime_error);
+    EXPECT_THROW(frame_from_bytes(bytes.substr(0, 20)), std::runtime_error);
+    EXPECT_THROW(frame_from_bytes(bytes.substr(0, bytes.size() - 1)), std::runtime_error);
+    EXPECT_THROW(frame_from_bytes(bytes + "x"), std::runtime_error);
+    EXPECT_THROW(frame_from_bytes(to_bytes({{-1, -2, {}}, 0, 0.0})), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test
