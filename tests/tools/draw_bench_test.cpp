@@ -43,12 +43,13 @@ TEST(DrawPeers, AreReadLineByLine) {
 }
 
 DrawnCampus made_up_campus(std::size_t triangles, double ms, std::size_t heap_bytes) {
-    return {triangles,
-            {times_of("campuswalk", "no-aa", 0.5 * ms), times_of("campuswalk", "shadows+fxaa", ms),
-             times_of("campuswalk", "shadows+msaa4", 3.0 * ms),
-             times_of("three.js", "shadows+fxaa", 3.0 * ms), times_of("vtk", "no-aa", ms)},
-            15.0,
-            heap_bytes};
+    return {
+        triangles,
+        {times_of("campuswalk", "no-aa", 0.5 * ms), times_of("campuswalk", "shadows+fxaa", ms),
+         times_of("campuswalk", "shadows+msaa4", 3.0 * ms), times_of("three.js", "shadows+fxaa", 3.0 * ms),
+         times_of("vtk", "no-aa", ms), times_of("processes", "shadows+fxaa", 0.75 * ms)},
+        15.0,
+        heap_bytes};
 }
 
 const DrawVerdict& verdict(const std::vector<DrawVerdict>& all, const std::string& what,
@@ -70,6 +71,9 @@ TEST(DrawVerdicts, SayWhatIsReached) {
     EXPECT_FALSE(verdict(all, "a frame, shadows+fxaa, 2000000", " ms").holds()) << "100 of 85";
     EXPECT_DOUBLE_EQ(*verdict(all, "shadows+fxaa, 500000", "x as long in three.js").value, 3.0);
     EXPECT_TRUE(verdict(all, "shadows+fxaa, 500000", "x as long in three.js").holds());
+    const std::string by_processes = "shadows+fxaa, 500000 triangles, by processes";
+    EXPECT_DOUBLE_EQ(*verdict(all, "a frame, " + by_processes, " ms").value, 36.0);
+    EXPECT_DOUBLE_EQ(*verdict(all, by_processes, "x as long in three.js").value, 4.0);
     EXPECT_FALSE(verdict(all, "no-aa, 500000", "x as long in VTK").holds()) << "twice, not three times";
     EXPECT_FALSE(verdict(all, "msaa4, 500000", "x as long in VTK").value.has_value()) << "not measured";
     EXPECT_NEAR(*verdict(all, "memory a triangle", " bytes").value, 266.67, 0.01);
@@ -82,6 +86,7 @@ TEST(DrawCsv, HasALineACampusEngineAndLook) {
     const support::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "new" / "draw.csv";
     DrawnCampus campus = made_up_campus(500000, 24.0, 1);
+    campus.looks.pop_back();
     campus.looks.erase(campus.looks.begin() + 1, campus.looks.begin() + 4);
     campus.looks[0].cpu_ms = 20.5;
     write_draw_csv({campus}, file);

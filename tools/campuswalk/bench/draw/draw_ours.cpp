@@ -6,6 +6,7 @@
 
 #include "engine/render/png.h"
 #include "engine/render/renderer.h"
+#include "tools/campuswalk/bench/draw/looks.h"
 #include "tools/campuswalk/bench/heap.h"
 #include "tools/campuswalk/bench/shuffled_runs.h"
 
@@ -13,34 +14,9 @@ namespace campuswalk::tools::bench {
 
 using engine::render::Picture;
 using engine::render::Renderer;
-using engine::render::RenderSettings;
 using engine::render::Viewpoint;
 
 namespace {
-
-struct Look {
-    const char* name = "";
-    int samples = 1;
-    bool fxaa = false;
-    bool shadows = false;
-    bool occlusion = false;
-};
-
-constexpr Look kLooks[] = {{"no-aa", 1, false, false, false},
-                           {"fxaa", 1, true, false, false},
-                           {"msaa4", 4, false, false, false},
-                           {"shadows+fxaa", 1, true, true, false},
-                           {"shadows+msaa4", 4, false, true, false}};
-constexpr const char* kDefaultLook = "default";
-
-RenderSettings settings_of(const Look& look) {
-    RenderSettings settings;
-    settings.samples = look.samples;
-    settings.fxaa = look.fxaa;
-    settings.shadows = look.shadows;
-    settings.occlusion_radius = 0.0;
-    return settings;
-}
 
 /// Of all threads of this process.
 double cpu_ms() {
@@ -70,35 +46,23 @@ DrawTimes draw_look(Renderer& renderer, const std::vector<Viewpoint>& views, int
     return times;
 }
 
-std::vector<Viewpoint> viewpoints(const std::vector<DrawnView>& views) {
-    std::vector<Viewpoint> points;
-    for (const DrawnView& view : views) {
-        points.push_back(engine::render::looking_at(view.eye, view.target, kDrawnFov));
-    }
-    return points;
-}
-
 }  // namespace
 
 OurDrawing draw_ours(const scene::Model& model, const std::vector<DrawnView>& views, int rounds,
                      const std::filesystem::path& folder) {
     OurDrawing drawing;
     const std::vector<Viewpoint> points = viewpoints(views);
-    const auto draw = [&](const std::string& look, const RenderSettings& settings) {
+    for (const Look& look : looks()) {
         const std::size_t before = heap_in_use();
-        Renderer renderer(std::span(&model, 1), settings);
+        Renderer renderer(std::span(&model, 1), look.settings);
         drawing.looks.push_back(draw_look(renderer, points, rounds));
-        drawing.looks.back().engine = "campuswalk";
-        drawing.looks.back().look = look;
+        drawing.looks.back().engine = kOurs;
+        drawing.looks.back().look = look.name;
         drawing.heap_bytes = heap_in_use() - before;
         const Picture picture = renderer.draw(points.front(), kDrawnWidth, kDrawnHeight);
         drawing.encode_ms = 1e-3 * microseconds_of([&] { engine::render::encode_png(picture); });
-        engine::render::write_png(picture, folder / ("campuswalk-" + look + ".png"));
-    };
-    for (const Look& look : kLooks) {
-        draw(look.name, settings_of(look));
+        engine::render::write_png(picture, folder / ("campuswalk-" + look.name + ".png"));
     }
-    draw(kDefaultLook, RenderSettings());
     return drawing;
 }
 

@@ -9,10 +9,6 @@
 
 namespace campuswalk::tools::bench {
 
-constexpr int kDrawnWidth = 1280;
-constexpr int kDrawnHeight = 720;
-constexpr double kDrawnFov = 1.0471975511965976;  ///< vertical, radians
-
 struct OurDrawing {
     std::vector<DrawTimes> looks;
     double encode_ms = 0.0;      ///< to make a PNG of a picture, beside drawing when it is done in a walk

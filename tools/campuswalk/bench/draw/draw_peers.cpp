@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/render/render_settings.h"
-#include "tools/campuswalk/bench/draw/draw_ours.h"
+#include "tools/campuswalk/bench/draw/looks.h"
 
 namespace campuswalk::tools::bench {
 

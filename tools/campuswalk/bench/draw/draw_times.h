@@ -13,6 +13,11 @@ struct DrawnFrame {
     double ms = 0.0;  ///< wall clock, until the pixels are there
 };
 
+/// Ours, a picture after the other.
+inline constexpr const char* kOurs = "campuswalk";
+/// Ours by several processes at the same time.
+inline constexpr const char* kOurProcesses = "processes";
+
 /// What one engine took for all views, several times each.
 struct DrawTimes {
     std::string engine;
