@@ -5,26 +5,10 @@
 #include <cmath>
 #include <string_view>
 
+#include <pugixml.hpp>
+
 namespace campuswalk::scene {
 namespace {
-
-/// What stands between the first <name …> and its </name>; nullopt when there is none.
-std::optional<std::string_view> element(std::string_view xml, std::string_view name) {
-    const std::string open = "<" + std::string(name);
-    for (std::size_t at = xml.find(open); at != std::string_view::npos; at = xml.find(open, at + 1)) {
-        const std::size_t after = at + open.size();
-        if (after >= xml.size() || std::string_view("> \t\r\n").find(xml[after]) == std::string_view::npos) {
-            continue;  // a longer name
-        }
-        const std::size_t begin = xml.find('>', after);
-        const std::size_t end = xml.find("</" + std::string(name), after);
-        if (begin == std::string_view::npos || end == std::string_view::npos || end <= begin) {
-            return std::nullopt;
-        }
-        return xml.substr(begin + 1, end - begin - 1);
-    }
-    return std::nullopt;
-}
 
 /// A number alone, but for white space about it.
 std::optional<double> number_of(std::string_view text) {
@@ -46,16 +30,20 @@ std::optional<double> number_of(std::string_view text) {
 }  // namespace
 
 ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
-    const std::string_view text(reinterpret_cast<const char*>(xml.data()), xml.size());
-    const auto asset = element(text, "asset");  // the document's comes first
-    const auto location = asset ? element(*asset, "geographic_location") : std::nullopt;
+    pugi::xml_document document;
+    if (!document.load_buffer(xml.data(), xml.size())) {
+        return {};  // who imports it says what is wrong with it
+    }
+    // COLLADA 1.5 puts it into <coverage>, and others right into <asset>.
+    const pugi::xml_node location = document.child("COLLADA").child("asset").find_node(
+        [](const pugi::xml_node& node) { return std::string_view(node.name()) == "geographic_location"; });
     if (!location) {
         return {};
     }
-    const auto longitude = number_of(element(*location, "longitude").value_or(""));
-    const auto latitude = number_of(element(*location, "latitude").value_or(""));
-    const std::optional<std::string_view> altitude = element(*location, "altitude");
-    const auto height = altitude ? number_of(*altitude) : 0.0;
+    const auto longitude = number_of(location.child_value("longitude"));
+    const auto latitude = number_of(location.child_value("latitude"));
+    const pugi::xml_node altitude = location.child("altitude");
+    const auto height = altitude ? number_of(altitude.child_value()) : 0.0;
     if (!longitude || !latitude || !height) {
         return {std::nullopt, "lacks a latitude or a longitude, or one is no number"};
     }

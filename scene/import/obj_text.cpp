@@ -182,7 +182,7 @@ bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
 
 Eigen::Vector3d move_vertices_near(std::vector<std::uint8_t>& obj, double metres_per_unit) {
     const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());
-    const Eigen::Vector3d origin = origin_of(text, metres_per_unit);
+    Eigen::Vector3d origin = origin_of(text, metres_per_unit);
     if (origin.isZero(0.0)) {
         return origin;
     }

@@ -149,6 +149,7 @@ public:
         arguments.push_back(nullptr);
         std::vector<std::string> variables = helper_variables();
         std::vector<char*> environment;
+        environment.reserve(variables.size() + 1);
         for (std::string& variable : variables) {
             environment.push_back(variable.data());
         }

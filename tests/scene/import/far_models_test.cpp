@@ -185,10 +185,15 @@ TEST_F(FarModels, AreNowhereWhereColladaSaysNoPlace) {
         EXPECT_FALSE(import("a.dae").geographic) << location;
         EXPECT_TRUE(test::has_code(warnings_, "bad-geography")) << location;
     }
-    folder_.write("a.dae", collada_at(""));
-    warnings_.clear();
-    EXPECT_FALSE(import("a.dae").geographic);
-    EXPECT_TRUE(warnings_.empty());
+    for (const char* nothing :
+         {"",
+          "<!-- <geographic_location><longitude>4</longitude><latitude>9</latitude></geographic_location> "
+          "-->"}) {
+        folder_.write("a.dae", collada_at(nothing));
+        warnings_.clear();
+        EXPECT_FALSE(import("a.dae").geographic) << nothing;
+        EXPECT_TRUE(warnings_.empty()) << nothing;
+    }
 }
 
 }  // namespace
