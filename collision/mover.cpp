@@ -160,7 +160,7 @@ Vec3 CapsuleMover::slide(const Stand& stand, const Vec3& wish, bool grounded) {
     const Vec3& foot = stand.foot;
     find_walls(stand, horizontal_norm(wish), grounded);
     while (true) {
-        const Vec3 move = nearest_allowed(wish, planes_);
+        Vec3 move = nearest_allowed(wish, planes_);
         const auto met = std::partition(edges_.begin(), edges_.end(),
                                         [&](Neighbourhood::Index i) { return !way().meets(i, foot, move); });
         if (met == edges_.end()) {

@@ -68,6 +68,7 @@ std::vector<Vec3> offsets_within(double reach) {
     }
     std::ranges::sort(offsets, {}, [](const Offset& o) { return std::tuple(o.squared, o.number); });
     std::vector<Vec3> vectors;
+    vectors.reserve(offsets.size());
     for (const Offset& offset : offsets) {
         vectors.push_back(offset.vector);
     }
@@ -109,7 +110,7 @@ public:
             if (offset.norm() > reach) {
                 break;
             }
-            if (!free(offset)) {
+            if (!is_free(offset)) {
                 continue;
             }
             if (!best) {
@@ -132,7 +133,7 @@ private:
             around, [&](ObjectId id) { return contains(world_.object(id), point, counters_); });
     }
 
-    bool free(const Vec3& offset) const {
+    bool is_free(const Vec3& offset) const {
         const Segment there{axis_.a + offset, axis_.b + offset};
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             const Obstacle& piece = pieces_[i];
@@ -150,7 +151,7 @@ private:
         double enough = 1.0;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = 0.5 * (blocked + enough);
-            (free(middle * offset) ? enough : blocked) = middle;
+            (is_free(middle * offset) ? enough : blocked) = middle;
         }
         return enough * offset;
     }

@@ -32,13 +32,11 @@ Closest to_edge(const Segment& s, const Vec3& from, const Vec3& to) {
     // Nearest seen from above; the segment's end decides where that is over or under it.
     const double seen = e.x() * (s.a.x() - from.x()) + e.z() * (s.a.z() - from.z());
     double t = flat2 > 0.0 ? std::clamp(seen / flat2, 0.0, 1.0) : along(s.a);
-    double y = from.y() + t * e.y();
+    const double y = from.y() + t * e.y();
     if (y < s.a.y()) {
         t = along(s.a);
-        y = s.a.y();
     } else if (y > s.b.y()) {
         t = along(s.b);
-        y = s.b.y();
     }
     const Vec3 q = from + t * e;
     const Vec3 p(s.a.x(), std::clamp(q.y(), s.a.y(), s.b.y()), s.a.z());

@@ -12,7 +12,6 @@
 namespace campuswalk::engine {
 
 using collision::Detection;
-using collision::QueryFilter;
 using Eigen::Vector3d;
 
 namespace {

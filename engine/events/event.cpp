@@ -51,6 +51,7 @@ std::string_view name_of(EventKind kind) {
 
 std::vector<std::string> event_kind_names() {
     std::vector<std::string> names;
+    names.reserve(kNames.size());
     for (const auto& [kind, name] : kNames) {
         names.emplace_back(name);
     }

@@ -26,6 +26,12 @@ std::string described(const ExpectPopup& expected) {
     return words;
 }
 
+std::string what_was_said(const Event& event, double time, const std::string& title,
+                          const std::string& body) {
+    return "that of " + event.object + " " + at_time(time) + " had the title '" + title + "' and the body '" +
+           body + "'";
+}
+
 bool has_popup(const scene::Campus& campus, std::size_t building) {
     return std::ranges::any_of(campus.objects, [&](const scene::CampusObject& object) {
         return object.popup && object.building == building;
@@ -47,8 +53,7 @@ void PopupJudge::see(const FrameRecord& record, const Moment& now) {
         if (scene::glob_matches(expected_->title, title) && scene::glob_matches(expected_->body, body)) {
             ++times_;
         } else {
-            other_ = "that of " + event.object + " " + at_time(record.time) + " had the title '" + title +
-                     "' and the body '" + body + "'";
+            other_ = what_was_said(event, record.time, title, body);
         }
         when_ = now;
     }

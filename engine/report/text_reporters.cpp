@@ -91,7 +91,7 @@ private:
         say("");
         say(colored(std::to_string(number) + ") " + title_of(result), Color::red));
         if (const std::string words = verdict_in_words(result); !words.empty()) {
-            const std::string reason = printable(result.status_reason);
+            std::string reason = printable(result.status_reason);
             say("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
         }
         for (const std::string& complaint : result.complaints) {
@@ -155,7 +155,7 @@ private:
     }
 
     static std::string details_of(const WalkResult& result) {
-        const std::string reason = printable(result.status_reason);
+        std::string reason = printable(result.status_reason);
         switch (result.outcome) {
             case Outcome::passed:
             case Outcome::failed:

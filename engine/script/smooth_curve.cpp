@@ -72,9 +72,9 @@ void smooth_curve(const std::vector<Vector3d>& points, std::vector<Vector3d>& ou
         // Beyond the ends the curve goes on as it came.
         const Span span = span_of(i > 0 ? through[i - 1] : Vector3d(2.0 * from - to), from, to,
                                   i + 1 < last ? through[i + 2] : Vector3d(2.0 * to - from));
-        const double pieces = std::min(kMostPieces, std::ceil((to - from).norm() / kPiece));
-        for (double piece = 1.0; piece < pieces; piece += 1.0) {
-            const double share = piece / pieces;
+        const auto pieces = static_cast<int>(std::min(kMostPieces, std::ceil((to - from).norm() / kPiece)));
+        for (int piece = 1; piece < pieces; ++piece) {
+            const double share = static_cast<double>(piece) / pieces;
             out.push_back(span.at(span.knots[1] + share * (span.knots[2] - span.knots[1])));
         }
         out.push_back(to);

@@ -24,6 +24,10 @@ std::string told(const Event& event) {
     return std::string(name_of(event.kind)) + " " + event.object + " in tick " + std::to_string(event.tick);
 }
 
+Verdict lacks(const std::string& wanted, const std::string& last) {
+    return {false, "no " + wanted + " after " + last};
+}
+
 }  // namespace
 
 void EventLog::frame(const FrameRecord& record) {
@@ -41,7 +45,7 @@ Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::st
         const EventPattern pattern = pattern_from(text);
         from = std::find_if(from, events.end(), [&](const Event& event) { return matches(pattern, event); });
         if (from == events.end()) {
-            return {false, "no " + text + " after " + last};
+            return lacks(text, last);
         }
         last = told(*from++);
     }

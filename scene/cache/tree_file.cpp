@@ -63,7 +63,7 @@ Vec3 take_vector(SealedReader& in) {
 /// undefined.
 template <typename Part>
 Storage<Part> take_parts(SealedReader& in, std::uint64_t count, std::size_t flag) {
-    const Storage<Part> parts = in.take_aligned<Part>(count);
+    Storage<Part> parts = in.take_aligned<Part>(count);
     const std::span<const std::byte> bytes = std::as_bytes(std::span(parts));
     std::byte seen{};
     for (std::size_t at = flag; at < bytes.size(); at += sizeof(Part)) {

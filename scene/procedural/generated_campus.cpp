@@ -48,7 +48,8 @@ void add_terrain(MeshParts& parts, int lots) {
         }
     }
     const auto at = [&](int row, int column) {
-        return corners[static_cast<std::size_t>(row * (cells + 1) + column)];
+        const int number = row * (cells + 1) + column;
+        return corners[static_cast<std::size_t>(number)];
     };
     for (int row = 0; row < cells; ++row) {
         for (int column = 0; column < cells; ++column) {

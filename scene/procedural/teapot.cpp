@@ -105,7 +105,8 @@ void add_patch(TriangleMesh& mesh, Vertices& vertices, std::size_t patch, Grid g
         }
     }
     const auto at = [&](int row, int column) {
-        return corners[static_cast<std::size_t>(row * (grid.columns + 1) + column)];
+        const int number = row * (grid.columns + 1) + column;
+        return corners[static_cast<std::size_t>(number)];
     };
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {

@@ -146,6 +146,7 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
     std::sort(found.begin(), found.end(),
               [](const Candidate& a, const Candidate& b) { return a.node < b.node; });
     std::vector<std::string> names;
+    names.reserve(found.size());
     for (const Candidate& candidate : found) {
         names.push_back(report.nodes[candidate.node].name);
     }

@@ -65,9 +65,10 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
     const double top = world_.bounds().max.y() + 1.0;
     const double bottom = world_.bounds().min.y() - 1.0;
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-        const auto x = static_cast<double>(static_cast<std::int64_t>(c) % width_);
-        const auto z = static_cast<double>(static_cast<std::int64_t>(c) / width_);
-        Vec3 from = corner_ + Vec3(x * kSquare, 0.0, z * kSquare);
+        const auto number = static_cast<std::int64_t>(c);
+        const std::int64_t row = number / width_;
+        const std::int64_t column = number % width_;
+        Vec3 from = corner_ + kSquare * Vec3(static_cast<double>(column), 0.0, static_cast<double>(row));
         from.y() = top;
         Vec3 to = from;
         to.y() = bottom;
