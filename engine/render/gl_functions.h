@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <GL/glcorearb.h>
 
 #include "engine/render/gl_context.h"
@@ -90,6 +92,11 @@ struct GlFunctions {
     CAMPUSWALK_GL_FUNCTIONS(CAMPUSWALK_DECLARE)
 #undef CAMPUSWALK_DECLARE
 };
+
+/// Where something is in the buffer that is bound, as GL wants to be told.
+inline const void* in_buffer(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's interface
+}
 
 /// Throws RenderError naming the first function that the driver lacks.
 GlFunctions load_gl_functions(const GlContext& context);

@@ -89,7 +89,7 @@ void draw_scale_bar(const Canvas& canvas, const Viewpoint& view) {
 void draw_north_arrow(const Canvas& canvas) {
     const double s = canvas.scale();
     const double x = canvas.width() - (kEdge + 12.0) * s;
-    const double y = (kEdge + 34.0) * s;
+    const double y = (kEdge + 22.0) * s;  // all of it above the first information window
     cairo_t* cr = canvas.cairo();
     cairo_move_to(cr, x, y - 20.0 * s);
     cairo_line_to(cr, x + 9.0 * s, y + 10.0 * s);

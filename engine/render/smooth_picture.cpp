@@ -61,7 +61,7 @@ public:
     static constexpr int kRim = kReach + 1;
 
     explicit Brightness(const Picture& picture) : stride_(picture.width + 2 * kRim) {
-        luma_.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(picture.height + 2 * kRim));
+        luma_.resize(static_cast<std::size_t>(stride_ * (picture.height + 2 * kRim)));
         for (int y = 0; y < picture.height; ++y) {
             fill_row(picture, y);
         }
@@ -72,26 +72,23 @@ public:
         }
     }
 
-    int stride() const { return stride_; }
+    std::ptrdiff_t stride() const { return stride_; }
     /// Of the row's first pixel; others are beside it, `stride` apart from row to row.
-    const std::uint8_t* row(int y) const {
-        return luma_.data() + static_cast<std::ptrdiff_t>(y + kRim) * stride_ + kRim;
-    }
+    const std::uint8_t* row(int y) const { return luma_.data() + (y + kRim) * stride_ + kRim; }
 
 private:
     void fill_row(const Picture& picture, int y) {
         const std::uint8_t* rgba = &picture.rgba[picture.offset(0, y)];
         std::uint8_t* to = luma_.data() + (row(y) - luma_.data());
         const int width = picture.width;
-        for (int x = 0; x < width; ++x) {
-            to[x] = static_cast<std::uint8_t>(
-                (54 * rgba[4 * x] + 183 * rgba[4 * x + 1] + 19 * rgba[4 * x + 2]) >> 8);
+        for (int x = 0; x < width; ++x, rgba += 4) {
+            to[x] = static_cast<std::uint8_t>((54 * rgba[0] + 183 * rgba[1] + 19 * rgba[2]) >> 8);
         }
         std::fill_n(to - kRim, kRim, to[0]);
         std::fill_n(to + picture.width, kRim, to[picture.width - 1]);
     }
 
-    int stride_;
+    std::ptrdiff_t stride_;
     std::vector<std::uint8_t> luma_;
 };
 
@@ -142,7 +139,9 @@ private:
 
     void smooth(int x, int y) {
         const std::uint8_t* here = luma_.row(y) + x;
-        const auto luma = [&](int dx, int dy) -> int { return here[dy * luma_.stride() + dx]; };
+        const auto luma = [&](std::ptrdiff_t dx, std::ptrdiff_t dy) -> int {
+            return here[dy * luma_.stride() + dx];
+        };
         const int m = luma(0, 0);
         const int n = luma(0, -1);
         const int s = luma(0, 1);
@@ -165,16 +164,16 @@ private:
         // Beside a straight edge a third of the neighbours are other; what has more stands out by itself.
         const double alone = std::clamp(1.5 * std::abs(mean - m) / range - 0.5, 0.0, 1.0);
         const double by_itself = kSoftestPixel * alone * alone;
-        const int along = level ? 1 : luma_.stride();
-        const int across = side * (level ? luma_.stride() : 1);
+        const std::ptrdiff_t along = level ? 1 : luma_.stride();
+        const std::ptrdiff_t across = side * (level ? luma_.stride() : 1);
         mix(x, y, level, side, std::max(by_itself, from_steps(here, along, across)));
     }
 
     // How much of the neighbour belongs to the pixel, from where along the edge it steps to the side: a half
     // next to the step, less further away, nothing on the step's other side. `along` and `across` are the
     // ways to the next pixel on the edge and over it.
-    static double from_steps(const std::uint8_t* pixel, int along, int across) {
-        const auto pair = [&](int i) {  // brightness on the edge, twice
+    static double from_steps(const std::uint8_t* pixel, std::ptrdiff_t along, std::ptrdiff_t across) {
+        const auto pair = [&](std::ptrdiff_t i) {  // brightness on the edge, twice
             return pixel[i * along] + pixel[i * along + across];
         };
         const int here = pair(0);

@@ -139,15 +139,17 @@ public:
             std::rotate(rows_.begin(), rows_.begin() + 1, rows_.end());
         }
         for (int i = next ? 1 : -1; i <= 1; ++i) {
+            const int place = i + 1;
             if (y + i >= 0 && y + i < picture_.height) {
-                fill(rows_[static_cast<std::size_t>(i + 1)], y + i);
+                fill(rows_[static_cast<std::size_t>(place)], y + i);
             }
         }
         middle_ = y;
     }
 
     double operator()(int x, int y) const {
-        return rows_[static_cast<std::size_t>(y - middle_ + 1)][static_cast<std::size_t>(x)];
+        const int place = y - middle_ + 1;
+        return rows_[static_cast<std::size_t>(place)][static_cast<std::size_t>(x)];
     }
 
 private:
