@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -185,19 +186,23 @@ void check_ground(const Model& model, const Bounds& bounds, std::vector<Oddity>&
 }
 
 void check_doors(const Model& model, std::vector<Oddity>& out) {
-    Oddity odd{"solid-door", "", {}};
+    std::vector<Oddity::Place> doors;
     for (const ClosedDoor& door : find_closed_doors(model)) {
-        odd.places.push_back({model.nodes[door.node].name, door.foot});
+        doors.push_back({model.nodes[door.node].name, door.foot});
     }
-    if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "door") + " that " +
-                      (odd.places.size() == 1 ? "closes" : "close") + " a way through, such as '" +
-                      odd.places.front().node + "'; open them, or keep their nodes out of what is solid";
-        out.push_back(odd);
+    if (!doors.empty()) {
+        out.push_back(solid_doors(std::move(doors)));
     }
 }
 
 }  // namespace
+
+Oddity solid_doors(std::vector<Oddity::Place> doors) {
+    const std::string message = plural(doors.size(), "door") + " that " +
+                                (doors.size() == 1 ? "closes" : "close") + " a way through, such as '" +
+                                doors.front().node + "'; open them, or keep their nodes out of what is solid";
+    return {"solid-door", message, std::move(doors)};
+}
 
 bool is_made_up_name(const std::string& name) {
     return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||

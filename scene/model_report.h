@@ -76,6 +76,9 @@ ModelReport report(const Model& model);
 /// The warnings alone, of what the report tells else.
 std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report);
 
+/// The oddity `solid-door`, of one door or more.
+Oddity solid_doors(std::vector<Oddity::Place> doors);
+
 /// Whether an importer made the name up, where the file has none: it changes when the file does.
 bool is_made_up_name(const std::string& name);
 

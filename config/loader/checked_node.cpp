@@ -44,7 +44,7 @@ void CheckedNode::complain_in_text(std::size_t byte, std::string code, std::stri
     if (node_->text_column > 0) {
         at.column = node_->text_column + static_cast<int>(count_characters(node_->text.substr(0, byte)));
     }
-    add_complaint(*diagnostics_, std::move(at), std::move(code), std::move(message));
+    add_complaint(*diagnostics_, at, std::move(code), std::move(message));
 }
 
 bool CheckedNode::require_scalar(std::string_view wanted) const {

@@ -240,6 +240,7 @@ std::vector<PixelLabel> SnapshotPainter::labels_in(const Shot& shot) {
     std::erase_if(parts, [&](const VisiblePart& part) { return static_cast<double>(part.pixels) < least; });
     std::ranges::stable_sort(parts, std::greater<>(), &VisiblePart::pixels);
     std::vector<PixelLabel> labels;
+    labels.reserve(parts.size());
     for (const VisiblePart& part : parts) {
         labels.push_back({title_of(part.owner), part.deepest});
     }

@@ -190,7 +190,7 @@ Pose parse_pose_matrix(const std::string& word) {
     const std::vector<double> n = read.numbers(word, places, places.size());
     Pose pose;
     for (int row = 0; row < 3; ++row) {
-        const auto at = static_cast<std::size_t>(4 * row);
+        const std::size_t at = std::size_t{4} * static_cast<std::size_t>(row);
         pose.rotation.row(row) << n[at], n[at + 1], n[at + 2];
         pose.translation[row] = n[at + 3];
     }

@@ -200,16 +200,28 @@ std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_fil
     }
 }
 
-/// What the model's oddities are in the campus: doors that it leaves out close nothing.
-std::vector<scene::Oddity> left_odd(const UprightModel& model) {
+/// What the model's oddities are in the campus.
+struct LeftOdd {
+    std::vector<scene::Oddity> oddities;
+    std::size_t opened = 0;  ///< doors that the campus leaves out: they close nothing
+};
+
+LeftOdd left_odd(const UprightModel& model) {
     const std::vector<std::string> open = closed_door_names(model.report);
-    const auto is_open = [&](const scene::Oddity::Place& place) {
-        return std::ranges::find(open, place.node) != open.end();
-    };
-    std::vector<scene::Oddity> left = model.report.warnings;
-    std::erase_if(left, [&](const scene::Oddity& odd) {
-        return odd.code == "solid-door" && std::ranges::all_of(odd.places, is_open);
-    });
+    LeftOdd left;
+    for (const scene::Oddity& odd : model.report.warnings) {
+        if (odd.code != "solid-door") {
+            left.oddities.push_back(odd);
+            continue;
+        }
+        std::vector<scene::Oddity::Place> closed = odd.places;
+        left.opened += std::erase_if(closed, [&](const scene::Oddity::Place& place) {
+            return std::ranges::find(open, place.node) != open.end();
+        });
+        if (!closed.empty()) {
+            left.oddities.push_back(scene::solid_doors(std::move(closed)));
+        }
+    }
     return left;
 }
 
@@ -251,15 +263,16 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
     scene::write_whole_file(campus_file, campus_yaml(campus));
     scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-    std::printf("%s: %zu buildings\n%s: %zu ways, walked\n", campus_file.string().c_str(),
-                campus.buildings.size(), walk_file.string().c_str(), visits);
-    if (!campus.doors.empty()) {
-        std::printf("%s left out of what is solid\n",
-                    scene::plural(campus.doors.size(), "closed door").c_str());
+    std::printf("%s: %s\n%s: %s, walked\n", campus_file.string().c_str(),
+                scene::plural(campus.buildings.size(), "building").c_str(), walk_file.string().c_str(),
+                scene::plural(visits, "way").c_str());
+    const LeftOdd left = left_odd(upright);
+    if (left.opened > 0) {
+        std::printf("%s left out of what is solid\n", scene::plural(left.opened, "closed door").c_str());
     }
-    const std::vector<scene::Oddity> odd = left_odd(upright);
-    std::printf("%s about the model as it stands there\n", scene::plural(odd.size(), "warning").c_str());
-    print_oddities(odd);
+    std::printf("%s about the model as it stands there\n",
+                scene::plural(left.oddities.size(), "warning").c_str());
+    print_oddities(left.oddities);
     return kPass;
 }
 
