@@ -1,6 +1,9 @@
 #include "scene/import/gltf/document.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -187,8 +190,10 @@ Document::Document(Bytes json) {
     } catch (const Json::parse_error& error) {
         // Its words end in what it read last, perhaps half a character: the place is enough.
         throw Fault("its JSON text can't be understood at byte " + std::to_string(error.byte));
-    } catch (const Json::exception& error) {
-        throw Fault(std::string("its JSON text can't be understood: ") + error.what());
+    } catch (const Json::out_of_range& error) {
+        const std::string_view words = error.what();  // they end in the number, in quotes
+        throw Fault("its JSON text has a number that is too large: " +
+                    std::string(words.substr(std::min(words.find('\''), words.size()))));
     }
     root();
 }

@@ -237,6 +237,12 @@ TEST_F(GltfSourceTest, RefusesLoops) {
     EXPECT_TRUE(contains(refusal(text), "nodes/7"));
 }
 
+TEST_F(GltfSourceTest, NamesNumbersThatAreTooLargeForOne) {
+    folder_.write("x.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"translation": [0, 1e309, 0]}]})");
+    const std::string complaint = test::text_of(test::errors_of([&] { import("x.gltf"); }));
+    EXPECT_TRUE(contains(complaint, "its JSON text has a number that is too large: '1e309'")) << complaint;
+}
+
 // ---- materials
 
 /// A triangle with texture coordinates (0,0), (1,0), (0,1) and a material with a picture.
