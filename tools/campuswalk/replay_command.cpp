@@ -88,6 +88,7 @@ private:
 std::vector<LoadedWalk> load_all(const ReplayOptions& options, const std::vector<RecordedWalk>& recorded) {
     RecordedLoader loader(options);
     std::vector<LoadedWalk> loaded;
+    loaded.reserve(recorded.size());
     for (const RecordedWalk& walk : recorded) {
         loaded.push_back(walk.hash || !options.verify ? loader.load(walk) : LoadedWalk());
     }

@@ -185,7 +185,7 @@ void Command::option(const Spelling& spelling, std::optional<double>& target, co
     add_number(spelling, target, limits);
 }
 
-void Command::option(const Spelling& spelling, std::function<void(const std::string&)> take) {
+void Command::option(const Spelling& spelling, const std::function<void(const std::string&)>& take) {
     finish(*app_->add_option_function<std::string>(spelling.names, take, spelling.help), spelling);
 }
 

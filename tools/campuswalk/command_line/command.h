@@ -80,7 +80,7 @@ public:
     void option(const Spelling& spelling, double& target, const Limits<double>& limits);
     void option(const Spelling& spelling, std::optional<double>& target, const Limits<double>& limits);
     /// `take` is called with the value as it was written, once it has passed the check.
-    void option(const Spelling& spelling, std::function<void(const std::string&)> take);
+    void option(const Spelling& spelling, const std::function<void(const std::string&)>& take);
     void flag(const Spelling& spelling, bool& target);
     void flag(const Spelling& spelling, std::function<void()> take);
 

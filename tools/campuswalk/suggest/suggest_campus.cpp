@@ -71,6 +71,7 @@ scene::Bounds stand_in_ground(const scene::Bounds& model,
     constexpr double kAround = 20.0;  // metres
     constexpr double kThick = 0.5;    // metres
     std::vector<double> bottoms;
+    bottoms.reserve(buildings.size());
     for (const scene::SuggestedBuilding& building : buildings) {
         bottoms.push_back(building.box.center.y() - 0.5 * building.box.size.y());
     }

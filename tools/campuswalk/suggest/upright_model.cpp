@@ -22,7 +22,8 @@ UprightModel load_upright(const scene::SceneFile& file) {
         scene::ImportedModel imported =
             load_model(upright.file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
         upright.report = scene::report(imported.model);
-        upright.models.assign(1, std::move(imported.model));
+        upright.models.clear();
+        upright.models.push_back(std::move(imported.model));
         if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
             upright.file.up = scene::UpAxis::z;
         } else if (const auto scale = scene::scale_by_doors(upright.models[0], upright.report.nodes)) {

@@ -123,6 +123,7 @@ void time_readers(const std::string& query, const fs::path& file, Steps steps, s
 
 CaseResult run_import_cases(int lots, int rounds, const std::vector<fs::path>& models) {
     std::vector<std::size_t> found;  // first: what can't be read is to be told before minutes of measuring
+    found.reserve(models.size());
     for (const fs::path& file : models) {
         found.push_back(import_by_helper(file));
     }
