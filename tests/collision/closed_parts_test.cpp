@@ -103,7 +103,9 @@ TEST(ClosedParts, AgreeWithSolidAnglesOnAGrid) {
            }()));
     const support::SolidMesh parts(mesh);
     for (int i = 0; i < 17 * 17 * 17; ++i) {
-        const Vec3 p(0.37 * (i % 17) - 2.96, 0.37 * (i / 17 % 17) - 2.96, 0.37 * (i / 289) - 2.96);
+        const int j = i / 17 % 17;
+        const int k = i / 289;
+        const Vec3 p(0.37 * (i % 17) - 2.96, 0.37 * j - 2.96, 0.37 * k - 2.96);
         const double farthest = p.cwiseAbs().maxCoeff();
         // The hollow faces inward, so it is no part: its inside belongs to the box.
         ASSERT_EQ(parts.contains(p), farthest < 2.0) << p.transpose();

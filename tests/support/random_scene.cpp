@@ -45,11 +45,13 @@ TriangleMesh rolling_ground(Dice& dice) {
     constexpr int kCells = static_cast<int>(kRandomVillageHalf);
     constexpr int kCorners = 2 * kCells + 1;
     std::vector<double> heights;
+    heights.reserve(std::size_t{kCorners} * std::size_t{kCorners});
     for (int i = 0; i < kCorners * kCorners; ++i) {
         heights.push_back(dice.between(0.0, 0.35));
     }
     const auto at = [&](int i, int j) {
-        return Vec3(i - kCells, heights[static_cast<std::size_t>(i * kCorners + j)], j - kCells);
+        const int number = i * kCorners + j;
+        return Vec3(i - kCells, heights[static_cast<std::size_t>(number)], j - kCells);
     };
     TriangleMesh mesh;
     for (int i = 0; i + 1 < kCorners; ++i) {

@@ -113,7 +113,8 @@ void draw_axes(cairo_t* cr, const Scales& scales) {
             }
         }
     }
-    for (double pairs = 0.0; pairs <= scales.most_pairs(); pairs += 200.0) {
+    for (int hundreds = 0; 100.0 * hundreds <= scales.most_pairs(); hundreds += 2) {
+        const double pairs = 100.0 * hundreds;
         const double x = scales.x(pairs);
         set_colour(cr, kGrid);
         cairo_set_line_width(cr, 0.5);

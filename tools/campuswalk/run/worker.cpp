@@ -49,7 +49,10 @@ std::pair<Descriptor, Descriptor> make_pipe() {
 }  // namespace
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
+    if (this != &other) {
+        close();
+        number_ = std::exchange(other.number_, -1);
+    }
     return *this;
 }
 

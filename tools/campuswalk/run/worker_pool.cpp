@@ -30,8 +30,8 @@ std::optional<Clock::time_point> deadline_after(const std::optional<double>& sec
 
 }  // namespace
 
-WorkerPool::WorkerPool(Work work, PoolSettings settings)
-    : work_(std::move(work)), settings_(std::move(settings)) {}
+WorkerPool::WorkerPool(Work work, const PoolSettings& settings)
+    : work_(std::move(work)), settings_(settings) {}
 
 bool WorkerPool::run(const std::vector<std::size_t>& tasks, const PoolListener& listener) {
     tasks_ = &tasks;

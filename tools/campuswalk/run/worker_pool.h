@@ -38,7 +38,7 @@ struct PoolSettings {
 /// order, whatever order they finish in. A worker that dies is replaced and its task has no result.
 class WorkerPool {
 public:
-    WorkerPool(Work work, PoolSettings settings);
+    WorkerPool(Work work, const PoolSettings& settings);
 
     /// True when all tasks were told of or `ended` wanted no more, false when interrupted: then those at hand
     /// are given time to come to an end of their own.

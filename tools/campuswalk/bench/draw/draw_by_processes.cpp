@@ -116,8 +116,10 @@ DrawTimes draw_look(const scene::Model& model, const Look& look, const std::vect
 std::vector<DrawTimes> draw_by_processes(const scene::Model& model, const std::vector<DrawnView>& views,
                                          int rounds) {
     const std::vector<Viewpoint> points = viewpoints(views);
+    const std::vector<Look> all_looks = looks();
     std::vector<DrawTimes> all;
-    for (const Look& look : looks()) {
+    all.reserve(all_looks.size());
+    for (const Look& look : all_looks) {
         all.push_back(draw_look(model, look, points, rounds));
     }
     return all;

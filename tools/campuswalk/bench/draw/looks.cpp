@@ -26,6 +26,7 @@ std::vector<Look> looks() {
 
 std::vector<Viewpoint> viewpoints(const std::vector<DrawnView>& views) {
     std::vector<Viewpoint> points;
+    points.reserve(views.size());
     for (const DrawnView& view : views) {
         points.push_back(engine::render::looking_at(view.eye, view.target, kDrawnFov));
     }

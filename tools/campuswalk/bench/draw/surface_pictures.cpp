@@ -86,6 +86,7 @@ scene::Texture picture_of(const Look& look, unsigned seed) {
 
 std::vector<scene::Texture> surface_pictures() {
     std::vector<scene::Texture> pictures;
+    pictures.reserve(std::size(kLooks));
     for (const Look& look : kLooks) {
         pictures.push_back(picture_of(look, 10U * static_cast<unsigned>(pictures.size())));
     }
