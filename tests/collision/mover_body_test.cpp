@@ -11,7 +11,6 @@ namespace campuswalk::collision {
 namespace {
 
 using support::add_box;
-using support::add_floor;
 using support::add_object;
 using support::PenetrationOracle;
 

@@ -13,7 +13,6 @@
 namespace campuswalk::collision {
 namespace {
 
-using support::add_box;
 using support::add_object;
 using support::add_quad;
 

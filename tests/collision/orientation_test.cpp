@@ -35,7 +35,10 @@ int oracle(const Vec2& a, const Vec2& b, const Vec2& c) {
 struct Tally {
     std::array<int, 3> of{};
 
-    void count(int sign) { ++of[static_cast<std::size_t>(sign + 1)]; }
+    void count(int sign) {
+        const int place = sign + 1;
+        ++of[static_cast<std::size_t>(place)];
+    }
     void expect_at_least(int each) const {
         EXPECT_GE(of[0], each);
         EXPECT_GE(of[1], each);

@@ -78,8 +78,10 @@ Triangle grid_triangle(Dice& dice) {
 
 Triangle shuffled(const Triangle& t, Dice& dice) {
     std::array<Vec3, 3> p = {t.a, t.b, t.c};
-    std::swap(p[0], p[static_cast<std::size_t>(dice.below(3))]);
-    std::swap(p[1], p[static_cast<std::size_t>(1 + dice.below(2))]);
+    const int first = dice.below(3);
+    const int second = 1 + dice.below(2);
+    std::swap(p[0], p[static_cast<std::size_t>(first)]);
+    std::swap(p[1], p[static_cast<std::size_t>(second)]);
     return {p[0], p[1], p[2]};
 }
 

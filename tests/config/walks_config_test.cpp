@@ -11,7 +11,6 @@ namespace campuswalk::config {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 class ReadWalksConfig : public testing::Test {
 protected:

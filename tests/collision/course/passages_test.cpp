@@ -9,7 +9,6 @@
 namespace campuswalk::collision::course {
 namespace {
 
-using support::add_barrier;
 using support::add_quad;
 
 /// Doors of 0.7 to 1 m in walls of any thickness: at full speed through the middle, past the posts from
