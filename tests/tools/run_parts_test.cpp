@@ -320,27 +320,22 @@ TEST(WorkerPool, LeavesOutTheRestWhenThereHasBeenEnough) {
 // ---- helpers that draw ------------------------------------------------------------------------------------
 
 TEST(FrameHelpers, GiveTheFramesOfEachPartInTurn) {
-    FrameHelpers helpers(3, [](std::size_t task, std::size_t part, const Say& say) {
+    FrameHelpers helpers(3, [](std::size_t part, const Say& say) {
         for (int i = 0; i < 3; ++i) {
-            say(Topic::frame, std::to_string(task) + ' ' + std::to_string(part) + ' ' + std::to_string(i));
+            say(Topic::frame, std::to_string(part) + ' ' + std::to_string(i));
         }
         say(Topic::result, "");
     });
     EXPECT_EQ(helpers.parts(), 3U);
-    for (const std::size_t task : {7U, 4U}) {
-        helpers.begin(task);
-        for (const int i : {0, 1}) {  // and leave the last one: the next task begins all the same
-            for (const std::size_t part : {1U, 2U}) {
-                EXPECT_EQ(helpers.next_frame(part),
-                          std::to_string(task) + ' ' + std::to_string(part) + ' ' + std::to_string(i));
-            }
+    for (const int i : {0, 1, 2}) {
+        for (const std::size_t part : {1U, 2U}) {
+            EXPECT_EQ(helpers.next_frame(part), std::to_string(part) + ' ' + std::to_string(i));
         }
     }
 }
 
 std::string complaint_of(const FrameHelpers::Draw& draw) {
     FrameHelpers helpers(2, draw);
-    helpers.begin(0);
     EXPECT_EQ(helpers.next_frame(1), "one");
     try {
         return helpers.next_frame(1);
@@ -351,17 +346,17 @@ std::string complaint_of(const FrameHelpers::Draw& draw) {
 }
 
 TEST(FrameHelpers, SayWhyThereAreNoMoreFrames) {
-    EXPECT_EQ(complaint_of([](std::size_t, std::size_t, const Say& say) {
+    EXPECT_EQ(complaint_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   say(Topic::result, "no driver here");
               }),
               "no driver here");
-    EXPECT_EQ(complaint_of([](std::size_t, std::size_t, const Say& say) {
+    EXPECT_EQ(complaint_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   say(Topic::result, "");
               }),
               "a frame is missing");
-    EXPECT_EQ(complaint_of([](std::size_t, std::size_t, const Say& say) {
+    EXPECT_EQ(complaint_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   raise(SIGKILL);
               }),
@@ -369,12 +364,11 @@ TEST(FrameHelpers, SayWhyThereAreNoMoreFrames) {
 }
 
 TEST(FrameHelpers, EndWithTheirWalkUnfinished) {
-    FrameHelpers helpers(2, [](std::size_t, std::size_t, const Say& say) {
+    FrameHelpers helpers(2, [](std::size_t, const Say& say) {
         while (true) {
             say(Topic::frame, std::string(100'000, 'x'));
         }
     });
-    helpers.begin(0);
     EXPECT_EQ(helpers.next_frame(1).size(), 100'000U);
 }
 

@@ -31,10 +31,17 @@ class Sequences(ProgramCase):
     def frames(self, folder="out/short/frames"):
         return sorted(name for name in self.contents() if name.startswith(folder + "/"))
 
+    @staticmethod
+    def children_of(process):
+        try:
+            return pathlib.Path("/proc/%d/task/%d/children" % (process, process)).read_text("ascii").split()
+        except FileNotFoundError:
+            return []
+
     def forked_by(self, process):
-        """The only one, when it is there; the importer isn't: it is another program."""
+        """The only one, when it is there. The importer isn't: it has other arguments, but for a moment."""
         for _ in range(1000):
-            for child in pathlib.Path("/proc/%d/task/%d/children" % (process, process)).read_text("ascii").split():
+            for child in self.children_of(process):
                 try:
                     if pathlib.Path("/proc", child, "cmdline").read_bytes() == pathlib.Path(
                             "/proc/%d/cmdline" % process).read_bytes():
@@ -81,7 +88,7 @@ class Drawn(Sequences):
 
     def test_frames_of_one_walk_are_drawn_by_idle_processes(self):
         made = ("animation.png", "contact-sheet.png", "frames/frame-00002.png", "frames/frame-00004.png")
-        arguments = ("run", "short.walk.yaml", "--every", "0.5", "--animation", "apng", "--contact-sheet", "--output")
+        arguments = ("run", "short.walk.yaml", "--every", "0.1", "--animation", "apng", "--contact-sheet", "--output")
         alone = self.passes(*arguments, "one", "-j", "1")
         for workers in ("2", "5"):
             outcome = self.passes(*arguments, "many", "-j", workers)
@@ -92,6 +99,7 @@ class Drawn(Sequences):
                 self.assertEqual(self.read("one/short/" + name), self.read("many/short/" + name), name)
 
     def test_a_process_that_helps_to_draw_is_killed(self):
+        self.passes("run", "short.walk.yaml")  # so that nothing is to be imported any more
         with subprocess.Popen([self.program, "run", "short.walk.yaml", "--every", "0.02", "--frame-width", "1000", "-j", "2"],
                               cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as run:
             worker = self.forked_by(run.pid)
@@ -101,6 +109,7 @@ class Drawn(Sequences):
         self.assertIn("error: a process that drew frames is gone: it was ended by signal 9 (Killed)", complaint)
 
     def test_interrupted(self):
+        self.passes("run", "short.walk.yaml")
         with subprocess.Popen([self.program, "run", "short.walk.yaml", "--every", "0.02", "--frame-width", "1000", "-j", "2"],
                               cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               start_new_session=True) as run:

@@ -26,8 +26,6 @@ namespace render = engine::render;
 
 namespace {
 
-constexpr double kUsualInterval = 0.5;  // simulated seconds
-
 engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceWish& wish) {
     engine::CameraSettings camera = walk.camera;
     camera.view = wish.view.value_or(camera.view);
@@ -54,7 +52,7 @@ std::unique_ptr<render::FrameSink> animation(const std::string& name, const fs::
 render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceWish& wish,
                                      const render::FrameShare& share) {
     render::SequenceSettings settings;
-    settings.every = wish.every.value_or(kUsualInterval);
+    settings.every = interval_of(wish);
     settings.camera = camera_for(walk, wish);
     settings.share = share;
     return settings;

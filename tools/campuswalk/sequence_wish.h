@@ -21,6 +21,11 @@ struct SequenceWish {
     bool any() const { return every || contact_sheet || !animations.empty() || video; }
 };
 
+/// Between two frames, simulated seconds.
+inline double interval_of(const SequenceWish& wish) {
+    return wish.every.value_or(0.5);
+}
+
 struct AnimationKind {
     const char* name = "";  ///< as `run --animation` takes it
     const char* file = "";  ///< in the walk's folder

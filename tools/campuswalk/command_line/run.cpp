@@ -65,7 +65,7 @@ std::string why_no_seed(const std::string& text) {
 void add_running(Command& command, const Options& options) {
     command.option(
         {.names = "-j,--workers",
-         .help = "Processes, that play walks or help to draw a walk's frames; as many as there are cores",
+         .help = "Processes that play walks or help to draw their frames; as many as there are cores",
          .value = "N"},
         options->workers, kWorkers);
     command.flag({.names = "-x", .help = "Stop at the first failure"}, options->stop_at_first);

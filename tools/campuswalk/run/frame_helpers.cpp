@@ -1,5 +1,8 @@
 #include "tools/campuswalk/run/frame_helpers.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <optional>
 #include <stdexcept>
@@ -23,35 +26,35 @@ Message next_message(Worker& helper) {
     }
 }
 
+/// Ctrl-C is for the process that plays, and what libraries say on standard error it hears from them itself.
+void stay_in_the_background() {
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_IGN);
+    if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+        dup2(nowhere, STDERR_FILENO);
+        close(nowhere);
+    }
+}
+
 }  // namespace
 
 FrameHelpers::FrameHelpers(std::size_t parts, const Draw& draw) {
     for (std::size_t part = 1; part < parts; ++part) {
-        const Work work = [&draw, part](std::size_t task, const Say& say) {
-            // Ctrl-C is for the process that plays; this one ends with it.
-            std::signal(SIGINT, SIG_IGN);
-            std::signal(SIGTERM, SIG_IGN);
-            draw(task, part, say);
+        const Work work = [&draw](std::size_t its_part, const Say& say) {
+            stay_in_the_background();
+            draw(its_part, say);
         };
         helpers_.emplace_back(work, helpers_);
     }
-}
-
-void FrameHelpers::begin(std::size_t task) {
-    for (Worker& helper : helpers_) {
-        while (helper.place()) {
-            if (next_message(helper).topic == Topic::result) {
-                helper.forget_task();
-            }
-        }
-        helper.give(task, task, std::nullopt);
+    for (std::size_t part = 1; part < parts; ++part) {
+        helpers_[part - 1].give(part, part, std::nullopt);
     }
 }
 
 std::string FrameHelpers::next_frame(std::size_t part) {
     Worker& helper = helpers_.at(part - 1);
     if (!helper.place()) {
-        throw std::runtime_error("a process that drew frames has ended its walk before this one");
+        throw std::runtime_error("a process that drew frames has ended before this one");
     }
     Message message = next_message(helper);
     if (message.topic != Topic::frame) {

@@ -14,7 +14,7 @@ enum class Topic : std::uint8_t {
     events,  ///< lines of the log as JSON
     place,   ///< the walk's time in seconds, for people to see
     frame,   ///< what FrameSharing::take gives, from one that helps to draw
-    result,  ///< the last: engine::to_json_line
+    result,  ///< the last: engine::to_json_line, or of one that helps to draw what went wrong
 };
 
 struct Message {

@@ -33,7 +33,7 @@ struct PlaySettings {
 /// What makes the pictures of all cases that a process plays.
 struct PictureMakers {
     std::shared_ptr<engine::render::PainterStore> painters;  ///< null without pictures
-    FrameHelpers* helpers = nullptr;                         ///< set to the case; null when there are none
+    FrameHelpers* helpers = nullptr;                         ///< of this case; null when there are none
 };
 
 /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole

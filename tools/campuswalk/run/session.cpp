@@ -106,41 +106,39 @@ int Session::run() {
 }
 
 WalkResult Session::play_case(std::size_t index, const Say& say) {
-    if (!drawing_begun_ && painters_ != nullptr) {
-        drawing_begun_ = true;
-        start_frame_helpers();
-    }
-    if (frame_helpers_) {
-        try {
-            frame_helpers_->begin(index);
-        } catch (const std::runtime_error&) {
-            frame_helpers_.reset();  // one is gone; there is still this process
-        }
-    }
-    WalkResult result = play(plan_.cases[index], settings_.play, {painters_, frame_helpers_.get()}, say);
-    if (result.outcome == Outcome::broken || result.outcome == Outcome::interrupted) {
-        frame_helpers_.reset();  // they may be anywhere in the walk
-    }
-    return result;
+    const std::unique_ptr<FrameHelpers> helpers =
+        std::exchange(may_fork_, false) ? frame_helpers_for(index) : nullptr;
+    return play(plan_.cases[index], settings_.play, {painters_, helpers.get()}, say);
 }
 
-// Processors that no worker has a walk for draw frames for those that have.
-void Session::start_frame_helpers() {
-    constexpr std::size_t kMostParts = 8;  // each holds what the driver makes of the campus
-    const std::size_t spare = settings_.pool.workers / workers_;
-    const std::size_t parts = settings_.play.sequence.any() ? std::min(spare, kMostParts) : 1;
-    share_processors(workers_ * parts);
-    if (parts < 2) {
-        return;
+// Where there are processors that no worker has a walk for, each worker gets an equal number of them.
+std::unique_ptr<FrameHelpers> Session::frame_helpers_for(std::size_t index) {
+    constexpr std::size_t kMostParts = 8;       // each holds what the driver makes of the campus
+    constexpr double kFramesWorthAPart = 10.0;  // what it takes to begin drawing
+    const Case& played = plan_.cases[index];
+    if (painters_ == nullptr || !settings_.play.sequence.any()) {
+        return nullptr;
     }
+    std::size_t parts = std::min(settings_.pool.workers / workers_, kMostParts);
+    if (const auto seconds = engine::planned_seconds(played.walk->walk)) {
+        const double frames = *seconds / interval_of(settings_.play.sequence);
+        parts = std::min(parts, static_cast<std::size_t>(std::clamp(frames / kFramesWorthAPart, 1.0, 1e3)));
+    }
+    if (parts < 2) {
+        return nullptr;
+    }
+    const std::size_t drawing = workers_ * parts;
+    std::unique_ptr<FrameHelpers> helpers;
     try {
-        frame_helpers_ = std::make_unique<FrameHelpers>(
-            parts, [this, parts](std::size_t index, std::size_t part, const Say& say) {
-                draw_frames(plan_.cases[index], settings_.play, *painters_, part, parts, say);
-            });
+        helpers = std::make_unique<FrameHelpers>(parts, [&](std::size_t part, const Say& say) {
+            share_processors(drawing);
+            draw_frames(played, settings_.play, *painters_, part, parts, say);
+        });
+        share_processors(drawing);
     } catch (const std::runtime_error&) {
         // No room for more processes: this one draws by itself.
     }
+    return helpers;
 }
 
 void Session::keep(std::size_t index, const Ending& ending) {

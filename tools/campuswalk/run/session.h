@@ -45,7 +45,8 @@ private:
     std::vector<std::size_t> to_play() const;
     /// In a worker's process.
     engine::WalkResult play_case(std::size_t index, const Say& say);
-    void start_frame_helpers();
+    /// Null when this process is to draw all frames of the case.
+    std::unique_ptr<FrameHelpers> frame_helpers_for(std::size_t index);
     void keep(std::size_t index, const Ending& ending);
     void hear(Topic topic, std::string_view lines);
     /// Those up to the case and those that need no playing after it; false when there have been enough
@@ -64,8 +65,7 @@ private:
     Progress progress_;
     std::size_t workers_ = 1;                                 ///< that there will be at most
     std::shared_ptr<engine::render::PainterStore> painters_;  ///< of the process that plays; null for none
-    bool drawing_begun_ = false;                              ///< likewise
-    std::unique_ptr<FrameHelpers> frame_helpers_;             ///< likewise
+    bool may_fork_ = true;                                    ///< likewise: it has drawn nothing
     std::vector<bool> over_;                                  ///< of each case: its result is known
     std::size_t told_ = 0;
     int failures_ = 0;

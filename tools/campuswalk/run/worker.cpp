@@ -1,5 +1,6 @@
 #include "tools/campuswalk/run/worker.h"
 
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,7 +41,7 @@ std::optional<std::size_t> read_task(int from) {
 
 std::pair<Descriptor, Descriptor> make_pipe() {
     std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) {
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {  // ffmpeg has no business with it
         throw std::runtime_error("no worker can be started: " + std::generic_category().message(errno));
     }
     return {Descriptor(ends[0]), Descriptor(ends[1])};
@@ -163,6 +164,9 @@ void Worker::hang_up() {
 }
 
 std::string Worker::obituary() {
+    if (process_ < 0) {
+        return "it has been waited for";
+    }
     int status = 0;
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "engine/decimals.h"
 
@@ -44,7 +45,7 @@ constexpr Allowance kAllowances[] = {{1000000, 50.0, 110.0}, {4000000, 85.0, 187
 
 void judge_times(const DrawnCampus& campus, const char* our_way, std::vector<DrawVerdict>& verdicts) {
     const std::string of = ", " + std::to_string(campus.triangles) + " triangles" +
-                           (our_way == kOurProcesses ? ", by processes" : "");
+                           (our_way == std::string_view(kOurProcesses) ? ", by processes" : "");
     const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
         return campus.triangles <= each.most_triangles;
     });
