@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -216,7 +217,7 @@ TEST(Grammar, HoldsOnRandomWalks) {
         support::Dice dice(seed);
         const scene::Campus campus = random_campus(dice);
         const Walk walk = random_walk(dice);
-        const auto stay_ticks = std::max<Tick>(1, static_cast<Tick>(walk.sim.stay_every * 60.0 + 0.5));
+        const auto stay_ticks = std::max<Tick>(1, static_cast<Tick>(std::lround(walk.sim.stay_every * 60.0)));
         GrammarCheck check(campus, stay_ticks);
         const std::array<Observer*, 1> observers = {&check};
         run_walk(campus, walk, observers);

@@ -27,7 +27,8 @@ TEST(ShuffledRuns, TimeTheSecondOfTwoRuns) {
     // The first of two takes 1000, the second 5, 4, 3, 2, 1 in turn.
     const auto spreads = shuffled_runs(3, 5, [&](std::size_t i) {
         const int call = calls[i]++;
-        return call % 2 == 0 ? 1000.0 : 5.0 - call / 2;
+        const int turn = call / 2;
+        return call % 2 == 0 ? 1000.0 : 5.0 - turn;
     });
     EXPECT_EQ(calls, (std::vector<int>{10, 10, 10}));
     for (const Spread& spread : spreads) {

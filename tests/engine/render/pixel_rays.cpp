@@ -53,7 +53,8 @@ double alpha_at(const FlatTriangle& triangle, const Vector3d& shares) {
         const scene::Texture& texture = *triangle.texture;
         const int x = std::clamp(static_cast<int>(uv.x() * texture.width), 0, texture.width - 1);
         const int y = std::clamp(static_cast<int>(uv.y() * texture.height), 0, texture.height - 1);
-        alpha *= texture.rgba[static_cast<std::size_t>(4 * (y * texture.width + x) + 3)] / 255.0;
+        const int alpha_byte = 4 * (y * texture.width + x) + 3;
+        alpha *= texture.rgba[static_cast<std::size_t>(alpha_byte)] / 255.0;
     }
     return alpha;
 }

@@ -42,7 +42,8 @@ std::vector<std::uint8_t> draco_of(const GridMesh& mesh) {
     position.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_FLOAT32, false, 12, 0);
     const int id = packed.AddAttribute(position, true, points);
     for (std::uint32_t i = 0; i < points; ++i) {
-        packed.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), &mesh.positions[3 * i]);
+        packed.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i),
+                                                &mesh.positions[std::size_t{3} * i]);
     }
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         packed.AddFace({draco::PointIndex(mesh.indices[i]), draco::PointIndex(mesh.indices[i + 1]),
