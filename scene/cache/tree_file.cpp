@@ -64,7 +64,8 @@ Vec3 take_vector(SealedReader& in) {
 template <typename Part>
 Storage<Part> take_parts(SealedReader& in, std::uint64_t count, std::size_t flag) {
     Storage<Part> parts = in.take_aligned<Part>(count);
-    const std::span<const std::byte> bytes = std::as_bytes(std::span(parts));
+    // Without as_const they would be copied, to be changed.
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(std::as_const(parts)));
     std::byte seen{};
     for (std::size_t at = flag; at < bytes.size(); at += sizeof(Part)) {
         seen |= bytes[at];

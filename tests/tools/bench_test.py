@@ -179,8 +179,8 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
         self.assertIn("  absent: broken: its command failed\n  absent: silent: it drew no frame\n", outcome.out)
         rows = list(csv.DictReader(io.StringIO(self.read("new/d.csv").decode())))
-        self.assertEqual([row["look"] for row in rows], DRAWN_LOOKS + ["no-aa"])
-        self.assertEqual([row["engine"] for row in rows], 6 * ["campuswalk"] + ["peer"])
+        self.assertEqual([row["look"] for row in rows], 2 * DRAWN_LOOKS + ["no-aa"])
+        self.assertEqual([row["engine"] for row in rows], 6 * ["campuswalk"] + 6 * ["processes"] + ["peer"])
         for row in rows:
             self.assertLessEqual(0.0, float(row["ms_least"]))
             self.assertLessEqual(float(row["ms_least"]), float(row["ms_mean"]) + 0.01)
