@@ -39,7 +39,12 @@ std::optional<std::size_t> read_task(int from) {
     return got == static_cast<ssize_t>(sizeof(task)) ? std::optional<std::size_t>(task) : std::nullopt;
 }
 
-std::pair<Descriptor, Descriptor> make_pipe() {
+struct Pipe {
+    Descriptor end;    // to read from
+    Descriptor start;  // to write to
+};
+
+Pipe make_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {  // ffmpeg has no business with it
         throw std::runtime_error("no worker can be started: " + std::generic_category().message(errno));
@@ -64,24 +69,24 @@ void Descriptor::close() {
 }
 
 Worker::Worker(const Work& work, const std::vector<Worker>& others) {
-    auto [tasks_end, tasks_start] = make_pipe();
-    auto [answers_end, answers_start] = make_pipe();
+    Pipe tasks = make_pipe();
+    Pipe answers = make_pipe();
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) {
         throw std::runtime_error("no worker can be started: " + std::generic_category().message(errno));
     }
     if (process_ == 0) {
-        tasks_start.close();
-        answers_end.close();
+        tasks.start.close();
+        answers.end.close();
         for (const Worker& other : others) {  // or their ends would never show
             ::close(other.tasks_.number());
             ::close(other.answers_.number());
         }
-        serve(work, tasks_end.number(), answers_start.number(), parent);
+        serve(work, tasks.end.number(), answers.start.number(), parent);
     }
-    tasks_ = std::move(tasks_start);
-    answers_ = std::move(answers_end);
+    tasks_ = std::move(tasks.start);
+    answers_ = std::move(answers.end);
 }
 
 void Worker::serve(const Work& work, int tasks, int answers, pid_t parent) const {
