@@ -24,7 +24,9 @@ def gltf_parts():
         data += part
     document = {
         "asset": {"version": "2.0"}, "scene": 0,
-        "extensionsUsed": ["CESIUM_RTC"], "extensions": {"CESIUM_RTC": {"center": [3919000.0, 332000.0, 5006000.0]}}, "scenes": [{"nodes": [0, 1]}],
+        "extensionsUsed": ["CESIUM_RTC"],
+        "extensions": {"CESIUM_RTC": {"center": [3919000.0, 332000.0, 5006000.0]}},
+        "scenes": [{"nodes": [0, 1]}],
         "nodes": [
             {"name": "house", "mesh": 0, "children": [2], "rotation": [0, 0.7071068, 0, 0.7071068]},
             {"name": "lamps", "mesh": 1,

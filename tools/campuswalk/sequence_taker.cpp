@@ -58,8 +58,8 @@ render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceWis
     return settings;
 }
 
-std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceWish& wish, const fs::path& folder,
-                                                         double every) {
+std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceWish& wish, const fs::path& folder) {
+    const double every = interval_of(wish);
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
     if (wish.every) {
         sinks.push_back(std::make_unique<render::FrameFiles>(folder / kFramesFolder));
@@ -103,31 +103,14 @@ private:
     std::function<void(std::string_view)> hand_over_;
 };
 
-/// Takes part 0, with where the others come from.
-class SequenceTaker final : public engine::Observer {
-public:
-    SequenceTaker(const scene::Campus& campus, const render::SequenceSettings& settings,
-                  std::vector<std::unique_ptr<render::FrameSink>> sinks, FrameSharing sharing,
-                  render::PainterStore& painters)
-        : others_(std::move(sharing)), observer_(campus, settings, painters, std::move(sinks), &others_) {}
-
-    void begin(const engine::Walk& walk) override { observer_.begin(walk); }
-    void frame(const engine::FrameRecord& record) override { observer_.frame(record); }
-    void end() override { observer_.end(); }
-
-private:
-    OtherParts others_;
-    render::SequenceObserver observer_;
-};
-
 }  // namespace
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const fs::path& folder, const SequenceWish& wish,
                                                       FrameSharing sharing, render::PainterStore& painters) {
-    const render::SequenceSettings settings = settings_of(walk, wish, {0, sharing.parts});
-    return std::make_unique<SequenceTaker>(campus, settings, sinks_of(wish, folder, settings.every),
-                                           std::move(sharing), painters);
+    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, sharing.parts}),
+                                                      painters, sinks_of(wish, folder),
+                                                      std::make_unique<OtherParts>(std::move(sharing)));
 }
 
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,

@@ -39,7 +39,8 @@ PROJECT = {
                          "tools/campuswalk/bench", "tools/campuswalk/init"],
     "tools/campuswalk/bench": ["tools/campuswalk", "tools/campuswalk/bench/draw", "engine", "scene",
                                "scene/procedural", "collision"],
-    "tools/campuswalk/bench/draw": ["tools/campuswalk/bench", "tools/campuswalk/run/worker.h", "engine", "engine/render", "scene",
+    "tools/campuswalk/bench/draw": ["tools/campuswalk/bench", "tools/campuswalk/run/frame_helpers.h", "tools/campuswalk/run/worker.h",
+                                    "engine", "engine/render", "scene",
                                     "scene/procedural", "collision"],
     # `init` builds the model that it writes.
     "tools/campuswalk/init": ["tools/campuswalk", "scene", "scene/procedural", "collision"],

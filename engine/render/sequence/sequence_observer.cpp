@@ -12,12 +12,12 @@ constexpr double kRounding = 1e-9;  ///< of a time, in times of `every`
 
 SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
                                    PainterStore& painters, std::vector<std::unique_ptr<FrameSink>> sinks,
-                                   FrameSource* others)
+                                   std::unique_ptr<FrameSource> others)
     : campus_(campus),
       settings_(std::move(settings)),
       painters_(painters),
-      others_draw_(others != nullptr),
-      queue_(std::move(sinks), others, settings_.share.parts) {}
+      others_(std::move(others)),
+      queue_(std::move(sinks), others_.get(), settings_.share.parts) {}
 
 void SequenceObserver::begin(const Walk& walk) {
     shots_.begin(walk);
@@ -32,7 +32,7 @@ void SequenceObserver::frame(const FrameRecord& record) {
     if (settings_.share.has(number)) {
         SnapshotPainter& painter = painters_.of(campus_, shots_.light());
         queue_.add({painter.draw(shots_.shot(record, settings_.camera)), number, record.time});
-    } else if (others_draw_) {
+    } else if (others_) {
         queue_.add_of_others(number);
     }
 }

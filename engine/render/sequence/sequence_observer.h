@@ -22,10 +22,11 @@ struct SequenceSettings {
 /// Takes the first frame at a walk's first tick, and the others as their times come.
 class SequenceObserver final : public Observer {
 public:
-    /// `others` draw what isn't in the share; without them the sinks get the share alone. All but the
-    /// settings must outlive it.
+    /// `others` draw what isn't in the share; without them the sinks get the share alone. `campus` and
+    /// `painters` must outlive it.
     SequenceObserver(const scene::Campus& campus, SequenceSettings settings, PainterStore& painters,
-                     std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* others = nullptr);
+                     std::vector<std::unique_ptr<FrameSink>> sinks,
+                     std::unique_ptr<FrameSource> others = nullptr);
 
     void begin(const Walk& walk) override;
     /// Throws RenderError when the machine can't draw, and what a sink or the others threw at a frame before.
@@ -39,7 +40,7 @@ private:
     SequenceSettings settings_;
     PainterStore& painters_;
     WalkShots shots_;
-    bool others_draw_;
+    std::unique_ptr<FrameSource> others_;
     std::size_t taken_ = 0;  ///< by whomever
     double next_ = 0.0;      ///< times of `every`
     FrameQueue queue_;

@@ -12,20 +12,6 @@ namespace campuswalk::tools {
 
 namespace {
 
-/// Waits for it. Throws std::runtime_error when the process has ended.
-Message next_message(Worker& helper) {
-    while (true) {
-        if (std::optional<Message> message = helper.next_message()) {
-            return std::move(*message);
-        }
-        if (!helper.read()) {
-            helper.forget_task();
-            helper.hang_up();
-            throw std::runtime_error("a process that drew frames is gone: " + helper.obituary());
-        }
-    }
-}
-
 /// Ctrl-C is for the process that plays, and what libraries say on standard error it hears from them itself.
 void stay_in_the_background() {
     std::signal(SIGINT, SIG_IGN);
@@ -56,7 +42,7 @@ std::string FrameHelpers::next_frame(std::size_t part) {
     if (!helper.place()) {
         throw std::runtime_error("a process that drew frames has ended before this one");
     }
-    Message message = next_message(helper);
+    Message message = helper.wait_for_message();
     if (message.topic != Topic::frame) {
         helper.forget_task();
         throw std::runtime_error(message.body.empty() ? "a frame is missing" : message.body);

@@ -14,6 +14,8 @@ namespace campuswalk::tools {
 /// played.
 class FrameHelpers {
 public:
+    static constexpr std::size_t kMostParts = 8;  ///< each holds what the driver makes of the campus
+
     /// Draws one part of the frames, in a process of its own: says each as Topic::frame, and in the end what
     /// went wrong as Topic::result, which is empty when nothing did. Throws nothing.
     using Draw = std::function<void(std::size_t part, const Say& say)>;

@@ -113,13 +113,12 @@ WalkResult Session::play_case(std::size_t index, const Say& say) {
 
 // Where there are processors that no worker has a walk for, each worker gets an equal number of them.
 std::unique_ptr<FrameHelpers> Session::frame_helpers_for(std::size_t index) {
-    constexpr std::size_t kMostParts = 8;       // each holds what the driver makes of the campus
     constexpr double kFramesWorthAPart = 10.0;  // what it takes to begin drawing
     const Case& played = plan_.cases[index];
     if (painters_ == nullptr || !settings_.play.sequence.any()) {
         return nullptr;
     }
-    std::size_t parts = std::min(settings_.pool.workers / workers_, kMostParts);
+    std::size_t parts = std::min(settings_.pool.workers / workers_, FrameHelpers::kMostParts);
     if (const auto seconds = engine::planned_seconds(played.walk->walk)) {
         const double frames = *seconds / interval_of(settings_.play.sequence);
         parts = std::min(parts, static_cast<std::size_t>(std::clamp(frames / kFramesWorthAPart, 1.0, 1e3)));

@@ -157,6 +157,19 @@ bool Worker::read() {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
+Message Worker::wait_for_message() {
+    while (true) {
+        if (std::optional<Message> message = next_message()) {
+            return std::move(*message);
+        }
+        if (!read()) {
+            forget_task();
+            hang_up();
+            throw std::runtime_error("a process that drew frames is gone: " + obituary());
+        }
+    }
+}
+
 void Worker::send_signal(int signal) const {
     if (process_ > 0) {
         kill(process_, signal);

@@ -38,7 +38,7 @@ private:
 
 /// The frames of a walk of so many ticks.
 std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, const Walk& walk = {},
-                             const FrameShare& share = {}, FrameSource* others = nullptr) {
+                             const FrameShare& share = {}, std::unique_ptr<FrameSource> others = nullptr) {
     const scene::Campus campus = campus_of(tower_scene());
     SequenceSettings settings;
     settings.every = every;
@@ -53,7 +53,7 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
     std::vector<std::unique_ptr<FrameSink>> sinks;
     sinks.push_back(std::make_unique<Times>(frames));
     settings.share = share;
-    SequenceObserver observer(campus, settings, painters, std::move(sinks), others);
+    SequenceObserver observer(campus, settings, painters, std::move(sinks), std::move(others));
     observer.begin(walk);
     FrameRecord record;
     for (int i = 0; i < ticks; ++i) {
@@ -104,8 +104,8 @@ TEST(SequenceObserver, SharesTheFramesOfAWalk) {
     ASSERT_EQ(by_others.size(), 4U);
     EXPECT_EQ(by_others[2].number, 7U);
     std::ranges::copy(frames_of(0.1, 61, 60, {}, {2, 3}), std::back_inserter(by_others));
-    Drawn others(std::move(by_others));
-    const std::vector<Frame> shared = frames_of(0.1, 61, 60, {}, {0, 3}, &others);
+    const std::vector<Frame> shared =
+        frames_of(0.1, 61, 60, {}, {0, 3}, std::make_unique<Drawn>(std::move(by_others)));
     ASSERT_EQ(shared.size(), whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         EXPECT_EQ(shared[i].number, i);

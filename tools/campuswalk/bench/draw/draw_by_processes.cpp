@@ -13,6 +13,7 @@
 #include "engine/render/renderer.h"
 #include "tools/campuswalk/bench/draw/looks.h"
 #include "tools/campuswalk/bench/shuffled_runs.h"
+#include "tools/campuswalk/run/frame_helpers.h"
 #include "tools/campuswalk/run/worker.h"
 
 namespace campuswalk::tools::bench {
@@ -75,17 +76,12 @@ std::string wait_for(std::vector<Worker>& workers, std::size_t task) {
     std::string all;
     for (Worker& worker : workers) {
         while (worker.place()) {
-            const std::optional<Message> message = worker.next_message();
-            if (!message) {
-                if (!worker.read()) {
-                    throw std::runtime_error("a process that draws is gone: " + worker.obituary());
-                }
-            } else if (message->topic == Topic::log) {
-                throw std::runtime_error(message->body);
-            } else {
-                worker.forget_task();
-                all += message->body;
+            const Message message = worker.wait_for_message();
+            if (message.topic == Topic::log) {
+                throw std::runtime_error(message.body);
             }
+            worker.forget_task();
+            all += message.body;
         }
     }
     return all;
@@ -126,7 +122,7 @@ std::vector<DrawTimes> draw_by_processes(const scene::Model& model, const std::v
 }
 
 std::size_t drawing_processes() {
-    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, FrameHelpers::kMostParts);
 }
 
 }  // namespace campuswalk::tools::bench
