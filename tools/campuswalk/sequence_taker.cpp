@@ -108,8 +108,9 @@ private:
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const fs::path& folder, const SequenceWish& wish,
                                                       FrameSharing sharing, render::PainterStore& painters) {
-    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, sharing.parts}),
-                                                      painters, sinks_of(wish, folder),
+    const std::size_t parts = sharing.parts;
+    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, parts}), painters,
+                                                      sinks_of(wish, folder),
                                                       std::make_unique<OtherParts>(std::move(sharing)));
 }
 

@@ -168,7 +168,8 @@ TEST(Channels, NumbersGoOnFromModelToModel) {
         SceneBuilder().paint(kRed).upright({0, 0, -9}, 1.0).upright({2, 0, -4}, 1.0).model()};
     Renderer renderer(models, quick_settings());
     const Channels drawn = renderer.draw_channels(ahead(), kWidth, kHeight, {.nodes = true});
-    std::vector<std::uint32_t> row(drawn.nodes.begin() + 45 * kWidth, drawn.nodes.begin() + 46 * kWidth);
+    constexpr auto kStride = std::ptrdiff_t{kWidth};
+    std::vector<std::uint32_t> row(drawn.nodes.begin() + 45 * kStride, drawn.nodes.begin() + 46 * kStride);
     row.erase(std::unique(row.begin(), row.end()), row.end());
     EXPECT_EQ(row, (std::vector<std::uint32_t>{0, 1, 0, 2, 0, 3, 0}));
 }

@@ -29,7 +29,7 @@ DepthTiles everywhere(double distance) {
     DepthTiles tiles;
     tiles.columns = (kWide + DepthTiles::kTileWidth - 1) / DepthTiles::kTileWidth;
     tiles.rows = (kHigh + DepthTiles::kTileHeight - 1) / DepthTiles::kTileHeight;
-    tiles.farthest.assign(static_cast<std::size_t>(tiles.columns * tiles.rows),
+    tiles.farthest.assign(static_cast<std::size_t>(tiles.columns) * static_cast<std::size_t>(tiles.rows),
                           static_cast<float>(depth_at(distance)));
     return tiles;
 }
@@ -56,8 +56,8 @@ TEST(DepthTiles, HideWhatIsBehindAndNothingElse) {
 
 TEST(DepthTiles, OneOpenTileShowsWhatIsBehindIt) {
     DepthTiles tiles = everywhere(10.0);
-    const auto middle = static_cast<std::size_t>(tiles.rows / 2 * tiles.columns + tiles.columns / 2);
-    tiles.farthest[middle] = 0.0F;  // the sky
+    const int middle = tiles.rows / 2 * tiles.columns + tiles.columns / 2;
+    tiles.farthest[static_cast<std::size_t>(middle)] = 0.0F;  // the sky
     EXPECT_FALSE(hides(tiles, box_at({0, 0, -12}, 1.0)));
     EXPECT_TRUE(hides(tiles, box_at({-6, 0, -12}, 1.0))) << "beside it";
 }

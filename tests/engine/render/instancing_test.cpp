@@ -67,10 +67,11 @@ scene::Model balls() {
         scene::Node node;
         node.name = "ball";
         node.meshes.push_back(scene::MeshIndex{first + static_cast<std::uint32_t>(i % 2)});
+        const int row = i / 12;
         const double height = i % 11 == 5 ? 1.7 : 1.0;
         const double mirrored = i % 7 < 2 ? -1.0 : 1.0;
         node.X_world_node =
-            (Eigen::Translation3d(4.0 * (i % 12) - 22.0, 0, 4.0 * (i / 12) - 20.0) *
+            (Eigen::Translation3d(4.0 * (i % 12) - 22.0, 0, 4.0 * row - 20.0) *
              Eigen::AngleAxisd(0.7 * i, Vector3d::UnitY()) * Eigen::Scaling(0.5 + 0.1 * (i % 9)) *
              Eigen::Scaling(Vector3d(mirrored, height, 1.0)))
                 .matrix();

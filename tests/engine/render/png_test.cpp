@@ -43,7 +43,7 @@ Picture decoded(const std::filesystem::path& file) {
                                    std::ptrdiff_t{y} * cairo_image_surface_get_stride(surface.get());
         for (int x = 0; x < picture.width; ++x) {
             std::uint32_t value = 0;
-            std::memcpy(&value, row + 4 * x, 4);
+            std::memcpy(&value, row + std::ptrdiff_t{4} * x, 4);
             std::uint8_t* pixel = &picture.rgba[picture.offset(x, y)];
             pixel[0] = static_cast<std::uint8_t>(value >> 16U);
             pixel[1] = static_cast<std::uint8_t>(value >> 8U);

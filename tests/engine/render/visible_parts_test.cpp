@@ -1,6 +1,7 @@
 #include "engine/render/visible_parts.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -10,12 +11,17 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
+std::size_t at(int x, int y, int width) {
+    const int number = y * width + x;
+    return static_cast<std::size_t>(number);
+}
+
 /// By looking at every pixel of another owner, and at a frame of nobody's around the picture.
 int depth_at(const std::vector<std::uint32_t>& owners, int width, int x, int y) {
     const int height = static_cast<int>(owners.size()) / width;
     const auto owner = [&](int u, int v) {
         const bool inside = u >= 0 && v >= 0 && u < width && v < height;
-        return inside ? static_cast<int>(owners[static_cast<std::size_t>(v * width + u)]) : -1;
+        return inside ? static_cast<int>(owners[at(u, v, width)]) : -1;
     };
     int nearest = std::numeric_limits<int>::max();
     for (int v = -1; v <= height; ++v) {
@@ -33,13 +39,13 @@ TEST(VisibleParts, LieDeepestWhereNothingElseIsNear) {
     constexpr int kWidth = 40;
     constexpr int kHeight = 20;
     for (int round = 0; round < 40; ++round) {
-        std::vector<std::uint32_t> owners(kWidth * kHeight, 3);  // 3 is none of those asked for
-        for (std::uint32_t owner = 0; owner < 3; ++owner) {      // boxes over each other
+        std::vector<std::uint32_t> owners(std::size_t{kWidth} * kHeight, 3);  // 3 is none of those asked for
+        for (std::uint32_t owner = 0; owner < 3; ++owner) {                   // boxes over each other
             const int left = static_cast<int>(random() % 30);
             const int top = static_cast<int>(random() % 15);
             for (int y = top; y < std::min(kHeight, top + 3 + static_cast<int>(random() % 9)); ++y) {
                 for (int x = left; x < std::min(kWidth, left + 4 + static_cast<int>(random() % 25)); ++x) {
-                    owners[static_cast<std::size_t>(y * kWidth + x)] = owner;
+                    owners[at(x, y, kWidth)] = owner;
                 }
             }
         }
@@ -48,7 +54,7 @@ TEST(VisibleParts, LieDeepestWhereNothingElseIsNear) {
             std::size_t pixels = 0;
             for (int y = 0; y < kHeight; ++y) {
                 for (int x = 0; x < kWidth; ++x) {
-                    if (owners[static_cast<std::size_t>(y * kWidth + x)] == part.owner) {
+                    if (owners[at(x, y, kWidth)] == part.owner) {
                         ++pixels;
                         deepest = std::max(deepest, depth_at(owners, kWidth, x, y));
                     }
@@ -57,7 +63,7 @@ TEST(VisibleParts, LieDeepestWhereNothingElseIsNear) {
             EXPECT_EQ(part.pixels, pixels);
             const int x = static_cast<int>(part.deepest.x());
             const int y = static_cast<int>(part.deepest.y());
-            EXPECT_EQ(owners[static_cast<std::size_t>(y * kWidth + x)], part.owner);
+            EXPECT_EQ(owners[at(x, y, kWidth)], part.owner);
             EXPECT_EQ(depth_at(owners, kWidth, x, y), deepest);
         }
     }

@@ -97,7 +97,7 @@ TEST(Teapot, IsWeldedAndHasNoTriangleOfTwoCorners) {
 
 TEST(Teapot, CanBeFiner) {
     // Four times the quads, and twice the triangles that the poles swallow.
-    const std::size_t quads = 2U * (24U * 12U * 12U + 4U * 11U * 13U + 4U * 9U * 10U);
+    const std::size_t quads = std::size_t{2} * (24U * 12U * 12U + 4U * 11U * 13U + 4U * 9U * 10U);
     const std::size_t at_poles = quads - teapot().triangles.size();
     EXPECT_EQ(teapot(2).triangles.size(), 4U * quads - 2U * at_poles);
 }

@@ -1,6 +1,7 @@
 #include "tests/engine/render/compare/made_pictures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -20,7 +21,7 @@ Picture disturbed(const Picture& picture, double share, int levels, std::mt19937
     std::vector<std::size_t> pixels(picture.rgba.size() / 4);
     std::iota(pixels.begin(), pixels.end(), std::size_t{0});
     std::shuffle(pixels.begin(), pixels.end(), random);
-    pixels.resize(static_cast<std::size_t>(share * static_cast<double>(pixels.size()) + 0.5));
+    pixels.resize(static_cast<std::size_t>(std::lround(share * static_cast<double>(pixels.size()))));
     const auto range = static_cast<unsigned>(2 * levels + 1);
     for (const std::size_t pixel : pixels) {
         for (std::size_t i = 4 * pixel; i < 4 * pixel + 3; ++i) {
