@@ -13,7 +13,7 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kLot = 60.0;     ///< metres
+constexpr double kLot = kGeneratedLot;
 constexpr int kCellsALot = 24;    ///< of the terrain, along a side
 constexpr double kFooting = 2.0;  ///< metres that a house goes into the ground, which isn't level
 constexpr int kTrees = 14;        ///< a lot
@@ -90,14 +90,22 @@ public:
         house_.storeys = 3 + static_cast<int>(chance.between(0.0, 4.0));
     }
 
-    void furnish(MeshParts& parts) {
+    void furnish(GeneratedCampus& campus) {
+        MeshParts parts(campus.mesh);
+        const auto begin = [&](CampusPart part) {
+            campus.runs.push_back({part, campus.mesh.triangles.size()});
+        };
+        begin(CampusPart::building);
         add_house(parts, house_);
+        begin(CampusPart::tree);
         for (int i = 0; i < kTrees; ++i) {
             add_tree(parts, outdoors(3.0), chance_);
         }
+        begin(CampusPart::bench);
         for (int i = 0; i < kBenches; ++i) {
             add_bench(parts, somewhere());
         }
+        begin(CampusPart::lamp);
         for (int i = 0; i < kLamps; ++i) {
             add_lamp(parts, somewhere());
         }
@@ -143,12 +151,13 @@ private:
 GeneratedCampus generated_campus(int lots) {
     GeneratedCampus campus;
     MeshParts parts(campus.mesh);
+    campus.runs.push_back({CampusPart::terrain, 0});
     add_terrain(parts, lots);
     Chance chance(1);
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {
             Lot lot(kLot * (column - 0.5 * (lots - 1)), kLot * (row - 0.5 * (lots - 1)), chance);
-            lot.furnish(parts);
+            lot.furnish(campus);
             lot.add_feet(campus.feet);
         }
     }

@@ -107,7 +107,7 @@ public:
         const auto begin = [&](CampusPart part) {
             campus.runs.push_back({part, campus.mesh.triangles.size()});
         };
-        begin(CampusPart::course);
+        begin(CampusPart::building);
         add_course(parts, X_campus_course_, sizes_, paths);
         paths.push_back(over_the_hill());
         begin(CampusPart::tree);

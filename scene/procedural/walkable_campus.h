@@ -1,21 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "collision/triangle_mesh.h"
+#include "scene/procedural/campus_run.h"
 #include "scene/procedural/walk_course.h"
 
 namespace campuswalk::scene {
-
-enum class CampusPart : std::uint8_t { terrain, course, tree, bench, lamp };
-
-/// Triangles of one kind: from `first_triangle` to the next run's.
-struct CampusRun {
-    CampusPart part = CampusPart::terrain;
-    std::size_t first_triangle = 0;
-};
 
 struct WalkableCampus {
     collision::TriangleMesh mesh;  ///< about the middle of the campus, +Y up

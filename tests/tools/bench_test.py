@@ -164,7 +164,7 @@ class Bench(ProgramCase):
                 self.assertRegex(line, "mean tick|worst tick|two minutes")
 
     def test_pictures(self):
-        """Of a small campus, beside a peer that draws nothing but says so; how fast says nothing here."""
+        """Of two small campuses, beside a peer that draws nothing but says so; how fast says nothing here."""
         self.write("peer.py", "import json, sys\n"
                    "views = json.load(open(sys.argv[1] + '/views.json'))\n"
                    "open(sys.argv[1] + '/campus.glb', 'rb').read(4) == b'glTF' or sys.exit(1)\n"
@@ -179,18 +179,21 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
         self.assertIn("  absent: broken: its command failed\n  absent: silent: it drew no frame\n", outcome.out)
         rows = list(csv.DictReader(io.StringIO(self.read("new/d.csv").decode())))
-        self.assertEqual([row["look"] for row in rows], 2 * DRAWN_LOOKS + ["no-aa"])
-        self.assertEqual([row["engine"] for row in rows], 6 * ["campuswalk"] + 6 * ["processes"] + ["peer"])
+        self.assertEqual([row["look"] for row in rows], 2 * (2 * DRAWN_LOOKS + ["no-aa"]))
+        self.assertEqual([row["engine"] for row in rows], 2 * (6 * ["campuswalk"] + 6 * ["processes"] + ["peer"]))
+        self.assertEqual([row["campus"] for row in rows], 13 * ["hills"] + 13 * ["houses"])
         for row in rows:
             self.assertLessEqual(0.0, float(row["ms_least"]))
             self.assertLessEqual(float(row["ms_least"]), float(row["ms_mean"]) + 0.01)
         self.assertGreater(float(rows[-1]["times_ours"]), 100.0)
-        for look in DRAWN_LOOKS:
-            self.assertTrue(self.read(f"scenes/1/campuswalk-{look}.png").startswith(b"\x89PNG"))
-        # What peers are given is what we draw.
-        model = json.loads(self.passes("info", "scenes/1/campus.glb", "--json").out)
-        self.assertEqual(str(model["triangles"]), rows[0]["triangles"])
-        self.assertEqual(model["warnings"], [])
+        for row in (rows[0], rows[-1]):
+            scene = f"scenes/{row['campus']}-{row['triangles']}"
+            for look in DRAWN_LOOKS:
+                self.assertTrue(self.read(f"{scene}/campuswalk-{look}.png").startswith(b"\x89PNG"))
+            # What peers are given is what we draw.
+            model = json.loads(self.passes("info", f"{scene}/campus.glb", "--json").out)
+            self.assertEqual(str(model["triangles"]), row["triangles"])
+            self.assertEqual(model["warnings"], [])
 
     def test_peers_have_a_name_and_a_command(self):
         for peer in ("three.js", "=node", "three.js="):

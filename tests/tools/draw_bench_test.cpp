@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "collision/mesh_query.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/campuswalk/bench/draw/draw_peers.h"
 #include "tools/campuswalk/bench/draw/draw_report.h"
@@ -44,6 +45,7 @@ TEST(DrawPeers, AreReadLineByLine) {
 
 DrawnCampus made_up_campus(std::size_t triangles, double ms, std::size_t heap_bytes) {
     return {
+        "hills",
         triangles,
         {times_of("campuswalk", "no-aa", 0.5 * ms), times_of("campuswalk", "shadows+fxaa", ms),
          times_of("campuswalk", "shadows+msaa4", 3.0 * ms), times_of("three.js", "shadows+fxaa", 3.0 * ms),
@@ -65,17 +67,19 @@ const DrawVerdict& verdict(const std::vector<DrawVerdict>& all, const std::strin
 TEST(DrawVerdicts, SayWhatIsReached) {
     const auto all =
         draw_verdicts({made_up_campus(500000, 24.0, 100000000), made_up_campus(2000000, 50.0, 500000000)});
-    EXPECT_DOUBLE_EQ(*verdict(all, "a frame, shadows+fxaa, 500000", " ms").value, 48.0);
-    EXPECT_TRUE(verdict(all, "a frame, shadows+fxaa, 500000", " ms").holds());
-    EXPECT_FALSE(verdict(all, "a frame, shadows+msaa4, 500000", " ms").holds()) << "144 of 110";
-    EXPECT_FALSE(verdict(all, "a frame, shadows+fxaa, 2000000", " ms").holds()) << "100 of 85";
-    EXPECT_DOUBLE_EQ(*verdict(all, "shadows+fxaa, 500000", "x as long in three.js").value, 3.0);
-    EXPECT_TRUE(verdict(all, "shadows+fxaa, 500000", "x as long in three.js").holds());
-    const std::string by_processes = "shadows+fxaa, 500000 triangles, by processes";
+    EXPECT_DOUBLE_EQ(*verdict(all, "a frame, shadows+fxaa, hills of 500000", " ms").value, 48.0);
+    EXPECT_TRUE(verdict(all, "a frame, shadows+fxaa, hills of 500000", " ms").holds());
+    EXPECT_FALSE(verdict(all, "a frame, shadows+msaa4, hills of 500000", " ms").holds()) << "144 of 110";
+    EXPECT_FALSE(verdict(all, "a frame, shadows+fxaa, hills of 2000000", " ms").holds()) << "100 of 85";
+    EXPECT_DOUBLE_EQ(*verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").value, 3.0);
+    EXPECT_TRUE(verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").holds());
+    const std::string by_processes = "shadows+fxaa, hills of 500000 triangles, by processes";
     EXPECT_DOUBLE_EQ(*verdict(all, "a frame, " + by_processes, " ms").value, 36.0);
     EXPECT_DOUBLE_EQ(*verdict(all, by_processes, "x as long in three.js").value, 4.0);
-    EXPECT_FALSE(verdict(all, "no-aa, 500000", "x as long in VTK").holds()) << "twice, not three times";
-    EXPECT_FALSE(verdict(all, "msaa4, 500000", "x as long in VTK").value.has_value()) << "not measured";
+    EXPECT_FALSE(verdict(all, "no-aa, hills of 500000", "x as long in VTK").holds())
+        << "twice, not three times";
+    EXPECT_FALSE(verdict(all, "msaa4, hills of 500000", "x as long in VTK").value.has_value())
+        << "not measured";
     EXPECT_NEAR(*verdict(all, "memory a triangle", " bytes").value, 266.67, 0.01);
     EXPECT_FALSE(verdict(all, "memory a triangle", " bytes").holds());
     EXPECT_FALSE(
@@ -94,18 +98,17 @@ TEST(DrawCsv, HasALineACampusEngineAndLook) {
     std::stringstream text;
     text << in.rdbuf();
     EXPECT_EQ(text.str(),
-              "triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n"
-              "500000,campuswalk,no-aa,24.00,24.00,18.00,20.50,1.000\n"
-              "500000,vtk,no-aa,48.00,48.00,36.00,,2.000\n");
+              "campus,triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n"
+              "hills,500000,campuswalk,no-aa,24.00,24.00,18.00,20.50,1.000\n"
+              "hills,500000,vtk,no-aa,48.00,48.00,36.00,,2.000\n");
 }
 
-TEST(DrawnCampus, IsTheWholeWalkableCampus) {
-    const scene::WalkableCampus campus = scene::walkable_campus(1);
-    const scene::Model model = drawn_campus(campus);
-    EXPECT_EQ(scene::count_triangles(model), campus.mesh.triangles.size());
+void expect_whole(const collision::TriangleMesh& of, std::span<const scene::CampusRun> runs, double lot) {
+    const scene::Model model = drawn_campus(of, runs, lot);
+    EXPECT_EQ(scene::count_triangles(model), of.triangles.size());
     const scene::Bounds box = scene::world_bounds(model);
     scene::Bounds wanted;
-    for (const Eigen::Vector3f& position : campus.mesh.positions) {
+    for (const Eigen::Vector3f& position : of.positions) {
         wanted.extend(position.cast<double>());
     }
     EXPECT_EQ(box.min, wanted.min);
@@ -121,14 +124,41 @@ TEST(DrawnCampus, IsTheWholeWalkableCampus) {
     }
 }
 
+TEST(DrawnCampus, IsTheWholeCampus) {
+    const scene::WalkableCampus hills = scene::walkable_campus(1);
+    expect_whole(hills.mesh, hills.runs, scene::kWalkableLot);
+    const scene::GeneratedCampus houses = scene::generated_campus(1);
+    expect_whole(houses.mesh, houses.runs, scene::kGeneratedLot);
+}
+
 TEST(DrawnCampus, IsSeenFromAPersonsEyes) {
-    const auto views = drawn_views(scene::walkable_campus(1));
+    const auto views = views_over_hills(scene::walkable_campus(1));
     ASSERT_EQ(views.size(), 3U);
     for (const DrawnView& view : views) {
         EXPECT_LT(std::abs(view.eye.y()), 8.0);
         EXPECT_GT((view.target - view.eye).norm(), 1.0);
     }
-    EXPECT_EQ(drawn_views(scene::walkable_campus(3)).size(), 24U);
+    EXPECT_EQ(views_over_hills(scene::walkable_campus(3)).size(), 24U);
+}
+
+TEST(DrawnCampus, IsWalkedThroughBetweenTheHouses) {
+    for (const int lots : {2, 3}) {
+        const scene::GeneratedCampus campus = scene::generated_campus(lots);
+        const collision::MeshCollider mesh(campus.mesh);
+        collision::QueryCounters counters;
+        const double half = 0.5 * lots * scene::kGeneratedLot;
+        const auto views = views_among_houses(campus, lots);
+        ASSERT_EQ(views.size(), 24U);
+        for (const DrawnView& view : views) {
+            EXPECT_LT(view.eye.cwiseAbs().maxCoeff(), half);
+            EXPECT_GT((view.target - view.eye).norm(), 1.0);
+            const double over_ground =
+                first_on_ray(mesh, {view.eye, view.eye - Eigen::Vector3d(0, 4, 0)}, counters)->fraction * 4.0;
+            EXPECT_NEAR(over_ground, 1.68, 1e-3) << "on the ground, not on a bench";
+        }
+        EXPECT_GT((views.at(11).eye - views.at(0).eye).norm(), 1.4 * half) << "from one side to the other";
+        EXPECT_GT((views.at(23).eye - views.at(12).eye).norm(), 1.4 * half);
+    }
 }
 
 }  // namespace

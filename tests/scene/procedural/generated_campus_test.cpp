@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/mesh_query.h"
+#include "scene/procedural/campus_parts.h"
 #include "scene/procedural/chance.h"
 
 namespace campuswalk::scene {
@@ -33,6 +34,25 @@ TEST(GeneratedCampus, VisitorsStandOnTheGroundOutdoors) {
     }
     EXPECT_LT(under_trees, campus.feet.size() / 4) << "the others are under the sky";
     EXPECT_GT(under_trees, 0U);
+}
+
+TEST(GeneratedCampus, SaysWhatItsTrianglesAre) {
+    const GeneratedCampus campus = generated_campus(1);
+    const auto& runs = campus.runs;
+    ASSERT_EQ(runs.size(), 5U);
+    EXPECT_EQ(runs.at(0).part, CampusPart::terrain);
+    EXPECT_EQ(runs.at(1).part, CampusPart::building);
+    EXPECT_EQ(runs.at(1).first_triangle, 2U * 24U * 24U) << "after the terrain's squares";
+    EXPECT_EQ(runs.at(2).part, CampusPart::tree);
+    EXPECT_EQ(runs.at(3).part, CampusPart::bench);
+    EXPECT_EQ(runs.at(4).part, CampusPart::lamp);
+    double highest_bench = 0.0;
+    for (std::size_t t = runs.at(3).first_triangle; t < runs.at(4).first_triangle; ++t) {
+        const Vec3 corner = campus.mesh.positions[campus.mesh.triangles[t][0]].cast<double>();
+        highest_bench = std::max(highest_bench, corner.y() - rolling_ground(corner.x(), corner.z()));
+    }
+    EXPECT_LT(highest_bench, 1.5);
+    EXPECT_GT(highest_bench, 0.4);
 }
 
 TEST(GeneratedCampus, IsInSight) {

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,20 +22,28 @@ namespace {
 
 /// What is drawn, before it is.
 struct Subject {
+    std::string name;
     scene::Model model;
     std::vector<DrawnView> views;
     std::vector<DrawTimes> by_processes;
 };
 
-Subject subject(int lots, int rounds) {
+Subject hills(int lots) {
     const scene::WalkableCampus campus = scene::walkable_campus(lots);
-    Subject made{drawn_campus(campus), drawn_views(campus), {}};
-    made.by_processes = draw_by_processes(made.model, made.views, rounds);
-    return made;
+    return {
+        "hills", drawn_campus(campus.mesh, campus.runs, scene::kWalkableLot), views_over_hills(campus), {}};
+}
+
+Subject houses(int lots) {
+    const scene::GeneratedCampus campus = scene::generated_campus(lots);
+    return {"houses",
+            drawn_campus(campus.mesh, campus.runs, scene::kGeneratedLot),
+            views_among_houses(campus, lots),
+            {}};
 }
 
 DrawnCampus draw_campus(const Subject& subject, const DrawBench& bench, const fs::path& folder) {
-    const auto& [model, views, by_processes] = subject;
+    const auto& [name, model, views, by_processes] = subject;
     fs::create_directories(folder);
     write_glb(model, folder / "campus.glb", [](const scene::Texture& texture) {
         return engine::render::encode_png(
@@ -44,12 +51,13 @@ DrawnCampus draw_campus(const Subject& subject, const DrawBench& bench, const fs
     });
     write_views(views, bench.rounds, folder);
     DrawnCampus drawn;
+    drawn.name = name;
     drawn.triangles = scene::count_triangles(model);
     std::printf(
-        "\n%zu triangles in %zu meshes, %zu views of %dx%d, %d rounds after one for warming up\n"
+        "\n%s: %zu triangles in %zu meshes, %zu views of %dx%d, %d rounds after one for warming up\n"
         "processes: %zu of ours at the same time; a frame's time is its share\n",
-        drawn.triangles, model.meshes.size(), views.size(), kDrawnWidth, kDrawnHeight, bench.rounds,
-        drawing_processes());
+        name.c_str(), drawn.triangles, model.meshes.size(), views.size(), kDrawnWidth, kDrawnHeight,
+        bench.rounds, drawing_processes());
     std::fflush(stdout);
     OurDrawing ours = draw_ours(model, views, bench.rounds, folder);
     drawn.looks = std::move(ours.looks);
@@ -77,13 +85,17 @@ bool can_draw() {
 void run_draw_bench(const DrawBench& bench) {
     const ScratchFolder scratch(bench.folder);
     // By other processes first: they can't be forked from one that has drawn.
-    std::map<int, Subject> subjects;
+    std::vector<Subject> subjects;
     for (const int lots : bench.quick ? std::vector<int>{1} : std::vector<int>{8, 17}) {
-        subjects.emplace(lots, subject(lots, bench.rounds));
+        for (const auto& make : {hills, houses}) {
+            Subject& made = subjects.emplace_back(make(lots));
+            made.by_processes = draw_by_processes(made.model, made.views, bench.rounds);
+        }
     }
     std::vector<DrawnCampus> campuses;
-    for (const auto& [lots, made] : subjects) {
-        campuses.push_back(draw_campus(made, bench, scratch.path() / std::to_string(lots)));
+    for (const Subject& made : subjects) {
+        const std::string folder = made.name + "-" + std::to_string(scene::count_triangles(made.model));
+        campuses.push_back(draw_campus(made, bench, scratch.path() / folder));
         std::fflush(stdout);
     }
     print_draw_verdicts(draw_verdicts(campuses));

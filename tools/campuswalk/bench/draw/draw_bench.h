@@ -18,8 +18,8 @@ struct DrawBench {
 /// False in a build without rendering, which can't call the other.
 bool can_draw();
 
-/// Measures how long pictures of campuses of half a million and two million triangles take, beside the peers,
-/// and prints it with verdicts.
+/// Measures how long pictures take of campuses of half a million and two million triangles, on hills and
+/// among houses, beside the peers, and prints it with verdicts.
 void run_draw_bench(const DrawBench& bench);
 
 }  // namespace campuswalk::tools::bench

@@ -44,7 +44,7 @@ struct Allowance {
 constexpr Allowance kAllowances[] = {{1000000, 50.0, 110.0}, {4000000, 85.0, 187.0}};
 
 void judge_times(const DrawnCampus& campus, const char* our_way, std::vector<DrawVerdict>& verdicts) {
-    const std::string of = ", " + std::to_string(campus.triangles) + " triangles" +
+    const std::string of = ", " + campus.name + " of " + std::to_string(campus.triangles) + " triangles" +
                            (our_way == std::string_view(kOurProcesses) ? ", by processes" : "");
     const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
         return campus.triangles <= each.most_triangles;
@@ -121,10 +121,10 @@ void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts) {
     std::printf("\nAgainst what is to be reached, by medians\n");
     for (const DrawVerdict& verdict : verdicts) {
         if (!verdict.value) {
-            std::printf("  %-54snot measured\n", verdict.what.c_str());
+            std::printf("  %-66snot measured\n", verdict.what.c_str());
             continue;
         }
-        std::printf("  %-54s%8.2f%-24s(must %g", verdict.what.c_str(), *verdict.value, verdict.unit,
+        std::printf("  %-66s%8.2f%-24s(must %g", verdict.what.c_str(), *verdict.value, verdict.unit,
                     verdict.must);
         if (verdict.aim) {
             std::printf(", aim %g", *verdict.aim);
@@ -139,11 +139,11 @@ void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesys
         std::filesystem::create_directories(file.parent_path());
     }
     std::ofstream out(file, std::ios::binary);
-    out << "triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n";
+    out << "campus,triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n";
     for (const DrawnCampus& campus : campuses) {
         for (const DrawTimes& times : campus.looks) {
             const auto ratio = times_ours(campus, times.engine, times.look);
-            out << campus.triangles << ',' << times.engine << ',' << times.look << ','
+            out << campus.name << ',' << campus.triangles << ',' << times.engine << ',' << times.look << ','
                 << engine::fixed(median_ms(times), 2) << ',' << engine::fixed(mean_ms(times), 2) << ','
                 << engine::fixed(least_ms(times), 2) << ','
                 << (times.cpu_ms ? engine::fixed(*times.cpu_ms, 2) : "") << ','

@@ -11,6 +11,7 @@ namespace campuswalk::tools::bench {
 
 /// All that was drawn of one campus.
 struct DrawnCampus {
+    std::string name;
     std::size_t triangles = 0;
     std::vector<DrawTimes> looks;  ///< ours first
     double encode_ms = 0.0;
@@ -31,8 +32,8 @@ struct DrawVerdict {
     bool holds() const { return value && (more_is_better ? *value >= must : *value <= must); }
 };
 
-/// Milliseconds and ratios are of medians. Memory is what the triangles of the larger campus take more than
-/// those of the smaller: textures, shadow maps and the picture's own buffers are the same.
+/// Milliseconds and ratios are of medians. Memory is what the triangles of the last campus take more than
+/// those of the first: textures, shadow maps and the picture's own buffers are the same.
 std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses);
 void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts);
 

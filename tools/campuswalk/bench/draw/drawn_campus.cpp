@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kEyes = 1.68;          ///< metres over the foot
 constexpr std::size_t kMostViews = 24;  ///< three on each of eight ways
+constexpr int kStreetViews = 12;        ///< on each of two walks
 constexpr float kLevel = 0.7F;          ///< a face whose normal rises more is walked on, hence paved
 
 /// After the surface pictures' own, a material without a picture.
@@ -31,7 +32,7 @@ std::size_t material_of(CampusPart part, const Vector3f& normal) {
     switch (part) {
         case CampusPart::terrain:
             return picture(SurfacePicture::grass);
-        case CampusPart::course:
+        case CampusPart::building:
             return picture(std::abs(normal.y()) > kLevel ? SurfacePicture::paving : SurfacePicture::bricks);
         case CampusPart::tree:
             return picture(SurfacePicture::leaves);
@@ -78,9 +79,10 @@ struct Piece {
 
 class Modeller {
 public:
-    explicit Modeller(const scene::WalkableCampus& campus) : campus_(campus) {
-        smooth_.assign(campus.mesh.positions.size(), Vector3f::Zero());
-        for (const auto& t : campus.mesh.triangles) {
+    Modeller(const collision::TriangleMesh& mesh, std::span<const scene::CampusRun> runs, double lot)
+        : mesh_(mesh), runs_(runs), lot_(lot) {
+        smooth_.assign(mesh.positions.size(), Vector3f::Zero());
+        for (const auto& t : mesh.triangles) {
             for (const std::uint32_t corner : t) {
                 smooth_[corner] += across(t);
             }
@@ -88,11 +90,11 @@ public:
     }
 
     scene::Model finish() {
-        for (std::size_t run = 0; run < campus_.runs.size(); ++run) {
-            const std::size_t end = run + 1 < campus_.runs.size() ? campus_.runs[run + 1].first_triangle
-                                                                  : campus_.mesh.triangles.size();
-            for (std::size_t t = campus_.runs[run].first_triangle; t < end; ++t) {
-                add(campus_.mesh.triangles[t], campus_.runs[run].part);
+        for (std::size_t run = 0; run < runs_.size(); ++run) {
+            const std::size_t end =
+                run + 1 < runs_.size() ? runs_[run + 1].first_triangle : mesh_.triangles.size();
+            for (std::size_t t = runs_[run].first_triangle; t < end; ++t) {
+                add(mesh_.triangles[t], runs_[run].part);
             }
         }
         scene::Model model;
@@ -125,15 +127,15 @@ public:
 private:
     using Corners = std::array<std::uint32_t, 3>;
 
-    const Vector3f& at(std::uint32_t position) const { return campus_.mesh.positions[position]; }
+    const Vector3f& at(std::uint32_t position) const { return mesh_.positions[position]; }
 
     Vector3f across(const Corners& t) const { return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])); }
 
     void add(const Corners& triangle, CampusPart part) {
         const Vector3f face = across(triangle).normalized();
         const Vector3f middle = (at(triangle[0]) + at(triangle[1]) + at(triangle[2])) / 3.0F;
-        const auto lot = [](float coordinate) {
-            return static_cast<int>(std::floor(coordinate / scene::kWalkableLot + 500.0));
+        const auto lot = [&](float coordinate) {
+            return static_cast<int>(std::floor(coordinate / lot_ + 500.0));
         };
         Piece& piece = pieces_[{lot(middle.z()), lot(middle.x()), material_of(part, face)}];
         Corners corners{};
@@ -146,18 +148,26 @@ private:
         piece.mesh.triangles.push_back(corners);
     }
 
-    const scene::WalkableCampus& campus_;
+    const collision::TriangleMesh& mesh_;
+    std::span<const scene::CampusRun> runs_;
+    double lot_;
     std::vector<Vector3f> smooth_;  ///< of each position: the sum over its triangles, by their area
     std::map<std::tuple<int, int, std::size_t>, Piece> pieces_;
 };
 
-}  // namespace
-
-scene::Model drawn_campus(const scene::WalkableCampus& campus) {
-    return Modeller(campus).finish();
+Eigen::Vector3d foot_near(const std::vector<Eigen::Vector3d>& feet, double x, double z) {
+    return *std::ranges::min_element(
+        feet, {}, [&](const Eigen::Vector3d& foot) { return std::hypot(foot.x() - x, foot.z() - z); });
 }
 
-std::vector<DrawnView> drawn_views(const scene::WalkableCampus& campus) {
+}  // namespace
+
+scene::Model drawn_campus(const collision::TriangleMesh& mesh, std::span<const scene::CampusRun> runs,
+                          double lot) {
+    return Modeller(mesh, runs, lot).finish();
+}
+
+std::vector<DrawnView> views_over_hills(const scene::WalkableCampus& campus) {
     const Eigen::Vector3d eyes(0.0, kEyes, 0.0);
     std::vector<DrawnView> views;
     for (const scene::WalkPath& path : campus.paths) {
@@ -173,6 +183,26 @@ std::vector<DrawnView> drawn_views(const scene::WalkableCampus& campus) {
         views.push_back({half_way, half_way + Eigen::Vector3d(out.z(), 0.0, -out.x())});
     }
     views.resize(std::min(views.size(), kMostViews));
+    return views;
+}
+
+std::vector<DrawnView> views_among_houses(const scene::GeneratedCampus& campus, int lots) {
+    const Eigen::Vector3d eyes(0.0, kEyes, 0.0);
+    const double side = scene::kGeneratedLot * lots;
+    const int half_of_them = lots / 2;
+    const double between_lots = scene::kGeneratedLot * half_of_them - 0.5 * side;
+    std::vector<DrawnView> views;
+    for (const bool along_x : {true, false}) {
+        const auto eye = [&](int place) -> Eigen::Vector3d {
+            const double along = side * (place + 0.5) / (kStreetViews + 1) - 0.5 * side;
+            const double x = along_x ? along : between_lots;
+            const double z = along_x ? between_lots : along;
+            return foot_near(campus.feet, x, z) + eyes;
+        };
+        for (int place = 0; place < kStreetViews; ++place) {
+            views.push_back({eye(place), eye(place + 1)});
+        }
+    }
     return views;
 }
 
