@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "tests/support/dice.h"
 
