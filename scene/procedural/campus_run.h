@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
+
+#include "collision/triangle_mesh.h"
 
 namespace campuswalk::scene {
 
@@ -13,5 +16,10 @@ struct CampusRun {
     CampusPart part = CampusPart::terrain;
     std::size_t first_triangle = 0;
 };
+
+/// What is added to `mesh` from now on is of this kind.
+inline void begin_run(std::vector<CampusRun>& runs, CampusPart part, const collision::TriangleMesh& mesh) {
+    runs.push_back({part, mesh.triangles.size()});
+}
 
 }  // namespace campuswalk::scene

@@ -92,9 +92,7 @@ public:
 
     void furnish(GeneratedCampus& campus) {
         MeshParts parts(campus.mesh);
-        const auto begin = [&](CampusPart part) {
-            campus.runs.push_back({part, campus.mesh.triangles.size()});
-        };
+        const auto begin = [&](CampusPart part) { begin_run(campus.runs, part, campus.mesh); };
         begin(CampusPart::building);
         add_house(parts, house_);
         begin(CampusPart::tree);
@@ -151,7 +149,7 @@ private:
 GeneratedCampus generated_campus(int lots) {
     GeneratedCampus campus;
     MeshParts parts(campus.mesh);
-    campus.runs.push_back({CampusPart::terrain, 0});
+    begin_run(campus.runs, CampusPart::terrain, campus.mesh);
     add_terrain(parts, lots);
     Chance chance(1);
     for (int row = 0; row < lots; ++row) {

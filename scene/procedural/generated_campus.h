@@ -19,8 +19,8 @@ constexpr double kGeneratedLot = 60.0;
 
 /// `lots` x `lots` plots of 60 m on gentle hills. On each stands a house whose walls are window by window,
 /// among trees with single leaves, benches and lamps: large triangles beside small ones, many of them seen
-/// edge-on, as in models of real campuses. 8 lots make half a million triangles,
-/// 17 two million. The same everywhere.
+/// edge-on, as in models of real campuses. 8 lots a side make half a million
+/// triangles, 17 two million. The same everywhere.
 GeneratedCampus generated_campus(int lots);
 
 }  // namespace campuswalk::scene

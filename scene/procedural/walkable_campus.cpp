@@ -104,9 +104,7 @@ public:
 
     void build(WalkableCampus& campus, std::vector<WalkPath>& paths) {
         MeshParts parts(campus.mesh);
-        const auto begin = [&](CampusPart part) {
-            campus.runs.push_back({part, campus.mesh.triangles.size()});
-        };
+        const auto begin = [&](CampusPart part) { begin_run(campus.runs, part, campus.mesh); };
         begin(CampusPart::building);
         add_course(parts, X_campus_course_, sizes_, paths);
         paths.push_back(over_the_hill());
@@ -176,7 +174,7 @@ bool is_walked(int lot, int lots) {
 WalkableCampus walkable_campus(int lots) {
     WalkableCampus campus;
     MeshParts parts(campus.mesh);
-    campus.runs.push_back({CampusPart::terrain, 0});
+    begin_run(campus.runs, CampusPart::terrain, campus.mesh);
     add_terrain(parts, lots);
     Chance chance(4);
     std::vector<WalkPath> nowhere;

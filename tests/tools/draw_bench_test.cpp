@@ -152,9 +152,9 @@ TEST(DrawnCampus, IsWalkedThroughBetweenTheHouses) {
         for (const DrawnView& view : views) {
             EXPECT_LT(view.eye.cwiseAbs().maxCoeff(), half);
             EXPECT_GT((view.target - view.eye).norm(), 1.0);
-            const double over_ground =
-                first_on_ray(mesh, {view.eye, view.eye - Eigen::Vector3d(0, 4, 0)}, counters)->fraction * 4.0;
-            EXPECT_NEAR(over_ground, 1.68, 1e-3) << "on the ground, not on a bench";
+            const auto below = first_on_ray(mesh, {view.eye, view.eye - Eigen::Vector3d(0, 4, 0)}, counters);
+            ASSERT_TRUE(below.has_value());
+            EXPECT_NEAR(below->fraction * 4.0, 1.68, 1e-3) << "on the ground, not on a bench";
         }
         EXPECT_GT((views.at(11).eye - views.at(0).eye).norm(), 1.4 * half) << "from one side to the other";
         EXPECT_GT((views.at(23).eye - views.at(12).eye).norm(), 1.4 * half);

@@ -108,7 +108,7 @@ private:
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const fs::path& folder, const SequenceWish& wish,
                                                       FrameSharing sharing, render::PainterStore& painters) {
-    const std::size_t parts = sharing.parts;
+    const std::size_t parts = sharing.parts;  // before it is moved from: arguments have no order
     return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, parts}), painters,
                                                       sinks_of(wish, folder),
                                                       std::make_unique<OtherParts>(std::move(sharing)));

@@ -42,7 +42,7 @@ std::string FrameHelpers::next_frame(std::size_t part) {
     if (!helper.place()) {
         throw std::runtime_error("a process that drew frames has ended before this one");
     }
-    Message message = helper.wait_for_message();
+    Message message = helper.wait_for_message("drew frames");
     if (message.topic != Topic::frame) {
         helper.forget_task();
         throw std::runtime_error(message.body.empty() ? "a frame is missing" : message.body);

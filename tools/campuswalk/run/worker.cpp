@@ -157,7 +157,7 @@ bool Worker::read() {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
-Message Worker::wait_for_message() {
+Message Worker::wait_for_message(std::string_view what_for) {
     while (true) {
         if (std::optional<Message> message = next_message()) {
             return std::move(*message);
@@ -165,7 +165,7 @@ Message Worker::wait_for_message() {
         if (!read()) {
             forget_task();
             hang_up();
-            throw std::runtime_error("a process that drew frames is gone: " + obituary());
+            throw std::runtime_error("a process that " + std::string(what_for) + " is gone: " + obituary());
         }
     }
 }

@@ -58,8 +58,9 @@ public:
     /// Takes in what the pipe holds; false once there will be no more.
     bool read();
     std::optional<Message> next_message() { return reader_.next(); }
-    /// For those who have nothing else to listen to. Throws std::runtime_error, once, when it is dead.
-    Message wait_for_message();
+    /// For those who have nothing else to listen to. Throws std::runtime_error, once, when it is dead;
+    /// `what_for` says of it what "drew frames" would.
+    Message wait_for_message(std::string_view what_for);
 
     void send_signal(int signal) const;
     /// It is dead and will not be asked again.

@@ -76,7 +76,7 @@ std::string wait_for(std::vector<Worker>& workers, std::size_t task) {
     std::string all;
     for (Worker& worker : workers) {
         while (worker.place()) {
-            const Message message = worker.wait_for_message();
+            const Message message = worker.wait_for_message("draws");
             if (message.topic == Topic::log) {
                 throw std::runtime_error(message.body);
             }

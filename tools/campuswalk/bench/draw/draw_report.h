@@ -11,7 +11,7 @@ namespace campuswalk::tools::bench {
 
 /// All that was drawn of one campus.
 struct DrawnCampus {
-    std::string name;
+    std::string name;  ///< of its kind: "hills", "houses"
     std::size_t triangles = 0;
     std::vector<DrawTimes> looks;  ///< ours first
     double encode_ms = 0.0;
