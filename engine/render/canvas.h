@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include <Eigen/Core>
@@ -26,8 +28,12 @@ struct Ink {
 /// the same text gives the same pixels everywhere. Grey antialiasing, no hinting.
 class Fonts {
 public:
-    /// Throws RenderError when DejaVu Sans is not installed; a missing Chinese font only shows as boxes.
-    Fonts();
+    /// Where Debian and Ubuntu, Fedora, Arch and openSUSE put them.
+    static std::span<const std::filesystem::path> usual_folders();
+
+    /// Throws RenderError when a file isn't in any of the folders: boxes instead of letters would be another
+    /// picture than elsewhere.
+    explicit Fonts(std::span<const std::filesystem::path> folders = usual_folders());
 
     struct Release {
         void operator()(_PangoContext* context) const;

@@ -1,7 +1,5 @@
 #include <array>
-#include <filesystem>
 #include <string>
-#include <string_view>
 
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
@@ -13,22 +11,15 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Where Debian and Ubuntu, Fedora, Arch and openSUSE put them.
-constexpr std::array<std::string_view, 7> kFolders = {
-    "/usr/share/fonts/truetype/dejavu",
-    "/usr/share/fonts/truetype/wqy",
-    "/usr/share/fonts/dejavu-sans-fonts",
-    "/usr/share/fonts/wqy-microhei-fonts",
-    "/usr/share/fonts/TTF",
-    "/usr/share/fonts/wenquanyi/wqy-microhei",
-    "/usr/share/fonts/truetype",
-};
+namespace fs = std::filesystem;
 
-bool add_font(FcConfig* config, std::string_view file) {
-    for (const std::string_view folder : kFolders) {
-        const std::filesystem::path path = std::filesystem::path(folder) / file;
+constexpr std::array kFiles = {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "wqy-microhei.ttc"};
+
+bool add_font(FcConfig* config, std::span<const fs::path> folders, const char* file) {
+    for (const fs::path& folder : folders) {
+        const fs::path path = folder / file;
         std::error_code error;
-        if (std::filesystem::exists(path, error) &&
+        if (fs::exists(path, error) &&
             FcConfigAppFontAddFile(config, reinterpret_cast<const FcChar8*>(path.c_str())) == FcTrue) {
             return true;
         }
@@ -38,17 +29,29 @@ bool add_font(FcConfig* config, std::string_view file) {
 
 }  // namespace
 
-Fonts::Fonts() {
+std::span<const fs::path> Fonts::usual_folders() {
+    static const std::array<fs::path, 7> folders = {
+        "/usr/share/fonts/truetype/dejavu",
+        "/usr/share/fonts/truetype/wqy",
+        "/usr/share/fonts/dejavu-sans-fonts",
+        "/usr/share/fonts/wqy-microhei-fonts",
+        "/usr/share/fonts/TTF",
+        "/usr/share/fonts/wenquanyi/wqy-microhei",
+        "/usr/share/fonts/truetype",
+    };
+    return folders;
+}
+
+Fonts::Fonts(std::span<const fs::path> folders) {
     FcConfig* config = FcConfigCreate();
-    const bool regular = add_font(config, "DejaVuSans.ttf");
-    const bool bold = add_font(config, "DejaVuSans-Bold.ttf");
-    add_font(config, "wqy-microhei.ttc");
-    if (!regular || !bold) {
-        FcConfigDestroy(config);
-        throw RenderError(
-            "snapshots with text need the font DejaVu Sans: install it (Debian, Ubuntu: apt install "
-            "fonts-dejavu-core "
-            "fonts-wqy-microhei; Fedora: dnf install dejavu-sans-fonts)");
+    for (const char* file : kFiles) {
+        if (!add_font(config, folders, file)) {
+            FcConfigDestroy(config);
+            throw RenderError(
+                std::string("pictures are lettered with DejaVu Sans and WenQuanYi Micro Hei, and ") + file +
+                " is missing: install them (Debian, Ubuntu: apt install fonts-dejavu-core "
+                "fonts-wqy-microhei; Fedora: dnf install dejavu-sans-fonts wqy-microhei-fonts)");
+        }
     }
     PangoFontMap* map = pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT);
     pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map), config);

@@ -1,11 +1,16 @@
 #include "engine/render/canvas.h"
 
+#include <array>
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <pango/pango.h>
 
+#include "engine/render/render_error.h"
 #include "tests/engine/render/color_names.h"
+#include "tests/engine/render/scratch_folder.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -48,6 +53,28 @@ TEST(Fonts, HaveTheLettersOfCampusNamesAroundTheWorld) {
     EXPECT_EQ(missing_glyphs("عربى עברית"), 0);
     EXPECT_EQ(missing_glyphs("e\u0301 a\u0308"), 0) << "combining accents";
     EXPECT_EQ(missing_glyphs("\U000F0000"), 1) << "a private letter that no font has is noticed";
+}
+
+TEST(Fonts, AreNotReplacedByOthersWhenOneIsMissing) {
+    const ScratchFolder scratch;
+    const std::filesystem::path& folder = scratch.path();
+    const std::array folders = {folder};
+    for (const std::string name : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "wqy-microhei.ttc"}) {
+        try {
+            const Fonts fonts(folders);
+            ADD_FAILURE() << name << " isn't there";
+        } catch (const RenderError& error) {
+            EXPECT_NE(std::string(error.what()).find(name + " is missing: install"), std::string::npos)
+                << error.what();
+        }
+        for (const std::filesystem::path& usual : Fonts::usual_folders()) {
+            if (std::filesystem::exists(usual / name)) {
+                std::filesystem::create_symlink(usual / name, folder / name);
+                break;
+            }
+        }
+    }
+    EXPECT_NO_THROW(const Fonts fonts(folders));
 }
 
 TEST(Canvas, GivesThePictureBackUnchanged) {
