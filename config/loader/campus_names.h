@@ -8,7 +8,7 @@
 
 #include "config/loader/checked_node.h"
 #include "engine/script/walk.h"
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
 

@@ -12,7 +12,7 @@
 
 #include "config/loader/number.h"
 #include "config/loader/yaml_tree.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

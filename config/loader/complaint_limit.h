@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

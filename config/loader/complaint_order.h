@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

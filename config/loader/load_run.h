@@ -9,7 +9,7 @@
 
 #include "config/loader/overrides.h"
 #include "engine/script/walk.h"
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/loader/checked_node.h"
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/loader/number.h"
-#include "scene/origin.h"
+#include "scene/model/origin.h"
 
 namespace campuswalk::config {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "config/loader/checked_map.h"
-#include "engine/avatar.h"
+#include "engine/script/avatar.h"
 
 namespace campuswalk::config {
 

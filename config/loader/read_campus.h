@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "config/loader/checked_node.h"
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
 

@@ -2,7 +2,7 @@
 
 #include "config/loader/checked_node.h"
 #include "config/loader/names.h"
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
 

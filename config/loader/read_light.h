@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/loader/checked_map.h"
-#include "engine/light.h"
+#include "engine/script/light.h"
 
 namespace campuswalk::config {
 

@@ -5,7 +5,7 @@
 
 #include "config/loader/wording.h"
 #include "engine/events/event.h"
-#include "scene/glob.h"
+#include "scene/base/glob.h"
 
 namespace campuswalk::config {
 

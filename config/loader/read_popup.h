@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/loader/checked_map.h"
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
 

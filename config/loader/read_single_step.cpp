@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "collision/mover_settings.h"
+#include "collision/mover/mover_settings.h"
 #include "config/loader/checked_map.h"
 #include "config/loader/ranges.h"
 #include "config/loader/read_camera.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

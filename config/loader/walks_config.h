@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "config/loader/overrides.h"
-#include "engine/script/picture_tolerance.h"
-#include "scene/diagnostic.h"
+#include "engine/script/image_tolerance.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::config {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "collision/broad_phase.h"
+#include "collision/world/broad_phase.h"
 #include "engine/events/event.h"
 
 namespace campuswalk::engine {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::engine {
 

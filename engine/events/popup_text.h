@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::engine {
 

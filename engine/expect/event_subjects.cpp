@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <set>
 
-#include "scene/glob.h"
+#include "scene/base/glob.h"
 
 namespace campuswalk::engine {
 

@@ -6,7 +6,7 @@
 
 #include "engine/events/event.h"
 #include "engine/script/walk.h"
-#include "scene/campus.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "collision/closest.h"
-#include "collision/obstacle.h"
+#include "collision/geometry/closest.h"
+#include "collision/world/obstacle.h"
 #include "engine/events/event_text.h"
-#include "engine/simulation.h"
+#include "engine/script/avatar_body.h"
 
 namespace campuswalk::engine {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/avatar.h"
 #include "engine/expect/failure.h"
-#include "engine/expect/moment.h"
-#include "scene/campus.h"
+#include "engine/expect/state_snapshot.h"
+#include "engine/script/avatar.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 

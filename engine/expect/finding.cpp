@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::engine {
 

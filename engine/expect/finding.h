@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/events/event.h"
-#include "engine/expect/moment.h"
+#include "engine/expect/state_snapshot.h"
 #include "engine/script/expectation.h"
 
 namespace campuswalk::engine {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/expect/event_subjects.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::engine {
 

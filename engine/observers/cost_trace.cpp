@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::engine {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/observers/line_sink.h"
-#include "engine/observers/observer.h"
+#include "engine/record/observer.h"
 
 namespace campuswalk::engine {
 

@@ -1,6 +1,6 @@
 #include "engine/observers/text_log.h"
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/events/event_text.h"
 
 namespace campuswalk::engine {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "collision/trigonometry.h"
-#include "engine/decimals.h"
+#include "collision/geometry/trigonometry.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::engine {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/observers/line_sink.h"
-#include "engine/observers/observer.h"
+#include "engine/record/observer.h"
 
 namespace campuswalk::engine {
 

@@ -4,15 +4,15 @@
 #include <optional>
 #include <span>
 
-#include "engine/avatar.h"
-#include "engine/frame_record.h"
-#include "engine/render/camera.h"
-#include "engine/render/channels.h"
-#include "engine/render/gl_context.h"
-#include "engine/render/overlay_lines.h"
-#include "engine/render/picture.h"
-#include "engine/render/render_settings.h"
-#include "scene/model.h"
+#include "engine/record/tick_record.h"
+#include "engine/render/geometry/camera.h"
+#include "engine/render/geometry/overlay_lines.h"
+#include "engine/render/gl/gl_context.h"
+#include "engine/render/passes/render_settings.h"
+#include "engine/render/image/channels.h"
+#include "engine/render/image/image.h"
+#include "engine/script/avatar.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::engine::render {
 

@@ -7,7 +7,7 @@
 
 #include <pugixml.hpp>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/report/plain_text.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"

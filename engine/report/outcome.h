@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "engine/report/walk_result.h"
-#include "engine/run_walk.h"
 #include "engine/script/walk.h"
+#include "engine/simulation/run_walk.h"
 
 namespace campuswalk::engine {
 

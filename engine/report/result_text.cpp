@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/report/plain_text.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::engine {
 

@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/report/plain_text.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"

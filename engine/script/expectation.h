@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "engine/script/image_tolerance.h"
 #include "engine/script/mentions.h"
-#include "engine/script/picture_tolerance.h"
 
 // What a walk is to be like, as written below `expect` or in a step of that name. `kName` is the key in the
 // file and the code of the failure.

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 // What steps and expectations name: events, objects, places.
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/mover_settings.h"
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
+#include "collision/mover/mover_settings.h"
 #include "engine/script/curve_walk.h"
 
 namespace campuswalk::engine {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/trigonometry.h"
-#include "engine/decimals.h"
-#include "engine/event_pattern.h"
+#include "collision/geometry/trigonometry.h"
+#include "engine/events/decimals.h"
+#include "engine/script/event_pattern.h"
 
 namespace campuswalk::engine {
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/frame_record.h"
+#include "engine/events/event.h"
+#include "engine/script/avatar.h"
 #include "engine/script/curve_walk.h"
 #include "engine/script/walk.h"
 

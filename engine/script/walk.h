@@ -9,12 +9,12 @@
 
 #include <Eigen/Core>
 
-#include "engine/avatar.h"
-#include "engine/light.h"
+#include "engine/script/avatar.h"
 #include "engine/script/expectation.h"
+#include "engine/script/light.h"
 #include "engine/script/mentions.h"
-#include "scene/diagnostic.h"
-#include "scene/origin.h"
+#include "scene/base/diagnostic.h"
+#include "scene/model/origin.h"
 
 namespace campuswalk::engine {
 

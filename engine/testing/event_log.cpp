@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "engine/event_pattern.h"
-#include "engine/frame_record.h"
+#include "engine/record/tick_record.h"
+#include "engine/script/event_pattern.h"
 
 namespace campuswalk::engine {
 

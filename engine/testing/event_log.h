@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/events/event.h"
-#include "engine/observers/observer.h"
+#include "engine/record/observer.h"
 
 namespace campuswalk::engine {
 

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "scene/whole_file.h"
+#include "scene/base/whole_file.h"
 
 namespace campuswalk::scene {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
+#include "scene/base/content_hash.h"
 #include "scene/cache/mapped_file.h"
-#include "scene/content_hash.h"
 
 namespace campuswalk::scene {
 

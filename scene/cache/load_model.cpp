@@ -3,10 +3,10 @@
 #include <optional>
 #include <utility>
 
+#include "scene/base/binary_archive.h"
 #include "scene/cache/program_hash.h"
-#include "scene/import/scene_folder.h"
-#include "scene/model_file.h"
-#include "scene/sealed_bytes.h"
+#include "scene/import/source/scene_folder.h"
+#include "scene/model/model_file.h"
 
 namespace campuswalk::scene {
 namespace {

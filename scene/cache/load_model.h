@@ -1,8 +1,8 @@
 #pragma once
 
+#include "scene/base/content_hash.h"
 #include "scene/cache/cache_folder.h"
-#include "scene/campus_description.h"
-#include "scene/content_hash.h"
+#include "scene/model/scene_file.h"
 #include "scene/import/import_model.h"
 
 namespace campuswalk::scene {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "collision/large_pages.h"
+#include "collision/base/large_pages.h"
 
 namespace campuswalk::scene {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/content_hash.h"
+#include "scene/base/content_hash.h"
 
 namespace campuswalk::scene {
 

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision/closed_parts.h"
-#include "collision/storage.h"
-#include "collision/wide_tree.h"
+#include "collision/base/storage.h"
+#include "collision/bvh8/bvh8.h"
+#include "collision/mesh/closed_parts.h"
 
 namespace campuswalk::scene {
 

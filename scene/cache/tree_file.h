@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "collision/mesh_collider.h"
-#include "collision/shapes.h"
-#include "scene/sealed_bytes.h"
+#include "collision/geometry/shapes.h"
+#include "collision/mesh/mesh_collider.h"
+#include "scene/base/binary_archive.h"
 
 namespace campuswalk::scene {
 
@@ -29,7 +29,7 @@ std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes);
 SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes);
 
 /// Reads bytes that may be anything. Throws DamagedFile; what it returns can be asked anything safely (see
-/// wide_tree_check.h). With an `owner` that keeps the bytes as they are, meshes and trees are used where they
+/// bvh8_check.h). With an `owner` that keeps the bytes as they are, meshes and trees are used where they
 /// lie in them; without, they are copied.
 std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes,
                                        std::shared_ptr<const void> owner = nullptr);

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "scene/import/mirror_meshes.h"
-#include "scene/import/texture_loader.h"
+#include "scene/import/source/mirror_meshes.h"
+#include "scene/import/source/texture_loader.h"
 
 namespace campuswalk::scene {
 namespace {

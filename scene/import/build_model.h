@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "scene/campus_description.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
+#include "scene/model/scene_file.h"
 #include "scene/import/import_model.h"
-#include "scene/import/model_source.h"
+#include "scene/import/source/model_source.h"
 
 namespace campuswalk::scene {
 

@@ -4,7 +4,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "scene/import/assimp_source.h"
+#include "scene/import/assimp/assimp_source.h"
 #include "scene/import/build_model.h"
 #include "scene/import/gltf/gltf_source.h"
 #include "scene/import/model_formats.h"

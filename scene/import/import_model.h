@@ -3,10 +3,10 @@
 #include <functional>
 #include <vector>
 
-#include "scene/campus_description.h"
-#include "scene/diagnostic.h"
-#include "scene/model.h"
-#include "scene/model_file.h"
+#include "scene/base/diagnostic.h"
+#include "scene/model/scene_file.h"
+#include "scene/model/model.h"
+#include "scene/model/model_file.h"
 
 namespace campuswalk::scene {
 

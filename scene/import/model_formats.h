@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/campus_description.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 

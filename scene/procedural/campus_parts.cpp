@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 
 namespace campuswalk::scene {
 

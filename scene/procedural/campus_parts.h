@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/shapes.h"
+#include "collision/geometry/shapes.h"
 #include "scene/procedural/chance.h"
 #include "scene/procedural/mesh_parts.h"
 

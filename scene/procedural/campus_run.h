@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::scene {
 

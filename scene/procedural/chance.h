@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "collision/shapes.h"
+#include "collision/geometry/shapes.h"
 
 namespace campuswalk::scene {
 

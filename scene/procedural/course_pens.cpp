@@ -1,6 +1,6 @@
 // Six places side by side that nobody gets into, each for a reason of its own.
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 #include "scene/procedural/course_ground.h"
 
 namespace campuswalk::scene {

@@ -1,6 +1,6 @@
 // What is climbed, passed and slid along outdoors.
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 #include "scene/procedural/course_ground.h"
 
 namespace campuswalk::scene {

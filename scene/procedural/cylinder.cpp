@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 
 namespace campuswalk::scene {
 

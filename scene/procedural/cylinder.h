@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::scene {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "collision/shapes.h"
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
 #include "scene/procedural/campus_run.h"
 
 namespace campuswalk::scene {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 
 namespace campuswalk::scene {
 

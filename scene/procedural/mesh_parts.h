@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "collision/shapes.h"
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::scene {
 

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "scene/model/weld.h"
 #include "scene/procedural/teapot_patches.h"
-#include "scene/weld.h"
 
 namespace campuswalk::scene {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/shapes.h"
+#include "collision/geometry/shapes.h"
 #include "scene/procedural/mesh_parts.h"
 
 namespace campuswalk::scene {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 #include "scene/procedural/campus_run.h"
 #include "scene/procedural/walk_course.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "collision/mesh_query.h"
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
+#include "collision/mesh/mesh_query.h"
 
 namespace campuswalk::scene {
 

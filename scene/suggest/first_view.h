@@ -1,7 +1,7 @@
 #pragma once
 
-#include "collision/mesh_collider.h"
-#include "collision/shapes.h"
+#include "collision/geometry/shapes.h"
+#include "collision/mesh/mesh_collider.h"
 
 namespace campuswalk::scene {
 

@@ -8,10 +8,10 @@
 
 #include <Eigen/Geometry>
 
-#include "scene/glob.h"
-#include "scene/name_words.h"
-#include "scene/object_names.h"
-#include "scene/world_triangles.h"
+#include "scene/base/glob.h"
+#include "scene/campus/object_names.h"
+#include "scene/model/name_words.h"
+#include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
 namespace {

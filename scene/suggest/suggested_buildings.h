@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/model.h"
-#include "scene/model_report.h"
-#include "scene/upright_box.h"
+#include "scene/model/model.h"
+#include "scene/model/model_report.h"
+#include "scene/model/upright_box.h"
 
 namespace campuswalk::scene {
 

@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/mesh_query.h"
-#include "collision/placement.h"
+#include "collision/mesh/mesh_query.h"
+#include "collision/world/placement.h"
 
 namespace campuswalk::scene {
 

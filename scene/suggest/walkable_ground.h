@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "collision/mesh_collider.h"
-#include "collision/world.h"
-#include "scene/upright_box.h"
+#include "collision/mesh/mesh_collider.h"
+#include "collision/world/world.h"
+#include "scene/model/upright_box.h"
 
 namespace campuswalk::scene {
 

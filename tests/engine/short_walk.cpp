@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/event_pattern.h"
+#include "engine/script/event_pattern.h"
 
 namespace campuswalk::engine {
 

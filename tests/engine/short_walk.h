@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/observers/observer.h"
-#include "engine/run_walk.h"
+#include "engine/record/observer.h"
 #include "engine/script/walk.h"
-#include "scene/campus.h"
+#include "engine/simulation/run_walk.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 

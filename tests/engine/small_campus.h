@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "collision/world.h"
-#include "scene/campus.h"
+#include "collision/world/world.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/content_hash.h"
-#include "scene/sealed_bytes.h"
+#include "scene/base/binary_archive.h"
+#include "scene/base/content_hash.h"
 
 using namespace campuswalk::scene;
 

@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "collision/mesh_collider.h"
-#include "scene/bake_mesh.h"
+#include "collision/mesh/mesh_collider.h"
+#include "scene/campus/bake_mesh.h"
+#include "scene/campus/node_selection.h"
 #include "scene/import/helper/import_process.h"
-#include "scene/node_selection.h"
 
 using namespace campuswalk;
 

@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "collision/mesh_contacts.h"
-#include "collision/mesh_query.h"
+#include "collision/mesh/mesh_contacts.h"
+#include "collision/mesh/mesh_query.h"
 
 using namespace campuswalk::collision;
 

@@ -64,7 +64,7 @@ class Package(unittest.TestCase):
     def test_headers_include_each_other_eigen_and_the_standard_library_alone(self):
         include = os.path.join("include", "campuswalk")
         headers = {os.path.relpath(name, include) for name in self.installed_files() if name.endswith(".h")}
-        self.assertIn("collision/mesh_contacts.h", headers)
+        self.assertIn("collision/mesh/mesh_contacts.h", headers)
         for header in headers:
             text = self.text_of(include, header)
             self.assertLessEqual(set(re.findall(r'#include "([^"]+)"', text)), headers, header)

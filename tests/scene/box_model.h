@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "scene/model.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::scene::test {
 

@@ -9,8 +9,8 @@
 
 #include <Eigen/Core>
 
-#include "scene/campus_description.h"
-#include "scene/model.h"
+#include "scene/campus/campus_description.h"
+#include "scene/model/model.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene::test {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "collision/mover.h"
+#include "collision/mover/mover.h"
 #include "tests/support/penetration_oracle.h"
 
 namespace campuswalk::support {

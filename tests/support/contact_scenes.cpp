@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/triangle_overlap.h"
+#include "collision/geometry/triangle_overlap.h"
 #include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::support {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "collision/triangle_mesh.h"
-#include "collision/triangle_pair.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/geometry/triangle_pair.h"
 #include "tests/support/dice.h"
 
 /// Meshes that are hard to hold against each other, and what the answer is. Metres.

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "collision/mesh_collider.h"
-#include "collision/world.h"
+#include "collision/mesh/mesh_collider.h"
+#include "collision/world/world.h"
 
 /// Pieces that test scenes are put together from, metres, +Y up.
 namespace campuswalk::support {

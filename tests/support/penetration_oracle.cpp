@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/mesh_collider.h"
+#include "collision/mesh/mesh_collider.h"
 #include "tests/support/plain_solids.h"
 
 namespace campuswalk::support {

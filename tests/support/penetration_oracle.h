@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/world.h"
+#include "collision/world/world.h"
 #include "tests/support/plain_geometry.h"
 #include "tests/support/triangle_grid.h"
 

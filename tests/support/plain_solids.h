@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "collision/triangle_mesh.h"
-#include "collision/world.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/world/world.h"
 #include "tests/support/plain_geometry.h"
 
 namespace campuswalk::support {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-#include "collision/placement.h"
+#include "collision/world/placement.h"
 #include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::support {

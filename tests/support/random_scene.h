@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "collision/triangle_mesh.h"
-#include "collision/world.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/world/world.h"
 #include "tests/support/dice.h"
 
 /// Scenes and pieces of scenes that a seed decides on, metres.

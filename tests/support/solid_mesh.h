@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "collision/mesh_query.h"
+#include "collision/mesh/mesh_query.h"
 
 namespace campuswalk::support {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "collision/world.h"
+#include "collision/world/world.h"
 
 namespace campuswalk::support {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "collision/mesh_contacts.h"
-#include "collision/mesh_query.h"
+#include "collision/mesh/mesh_contacts.h"
+#include "collision/mesh/mesh_query.h"
 #include "scene/procedural/table1_scene.h"
 #include "tools/campuswalk/bench/differ.h"
 #include "tools/campuswalk/bench/heap.h"

@@ -48,22 +48,22 @@ class CheckLayers(unittest.TestCase):
         self.finds({})
 
     def test_a_lower_layer_includes_a_higher_one(self):
-        self.finds({"scene/campus.h": HEADER, "collision/world.cpp": '\n  #include "scene/campus.h"\n'},
-                   'collision/world.cpp:2:12: error layer: collision may not include "scene/campus.h"; '
+        self.finds({"scene/campus/campus.h": HEADER, "collision/world/world.cpp": '\n  #include "scene/campus/campus.h"\n'},
+                   'collision/world/world.cpp:2:12: error layer: collision may not include "scene/campus/campus.h"; '
                    'it may include collision')
 
     def test_the_core_includes_the_renderer(self):
-        [complaint] = self.complaints({"engine/render/canvas.h": HEADER,
-                                       "engine/simulation.cpp": '#include "engine/render/canvas.h"\n'})
+        [complaint] = self.complaints({"engine/render/overlay/canvas.h": HEADER,
+                                       "engine/simulation/simulation.cpp": '#include "engine/render/overlay/canvas.h"\n'})
         self.assertTrue(complaint.startswith(
-            'engine/simulation.cpp:1:10: error layer: engine may not include "engine/render/canvas.h"; '), complaint)
+            'engine/simulation/simulation.cpp:1:10: error layer: engine may not include "engine/render/overlay/canvas.h"; '), complaint)
 
     def test_the_core_knows_the_observer_but_no_observers(self):
         [complaint] = self.complaints({
-            "engine/observers/observer.h": HEADER, "engine/observers/text_log.h": HEADER,
-            "engine/run_walk.cpp": '#include "engine/observers/observer.h"\n#include "engine/observers/text_log.h"\n'})
+            "engine/record/observer.h": HEADER, "engine/observers/text_log.h": HEADER,
+            "engine/simulation/run_walk.cpp": '#include "engine/record/observer.h"\n#include "engine/observers/text_log.h"\n'})
         self.assertTrue(complaint.startswith(
-            'engine/run_walk.cpp:2:10: error layer: engine may not include "engine/observers/text_log.h"; '), complaint)
+            'engine/simulation/run_walk.cpp:2:10: error layer: engine may not include "engine/observers/text_log.h"; '), complaint)
 
     def test_the_product_includes_tests(self):
         self.finds({"tests/support/village.h": HEADER, "scene/import/x.cpp": '#include "tests/support/village.h"\n'},
@@ -71,27 +71,27 @@ class CheckLayers(unittest.TestCase):
                    'it may include scene/import, scene, scene/import/gltf, collision')
 
     def test_the_oracle_includes_the_mover(self):
-        [complaint] = self.complaints({"collision/mover.h": HEADER,
-                                       "tests/support/penetration_oracle.cpp": '#include "collision/mover.h"\n'})
+        [complaint] = self.complaints({"collision/mover/mover.h": HEADER,
+                                       "tests/support/penetration_oracle.cpp": '#include "collision/mover/mover.h"\n'})
         self.assertTrue(complaint.startswith(
             "tests/support/penetration_oracle.cpp:1:10: error layer: tests/support/penetration_oracle.cpp "
-            'may not include "collision/mover.h"; '), complaint)
+            'may not include "collision/mover/mover.h"; '), complaint)
 
     def test_the_narrow_phase_of_bullet(self):
         narrow = "#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>\n"
         message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests, " \
                   "tools/campuswalk/bench/peers only"
-        self.finds({"collision/bullet_broad_phase.cpp": narrow, "collision/cast.cpp": narrow,
+        self.finds({"collision/world/bullet_broad_phase.cpp": narrow, "collision/world/cast.cpp": narrow,
                     "tests/collision/bullet_peer.cpp": narrow},
-                   "collision/bullet_broad_phase.cpp:1:10: error third-party: " + message,
-                   "collision/cast.cpp:1:10: error third-party: " + message)
+                   "collision/world/bullet_broad_phase.cpp:1:10: error third-party: " + message,
+                   "collision/world/cast.cpp:1:10: error third-party: " + message)
 
     def test_the_broad_phase_of_bullet(self):
         broad = "#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>\n"
-        self.finds({"collision/bullet_broad_phase.cpp": broad, "collision/bullet_broad_phase.h": HEADER + broad},
-                   "collision/bullet_broad_phase.h:2:10: error third-party: "
+        self.finds({"collision/world/bullet_broad_phase.cpp": broad, "collision/world/bullet_broad_phase.h": HEADER + broad},
+                   "collision/world/bullet_broad_phase.h:2:10: error third-party: "
                    "<BulletCollision/BroadphaseCollision/btDbvtBroadphase.h> may be included in "
-                   "collision/bullet_broad_phase.cpp, tools/campuswalk/bench/peers only")
+                   "collision/world/bullet_broad_phase.cpp, tools/campuswalk/bench/peers only")
 
     def test_a_folder_of_the_distribution_hides_nothing(self):
         self.finds({"engine/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},
@@ -103,22 +103,22 @@ class CheckLayers(unittest.TestCase):
                               ("CLI/CLI.hpp", "tools/campuswalk/command_line")):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
-                self.finds({"engine/senses.cpp": line, place + "/x.cpp": line},
-                           "engine/senses.cpp:1:10: error third-party: <%s> may be included in %s only"
+                self.finds({"engine/simulation/contact_detector.cpp": line, place + "/x.cpp": line},
+                           "engine/simulation/contact_detector.cpp:1:10: error third-party: <%s> may be included in %s only"
                            % (header, place))
 
     def test_a_benchmark_may_hold_us_to_a_library(self):
         line = "#include <assimp/scene.h>\n"
-        self.finds({"engine/senses.cpp": line, "scene/import/x.cpp": line, "tools/campuswalk/bench/peers/x.cpp": line},
-                   "engine/senses.cpp:1:10: error third-party: <assimp/scene.h> may be included in "
+        self.finds({"engine/simulation/contact_detector.cpp": line, "scene/import/x.cpp": line, "tools/campuswalk/bench/peers/x.cpp": line},
+                   "engine/simulation/contact_detector.cpp:1:10: error third-party: <assimp/scene.h> may be included in "
                    "scene/import, tools/campuswalk/bench/peers only")
 
     def test_drawing_has_one_place(self):
         for header in ("GL/osmesa.h", "pango/pangocairo.h", "spng.h", "fontconfig/fontconfig.h"):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
-                self.finds({"scene/model.cpp": line, "engine/render/x.cpp": line},
-                           "scene/model.cpp:1:10: error third-party: <%s> may be included in engine/render, "
+                self.finds({"scene/model/model.cpp": line, "engine/render/x.cpp": line},
+                           "scene/model/model.cpp:1:10: error third-party: <%s> may be included in engine/render, "
                            "tests/engine/render only" % header)
 
     def test_peers_stay_out_of_the_program(self):
@@ -143,9 +143,9 @@ class CheckLayers(unittest.TestCase):
                    "tools/check_layers/table.py")
 
     def test_includes_start_at_the_root(self):
-        self.finds({"engine/x.cpp": '#include "avatar.h"\n#include <engine/avatar.h>\n', "engine/avatar.h": HEADER},
+        self.finds({"engine/x.cpp": '#include "avatar.h"\n#include <engine/script/avatar.h>\n', "engine/script/avatar.h": HEADER},
                    'engine/x.cpp:1:10: error include-path: "avatar.h" is no file from the repository\'s root',
-                   'engine/x.cpp:2:10: error include-path: files of the project are included as "engine/avatar.h"')
+                   'engine/x.cpp:2:10: error include-path: files of the project are included as "engine/script/avatar.h"')
 
     def test_files_that_include_each_other(self):
         self.finds({"scene/a.h": HEADER + '#include "scene/b.h"\n', "scene/b.h": HEADER + '#include "scene/c.h"\n',
@@ -157,7 +157,7 @@ class CheckLayers(unittest.TestCase):
                    "scene/a.h:1:1: error pragma-once: a header needs #pragma once")
 
     def test_libm_in_the_core(self):
-        ends = " differs between machines; see collision/trigonometry.h for what doesn't"
+        ends = " differs between machines; see collision/geometry/trigonometry.h for what doesn't"
         for code, column, name in (("a = std::sin(b);", 10, "sin"), ("a = 1 + pow(b, 2);", 9, "pow"),
                                    ("return ::atan2(y, x);", 10, "atan2"), ("a = std::fma (b, c, d);", 10, "fma"),
                                    ("a = __builtin_cosf(b);", 5, "__builtin_cosf"), ("v = v.array().exp();", 15, "exp"),
@@ -180,11 +180,11 @@ class CheckLayers(unittest.TestCase):
     def test_compiler_flags_that_change_results(self):
         self.finds({"CMakeLists.txt": "# never -march=native\nadd_compile_options(-O2 -march=native)\n",
                     "CMakePresets.json": '{"CMAKE_CXX_FLAGS": "-ffast-math"}\n',
-                    "collision/kernels/CMakeLists.txt": "target_compile_options(k PRIVATE -mavx2 -Ofast)\n",
+                    "collision/bvh8/kernels/CMakeLists.txt": "target_compile_options(k PRIVATE -mavx2 -Ofast)\n",
                     "tools/cmake/X.cmake": "add_compile_options(-ffp-contract=off)\n"},
                    "CMakeLists.txt:2:25: error compiler-flag: -march=native changes results; it is for kernel folders",
                    "CMakePresets.json:1:22: error compiler-flag: -ffast-math changes results",
-                   "collision/kernels/CMakeLists.txt:1:41: error compiler-flag: -Ofast changes results")
+                   "collision/bvh8/kernels/CMakeLists.txt:1:41: error compiler-flag: -Ofast changes results")
 
     def test_comments_include_nothing(self):
         self.finds({"collision/x.cpp": '// #include "engine/a.h"\n/*\n#include <GL/gl.h>\n*/\nint a = 1\'000;\n'})

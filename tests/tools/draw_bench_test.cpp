@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "collision/mesh_query.h"
+#include "collision/mesh/mesh_query.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/campuswalk/bench/draw/draw_peers.h"
 #include "tools/campuswalk/bench/draw/draw_report.h"

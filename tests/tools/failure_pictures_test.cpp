@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/run_walk.h"
+#include "engine/simulation/run_walk.h"
 #include "tests/engine/render/small_scenes.h"
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"

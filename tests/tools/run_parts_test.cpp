@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/campuswalk/run/find_walks.h"
 #include "tools/campuswalk/run/frame_helpers.h"

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/bullet_broad_phase.h"
+#include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
-#include "engine/check_walk.h"
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/observers/text_log.h"
-#include "engine/simulation.h"
+#include "engine/simulation/check_walk.h"
+#include "engine/simulation/simulation.h"
 
 namespace campuswalk::support {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/observers/observer.h"
-#include "engine/run_walk.h"
+#include "engine/record/observer.h"
+#include "engine/simulation/run_walk.h"
 #include "tests/support/penetration_oracle.h"
 
 namespace campuswalk::support {

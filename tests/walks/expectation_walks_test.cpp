@@ -13,12 +13,12 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/bullet_broad_phase.h"
+#include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
-#include "engine/check_walk.h"
 #include "engine/observers/json_lines.h"
 #include "engine/report/outcome.h"
-#include "engine/run_walk.h"
+#include "engine/simulation/check_walk.h"
+#include "engine/simulation/run_walk.h"
 
 namespace campuswalk::support {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/bullet_broad_phase.h"
-#include "scene/campus.h"
+#include "collision/world/bullet_broad_phase.h"
+#include "scene/campus/campus.h"
 #include "tests/collision/course/course_scene.h"
 #include "tests/support/effort.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 
 namespace campuswalk::tools {

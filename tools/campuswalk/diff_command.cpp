@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/report/plain_text.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/log_lines.h"
 #include "tools/campuswalk/pictures.h"

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/decimals.h"
-#include "engine/render/painter_store.h"
-#include "engine/render/png.h"
-#include "engine/render/walk_trail.h"
-#include "engine/simulation.h"
+#include "engine/events/decimals.h"
+#include "engine/render/image/png.h"
+#include "engine/render/overlay/walk_trail.h"
+#include "engine/render/snapshot/renderer_store.h"
+#include "engine/simulation/simulation.h"
 #include "tools/campuswalk/map_picture.h"
 #include "tools/campuswalk/pictures.h"
 

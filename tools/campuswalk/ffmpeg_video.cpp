@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 

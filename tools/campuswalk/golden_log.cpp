@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/whole_file.h"
+#include "scene/base/whole_file.h"
 #include "tools/campuswalk/log_lines.h"
 
 namespace campuswalk::tools {

@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/decimals.h"
-#include "engine/render/compare/compare_pictures.h"
-#include "engine/render/png.h"
-#include "engine/render/read_png.h"
-#include "scene/diagnostic.h"
+#include "engine/events/decimals.h"
+#include "engine/render/compare/compare_images.h"
+#include "engine/render/image/png.h"
+#include "engine/render/image/read_png.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/writable_path.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/script/picture_tolerance.h"
+#include "engine/script/image_tolerance.h"
 
 namespace campuswalk::tools {
 

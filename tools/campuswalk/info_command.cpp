@@ -9,10 +9,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "collision/broad_phase.h"
-#include "engine/decimals.h"
+#include "collision/world/broad_phase.h"
+#include "engine/events/decimals.h"
 #include "scene/cache/load_model.h"
-#include "scene/model_report.h"
+#include "scene/model/model_report.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/model_importer.h"

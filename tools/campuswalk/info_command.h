@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 #include "tools/campuswalk/rendering_backend.h"
 
 namespace campuswalk::tools {

@@ -2,7 +2,7 @@
 #include <exception>
 #include <string_view>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "scene/import/helper/serve_import.h"
 #include "tools/campuswalk/command_line/commands.h"
 #include "tools/campuswalk/complaints.h"

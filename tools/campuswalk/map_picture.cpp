@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "collision/cast.h"
-#include "engine/render/canvas.h"
-#include "engine/render/map_marks.h"
+#include "collision/world/cast.h"
+#include "engine/render/overlay/canvas.h"
+#include "engine/render/overlay/map_marks.h"
 
 namespace campuswalk::tools {
 

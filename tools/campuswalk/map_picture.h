@@ -6,11 +6,11 @@
 
 #include <Eigen/Core>
 
-#include "engine/avatar.h"
-#include "engine/frame_record.h"
-#include "engine/render/picture.h"
-#include "engine/render/snapshot_painter.h"
-#include "scene/campus.h"
+#include "engine/record/tick_record.h"
+#include "engine/render/image/image.h"
+#include "engine/render/snapshot/snapshot_renderer.h"
+#include "engine/script/avatar.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::tools {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::tools {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/render/snapshot_painter.h"
-#include "scene/campus.h"
+#include "engine/render/snapshot/snapshot_renderer.h"
+#include "scene/campus/campus.h"
 #include "tools/campuswalk/rendering_backend.h"
 
 namespace campuswalk::tools {

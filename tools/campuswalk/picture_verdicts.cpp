@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/expect/failure_scene.h"
-#include "engine/render/compare/compare_pictures.h"
-#include "engine/render/png.h"
-#include "engine/render/read_png.h"
-#include "scene/diagnostic.h"
-#include "scene/glob.h"
-#include "scene/whole_file.h"
+#include "engine/render/compare/compare_images.h"
+#include "engine/render/image/png.h"
+#include "engine/render/image/read_png.h"
+#include "scene/base/diagnostic.h"
+#include "scene/base/glob.h"
+#include "scene/base/whole_file.h"
 
 namespace campuswalk::tools {
 

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "engine/expect/failure.h"
-#include "engine/observers/snapshot_moments.h"
-#include "engine/render/snapshot_sight.h"
+#include "engine/observers/snapshot_states.h"
+#include "engine/render/snapshot/snapshot_sight.h"
 #include "engine/report/walk_result.h"
-#include "engine/script/picture_tolerance.h"
+#include "engine/script/image_tolerance.h"
 #include "engine/script/walk.h"
-#include "scene/campus.h"
+#include "scene/campus/campus.h"
 #include "tools/campuswalk/golden_log.h"
 
 namespace campuswalk::tools {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "engine/expect/failure.h"
-#include "engine/observers/observer.h"
-#include "engine/render/snapshot_sight.h"
+#include "engine/record/observer.h"
+#include "engine/render/snapshot/snapshot_sight.h"
 #include "engine/report/walk_result.h"
 #include "engine/script/walk.h"
-#include "scene/campus.h"
+#include "scene/campus/campus.h"
 #include "tools/campuswalk/rendering_backend.h"
 #include "tools/campuswalk/sequence_wish.h"
 

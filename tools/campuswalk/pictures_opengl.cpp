@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "collision/cast.h"
-#include "engine/render/channel_files.h"
-#include "engine/render/light.h"
-#include "engine/render/painter_store.h"
-#include "engine/render/png.h"
-#include "engine/render/snapshot_observer.h"
+#include "collision/world/cast.h"
+#include "engine/render/image/png.h"
+#include "engine/render/passes/light.h"
+#include "engine/render/snapshot/channel_files.h"
+#include "engine/render/snapshot/renderer_store.h"
+#include "engine/render/snapshot/snapshot_observer.h"
 #include "tools/campuswalk/map_picture.h"
 #include "tools/campuswalk/picture_settings.h"
 #include "tools/campuswalk/pictures.h"

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <utility>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

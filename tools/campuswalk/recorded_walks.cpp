@@ -6,7 +6,7 @@
 
 #include "engine/report/outcome_names.h"
 #include "engine/report/result_json.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/log_lines.h"
 
 namespace campuswalk::tools {

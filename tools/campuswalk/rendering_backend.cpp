@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/pictures.h"
 
 namespace campuswalk::tools {

@@ -11,8 +11,8 @@
 
 #include "config/loader/walks_config.h"
 #include "engine/observers/text_log.h"
-#include "engine/run_walk.h"
-#include "scene/diagnostic.h"
+#include "engine/simulation/run_walk.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/log_output.h"
 #include "tools/campuswalk/read_lines.h"

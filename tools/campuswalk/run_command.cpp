@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/pictures.h"

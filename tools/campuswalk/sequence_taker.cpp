@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/render/driver_threads.h"
+#include "engine/render/gl/driver_threads.h"
 #include "engine/render/sequence/animated_gif.h"
 #include "engine/render/sequence/animated_png.h"
 #include "engine/render/sequence/contact_sheet.h"

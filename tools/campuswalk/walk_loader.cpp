@@ -3,8 +3,8 @@
 #include <thread>
 #include <utility>
 
-#include "collision/bullet_broad_phase.h"
-#include "engine/check_walk.h"
+#include "collision/world/bullet_broad_phase.h"
+#include "engine/simulation/check_walk.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/model_importer.h"
 

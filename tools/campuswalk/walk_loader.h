@@ -9,7 +9,7 @@
 
 #include "config/loader/load_run.h"
 #include "engine/script/walk.h"
-#include "scene/campus.h"
+#include "scene/campus/campus.h"
 #include "tools/campuswalk/complaints.h"
 
 namespace campuswalk::tools {

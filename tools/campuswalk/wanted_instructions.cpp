@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "collision/instructions.h"
-#include "scene/diagnostic.h"
+#include "collision/base/simd_target.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

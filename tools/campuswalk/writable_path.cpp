@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

@@ -31,7 +31,7 @@ def _project_fault(file, include):
     names = (target, include.target)
     if _stem(file) in STRICTER:
         owner, allowed, names = file, STRICTER[_stem(file)], (_stem(include.target),)
-    if ANYWHERE in allowed or any(name in allowed for name in names):
+    if any(is_in(name, allowed) for name in names):
         return None
     return "layer", '%s may not include "%s"; it may include %s' % (owner, include.target, ", ".join(allowed))
 

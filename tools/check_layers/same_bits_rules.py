@@ -52,7 +52,7 @@ def check_libm(tree):
         for offset, name in sorted(_calls(code)):
             line, column = position(code, offset)
             yield Complaint(file, line, column, "same-bits",
-                            "%s differs between machines; see collision/trigonometry.h for what doesn't" % name)
+                            "%s differs between machines; see collision/geometry/trigonometry.h for what doesn't" % name)
 
 
 def check_compiler_flags(tree):

@@ -5,45 +5,51 @@ A folder that isn't named here belongs to the nearest one above it that is.
 
 ANYWHERE = "anywhere"
 
-# Who may include whom: place -> places of the project. Every place may include itself.
+# Who may include whom: place -> places of the project, each with its subfolders. Every place may include itself.
 PROJECT = {
-    "collision": [],
-    "scene": ["scene/cache", "scene/import", "collision"],
-    "scene/cache": ["scene", "scene/import", "collision"],
-    "scene/import": ["scene", "scene/import/gltf", "collision"],
-    "scene/import/helper": ["scene/import", "scene"],
-    "scene/import/gltf": ["scene/import", "scene"],
-    "scene/procedural": ["scene", "collision"],
-    # The simulation core knows what an observer is and none in particular.
-    "engine": ["engine/events", "engine/expect", "engine/script", "engine/observers/observer.h", "scene",
-               "collision"],
-    "engine/events": ["engine", "scene", "collision"],
-    "engine/script": ["engine", "scene", "collision"],
-    "engine/expect": ["engine", "engine/events", "engine/script", "scene", "collision"],
-    "engine/observers": ["engine", "engine/events", "engine/expect", "engine/script", "scene", "collision"],
-    "engine/report": ["engine", "engine/events", "engine/expect", "engine/script", "engine/observers", "scene",
+    "collision/base": [],
+    "collision/geometry": ["collision/base"],
+    "collision/hybrid": ["collision/base", "collision/geometry"],
+    "collision/bvh8": ["collision/base", "collision/geometry"],
+    "collision/mesh": ["collision/base", "collision/geometry", "collision/hybrid", "collision/bvh8"],
+    "collision/world": ["collision/base", "collision/geometry", "collision/mesh"],
+    "collision/mover": ["collision/base", "collision/geometry", "collision/mesh", "collision/world"],
+    "scene/base": ["collision/base"],
+    "scene/model": ["scene/base", "collision"],
+    "scene/lint": ["scene/model", "scene/base", "collision"],
+    "scene/procedural": ["scene/model", "scene/base", "collision"],
+    "scene/import/source": ["scene/model", "scene/base", "collision"],
+    "scene/import/assimp": ["scene/import/source", "scene/model", "scene/base", "collision"],
+    "scene/import/gltf": ["scene/import/source", "scene/model", "scene/base", "collision"],
+    "scene/import": ["scene/model", "scene/base", "collision"],
+    "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
+    "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
+    "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
+    # The simulation core: it hands out records and knows none of those that read them.
+    "engine/events": ["scene", "collision"],
+    "engine/script": ["engine/events", "scene", "collision"],
+    "engine/record": ["engine/script", "engine/events", "scene", "collision"],
+    "engine/expect": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/simulation": ["engine/expect", "engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/observers": ["engine/expect", "engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/testing": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/report": ["engine/simulation", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
                       "collision"],
-    "engine/testing": ["engine", "engine/events", "engine/observers", "engine/script", "scene", "collision"],
-    "engine/render": ["engine", "engine/events", "engine/expect", "engine/script", "engine/observers",
-                      "scene", "collision"],
-    "engine/render/sequence": ["engine/render", "engine", "engine/script", "engine/observers", "scene"],
-    # Pictures are plain data: nothing that draws is needed to compare them.
-    "engine/render/compare": ["engine/render/picture.h", "engine/render/row_bands.h",
-                              "engine/script/picture_tolerance.h",
-                              "engine/decimals.h"],
-    "config/loader": ["engine", "engine/events", "engine/expect", "engine/script", "scene", "collision"],
+    # Images are plain data: nothing that draws is needed to compare them.
+    "engine/render/image": ["engine/events", "scene", "collision"],
+    "engine/render/compare": ["engine/render/image", "engine/script", "engine/events"],
+    "engine/render/geometry": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/render/gl": ["engine/render/geometry", "engine/render/image", "scene", "collision"],
+    "engine/render/passes": ["engine/render/gl", "engine/render/geometry", "engine/render/image", "engine/script",
+                             "scene", "collision"],
+    "engine/render/overlay": ["engine/render/gl", "engine/render/geometry", "engine/render/image", "engine/record",
+                              "engine/script", "engine/events", "scene", "collision"],
+    "engine/render": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "config/loader": ["engine/simulation", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
+                      "collision"],
     "tools": [],
-    "tools/campuswalk": ["config/loader", "engine", "engine/events", "engine/expect", "engine/script",
-                         "engine/observers", "engine/render", "engine/render/compare", "engine/render/sequence",
-                         "engine/report", "scene", "scene/cache", "scene/import", "scene/import/helper", "collision",
-                         "tools/campuswalk/bench", "tools/campuswalk/init"],
-    "tools/campuswalk/bench": ["tools/campuswalk", "tools/campuswalk/bench/draw", "engine", "scene",
-                               "scene/procedural", "collision"],
-    "tools/campuswalk/bench/draw": ["tools/campuswalk/bench", "tools/campuswalk/run/frame_helpers.h", "tools/campuswalk/run/worker.h",
-                                    "engine", "engine/render", "scene",
-                                    "scene/procedural", "collision"],
-    # `init` builds the model that it writes.
-    "tools/campuswalk/init": ["tools/campuswalk", "scene", "scene/procedural", "collision"],
+    "tools/campuswalk": ["config/loader", "engine", "scene", "collision"],
+    "tools/campuswalk/bench": ["tools/campuswalk", "engine", "scene", "collision"],
     # Other people's engines: of ours they see what they are given and what they are asked.
     "tools/campuswalk/bench/peers": ["tools/campuswalk/bench/engine.h", "collision"],
     "tests": [ANYWHERE],
@@ -53,16 +59,16 @@ PROJECT = {
 # function with what it judges: of collision/ it sees the world's data, no more.
 _ORACLE = ["tests/support/penetration_oracle", "tests/support/plain_geometry", "tests/support/plain_solids",
            "tests/support/triangle_grid"]
-STRICTER = {file: _ORACLE + ["collision/mesh_collider", "collision/shapes", "collision/triangle_mesh",
-                             "collision/world"] for file in _ORACLE}
+STRICTER = {file: _ORACLE + ["collision/mesh/mesh_collider", "collision/geometry/shapes", "collision/geometry/triangle_mesh",
+                             "collision/world/world"] for file in _ORACLE}
 
 # Where headers of others may be included; the longest prefix that matches decides. The distribution puts
 # some in a folder that can be spelled too: see SPELLED_AWAY.
 THIRD_PARTY = {
     "Eigen/": [ANYWHERE],
-    "hwy/": ["collision/kernels"],
-    "BulletCollision/BroadphaseCollision/": ["collision/bullet_broad_phase.cpp", "tools/campuswalk/bench/peers"],
-    "LinearMath/": ["collision/bullet_broad_phase.cpp"],
+    "hwy/": ["collision/bvh8/kernels"],
+    "BulletCollision/BroadphaseCollision/": ["collision/world/bullet_broad_phase.cpp", "tools/campuswalk/bench/peers"],
+    "LinearMath/": ["collision/world/bullet_broad_phase.cpp"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
     "BulletCollision/": ["tests", "tools/campuswalk/bench/peers"],
     "BulletDynamics/": ["tests", "tools/campuswalk/bench/peers"],
@@ -71,12 +77,12 @@ THIRD_PARTY = {
     "btBulletDynamicsCommon.h": ["tests"],
     "assimp/": ["scene/import", "tools/campuswalk/bench/peers"],
     "stb/": ["scene/import"],
-    "xxhash.h": ["scene/content_hash.cpp"],
+    "xxhash.h": ["scene/base/content_hash.cpp"],
     "draco/": ["scene/import/gltf", "tests/scene/import/gltf"],
     "meshoptimizer.h": ["scene/import/gltf", "tests/scene/import/gltf"],
     "webp/": ["scene/import", "tests/scene/import/gltf"],
-    "nlohmann/": ["scene/import/gltf", "engine/observers", "engine/render/channel_files.cpp", "engine/report", "tools/campuswalk", "tests"],
-    "pugixml": ["engine/report", "scene/import/collada_text.cpp"],
+    "nlohmann/": ["scene/import/gltf", "engine/observers", "engine/render/snapshot/channel_files.cpp", "engine/report", "tools/campuswalk", "tests"],
+    "pugixml": ["engine/report", "scene/import/source/collada_text.cpp"],
     "GL/": ["engine/render", "tests/engine/render"],
     "EGL/": ["engine/render"],
     "KHR/": ["engine/render"],
@@ -95,9 +101,9 @@ THIRD_PARTY = {
     "re2/": ["tools/campuswalk/run"],
     "poll.h": ["scene/import/helper", "tools/campuswalk/run"],
     "spawn.h": ["scene/import/helper", "tools/campuswalk"],
-    "unistd.h": ["scene/cache", "scene/import", "scene/whole_file.cpp", "tools/campuswalk", "tests"],
+    "unistd.h": ["scene/cache", "scene/import", "scene/base/whole_file.cpp", "tools/campuswalk", "tests"],
     "fcntl.h": ["scene/cache", "scene/import", "tools/campuswalk", "tests"],
-    "sys/mman.h": ["collision/large_pages.cpp", "scene/cache", "scene/import/helper", "tools/campuswalk/cache_choice.cpp"],
+    "sys/mman.h": ["collision/base/large_pages.cpp", "scene/cache", "scene/import/helper", "tools/campuswalk/cache_choice.cpp"],
     "sys/": ["scene/cache", "scene/import", "tools/campuswalk", "tests"],
     "gtest/": ["tests"],
     "gmock/": ["tests", "engine/testing"],
@@ -124,7 +130,7 @@ REFUSED_STANDARD = {
 }
 
 # Instruction sets are chosen in kernel folders alone.
-KERNEL_FOLDERS = ["collision/kernels"]
+KERNEL_FOLDERS = ["collision/bvh8/kernels"]
 
 CODE_FOLDERS = ("collision", "scene", "engine", "config", "tools", "tests")
 

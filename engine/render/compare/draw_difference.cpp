@@ -2,7 +2,7 @@
 #include <array>
 #include <utility>
 
-#include "engine/render/compare/compare_pictures.h"
+#include "engine/render/compare/compare_images.h"
 
 namespace campuswalk::engine::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <functional>
 
-#include "engine/render/row_bands.h"
+#include "engine/render/image/row_bands.h"
 
 namespace campuswalk::engine::render {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/render/compare/picture_mask.h"
-#include "engine/render/picture.h"
+#include "engine/render/compare/image_mask.h"
+#include "engine/render/image/image.h"
 
 namespace campuswalk::engine::render {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/render/row_bands.h"
+#include "engine/render/image/row_bands.h"
 
 namespace campuswalk::engine::render {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "engine/render/compare/picture_mask.h"
-#include "engine/render/picture.h"
-#include "engine/script/picture_tolerance.h"
+#include "engine/render/compare/image_mask.h"
+#include "engine/render/image/image.h"
+#include "engine/script/image_tolerance.h"
 
 namespace campuswalk::engine::render {
 

@@ -11,7 +11,7 @@
 #include <gif_lib.h>
 
 #include "engine/render/sequence/animated_png.h"
-#include "engine/render/sequence/scaled_picture.h"
+#include "engine/render/sequence/scaled_image.h"
 
 namespace campuswalk::engine::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/render/sequence/scaled_picture.h"
+#include "engine/render/sequence/scaled_image.h"
 
 namespace campuswalk::engine::render {
 

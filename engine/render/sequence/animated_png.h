@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/render/png_file.h"
+#include "engine/render/image/png_file.h"
 #include "engine/render/sequence/frame_sink.h"
-#include "scene/whole_file.h"
+#include "scene/base/whole_file.h"
 
 namespace campuswalk::engine::render {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "engine/decimals.h"
-#include "engine/render/canvas.h"
-#include "engine/render/png.h"
-#include "engine/render/sequence/scaled_picture.h"
+#include "engine/events/decimals.h"
+#include "engine/render/image/png.h"
+#include "engine/render/overlay/canvas.h"
+#include "engine/render/sequence/scaled_image.h"
 
 namespace campuswalk::engine::render {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/render/png.h"
+#include "engine/render/image/png.h"
 
 namespace campuswalk::engine::render {
 

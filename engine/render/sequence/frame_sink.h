@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "engine/render/picture.h"
+#include "engine/render/image/image.h"
 
 namespace campuswalk::engine::render {
 

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "engine/observers/observer.h"
-#include "engine/render/painter_store.h"
+#include "engine/record/observer.h"
 #include "engine/render/sequence/frame_queue.h"
-#include "engine/render/walk_shots.h"
-#include "scene/campus.h"
+#include "engine/render/snapshot/renderer_store.h"
+#include "engine/render/snapshot/walk_shots.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::engine::render {
 

@@ -1,9 +1,9 @@
 #include "scene/import/gltf/buffers.h"
 
+#include "scene/import/source/confined_files.h"
 #include "scene/import/gltf/base64.h"
 #include "scene/import/gltf/fault.h"
 #include "scene/import/gltf/meshopt.h"
-#include "scene/import/locked_files.h"
 
 namespace campuswalk::scene::gltf {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/import/gltf/document.h"
-#include "scene/import/scene_folder.h"
+#include "scene/import/source/scene_folder.h"
 
 namespace campuswalk::scene::gltf {
 

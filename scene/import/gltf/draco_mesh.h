@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "scene/import/gltf/document.h"
-#include "scene/import/tidy_mesh.h"
+#include "scene/import/source/sanitize_mesh.h"
 
 namespace campuswalk::scene::gltf {
 

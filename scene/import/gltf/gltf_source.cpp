@@ -2,12 +2,12 @@
 
 #include <charconv>
 
-#include "scene/import/file_frame.h"
+#include "scene/import/source/file_frame.h"
 #include "scene/import/gltf/extensions.h"
 #include "scene/import/gltf/fault.h"
 #include "scene/import/gltf/node_graph.h"
 #include "scene/import/gltf/relative_to_center.h"
-#include "scene/import/picture_files.h"
+#include "scene/import/source/image_files.h"
 
 namespace campuswalk::scene::gltf {
 

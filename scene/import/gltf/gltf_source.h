@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "scene/campus_description.h"
-#include "scene/import/model_source.h"
+#include "scene/model/scene_file.h"
+#include "scene/import/source/model_source.h"
 
 namespace campuswalk::scene::gltf {
 

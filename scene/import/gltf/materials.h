@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "scene/import/gltf/document.h"
-#include "scene/import/model_source.h"
+#include "scene/import/source/model_source.h"
 
 namespace campuswalk::scene::gltf {
 

@@ -9,7 +9,7 @@
 #include "scene/import/gltf/accessors.h"
 #include "scene/import/gltf/document.h"
 #include "scene/import/gltf/primitives.h"
-#include "scene/import/model_source.h"
+#include "scene/import/source/model_source.h"
 
 namespace campuswalk::scene::gltf {
 

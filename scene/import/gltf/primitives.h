@@ -6,7 +6,7 @@
 #include "scene/import/gltf/accessors.h"
 #include "scene/import/gltf/document.h"
 #include "scene/import/gltf/materials.h"
-#include "scene/import/tidy_mesh.h"
+#include "scene/import/source/sanitize_mesh.h"
 
 namespace campuswalk::scene::gltf {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "scene/import/gltf/document.h"
-#include "scene/origin.h"
+#include "scene/model/origin.h"
 
 namespace campuswalk::scene::gltf {
 

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene/base/binary_archive.h"
 #include "scene/import/helper/wait_for_process.h"
-#include "scene/sealed_bytes.h"
 
 namespace campuswalk::scene {
 namespace {

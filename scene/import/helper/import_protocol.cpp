@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/model_file.h"
-#include "scene/sealed_bytes.h"
+#include "scene/base/binary_archive.h"
+#include "scene/model/model_file.h"
 
 namespace campuswalk::scene {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/campus_description.h"
+#include "scene/model/scene_file.h"
 #include "scene/import/import_model.h"
 
 namespace campuswalk::scene {

@@ -9,7 +9,7 @@
 
 #include "scene/import/helper/import_protocol.h"
 #include "scene/import/helper/limit_process.h"
-#include "scene/model_file.h"
+#include "scene/model/model_file.h"
 
 namespace campuswalk::scene {
 namespace {

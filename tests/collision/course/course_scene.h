@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "collision/world.h"
-#include "tests/collision/audited_body.h"
+#include "collision/world/world.h"
+#include "tests/collision/mover/audited_body.h"
 #include "tests/support/mesh_pieces.h"
 
 /// What the stories of the conformance course share. Its scenes are in tests/support/course.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/expect/jury.h"
+#include "engine/expect/expectation_set.h"
 
 namespace campuswalk::engine {
 

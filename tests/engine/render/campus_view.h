@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/camera.h"
-#include "engine/render/picture.h"
-#include "engine/render/render_settings.h"
-#include "scene/model.h"
+#include "engine/render/geometry/camera.h"
+#include "engine/render/passes/render_settings.h"
+#include "engine/render/image/image.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::engine::render::test {
 

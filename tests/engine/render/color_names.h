@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/render/picture.h"
+#include "engine/render/image/image.h"
 
 namespace campuswalk::engine::render::test {
 

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "engine/render/png.h"
+#include "engine/render/image/png.h"
 #include "engine/render/renderer.h"
 #include "tests/engine/render/campus_view.h"
 

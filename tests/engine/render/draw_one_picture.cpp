@@ -2,7 +2,7 @@
 #include <exception>
 #include <string_view>
 
-#include "engine/render/png.h"
+#include "engine/render/image/png.h"
 #include "engine/render/renderer.h"
 #include "tests/engine/render/small_scenes.h"
 

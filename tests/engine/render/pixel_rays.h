@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "engine/render/camera.h"
-#include "scene/model.h"
+#include "engine/render/geometry/camera.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::engine::render::test {
 

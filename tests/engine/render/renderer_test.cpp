@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "engine/render/png.h"
-#include "engine/render/render_error.h"
+#include "engine/render/gl/render_error.h"
+#include "engine/render/image/png.h"
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/scratch_folder.h"
 #include "tests/engine/render/small_scenes.h"

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/broad_phase.h"
-#include "scene/import/mirror_meshes.h"
+#include "collision/world/broad_phase.h"
+#include "scene/import/source/mirror_meshes.h"
 
 namespace campuswalk::engine::render::test {
 namespace {

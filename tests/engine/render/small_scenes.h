@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
-#include "engine/render/camera.h"
-#include "engine/render/render_settings.h"
-#include "scene/campus.h"
-#include "scene/model.h"
+#include "engine/render/geometry/camera.h"
+#include "engine/render/passes/render_settings.h"
+#include "scene/campus/campus.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::engine::render::test {
 

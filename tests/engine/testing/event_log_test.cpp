@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/frame_record.h"
+#include "engine/record/tick_record.h"
 
 namespace campuswalk::engine {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <doctest/doctest.h>
 
-#include "collision/bullet_broad_phase.h"
+#include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
-#include "engine/check_walk.h"
-#include "engine/run_walk.h"
+#include "engine/simulation/check_walk.h"
+#include "engine/simulation/run_walk.h"
 #include "engine/testing/event_log.h"
-#include "scene/campus.h"
+#include "scene/campus/campus.h"
 
 using namespace campuswalk;
 

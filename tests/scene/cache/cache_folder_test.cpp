@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/sealed_bytes.h"
+#include "scene/base/binary_archive.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene {

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/mesh_query.h"
-#include "scene/content_hash.h"
+#include "collision/mesh/mesh_query.h"
+#include "scene/base/content_hash.h"
 #include "tests/support/dice.h"
 #include "tests/support/mesh_pieces.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/cache/load_model.h"
-#include "scene/campus.h"
+#include "scene/campus/campus.h"
 #include "scene/import/helper/import_process.h"
 #include "scene/import/import_model.h"
 #include "tests/scene/import/gltf/gltf_text.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/import/decode_image.h"
+#include "scene/import/source/decode_image.h"
 #include "scene/import/import_model.h"
 #include "tests/scene/model_files.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/mesh_query.h"
+#include "collision/mesh/mesh_query.h"
 #include "scene/procedural/campus_parts.h"
 #include "scene/procedural/chance.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 #include "tests/support/plain_geometry.h"
 #include "tests/support/triangle_grid.h"
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "collision/mesh_contacts.h"
+#include "collision/mesh/mesh_contacts.h"
 #include "scene/procedural/cylinder.h"
 #include "scene/procedural/teapot.h"
 #include "tests/support/mesh_volume.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "scene/world_triangles.h"
+#include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene::test {
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "collision/mesh_collider.h"
-#include "scene/model.h"
+#include "collision/mesh/mesh_collider.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::scene::test {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/glob.h"
+#include "scene/base/glob.h"
 #include "tests/scene/box_model.h"
 
 namespace campuswalk::scene {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/bench/campus_cases.h"
 #include "tools/campuswalk/bench/draw/draw_bench.h"
 #include "tools/campuswalk/bench/figure4.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "collision/mesh_query.h"
+#include "collision/mesh/mesh_query.h"
 #include "scene/procedural/generated_campus.h"
 #include "tools/campuswalk/bench/judge.h"
 #include "tools/campuswalk/bench/peer_engines.h"

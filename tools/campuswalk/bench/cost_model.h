@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "collision/counters.h"
+#include "collision/base/query_counters.h"
 
 namespace campuswalk::tools::bench {
 

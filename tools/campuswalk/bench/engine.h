@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "collision/hybrid_tree_contacts.h"
-#include "collision/ray.h"
-#include "collision/triangle_mesh.h"
-#include "collision/triangle_pair.h"
+#include "collision/geometry/ray.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/geometry/triangle_pair.h"
+#include "collision/hybrid/hybrid_tree_contacts.h"
 
 namespace campuswalk::tools::bench {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "tools/campuswalk/bench/figure4.h"
 
 namespace campuswalk::tools::bench {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/closest.h"
+#include "collision/geometry/closest.h"
 
 namespace campuswalk::tools::bench {
 

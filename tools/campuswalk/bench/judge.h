@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "collision/ray.h"
-#include "collision/shapes.h"
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/ray.h"
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::tools::bench {
 

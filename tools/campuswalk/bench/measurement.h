@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/hybrid_tree_contacts.h"
+#include "collision/hybrid/hybrid_tree_contacts.h"
 #include "tools/campuswalk/bench/row.h"
 
 namespace campuswalk::tools::bench {

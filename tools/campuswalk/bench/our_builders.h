@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "collision/mesh_collider.h"
+#include "collision/mesh/mesh_collider.h"
 #include "tools/campuswalk/bench/engine.h"
 
 namespace campuswalk::tools::bench {

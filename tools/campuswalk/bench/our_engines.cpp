@@ -3,9 +3,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "collision/hybrid_tree.h"
-#include "collision/mesh_collider.h"
-#include "collision/mesh_contacts.h"
+#include "collision/hybrid/hybrid_tree.h"
+#include "collision/mesh/mesh_collider.h"
+#include "collision/mesh/mesh_contacts.h"
 
 namespace campuswalk::tools::bench {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 #include "tools/campuswalk/bench/engine.h"
 
 namespace campuswalk::tools::bench {

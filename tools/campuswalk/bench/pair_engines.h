@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 #include "tools/campuswalk/bench/engine.h"
 
 namespace campuswalk::tools::bench {

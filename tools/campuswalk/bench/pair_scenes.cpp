@@ -1,6 +1,6 @@
 #include "tools/campuswalk/bench/pair_scenes.h"
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 #include "scene/procedural/cylinder.h"
 #include "scene/procedural/table1_scene.h"
 #include "scene/procedural/teapot.h"

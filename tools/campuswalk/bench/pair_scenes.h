@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "collision/shapes.h"
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::tools::bench {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/counters.h"
+#include "collision/base/query_counters.h"
 #include "tools/campuswalk/bench/row.h"
 #include "tools/campuswalk/bench/shuffled_runs.h"
 

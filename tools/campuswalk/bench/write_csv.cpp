@@ -3,7 +3,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::tools::bench {
 

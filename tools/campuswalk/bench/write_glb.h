@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "scene/model.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::tools::bench {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "collision/mesh_collider.h"
-#include "scene/bake_mesh.h"
+#include "collision/mesh/mesh_collider.h"
 #include "scene/cache/load_model.h"
+#include "scene/campus/bake_mesh.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/collide/spelling.h"
 #include "tools/campuswalk/model_importer.h"

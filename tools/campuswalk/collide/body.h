@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "collision/shapes.h"
-#include "scene/campus_description.h"
-#include "scene/diagnostic.h"
+#include "collision/geometry/shapes.h"
+#include "scene/base/diagnostic.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::tools::collide {
 

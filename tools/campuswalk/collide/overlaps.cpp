@@ -4,9 +4,9 @@
 #include <memory>
 #include <variant>
 
-#include "collision/convex_distance.h"
-#include "collision/mesh_contacts.h"
-#include "collision/mesh_query.h"
+#include "collision/geometry/convex_distance.h"
+#include "collision/mesh/mesh_contacts.h"
+#include "collision/mesh/mesh_query.h"
 
 namespace campuswalk::tools::collide {
 

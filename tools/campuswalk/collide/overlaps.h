@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/triangle_pair.h"
+#include "collision/geometry/triangle_pair.h"
 #include "tools/campuswalk/collide/body.h"
 
 namespace campuswalk::tools::collide {

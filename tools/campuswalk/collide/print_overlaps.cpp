@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "collision/mesh_collider.h"
-#include "engine/decimals.h"
+#include "collision/mesh/mesh_collider.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::tools::collide {
 

@@ -11,10 +11,10 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
 #include "config/loader/number.h"
 #include "config/loader/wording.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools::collide {
 

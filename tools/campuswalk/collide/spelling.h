@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "collision/shapes.h"
+#include "collision/geometry/shapes.h"
 
 namespace campuswalk::tools::collide {
 

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 
 namespace campuswalk::tools {

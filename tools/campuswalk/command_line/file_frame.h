@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 #include "tools/campuswalk/command_line/command.h"
 
 namespace campuswalk::tools {

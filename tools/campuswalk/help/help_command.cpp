@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/help/topics.h"
 

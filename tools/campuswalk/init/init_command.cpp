@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/init/templates.h"
 #include "tools/campuswalk/writable_path.h"

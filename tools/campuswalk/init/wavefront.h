@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::tools::init {
 

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <variant>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/find_walks.h"
 
 namespace campuswalk::tools {

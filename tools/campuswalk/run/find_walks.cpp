@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/observers/observer.h"
+#include "engine/record/observer.h"
 
 namespace campuswalk::tools {
 

@@ -14,7 +14,7 @@
 #include <variant>
 
 #include "engine/report/result_json.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/report/result_json.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/find_walks.h"
 #include "tools/campuswalk/run/reports.h"
 #include "tools/campuswalk/run/run_settings.h"

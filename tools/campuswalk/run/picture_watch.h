@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/expect/failure.h"
-#include "engine/observers/observer.h"
-#include "engine/observers/snapshot_moments.h"
+#include "engine/observers/snapshot_states.h"
+#include "engine/record/observer.h"
 #include "engine/report/walk_result.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/run/plan.h"

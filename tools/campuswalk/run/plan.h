@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/report/walk_result.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/run_settings.h"
 #include "tools/campuswalk/run/selector.h"
 #include "tools/campuswalk/walk_loader.h"

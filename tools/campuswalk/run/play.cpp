@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "engine/observers/json_lines.h"
 #include "engine/observers/text_log.h"
 #include "engine/report/outcome.h"
-#include "engine/run_walk.h"
+#include "engine/simulation/run_walk.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/run/interrupt.h"
 #include "tools/campuswalk/run/picture_watch.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/report/walk_result.h"
-#include "engine/script/picture_tolerance.h"
+#include "engine/script/image_tolerance.h"
 #include "tools/campuswalk/golden_log.h"
 #include "tools/campuswalk/pictures.h"
 #include "tools/campuswalk/rendering_backend.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/observers/line_sink.h"
-#include "engine/observers/observer.h"
+#include "engine/record/observer.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::tools {

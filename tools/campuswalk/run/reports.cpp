@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/writable_path.h"
 
 namespace campuswalk::tools {

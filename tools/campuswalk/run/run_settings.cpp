@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "engine/report/make_reporter.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/find_walks.h"
 
 namespace campuswalk::tools {

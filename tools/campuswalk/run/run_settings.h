@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "config/loader/walks_config.h"
-#include "engine/script/picture_tolerance.h"
-#include "scene/diagnostic.h"
+#include "engine/script/image_tolerance.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/run_options.h"
 #include "tools/campuswalk/run/shard.h"
 

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

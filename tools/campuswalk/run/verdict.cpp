@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdio>
 
-#include "engine/decimals.h"
-#include "scene/diagnostic.h"
+#include "engine/events/decimals.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/exit_codes.h"
 
 namespace campuswalk::tools {

@@ -19,7 +19,7 @@
 #include <string>
 #include <system_error>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/complaints.h"
 #include "tools/campuswalk/exit_codes.h"
 #include "tools/campuswalk/run/dependencies.h"

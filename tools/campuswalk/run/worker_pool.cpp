@@ -7,7 +7,7 @@
 #include <csignal>
 #include <utility>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 #include "tools/campuswalk/run/interrupt.h"
 
 namespace campuswalk::tools {

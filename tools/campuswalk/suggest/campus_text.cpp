@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/decimals.h"
-#include "scene/name_words.h"
+#include "engine/events/decimals.h"
+#include "scene/model/name_words.h"
 
 namespace campuswalk::tools {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 #include "scene/suggest/suggested_buildings.h"
 
 namespace campuswalk::tools {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scene/campus_description.h"
+#include "scene/campus/campus_description.h"
 
 namespace campuswalk::tools {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "scene/cache/load_model.h"
-#include "scene/name_words.h"
-#include "scene/oddities/named_sizes.h"
+#include "scene/lint/named_sizes.h"
+#include "scene/model/name_words.h"
 #include "tools/campuswalk/cache_choice.h"
 #include "tools/campuswalk/model_importer.h"
 

@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "scene/campus_description.h"
-#include "scene/model.h"
-#include "scene/model_report.h"
+#include "scene/campus/campus_description.h"
+#include "scene/model/model.h"
+#include "scene/model/model_report.h"
 
 namespace campuswalk::tools {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/loader/walks_config.h"
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/find_walks.h"
 #include "tools/campuswalk/run/plan.h"
 #include "tools/campuswalk/run/run_settings.h"

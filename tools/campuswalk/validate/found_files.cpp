@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "scene/diagnostic.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools {
 

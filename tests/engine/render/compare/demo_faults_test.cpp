@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "engine/render/compare/compare_pictures.h"
-#include "engine/render/read_png.h"
+#include "engine/render/compare/compare_images.h"
+#include "engine/render/image/read_png.h"
 #include "engine/render/renderer.h"
 #include "tests/engine/render/campus_view.h"
 #include "tests/engine/render/compare/made_pictures.h"

@@ -11,7 +11,7 @@
 #include <gif_lib.h>
 #include <gtest/gtest.h>
 
-#include "engine/render/read_png.h"
+#include "engine/render/image/read_png.h"
 #include "engine/render/sequence/animated_gif.h"
 #include "engine/render/sequence/animated_png.h"
 #include "engine/render/sequence/contact_sheet.h"

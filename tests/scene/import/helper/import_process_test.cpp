@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/content_hash.h"
-#include "scene/sealed_bytes.h"
+#include "scene/base/binary_archive.h"
+#include "scene/base/content_hash.h"
 #include "tests/scene/model_files.h"
 #include "tests/support/effort.h"
 

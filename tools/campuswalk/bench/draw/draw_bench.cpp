@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/render/png.h"
+#include "engine/render/image/png.h"
 #include "tools/campuswalk/bench/draw/draw_by_processes.h"
 #include "tools/campuswalk/bench/draw/draw_ours.h"
 #include "tools/campuswalk/bench/draw/draw_report.h"

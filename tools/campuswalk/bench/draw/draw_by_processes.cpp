@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "engine/render/driver_threads.h"
+#include "engine/render/gl/driver_threads.h"
 #include "engine/render/renderer.h"
 #include "tools/campuswalk/bench/draw/looks.h"
 #include "tools/campuswalk/bench/shuffled_runs.h"

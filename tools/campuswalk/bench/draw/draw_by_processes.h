@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "scene/model.h"
+#include "scene/model/model.h"
 #include "tools/campuswalk/bench/draw/draw_times.h"
 #include "tools/campuswalk/bench/draw/drawn_campus.h"
 

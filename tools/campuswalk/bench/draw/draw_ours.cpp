@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "engine/render/png.h"
+#include "engine/render/image/png.h"
 #include "engine/render/renderer.h"
 #include "tools/campuswalk/bench/draw/looks.h"
 #include "tools/campuswalk/bench/heap.h"

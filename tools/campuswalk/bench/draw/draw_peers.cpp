@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/render/render_settings.h"
+#include "engine/render/passes/render_settings.h"
 #include "tools/campuswalk/bench/draw/looks.h"
 
 namespace campuswalk::tools::bench {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::tools::bench {
 

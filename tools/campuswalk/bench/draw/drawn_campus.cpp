@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "scene/weld.h"
+#include "scene/model/weld.h"
 #include "tools/campuswalk/bench/draw/surface_pictures.h"
 
 namespace campuswalk::tools::bench {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/model.h"
+#include "scene/model/model.h"
 #include "scene/procedural/generated_campus.h"
 #include "scene/procedural/walkable_campus.h"
 

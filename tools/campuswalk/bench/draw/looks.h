@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/camera.h"
-#include "engine/render/render_settings.h"
+#include "engine/render/geometry/camera.h"
+#include "engine/render/passes/render_settings.h"
 #include "tools/campuswalk/bench/draw/drawn_campus.h"
 
 namespace campuswalk::tools::bench {

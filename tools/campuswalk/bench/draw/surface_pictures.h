@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scene/model.h"
+#include "scene/model/model.h"
 
 namespace campuswalk::tools::bench {
 

@@ -11,8 +11,8 @@
 
 #include <Eigen/Geometry>
 
-#include "scene/campus_description.h"
-#include "scene/model.h"
+#include "scene/campus/campus_description.h"
+#include "scene/model/model.h"
 #include "scene/procedural/walkable_campus.h"
 #include "tools/campuswalk/bench/peer_engines.h"
 #include "tools/campuswalk/bench/scratch_folder.h"

@@ -2,7 +2,7 @@
 
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::tools::bench {
 

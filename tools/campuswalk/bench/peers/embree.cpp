@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/triangle_overlap.h"
+#include "collision/geometry/triangle_overlap.h"
 #include "tools/campuswalk/bench/engine.h"
 #include "tools/campuswalk/bench/peers/embree_device.h"
 

@@ -4,7 +4,7 @@
 
 #include <fcl/geometry/bvh/BVH_model.h>
 
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::tools::bench {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "engine/simulation.h"
+#include "engine/simulation/simulation.h"
 #include "tools/campuswalk/bench/shuffled_runs.h"
 #include "tools/campuswalk/walk_loader.h"
 

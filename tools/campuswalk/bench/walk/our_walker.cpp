@@ -3,9 +3,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "collision/mesh_collider.h"
-#include "collision/placement.h"
-#include "collision/trigonometry.h"
+#include "collision/geometry/trigonometry.h"
+#include "collision/mesh/mesh_collider.h"
+#include "collision/world/placement.h"
 #include "tools/campuswalk/bench/heap.h"
 
 namespace campuswalk::tools::bench {
@@ -14,7 +14,7 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kSearch = 0.5;  ///< metres, like engine/simulation.h
+constexpr double kSearch = 0.5;  ///< metres, like engine/simulation/simulation.h
 
 collision::MoverSettings settings_of(const WalkBody& body) {
     collision::MoverSettings settings;

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "collision/mover.h"
-#include "collision/world.h"
+#include "collision/mover/mover.h"
+#include "collision/world/world.h"
 #include "tools/campuswalk/bench/engine.h"
 
 namespace campuswalk::tools::bench {

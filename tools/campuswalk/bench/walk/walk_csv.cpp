@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/decimals.h"
+#include "engine/events/decimals.h"
 
 namespace campuswalk::tools::bench {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/shapes.h"
-#include "collision/triangle_mesh.h"
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
 
 namespace campuswalk::tools::bench {
 

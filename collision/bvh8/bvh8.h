@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "collision/base/storage.h"
+#include "collision/geometry/fitting.h"
+#include "collision/geometry/triangle_mesh.h"
+
+namespace campuswalk::collision {
+
+/// The production layout: up to eight children a node and up to sixteen triangles a leaf, side by side so
+/// that one vector instruction meets them all. Frames and boxes are float32 about float32 origins; queries
+/// cover with slack what that rounding can do.
+
+inline constexpr std::size_t kWideChildren = 8;
+inline constexpr std::size_t kLeafTriangles = 16;
+inline constexpr std::size_t kLeafCorners = 16;
+
+/// Half a unit in the last place of 1 in float32: what one operation rounds by, relative to its result.
+inline constexpr float kFloatUnit = 0x1p-24F;
+
+/// No vertex may be farther from the mesh's origin along an axis, metres: products of three such lengths are
+/// still far from overflow.
+inline constexpr float kMaxCoordinate = 1e11F;
+
+/// Eight boxes in one frame: y = axes (x - origin), where x is in the mesh's frame. `axes` is a rotation to
+/// float32's precision. Children that aren't there have zeros.
+///
+/// In four lines of cache is what a ray needs to know of a node whose frame isn't turned, as most aren't.
+struct alignas(64) WideNode {
+    std::array<std::array<float, kWideChildren>, 3> center{};  ///< of each child's box, by axis
+    std::array<std::array<float, kWideChildren>, 3> half{};    ///< its half extents, rounded outward
+    std::array<float, 4> origin{};                             ///< the fourth entry is 0
+    float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
+    std::array<std::uint32_t, kWideChildren> child{};  ///< an index of nodes or of leaves
+    std::uint8_t count = 0;                            ///< children there are
+    std::uint8_t leaves = 0;                           ///< bit i: child i is a leaf
+    bool turned = false;                               ///< false: `axes` is the identity
+    std::array<float, 3> low{};                        ///< of all the boxes
+    std::array<float, 3> high{};
+    alignas(64) std::array<std::array<float, 4>, 3> axes{};  ///< by column; the fourth entry is 0
+};
+
+static_assert(offsetof(WideNode, turned) < 256);
+
+/// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
+struct alignas(64) WideLeaf {
+    /// By axis, less the origin. Slots without a corner hold the last one again.
+    std::array<std::array<float, kLeafCorners>, 3> corner{};
+    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> corner_of{};  ///< by corner, then triangle
+    std::array<float, 4> origin{};                                        ///< the fourth entry is 0
+    std::array<std::uint32_t, kLeafTriangles> triangle{};                 ///< of the mesh, ascending
+    float radius = 0.0F;  ///< all corners lie this close to the origin
+    std::uint8_t corners = 0;
+    std::uint8_t triangles = 0;
+    bool exact = false;             ///< origin + corner is the mesh's vertex itself, for all corners
+    std::array<float, 3> facing{};  ///< unit mean normal, or zero
+    float low = 0.0F;               ///< least facing . corner
+    float high = 0.0F;              ///< greatest
+    /// By component: unit normal n and offset d of n . x = d. Zero for a triangle whose normal isn't certain
+    /// to float32's precision; nothing is ever clear of that. Slots without a triangle have a plane that
+    /// everything is above.
+    alignas(64) std::array<std::array<float, kLeafTriangles>, 4> plane{};
+};
+
+/// A leaf's triangle as `corners(mesh, leaf.triangle[slot])` has it. Most leaves are exact, which spares a
+/// query the way to the mesh: far to go in memory.
+inline Triangle corners(const TriangleMesh& mesh, const WideLeaf& leaf, std::size_t slot) {
+    if (!leaf.exact) {
+        return corners(mesh, leaf.triangle[slot]);
+    }
+    const auto corner = [&](std::size_t c) {
+        const std::size_t at = leaf.corner_of[c][slot];
+        const auto along = [&](std::size_t k) {
+            return static_cast<double>(leaf.origin[k]) + static_cast<double>(leaf.corner[k][at]);
+        };
+        return Vec3(along(0), along(1), along(2));
+    };
+    return {corner(0), corner(1), corner(2)};
+}
+
+/// nodes[0] is the root. Plain data; build_wide_tree makes it.
+struct WideTree {
+    BoundingSphere outer;  ///< of the whole mesh (paper III.A.1), tested before anything else
+    float reach = 0.0F;    ///< greatest coordinate of any vertex
+    Storage<WideNode> nodes;
+    Storage<WideLeaf> leaves;
+};
+
+/// Top-down and static, by the surface-area heuristic. The mesh has triangles, and vertices within
+/// kMaxCoordinate.
+WideTree build_wide_tree(const TriangleMesh& mesh);
+
+}  // namespace campuswalk::collision

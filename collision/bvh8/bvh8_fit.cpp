@@ -1,0 +1,158 @@
+#include "collision/bvh8/bvh8_fit.h"
+
+#include <algorithm>
+#include <array>
+
+#include "collision/geometry/principal_axes.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// The boxes of a node's children, and what all of them hold.
+struct Boxes {
+    std::array<LaneBounds, kWideChildren> of;
+    LaneBounds all;
+    float area = 0.0F;
+
+    void set(std::size_t child, const LaneBounds& box) {
+        of[child] = box;
+        all.extend(box);
+        area += box.half_area();
+    }
+};
+
+/// Along the mesh's axes, about `origin`.
+Boxes straight_boxes(std::span<const Held> children, const Lanes& origin) {
+    Boxes boxes;
+    for (std::size_t c = 0; c < children.size(); ++c) {
+        boxes.set(c, {children[c].bounds.min - origin, children[c].bounds.max - origin});
+    }
+    return boxes;
+}
+
+Boxes turned_boxes(std::span<const Held> children, const Lanes& origin, const Eigen::Matrix3f& axes) {
+    const Lanes x = lanes(axes.col(0));
+    const Lanes y = lanes(axes.col(1));
+    const Lanes z = lanes(axes.col(2));
+    Boxes boxes;
+    for (std::size_t c = 0; c < children.size(); ++c) {
+        LaneBounds box;
+        for (const Lanes& corner : children[c].corners) {
+            const Lanes d = corner - origin;
+            box.extend(Lanes(x * d[0] + (y * d[1] + z * d[2])));
+        }
+        boxes.set(c, box);
+    }
+    return boxes;
+}
+
+/// A corner's place in the frame is a sum of three products of rounded differences: it is off by at most
+/// 5 kFloatUnit times its distance from the origin, which is itself known to within 10 of them. Halving and
+/// adding the ends adds 3 more, so 16 hold all.
+void set_boxes(WideNode& node, const Boxes& boxes, std::size_t count) {
+    const Lanes reach = boxes.all.min.abs().max(boxes.all.max.abs());
+    const auto length = static_cast<float>(reach.head<3>().matrix().cast<double>().norm());
+    const float outward = 16.0F * kFloatUnit * length + kUnderflow;
+    for (std::size_t c = 0; c < count; ++c) {
+        const Lanes low = 0.5F * boxes.of[c].min;
+        const Lanes high = 0.5F * boxes.of[c].max;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            node.center[k][c] = high[axis] + low[axis];
+            node.half[k][c] = (high[axis] - low[axis]) + outward;
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        node.low[k] = std::numeric_limits<float>::max();
+        node.high[k] = std::numeric_limits<float>::lowest();
+        for (std::size_t c = 0; c < count; ++c) {
+            node.low[k] = std::min(node.low[k], node.center[k][c] - node.half[k][c]);
+            node.high[k] = std::max(node.high[k], node.center[k][c] + node.half[k][c]);
+        }
+    }
+    node.radius = length + 4.0F * outward;
+}
+
+}  // namespace
+
+void Moments::add(const Vec3& point) {
+    const Eigen::Array3d p = point.array();
+    count += 1.0;
+    sum += p;
+    squares += p * p;
+    mixed += p * Eigen::Array3d(p[1], p[2], p[0]);
+}
+
+void Moments::add(const Moments& o) {
+    count += o.count;
+    sum += o.sum;
+    squares += o.squares;
+    mixed += o.mixed;
+}
+
+Mat3 Moments::covariance() const {
+    const Eigen::Array3d mean = sum / count;
+    const Eigen::Array3d variance = squares / count - mean * mean;
+    Mat3 made = variance.matrix().asDiagonal();
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        made(i, j) = made(j, i) = mixed[i] / count - mean[i] * mean[j];
+    }
+    return made;
+}
+
+Held hold(std::span<const Lanes> corners, const Vec3& origin) {
+    Held held;
+    held.corners = corners;
+    for (const Lanes& corner : corners) {
+        held.bounds.extend(corner);
+        held.moments.add(exact(corner) - origin);
+    }
+    return held;
+}
+
+Held hold(std::span<const Held> children) {
+    Held all;
+    const Lanes* first = children.front().corners.data();
+    std::size_t count = 0;
+    for (const Held& child : children) {
+        first = std::min(first, child.corners.data());
+        count += child.corners.size();
+        all.bounds.extend(child.bounds);
+        all.moments.add(child.moments);
+    }
+    all.corners = {first, count};
+    return all;
+}
+
+BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> corners) {
+    double squared = 0.0;
+    for (const Lanes& corner : corners) {
+        squared = std::max(squared, (exact(corner) - center).squaredNorm());
+    }
+    return sphere_about(center, squared);
+}
+
+void fit_node(WideNode& node, std::span<const Held> children, const Held& all) {
+    const Lanes origin = all.bounds.middle();
+    // A turned frame must pay for the work of turning rays and capsules into it.
+    constexpr float kWorthTurning = 0.9F;
+    Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
+    Boxes boxes = straight_boxes(children, origin);
+    const Eigen::Matrix3f turned = principal_axes(all.moments.covariance()).transpose().cast<float>();
+    if (const Boxes other = turned_boxes(children, origin, turned); other.area < kWorthTurning * boxes.area) {
+        axes = turned;
+        boxes = other;
+        node.turned = true;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        node.origin[k] = origin[static_cast<Eigen::Index>(k)];
+        for (std::size_t j = 0; j < 3; ++j) {
+            node.axes[k][j] = axes(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k));
+        }
+    }
+    set_boxes(node, boxes, children.size());
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/base/query_counters.h"
+#include "collision/base/simd_target.h"
+#include "collision/bvh8/bvh8.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/geometry/triangle_pair.h"
+
+namespace campuswalk::collision {
+
+/// Two meshes on wide trees and where they are. The pose is finite, and `tilt` is how far its matrix is from
+/// a rotation: the greatest entry of |R R^T - 1|, far below 1.
+struct WidePair {
+    const TriangleMesh& mesh_a;
+    const TriangleMesh& mesh_b;
+    const WideTree& a;
+    const WideTree& b;
+    const Pose& X_a_b;
+    double tilt = 0.0;
+};
+
+enum class Wanted : std::uint8_t { all, first };
+
+/// Adds the overlapping pairs to `out`: all, or those of two leaves that have any. The outer
+/// spheres are known to meet, so that distances are no greater than the meshes. See mesh_contacts.h.
+void find_wide_contacts(const WidePair& pair, Wanted wanted, Instructions instructions,
+                        std::vector<TrianglePair>& out, QueryCounters& counters);
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+#include "collision/base/query_counters.h"
+#include "collision/base/simd_target.h"
+#include "collision/bvh8/bvh8.h"
+#include "collision/geometry/ray.h"
+
+namespace campuswalk::collision {
+
+/// What a query does with a triangle: `meet(index, corners, limit)` answers the fraction above which nothing
+/// interests it any more. Refers to the function it is made from.
+class RayMeeting {
+public:
+    template <typename Meet>
+    explicit RayMeeting(const Meet& meet)
+        : meet_(&meet),
+          call_([](const void* to, std::uint32_t index, const Triangle& triangle, double limit) {
+              return (*static_cast<const Meet*>(to))(index, triangle, limit);
+          }) {}
+
+    double operator()(std::uint32_t index, const Triangle& triangle, double limit) const {
+        return call_(meet_, index, triangle, limit);
+    }
+
+private:
+    const void* meet_;
+    double (*call_)(const void*, std::uint32_t, const Triangle&, double);
+};
+
+/// Whether float32 has room for the ray: it goes somewhere, and neither a product of two of its coordinates
+/// nor one with the inverse of its steepness (2^24 at most) overflows.
+bool fits_wide_rays(const Ray& ray);
+
+/// Hands `meet` all triangles that `hit` (ray.h) may see up to the limit, 1 at first, and few others; near
+/// parts of the tree first. Which ones, and their order, is the same with all instructions. Counts as
+/// mesh_query.h says, but for the mesh's sphere. The ray fits.
+void follow_wide_ray(const TriangleMesh& mesh, const WideTree& tree, const Ray& ray,
+                     Instructions instructions, const RayMeeting& meet, QueryCounters& counters);
+
+}  // namespace campuswalk::collision

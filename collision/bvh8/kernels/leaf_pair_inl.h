@@ -1,0 +1,475 @@
+#if defined(CAMPUSWALK_COLLISION_KERNELS_LEAF_PAIR_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAMPUSWALK_COLLISION_KERNELS_LEAF_PAIR_INL_H
+#undef CAMPUSWALK_COLLISION_KERNELS_LEAF_PAIR_INL_H
+#else
+#define CAMPUSWALK_COLLISION_KERNELS_LEAF_PAIR_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "collision/bvh8/kernels/bit_places.h"
+#include "collision/bvh8/kernels/lanes_inl.h"
+#include "collision/bvh8/kernels/plane_sides_inl.h"
+#include "collision/bvh8/kernels/relative_pose_inl.h"
+#include "collision/geometry/triangle_overlap.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace campuswalk::collision {
+namespace HWY_NAMESPACE {
+
+/// Corners of a leaf, by axis.
+using CornerTable = float[3][kLeafCorners];
+
+/// Finds the overlapping triangles of two leaves, up to sixteen a leaf, about the origin of a's.
+///
+/// A leaf's triangles mostly lie side by side in a surface, and share corners: so all corners of one are held
+/// against all planes of the other, both ways, before any triangle is held against any other. What is left is
+/// settled by the two intervals of Guigue & Devillers 2003 in float32, and what rounding leaves open by the
+/// exact predicate.
+///
+/// Rounding: a corner's difference from its origin is off by u r, its place beside the other leaf by 6 u L;
+/// a plane's normal by 2 u and its offset by 5 u r. A corner's distance from a plane is thus off by at most
+/// 26 u L: sides are certain beyond 32 u L, and two corners' distances along any direction of that length are
+/// in order beyond as much.
+class LeafPairs {
+public:
+    LeafPairs(const WidePair& pair, const RelativePose& pose, std::vector<TrianglePair>& out,
+              QueryCounters& counters)
+        : pair_(pair), pose_(pose), out_(out), counters_(counters) {}
+
+    void find(const WideLeaf& a, const WideLeaf& b) {
+        ++counters_.nu;
+        float t[4];
+        pose_.offset(a.origin, b.origin, t);
+        const float error = pose_.bound(32.0F, a.radius + b.radius + length_of(t));
+        if (!slabs_meet(a, b, t, error)) {
+            return;
+        }
+        const Sight sight(pose_, a, b, t, error);
+        // Signs alone settle nearly all pairs of leaves; where a corner is as good as on a plane, they don't.
+        if (!find<Sides::signs>(sight)) {
+            find<Sides::certain>(sight);
+        }
+    }
+
+private:
+    /// Four lanes fetch a corner's coordinates at once and exchange rows and columns; more pick them from
+    /// tables, an axis at a time.
+    static constexpr bool kByPoint = kLanes == 4;
+    using PointTable = float[kByPoint ? kLeafCorners : 1][4];
+
+    template <class Table>
+    static HWY_INLINE Real3 load(const Table& corners, std::size_t c) {
+        const Floats d;
+        return {hn::Load(d, &corners[0][c]), hn::Load(d, &corners[1][c]), hn::Load(d, &corners[2][c])};
+    }
+
+    static HWY_INLINE void store_points(const Real3& p, PointTable& points, std::size_t c) {
+        const Floats d;
+        hn::StoreInterleaved4(p.x, p.y, p.z, p.z, d, points[c]);
+    }
+
+    /// The corners at `index`, a lane each.
+    template <class Table>
+    static HWY_INLINE Real3 fetch(const Table& corners, const PointTable& points, const std::uint8_t* index) {
+        const Floats d;
+        if constexpr (kByPoint) {
+            const hn::RepartitionToWide<Floats> d2;
+            const Real p0 = hn::Load(d, points[index[0]]);
+            const Real p1 = hn::Load(d, points[index[1]]);
+            const Real p2 = hn::Load(d, points[index[2]]);
+            const Real p3 = hn::Load(d, points[index[3]]);
+            const auto xy01 = hn::BitCast(d2, hn::InterleaveLower(d, p0, p1));
+            const auto xy23 = hn::BitCast(d2, hn::InterleaveLower(d, p2, p3));
+            const auto z01 = hn::BitCast(d2, hn::InterleaveUpper(d, p0, p1));
+            const auto z23 = hn::BitCast(d2, hn::InterleaveUpper(d, p2, p3));
+            return {hn::BitCast(d, hn::ConcatLowerLower(d2, xy23, xy01)),
+                    hn::BitCast(d, hn::ConcatUpperUpper(d2, xy23, xy01)),
+                    hn::BitCast(d, hn::ConcatLowerLower(d2, z23, z01))};
+        } else {
+            return {pick(d, &corners[0][0], index), pick(d, &corners[1][0], index),
+                    pick(d, &corners[2][0], index)};
+        }
+    }
+
+    /// Two leaves, each in its own frame and in the other's.
+    struct Sight {
+        const WideLeaf& a;
+        const WideLeaf& b;
+        float error;
+        /// What rounding can have added to the volume of any three edges between the two (see `doubt`).
+        float doubt;
+        HWY_ALIGN CornerTable b_in_a;
+        HWY_ALIGN CornerTable a_in_b;
+        /// Corner by corner, where that is how they are fetched.
+        HWY_ALIGN PointTable a_points;
+        HWY_ALIGN PointTable b_points;
+
+        HWY_INLINE Sight(const RelativePose& pose, const WideLeaf& leaf_a, const WideLeaf& leaf_b,
+                         const float t[4], float bound)
+            : a(leaf_a),
+              b(leaf_b),
+              error(bound),
+              doubt(greatest_doubt(leaf_a.radius, leaf_b.radius, length_of(t), bound)) {
+            const Floats d;
+            for (std::size_t c = 0; c < b.corners; c += kLanes) {
+                const Real3 p = load(b.corner, c);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    Real v = hn::MulAdd(hn::Set(d, pose.column[0][k]), p.x, hn::Set(d, t[k]));
+                    v = hn::MulAdd(hn::Set(d, pose.column[1][k]), p.y, v);
+                    v = hn::MulAdd(hn::Set(d, pose.column[2][k]), p.z, v);
+                    hn::Store(v, d, b_in_a[k] + c);
+                }
+                if constexpr (kByPoint) {
+                    store_points(load(b_in_a, c), b_points, c);
+                }
+            }
+            for (std::size_t c = 0; c < a.corners; c += kLanes) {
+                const Real3 p =
+                    subtract(load(a.corner, c), {hn::Set(d, t[0]), hn::Set(d, t[1]), hn::Set(d, t[2])});
+                for (std::size_t k = 0; k < 3; ++k) {
+                    Real v = hn::Mul(hn::Set(d, pose.column[k][0]), p.x);
+                    v = hn::MulAdd(hn::Set(d, pose.column[k][1]), p.y, v);
+                    v = hn::MulAdd(hn::Set(d, pose.column[k][2]), p.z, v);
+                    hn::Store(v, d, a_in_b[k] + c);
+                }
+                if constexpr (kByPoint) {
+                    store_points(load(a.corner, c), a_points, c);
+                }
+            }
+        }
+    };
+
+    /// Open pairs: bit j of row i is triangle i of a and j of b.
+    struct OpenPairs {
+        HWY_ALIGN std::uint16_t rows[16];
+
+        /// Those that both say are open: `columns` by b's triangle, `of_a` by a's.
+        HWY_INLINE OpenPairs(const ByteRows& columns, const ByteRows& of_a) {
+            const ByteTag d;
+            Bytes low;
+            Bytes high;
+            transpose(columns, low, high);
+            low = hn::And(low, hn::InterleaveLower(d, of_a.low, of_a.high));
+            high = hn::And(high, hn::InterleaveUpper(d, of_a.low, of_a.high));
+            hn::Store(low, d, bytes());
+            hn::Store(high, d, bytes() + 16);
+        }
+
+        std::uint8_t* bytes() { return reinterpret_cast<std::uint8_t*>(rows); }
+        const std::uint8_t* bytes() const { return reinterpret_cast<const std::uint8_t*>(rows); }
+
+        HWY_INLINE std::size_t count() const {
+            std::size_t sum = 0;
+            for (std::size_t at = 0; at < 32; at += 8) {
+                std::uint64_t word = 0;
+                std::memcpy(&word, bytes() + at, sizeof word);
+                sum += static_cast<std::size_t>(std::popcount(word));
+            }
+            return sum;
+        }
+
+        /// Bit i: row i has open pairs.
+        HWY_INLINE std::uint32_t live_rows() const {
+            const hn::CappedTag<std::uint16_t, 16> d;
+            std::uint32_t live = 0;
+            for (std::size_t c = 0; c < 16; c += hn::MaxLanes(d)) {
+                live |= bits_of(d, hn::Ne(hn::Load(d, rows + c), hn::Zero(d))) << c;
+            }
+            return live;
+        }
+    };
+
+    static HWY_INLINE Real along(const float direction[3], const Real3& p) {
+        const Floats d;
+        return dot({hn::Set(d, direction[0]), hn::Set(d, direction[1]), hn::Set(d, direction[2])}, p);
+    }
+
+    /// Whether corners lie neither all beyond `high` nor all before `low` along a direction.
+    static HWY_INLINE bool reaches(const float direction[3], float low, float high, const WideLeaf& leaf) {
+        const Floats d;
+        Real least = along(direction, load(leaf.corner, 0));
+        Real most = least;
+        for (std::size_t c = kLanes; c < kLeafCorners; c += kLanes) {
+            const Real f = along(direction, load(leaf.corner, c));
+            least = hn::Min(least, f);
+            most = hn::Max(most, f);
+        }
+        const std::uint32_t some_below = bits_of(d, hn::Le(least, hn::Set(d, high)));
+        const std::uint32_t some_above = bits_of(d, hn::Ge(most, hn::Set(d, low)));
+        // No jump: see slabs_meet.
+        return (static_cast<int>(some_below != 0) & static_cast<int>(some_above != 0)) != 0;
+    }
+
+    /// Each leaf between two planes at right angles to its mean normal.
+    HWY_INLINE bool slabs_meet(const WideLeaf& a, const WideLeaf& b, const float t[4], float error) const {
+        HWY_ALIGN float a_facing_in_b[4];
+        HWY_ALIGN float b_facing_in_a[4];
+        turn(pose_.row, a.facing.data(), a_facing_in_b);
+        turn(pose_.column, b.facing.data(), b_facing_in_a);
+        const float shift_a = a.facing[0] * t[0] + a.facing[1] * t[1] + a.facing[2] * t[2];
+        const float shift_b = b_facing_in_a[0] * t[0] + b_facing_in_a[1] * t[1] + b_facing_in_a[2] * t[2];
+        const bool b_reaches_a = reaches(a_facing_in_b, a.low - shift_a - error, a.high - shift_a + error, b);
+        const bool a_reaches_b = reaches(b_facing_in_a, b.low + shift_b - error, b.high + shift_b + error, a);
+        // Either is as likely as not: one jump instead of two.
+        return (static_cast<int>(b_reaches_a) & static_cast<int>(a_reaches_b)) != 0;
+    }
+
+    /// False if sides are in doubt that must not be.
+    template <Sides kSides>
+    HWY_INLINE bool find(const Sight& s) {
+        SideTable<kSides> of_b;
+        SideTable<kSides> of_a;
+        const bool sure_b = of_b.fill(s.a, s.b_in_a, s.b.corners, s.error);
+        const bool sure_a = of_a.fill(s.b, s.a_in_b, s.a.corners, s.error);
+        if (!sure_a || !sure_b) {
+            return false;
+        }
+        OpenPairs open(of_b.not_clear(s.b, s.a.triangles), of_a.not_clear(s.a, s.b.triangles));
+        std::size_t count = open.count();
+        // As many are settled at once, as quickly as they would be parted.
+        constexpr std::size_t kAtOnce = 16;
+        if (count > kAtOnce) {
+            part_along_line(s, open);
+            count = open.count();
+        }
+        if (count > 0) {
+            settle<kSides>(s, of_a, of_b, open);
+        }
+        return true;
+    }
+
+    /// The span of each triangle along a line, from those of its corners.
+    static HWY_INLINE void spans(const WideLeaf& leaf, const float corners[16], float margin, float low[16],
+                                 float high[16]) {
+        const Floats d;
+        for (std::size_t c = 0; c < leaf.triangles; c += kLanes) {
+            const Real p = pick(d, corners, leaf.corner_of[0].data() + c);
+            const Real q = pick(d, corners, leaf.corner_of[1].data() + c);
+            const Real r = pick(d, corners, leaf.corner_of[2].data() + c);
+            hn::Store(hn::Sub(hn::Min(p, hn::Min(q, r)), hn::Set(d, margin)), d, low + c);
+            hn::Store(hn::Add(hn::Max(p, hn::Max(q, r)), hn::Set(d, margin)), d, high + c);
+        }
+    }
+
+    /// Two surfaces cross along a line, and each triangle there straddles the planes of all others: what is
+    /// left of those far from each other on the line is parted here. Any line would be right; that of the
+    /// first open pair's planes parts most.
+    HWY_INLINE void part_along_line(const Sight& s, OpenPairs& open) const {
+        const Floats d;
+        std::uint32_t live = open.live_rows();
+        const auto i = static_cast<std::size_t>(std::countr_zero(live));
+        const auto j = static_cast<std::size_t>(std::countr_zero(open.rows[i]));
+        const float m[3] = {s.a.plane[0][i], s.a.plane[1][i], s.a.plane[2][i]};
+        const float m_b[3] = {s.b.plane[0][j], s.b.plane[1][j], s.b.plane[2][j]};
+        HWY_ALIGN float n[4];
+        turn(pose_.column, m_b, n);
+        const float line[3] = {m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
+                               m[0] * n[1] - m[1] * n[0]};
+        HWY_ALIGN float corners_a[16];
+        HWY_ALIGN float corners_b[16];
+        for (std::size_t c = 0; c < s.a.corners; c += kLanes) {
+            hn::Store(along(line, load(s.a.corner, c)), d, corners_a + c);
+        }
+        for (std::size_t c = 0; c < s.b.corners; c += kLanes) {
+            hn::Store(along(line, load(s.b_in_a, c)), d, corners_b + c);
+        }
+        HWY_ALIGN float low_a[16];
+        HWY_ALIGN float high_a[16];
+        HWY_ALIGN float low_b[16];
+        HWY_ALIGN float high_b[16];
+        spans(s.a, corners_a, 0.0F, low_a, high_a);
+        spans(s.b, corners_b, s.error, low_b, high_b);
+        for (; live != 0; live &= live - 1) {
+            const auto at = static_cast<std::size_t>(std::countr_zero(live));
+            const Real low = hn::Set(d, low_a[at]);
+            const Real high = hn::Set(d, high_a[at]);
+            std::uint32_t near = 0;
+            for (std::size_t c = 0; c < s.b.triangles; c += kLanes) {
+                near |= bits_of(d, hn::And(hn::Le(low, hn::Load(d, high_b + c)),
+                                           hn::Ge(high, hn::Load(d, low_b + c))))
+                        << c;
+            }
+            open.rows[at] = static_cast<std::uint16_t>(open.rows[at] & near);
+        }
+    }
+
+    /// The most that rounding can have added to m . (u x v) of three edges whose coordinates are at most M, A
+    /// and B. They are off by `error` at most, and by u of themselves: six products of three move by no more
+    /// than 6 error (AB + MA + MB), lengths taken with the error on them, and round by 54 u MAB.
+    static HWY_INLINE Real doubt(Real M, Real A, Real B, Real error) {
+        const Floats d;
+        M = hn::Add(M, error);
+        A = hn::Add(A, error);
+        B = hn::Add(B, error);
+        const Real AB = hn::Mul(A, B);
+        return hn::MulAdd(hn::Mul(hn::Set(d, 64.0F * kFloatUnit), M), AB,
+                          hn::MulAdd(hn::Mul(hn::Set(d, 8.0F), error), hn::MulAdd(M, hn::Add(A, B), AB),
+                                     hn::Set(d, 0x1p-120F)));
+    }
+
+    /// Of any edges within two leaves and between them.
+    static HWY_INLINE float greatest_doubt(float radius_a, float radius_b, float apart, float error) {
+        const Floats d;
+        return hn::GetLane(doubt(hn::Set(d, radius_a + radius_b + apart), hn::Set(d, 2.0F * radius_a),
+                                 hn::Set(d, 2.0F * radius_b), hn::Set(d, error)));
+    }
+
+    /// Three edges from one corner, in every lane.
+    struct Edges {
+        Real3 m, u, v;
+
+        /// Six times their volume.
+        HWY_INLINE Real volume() const { return dot(m, cross(u, v)); }
+        HWY_INLINE Real doubt(Real error) const {
+            return LeafPairs::doubt(largest(m), largest(u), largest(v), error);
+        }
+    };
+
+    /// What two volumes say of the triangles, a bit each; neither where one of them is in doubt.
+    struct Verdict {
+        std::uint32_t apart;
+        std::uint32_t meet;
+
+        HWY_INLINE Verdict(Real first, Real doubt_of_first, Real second, Real doubt_of_second) {
+            const Floats d;
+            apart = bits_of(
+                d, hn::Or(hn::Lt(first, hn::Neg(doubt_of_first)), hn::Lt(second, hn::Neg(doubt_of_second))));
+            meet = bits_of(d, hn::And(hn::Gt(first, doubt_of_first), hn::Gt(second, doubt_of_second)));
+        }
+    };
+
+    /// Pairs of triangles, a byte each: a's above b's.
+    class PairList {
+    public:
+        std::size_t size() const { return count_; }
+        const std::uint8_t* operator+(std::size_t first) const { return ij_ + first; }
+
+        HWY_INLINE void add_all(const OpenPairs& open) {
+            // A member would be written and read again at each step: bytes may be anything's.
+            std::size_t count = 0;
+            for (std::uint32_t live = open.live_rows(); live != 0; live &= live - 1) {
+                const auto row = static_cast<std::size_t>(std::countr_zero(live));
+                for (std::size_t half = 0; half < 2; ++half) {
+                    const std::uint64_t bits = open.bytes()[2 * row + half];
+                    const std::uint64_t first = 16 * row + 8 * half;
+                    const std::uint64_t eight = kBitPlaces[bits] + first * 0x0101010101010101ULL;
+                    std::memcpy(ij_ + count, &eight, sizeof eight);
+                    count += static_cast<std::size_t>(std::popcount(bits));
+                }
+            }
+            const ByteTag d;
+            hn::StoreU(hn::Zero(d), d, ij_ + count);
+            count_ = count;
+        }
+
+        /// Of eight pairs those that have a bit.
+        HWY_INLINE void add_some(const std::uint8_t* eight, std::uint64_t bits) {
+            const hn::FixedTag<std::uint8_t, 8> d;
+            const auto places = hn::BitCast(d, hn::Set(hn::FixedTag<std::uint64_t, 1>(), kBitPlaces[bits]));
+            const auto chosen = hn::TableLookupBytes(hn::LoadU(d, eight), places);
+            hn::StoreU(chosen, d, ij_ + count_);
+            count_ += static_cast<std::size_t>(std::popcount(bits));
+        }
+
+    private:
+        HWY_ALIGN std::uint8_t ij_[16 * 16 + 16];  // room for what is written beyond the last
+        std::size_t count_ = 0;
+    };
+
+    /// Settles the open pairs, sixteen at a time, and adds those that overlap to the result.
+    template <Sides kSides>
+    HWY_INLINE void settle(const Sight& s, const SideTable<kSides>& of_a, const SideTable<kSides>& of_b,
+                           const OpenPairs& open) {
+        PairList pairs;
+        pairs.add_all(open);
+        const std::size_t count = pairs.size();
+        counters_.np += count;
+        PairList found;
+        const ByteTag d8;
+        const hn::FixedTag<std::uint16_t, 8> d16;
+        for (std::size_t first = 0; first < count; first += 16) {
+            const Bytes at = hn::LoadU(d8, pairs + first);
+            const Bytes low_bits = hn::Set(d8, 15);
+            const Bytes i = hn::And(hn::BitCast(d8, hn::ShiftRight<4>(hn::BitCast(d16, at))), low_bits);
+            const Bytes j = hn::And(at, low_bits);
+            ArrangedCorners a = of_a.arrange(s.a, i, j);
+            ArrangedCorners b = of_b.arrange(s.b, j, i);
+            // Seen from a lone corner below its plane, the other triangle turns the other way.
+            a.turn_over(b.lone_below);
+            b.turn_over(a.lone_below);
+            const std::uint32_t sure = sign_bits(d8, hn::And(a.sure, b.sure));
+            HWY_ALIGN std::uint8_t order[6][16];
+            a.store(order);
+            b.store(order + 3);
+            const std::size_t here = std::min<std::size_t>(16, count - first);
+            for (std::size_t c = 0; c < here; c += kLanes) {
+                const std::uint8_t* ij = pairs + first + c;
+                const std::uint32_t meet =
+                    settle_lanes(s, order, c, sure >> c, ij, std::min(kLanes, here - c));
+                found.add_some(ij, meet);
+            }
+        }
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            out_.push_back(pair_of(s, (found + k)[0]));
+        }
+    }
+
+    static HWY_INLINE TrianglePair pair_of(const Sight& s, std::uint8_t ij) {
+        return {s.a.triangle[ij >> 4], s.b.triangle[ij & 15]};
+    }
+
+    /// Which pairs overlap, a bit each.
+    ///
+    /// With p the lone corners and q, r turned alike, the edges pq and pr of one triangle pass those of the
+    /// other on the right sides if and only if their intervals on the common line overlap.
+    HWY_INLINE std::uint32_t settle_lanes(const Sight& s, const std::uint8_t order[6][16], std::size_t c,
+                                          std::uint32_t sure, const std::uint8_t* ij, std::size_t lanes) {
+        const Floats d;
+        const auto of_a = [&](std::size_t k) { return fetch(s.a.corner, s.a_points, order[k] + c); };
+        const auto of_b = [&](std::size_t k) { return fetch(s.b_in_a, s.b_points, order[3 + k] + c); };
+        const Real3 p = of_a(0);
+        const Real3 m = subtract(of_b(0), p);
+        const Edges first{m, subtract(of_a(1), p), subtract(of_b(1), p)};
+        const Edges second{m, subtract(of_b(2), p), subtract(of_a(2), p)};
+        const Real first_volume = first.volume();
+        const Real second_volume = second.volume();
+        const Real doubt_of_all = hn::Set(d, s.doubt);
+        const std::uint32_t there = (1U << lanes) - 1U;
+        Verdict verdict(first_volume, doubt_of_all, second_volume, doubt_of_all);
+        if (HWY_UNLIKELY((there & sure & ~(verdict.apart | verdict.meet)) != 0)) {
+            const Real error = hn::Set(d, s.error);
+            verdict = Verdict(first_volume, first.doubt(error), second_volume, second.doubt(error));
+        }
+        std::uint32_t meet = there & sure & verdict.meet;
+        const std::uint32_t open = there & (~sure | ~(verdict.apart | verdict.meet));
+        for (std::uint32_t bits = open; HWY_UNLIKELY(bits != 0); bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+            if (exactly_overlap(pair_of(s, ij[lane]))) {
+                meet |= 1U << lane;
+            }
+        }
+        return meet;
+    }
+
+    HWY_NOINLINE bool exactly_overlap(const TrianglePair& pair) const {
+        const auto& t = pair_.mesh_b.triangles[pair.b];
+        const auto corner = [&](std::size_t c) {
+            return b_corner_in_a(pair_.X_a_b, pair_.mesh_b.positions[t[c]]);
+        };
+        return overlap(corners(pair_.mesh_a, pair.a), {corner(0), corner(1), corner(2)});
+    }
+
+    const WidePair& pair_;
+    const RelativePose& pose_;
+    std::vector<TrianglePair>& out_;
+    QueryCounters& counters_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace campuswalk::collision
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "collision/geometry/triangle_mesh.h"
+
+namespace campuswalk::collision {
+
+/// Do the two closed triangles share a point? Exact for all finite corners: touching in one point is overlap,
+/// any gap is none. A triangle without area is the segment or the point that its corners span. Needs the
+/// default rounding mode, like orientation().
+///
+/// In general position this is Guigue & Devillers, "Fast and robust triangle-triangle overlap test using
+/// orientation predicates", Journal of Graphics Tools 8(1), 2003.
+bool overlap(const Triangle& s, const Triangle& t);
+
+}  // namespace campuswalk::collision

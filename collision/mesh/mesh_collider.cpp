@@ -1,0 +1,65 @@
+#include "collision/mesh/mesh_collider.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "collision/bvh8/bvh8_check.h"
+#include "collision/mesh/mesh_extent.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+const TriangleMesh& checked(const TriangleMesh& mesh) {
+    if (mesh.triangles.empty()) {
+        throw std::invalid_argument("a mesh collider needs at least one triangle");
+    }
+    if (highest_vertex(mesh.triangles) >= mesh.positions.size()) {
+        throw std::invalid_argument("a triangle names a vertex that is not there");
+    }
+    const float largest = largest_coordinate(mesh.positions);
+    if (!std::isfinite(largest)) {
+        throw std::invalid_argument("a vertex is not finite");
+    }
+    if (largest > kMaxCoordinate) {
+        throw std::invalid_argument("a vertex is out of range");
+    }
+    return mesh;
+}
+
+std::variant<WideTree, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
+    if (layout == Layout::paper) {
+        return build_hybrid_tree(mesh);
+    }
+    return build_wide_tree(mesh);
+}
+
+}  // namespace
+
+MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout)
+    : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {}
+
+MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree)
+    : mesh_(std::move(mesh)), tree_(std::move(tree)) {
+    checked(mesh_);
+    if (const char* fault = fault_of(wide_tree(), mesh_.triangles.size())) {
+        throw std::invalid_argument(fault);
+    }
+}
+
+MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree, ClosedParts closed)
+    : MeshCollider(std::move(mesh), std::move(tree)) {
+    closed_.emplace(std::move(closed));
+}
+
+const ClosedParts& MeshCollider::closed_parts() const {
+    std::call_once(closed_once_, [this] {
+        if (!closed_) {
+            closed_.emplace(mesh_);
+        }
+    });
+    return *closed_;
+}
+
+}  // namespace campuswalk::collision

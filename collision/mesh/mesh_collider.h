@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <variant>
+
+#include "collision/bvh8/bvh8.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/hybrid/hybrid_tree.h"
+#include "collision/mesh/closed_parts.h"
+
+namespace campuswalk::collision {
+
+/// How a mesh's tree is laid out. Queries of one mesh give the same answers on both.
+enum class Layout : std::uint8_t {
+    wide,   ///< eight children a node, sixteen triangles a leaf (bvh8.h): the fast one
+    paper,  ///< the paper's binary tree (hybrid_tree.h): the readable reference
+};
+
+/// A mesh with its tree, built once and never changed.
+class MeshCollider {
+public:
+    /// Throws std::invalid_argument for a mesh without triangles, an index out of range, or a position that
+    /// is not finite or beyond kMaxCoordinate: callers check user input first.
+    explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide);
+    /// With the tree that was built of this mesh before, as from a file. Throws std::invalid_argument for a
+    /// mesh as above, and for a tree whose parts don't fit together (bvh8_check.h).
+    MeshCollider(TriangleMesh mesh, WideTree tree);
+    /// With the closed parts that were found before, too.
+    MeshCollider(TriangleMesh mesh, WideTree tree, ClosedParts closed);
+
+    const TriangleMesh& mesh() const { return mesh_; }
+    Layout layout() const { return tree_.index() == 0 ? Layout::wide : Layout::paper; }
+    const std::variant<WideTree, HybridTree>& tree() const { return tree_; }
+    /// Throw std::bad_variant_access for a collider of the other layout.
+    const WideTree& wide_tree() const { return std::get<WideTree>(tree_); }
+    const HybridTree& paper_tree() const { return std::get<HybridTree>(tree_); }
+    /// Found when first asked for: few meshes ever are.
+    const ClosedParts& closed_parts() const;
+
+private:
+    TriangleMesh mesh_;
+    std::variant<WideTree, HybridTree> tree_;
+    mutable std::once_flag closed_once_;
+    mutable std::optional<ClosedParts> closed_;
+};
+
+}  // namespace campuswalk::collision

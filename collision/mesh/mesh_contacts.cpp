@@ -1,0 +1,82 @@
+#include "collision/mesh/mesh_contacts.h"
+
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+
+#include "collision/bvh8/kernels/bvh8_contacts.h"
+#include "collision/hybrid/hybrid_tree_contacts.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// How far the pose's matrix is from a rotation.
+double checked_tilt(const Pose& X_a_b) {
+    const Mat3& R = X_a_b.rotation;
+    if (!R.allFinite() || !X_a_b.translation.allFinite()) {
+        throw std::invalid_argument("a pose isn't finite");
+    }
+    const double tilt = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
+    constexpr double kStillRotation = 1e-3;
+    if (tilt > kStillRotation || R.determinant() < 0.0) {
+        throw std::invalid_argument("a pose's matrix isn't a rotation");
+    }
+    return tilt;
+}
+
+/// Eq. (1) on whole meshes, a hair generous: coordinates are rounded at most a few times on the way.
+bool spheres_meet(const BoundingSphere& a, const BoundingSphere& b, const Pose& X_a_b, double tilt) {
+    const Vec3 center = X_a_b * b.center;
+    const double size =
+        a.center.norm() + a.radius + b.center.norm() + b.radius + X_a_b.translation.stableNorm();
+    const double reach = a.radius + b.radius + (3.0 * tilt + 1e-14) * size;
+    return (center - a.center).stableNorm() <= reach;
+}
+
+void find_paper_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Wanted wanted,
+                         std::vector<TrianglePair>& out, QueryCounters& counters) {
+    HybridContactCounters work;
+    if (wanted == Wanted::all) {
+        all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
+    } else if (const auto pair = first_contact(a, b, X_a_b, NodeTest::hybrid, work)) {
+        out.push_back(*pair);
+    }
+    counters += work;
+}
+
+void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, Wanted wanted,
+                   Instructions instructions, std::vector<TrianglePair>& out, QueryCounters& counters) {
+    out.clear();
+    if (a.layout() != b.layout()) {
+        throw std::invalid_argument("two meshes aren't of one layout");
+    }
+    const double tilt = checked_tilt(X_a_b);
+    if (a.layout() == Layout::paper) {
+        find_paper_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
+                            counters);
+        return;
+    }
+    ++counters.nv;
+    ++counters.nu;
+    if (spheres_meet(a.wide_tree().outer, b.wide_tree().outer, X_a_b, tilt)) {
+        const WidePair pair{a.mesh(), b.mesh(), a.wide_tree(), b.wide_tree(), X_a_b, tilt};
+        find_wide_contacts(pair, wanted, instructions, out, counters);
+    }
+}
+
+}  // namespace
+
+void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
+                  std::vector<TrianglePair>& out, QueryCounters& counters, Instructions instructions) {
+    find_contacts(a, b, X_a_b, Wanted::all, instructions, out, counters);
+}
+
+std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
+                                          QueryCounters& counters, Instructions instructions) {
+    thread_local std::vector<TrianglePair> found;
+    find_contacts(a, b, X_a_b, Wanted::first, instructions, found, counters);
+    return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,164 @@
+#include "collision/mesh/mesh_query.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "collision/bvh8/kernels/bvh8_rays.h"
+#include "collision/geometry/closest.h"
+#include "collision/geometry/sweep.h"
+#include "collision/geometry/triangle_box_overlap.h"
+#include "collision/mesh/query_volumes.h"
+#include "collision/mesh/tree_descent.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+bool before(const MeshHit& a, const MeshHit& b) {
+    return a.fraction != b.fraction ? a.fraction < b.fraction : a.triangle < b.triangle;
+}
+
+/// Keeps the earlier hit and answers how far the query still has to look.
+double offer(std::optional<MeshHit>& best, const MeshHit& found) {
+    if (!best || before(found, *best)) {
+        best = found;
+    }
+    return best->fraction;
+}
+
+/// Hands `meet` the triangles that may be on the ray up to the limit, near ones first.
+template <typename Meet>
+void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryCounters& counters,
+            Instructions instructions) {
+    const PathVolume path(ray);
+    if (mesh.layout() == Layout::paper || !fits_wide_rays(ray)) {
+        const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
+            return meet(t, corners(mesh.mesh(), t), limit);
+        };
+        descend(mesh, path, 1.0, meet_of_mesh, counters);
+        return;
+    }
+    ++counters.nu;
+    ++counters.nv;
+    if (path.bound(mesh.wide_tree().outer) <= 1.0) {
+        follow_wide_ray(mesh.mesh(), mesh.wide_tree(), ray, instructions, RayMeeting(meet), counters);
+    }
+}
+
+}  // namespace
+
+void triangles_near(const MeshCollider& mesh, const Segment& segment, double radius,
+                    std::vector<std::uint32_t>& out, QueryCounters& counters) {
+    out.clear();
+    const auto meet = [&](std::uint32_t t, double limit) {
+        if (closest(segment, corners(mesh.mesh(), t)).distance <= radius) {
+            out.push_back(t);
+        }
+        return limit;
+    };
+    descend(mesh, ThickSegment(segment, radius), radius * radius, meet, counters);
+    std::sort(out.begin(), out.end());
+}
+
+void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
+                      std::vector<std::uint32_t>& out, QueryCounters& counters) {
+    out.clear();
+    const auto meet = [&](std::uint32_t t, double limit) {
+        const Triangle c = corners(mesh.mesh(), t);
+        const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
+                             X_mesh_box.inverse_apply(c.c)};
+        if (overlap(local, box)) {
+            out.push_back(t);
+        }
+        return limit;
+    };
+    descend(mesh, BoxVolume(box, X_mesh_box), 0.0, meet, counters);
+    std::sort(out.begin(), out.end());
+}
+
+std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+                                    Instructions instructions) {
+    std::optional<MeshHit> best;
+    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+        const auto f = hit(ray, triangle);
+        return f ? offer(best, {*f, t}) : limit;
+    };
+    follow(mesh, ray, meet, counters, instructions);
+    return best;
+}
+
+bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+                Instructions instructions) {
+    constexpr double kNoMore = -1.0;  // below every fraction
+    bool found = false;
+    const auto meet = [&](std::uint32_t, const Triangle& triangle, double limit) {
+        found = found || hit(ray, triangle).has_value();
+        return found ? kNoMore : limit;
+    };
+    follow(mesh, ray, meet, counters, instructions);
+    return found;
+}
+
+void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
+                Instructions instructions) {
+    out.clear();
+    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+        if (const auto f = hit(ray, triangle)) {
+            out.push_back({*f, t});
+        }
+        return limit;
+    };
+    follow(mesh, ray, meet, counters, instructions);
+    std::sort(out.begin(), out.end(), before);
+}
+
+bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters,
+               Instructions instructions) {
+    // An odd direction, so that edges and corners of upright geometry are unlikely to lie on it.
+    const Vec3 direction(0.5377, 0.7389, 0.4061);
+    const ClosedParts& parts = mesh.closed_parts();
+    const Aabb& box = parts.bounds();
+    if (parts.empty() || !box.overlaps({point, point})) {
+        return false;
+    }
+    const Ray ray{point, point + 2.0 * (box.max - box.min).norm() * direction};
+    int winding = 0;
+    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+        if (parts.has(t) && hit(ray, triangle)) {
+            const Vec3 normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+            winding += normal.dot(direction) > 0.0 ? 1 : -1;
+        }
+        return limit;
+    };
+    follow(mesh, ray, meet, counters, instructions);
+    return winding > 0;
+}
+
+MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters) {
+    MeshPoint best;
+    best.distance = std::numeric_limits<double>::infinity();
+    const auto meet = [&](std::uint32_t t, double) {
+        const Closest c = closest(Segment{point, point}, corners(mesh.mesh(), t));
+        if (c.distance < best.distance || (c.distance == best.distance && t < best.triangle)) {
+            best = {c.on_shape, c.distance, t};
+        }
+        return best.distance * best.distance;
+    };
+    descend(mesh, PointVolume(point), kApart<double>, meet, counters);
+    return best;
+}
+
+std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, double radius,
+                             const Vec3& move, QueryCounters& counters) {
+    std::optional<MeshHit> best;
+    const auto meet = [&](std::uint32_t t, double limit) {
+        const Triangle triangle = corners(mesh.mesh(), t);
+        const auto f = first_touch(segment, radius, move,
+                                   [&](const Segment& moved) { return closest(moved, triangle); });
+        return f ? offer(best, {*f, t}) : limit;
+    };
+    descend(mesh, PathVolume(segment, radius + kTouching, move), 1.0, meet, counters);
+    return best;
+}
+
+}  // namespace campuswalk::collision

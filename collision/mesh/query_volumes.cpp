@@ -1,0 +1,97 @@
+#include "collision/mesh/query_volumes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "collision/geometry/closest.h"
+#include "collision/hybrid/volume_overlap.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// Of the one box of a node, with the same rounding as boxes side by side.
+template <typename Volume>
+double box_bound(const Volume& volume, const OrientedBox& box) {
+    constexpr Rows<double, 1> kMiddle{};
+    const Vec3& h = box.half_extents;
+    const Rows<double, 1> half{{{h.x()}, {h.y()}, {h.z()}}};
+    std::array<double, 1> bound{};
+    volume.bounds(BoxFrame(box), kMiddle, half, bound);
+    return bound[0];
+}
+
+}  // namespace
+
+LayeredBody::LayeredBody(const Segment& segment, double radius) {
+    const Vec3 along = segment.b - segment.a;
+    const double length = along.norm();
+    const double thick = radius + kOutward * (segment.a.norm() + segment.b.norm() + radius);
+    outer_ = {0.5 * (segment.a + segment.b), 0.5 * length + thick};
+    inner_.center = outer_.center;
+    inner_.radius = outer_.radius;
+    if (length > 0.0) {
+        inner_.axes.col(0) = along / length;
+        inner_.axes.col(1) = inner_.axes.col(0).unitOrthogonal();
+        inner_.axes.col(2) = inner_.axes.col(0).cross(inner_.axes.col(1));
+    }
+    inner_.half_extents = Vec3(outer_.radius, thick, thick);
+}
+
+LayeredBody::LayeredBody(const Box& box, const Pose& X_mesh_box) {
+    inner_.center = X_mesh_box.translation;
+    inner_.axes = X_mesh_box.rotation;
+    const double corner = box.half_extents.norm();
+    const double outward = kOutward * (inner_.center.norm() + corner);
+    inner_.half_extents = box.half_extents.array() + outward;
+    inner_.radius = corner + 2.0 * outward;
+    outer_ = {inner_.center, inner_.radius};
+}
+
+double LayeredBody::bound(const BoundingSphere& mesh) const {
+    return apart(mesh, outer_) ? kApart<double> : 0.0;
+}
+
+double LayeredBody::bound(const HybridNode& node) const {
+    if (apart(node.outer, outer_)) {
+        return kApart<double>;
+    }
+    const BoxOffset offset = offset_between(node.inner, inner_);
+    const bool parted = apart(node.inner, offset.in_a, inner_.radius) ||
+                        apart(inner_, offset.in_b, node.inner.radius) || apart(node.inner, inner_, offset);
+    return parted ? kApart<double> : 0.0;
+}
+
+double PointVolume::bound(const BoundingSphere& mesh) const {
+    const double to_center = (point_ - mesh.center).norm();
+    const double gap = to_center - mesh.radius - kOutward * (to_center + mesh.radius);
+    return gap > 0.0 ? gap * gap : 0.0;
+}
+
+double PointVolume::bound(const HybridNode& node) const {
+    return std::max(bound(node.outer), box_bound(*this, node.inner));
+}
+
+PathVolume::PathVolume(const Segment& segment, double radius, const Vec3& move)
+    : half_(0.5 * (segment.b - segment.a)), radius_(radius), thick_(true) {
+    const Vec3 middle = 0.5 * (segment.a + segment.b);
+    path_ = {middle, middle + move};
+}
+
+double PathVolume::bound(const BoundingSphere& mesh) const {
+    const Vec3 near = closest_on_segment({path_.from, path_.to}, mesh.center);
+    const double size =
+        (path_.from - mesh.center).cwiseAbs().sum() + (path_.to - mesh.center).cwiseAbs().sum();
+    const double body = half_.norm() + radius_;
+    const double reach = mesh.radius + body + kOutward * (size + body);
+    return (near - mesh.center).squaredNorm() > reach * reach ? kApart<double> : 0.0;
+}
+
+double PathVolume::bound(const HybridNode& node) const {
+    const double outer = bound(node.outer);
+    return outer > 0.0 ? outer : box_bound(*this, node.inner);
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,175 @@
+#pragma once
+
+#include <limits>
+
+#include "collision/bvh8/box_lanes.h"
+#include "collision/geometry/ray.h"
+#include "collision/geometry/shapes.h"
+#include "collision/hybrid/hybrid_tree.h"
+
+namespace campuswalk::collision {
+
+// What queries of one mesh are to its tree (see tree_descent.h), in the mesh's frame.
+
+/// A body with the paper's two layers: its bounds say whether it is met, 0, or kApart.
+class LayeredBody {
+public:
+    LayeredBody(const Segment& segment, double radius);
+    LayeredBody(const Box& box, const Pose& X_mesh_box);
+
+    double bound(const BoundingSphere& mesh) const;
+    /// As in the paper: outer spheres by eq. (1), each inner sphere against the other's box, box against box.
+    double bound(const HybridNode& node) const;
+
+private:
+    BoundingSphere outer_;
+    OrientedBox inner_;
+};
+
+/// All within a distance of a segment. Boxes side by side bound squared distances from the segment.
+class ThickSegment : public LayeredBody {
+public:
+    ThickSegment(const Segment& segment, double radius) : LayeredBody(segment, radius), segment_(segment) {}
+
+    template <std::size_t N>
+    void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
+                std::array<float, N>& out) const {
+        const PaddedLine line{frame * segment_.a, frame * segment_.b, Vec3::Zero()};
+        distance_bounds(line, line.size(frame), center, half, out);
+    }
+
+private:
+    Segment segment_;
+};
+
+/// An oriented box. Boxes side by side bound squared distances from it.
+class BoxVolume : public LayeredBody {
+public:
+    BoxVolume(const Box& box, const Pose& X_mesh_box)
+        : LayeredBody(box, X_mesh_box), half_extents_(box.half_extents), X_mesh_box_(X_mesh_box) {}
+
+    template <std::size_t N>
+    void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
+                std::array<float, N>& out) const {
+        const Vec3 middle = frame * X_mesh_box_.translation;
+        Vec3 reach = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            reach += frame.rotate(half_extents_[k] * X_mesh_box_.rotation.col(k)).cwiseAbs();
+        }
+        const PaddedLine line{middle, middle, reach};
+        distance_bounds(line, line.size(frame), center, half, out);
+    }
+
+private:
+    Vec3 half_extents_;
+    Pose X_mesh_box_;
+};
+
+/// What of a box lies outside another one, in the frame of a mesh. Where the mesh or a node is turned, the
+/// other one doesn't matter: more is met than must be.
+class Beyond : public BoxVolume {
+public:
+    Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
+        : BoxVolume(Box{0.5 * (whole.max - whole.min)},
+                    {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(middle(whole))}),
+          holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()) {
+        for (int k = 0; k < 3; ++k) {
+            const double origin = X_world_mesh.translation[k];
+            sides_[static_cast<std::size_t>(k)] = {whole.min[k] - origin, whole.max[k] - origin,
+                                                   hole.min[k] - origin, hole.max[k] - origin};
+        }
+    }
+
+    template <std::size_t N>
+    void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
+                std::array<float, N>& out) const {
+        if (!holed_ || frame.turned) {
+            BoxVolume::bounds(frame, center, half, out);
+            return;
+        }
+        std::array<std::array<float, 4>, 3> sides{};  // by axis: low and high of the whole, then of the hole
+        float size = static_cast<float>(frame.radius);
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t side = 0; side < 4; ++side) {
+                sides[k][side] = static_cast<float>(sides_[k][side] - frame.origin[static_cast<int>(k)]);
+                size += std::abs(sides[k][side]);
+            }
+        }
+        // Roundings, of all that is measured: of the corners 3 with LeafBoxes, of a side 1.
+        const float slack = kGenerous<float> * size;
+        std::array<float, N> inside;    // how far each box reaches in, along the axis where it is least
+        std::array<float, N> beyond{};  // how far what is inside reaches out of the hole
+        inside.fill(kFar);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float low = sides[k][0] - slack;
+            const float high = sides[k][1] + slack;
+            // Where the hole goes on beyond the whole, nothing can be on its other side.
+            const float hole_low = sides[k][0] < sides[k][2] ? sides[k][2] + slack : -kFar;
+            const float hole_high = sides[k][1] > sides[k][3] ? sides[k][3] - slack : kFar;
+            for (std::size_t i = 0; i < N; ++i) {
+                const float from = std::max(low, center[k][i] - half[k][i]);
+                const float to = std::min(high, center[k][i] + half[k][i]);
+                inside[i] = std::min(inside[i], to - from);
+                beyond[i] = std::max(beyond[i], std::max(hole_low - from, to - hole_high));
+            }
+        }
+        for (std::size_t i = 0; i < N; ++i) {
+            out[i] = inside[i] >= 0.0F && beyond[i] > 0.0F ? 0.0F : kApart<float>;
+        }
+    }
+
+private:
+    static constexpr float kFar = std::numeric_limits<float>::max();
+    static Vec3 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
+
+    bool holed_;
+    std::array<std::array<double, 4>, 3> sides_{};
+};
+
+/// The surroundings of a point. Bounds squared distances.
+class PointVolume {
+public:
+    explicit PointVolume(const Vec3& point) : point_(point) {}
+
+    double bound(const BoundingSphere& mesh) const;
+    double bound(const HybridNode& node) const;
+
+    template <typename Real, std::size_t N>
+    void bounds(const BoxFrame& frame, const Rows<Real, N>& center, const Rows<Real, N>& half,
+                std::array<Real, N>& out) const {
+        const Vec3 local = frame * point_;
+        const PaddedLine line{local, local, Vec3::Zero()};
+        distance_bounds(line, line.size(frame), center, half, out);
+    }
+
+private:
+    Vec3 point_;
+};
+
+/// What a ray or a moving capsule passes. Bounds fractions of the way.
+class PathVolume {
+public:
+    explicit PathVolume(const Ray& ray) : path_(ray) {}
+    PathVolume(const Segment& segment, double radius, const Vec3& move);
+
+    double bound(const BoundingSphere& mesh) const;
+    double bound(const HybridNode& node) const;
+
+    template <typename Real, std::size_t N>
+    void bounds(const BoxFrame& frame, const Rows<Real, N>& center, const Rows<Real, N>& half,
+                std::array<Real, N>& out) const {
+        PaddedLine line{frame * path_.from, frame * path_.to, Vec3::Zero()};
+        if (thick_) {
+            line.pad = frame.rotate(half_).cwiseAbs().array() + radius_;
+        }
+        entry_bounds(line, line.size(frame), center, half, out);
+    }
+
+private:
+    Ray path_;                  ///< of the body's middle
+    Vec3 half_ = Vec3::Zero();  ///< from the middle to the segment's end
+    double radius_ = 0.0;
+    bool thick_ = false;
+};
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "collision/base/query_counters.h"
+#include "collision/bvh8/box_lanes.h"
+#include "collision/bvh8/bvh8.h"
+#include "collision/hybrid/hybrid_tree.h"
+#include "collision/mesh/mesh_collider.h"
+
+namespace campuswalk::collision {
+
+// One way down for queries of one mesh, on both layouts; rays have a faster one on the wide layout
+// (kernels/wide_rays.h). A query is a volume and what it does with a
+// triangle. The volume gives lower bounds of what the query looks for (a fraction, a squared distance), or
+// kApart; the query sets the limit above which nothing interests it any more:
+//
+//     double bound(const BoundingSphere&) const          of a whole mesh
+//     double bound(const HybridNode&) const              the paper's layers
+//     void bounds(frame, centers, halves, bounds) const  of N float32 boxes side by side
+//     double meet(triangle, limit)                       answers the new limit
+//     double meet(leaf, slot, limit)                     likewise, if the query prefers a wide leaf's copy
+
+/// Parts of a tree that are still to be looked at.
+class Agenda {
+public:
+    /// Without initialisers: each query would set all that could wait.
+    struct Entry {
+        double bound;
+        std::uint32_t index;
+        bool leaf;
+    };
+
+    bool empty() const { return depth_ == 0; }
+    Entry take() { return waiting_[--depth_]; }
+
+    /// Entries that are added one after the other leave the lowest bound first.
+    class Siblings {
+    public:
+        explicit Siblings(Agenda& agenda) : agenda_(agenda), first_(agenda.depth_) {}
+
+        void add(const Entry& entry) {
+            std::size_t at = agenda_.depth_++;
+            for (; at > first_ && agenda_.waiting_[at - 1].bound < entry.bound; --at) {
+                agenda_.waiting_[at] = agenda_.waiting_[at - 1];
+            }
+            agenda_.waiting_[at] = entry;
+        }
+
+    private:
+        Agenda& agenda_;
+        std::size_t first_;
+    };
+
+private:
+    /// Enough for 2^32 triangles. The paper's tree: a child has at most 15/16 of its parent, which is 345
+    /// levels of one that waits. The wide tree: the largest of eight children, split off seven times, has at
+    /// most (15/16)^7 of its parent, which is 64 levels of seven that wait.
+    std::array<Entry, 512> waiting_;
+    std::size_t depth_ = 0;
+};
+
+template <typename Volume>
+void start(const HybridTree& tree, const Volume& volume, double limit, Agenda& agenda,
+           QueryCounters& counters) {
+    ++counters.nv;
+    if (const double bound = volume.bound(tree.nodes[0]); !(bound > limit)) {
+        Agenda::Siblings(agenda).add({bound, 0, tree.nodes[0].is_leaf()});
+    }
+}
+
+template <typename Volume>
+void start(const WideTree& tree, const Volume& volume, double limit, Agenda& agenda,
+           QueryCounters& counters) {
+    ++counters.nv;
+    if (const double bound = volume.bound(tree.outer); !(bound > limit)) {
+        Agenda::Siblings(agenda).add({bound, 0, false});
+    }
+}
+
+template <typename Volume>
+void open_node(const HybridTree& tree, std::uint32_t index, const Volume& volume, double limit,
+               Agenda& agenda, QueryCounters& counters) {
+    Agenda::Siblings siblings(agenda);
+    const std::uint32_t left = tree.nodes[index].first;
+    for (const std::uint32_t child : {left + 1, left}) {
+        ++counters.nv;
+        if (const double bound = volume.bound(tree.nodes[child]); !(bound > limit)) {
+            siblings.add({bound, child, tree.nodes[child].is_leaf()});
+        }
+    }
+}
+
+template <typename Volume>
+void open_node(const WideTree& tree, std::uint32_t index, const Volume& volume, double limit, Agenda& agenda,
+               QueryCounters& counters) {
+    Agenda::Siblings siblings(agenda);
+    const WideNode& node = tree.nodes[index];
+    counters.nv += node.count;
+    alignas(32) std::array<float, kWideChildren> bounds;
+    volume.bounds(BoxFrame(node), node.center, node.half, bounds);
+    for (std::size_t i = 0; i < node.count; ++i) {
+        if (const double bound = bounds[i]; !(bound > limit)) {
+            siblings.add({bound, node.child[i], (node.leaves >> i & 1) != 0});
+        }
+    }
+}
+
+template <typename Volume, typename Meet>
+void open_leaf(const HybridTree& tree, std::uint32_t index, const Volume&, double& limit, const Meet& meet,
+               QueryCounters& counters) {
+    const HybridNode& leaf = tree.nodes[index];
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+        ++counters.np;
+        limit = meet(tree.order[i], limit);
+    }
+}
+
+template <typename Volume, typename Meet>
+void open_leaf(const WideTree& tree, std::uint32_t index, const Volume& volume, double& limit,
+               const Meet& meet, QueryCounters& counters) {
+    const WideLeaf& leaf = tree.leaves[index];
+    const LeafBoxes boxes(leaf);
+    alignas(32) std::array<float, kLeafTriangles> bounds;
+    volume.bounds(BoxFrame(leaf), boxes.center, boxes.half, bounds);
+    for (std::size_t i = 0; i < leaf.triangles; ++i) {
+        if (!(static_cast<double>(bounds[i]) > limit)) {
+            ++counters.np;
+            if constexpr (std::is_invocable_v<const Meet&, const WideLeaf&, std::size_t, double>) {
+                limit = meet(leaf, i, limit);
+            } else {
+                limit = meet(leaf.triangle[i], limit);
+            }
+        }
+    }
+}
+
+template <typename Tree, typename Volume, typename Meet>
+void descend(const Tree& tree, const Volume& volume, double limit, const Meet& meet,
+             QueryCounters& counters) {
+    Agenda agenda;
+    start(tree, volume, limit, agenda, counters);
+    while (!agenda.empty()) {
+        const Agenda::Entry next = agenda.take();
+        if (next.bound > limit) {
+            continue;
+        }
+        if (next.leaf) {
+            open_leaf(tree, next.index, volume, limit, meet, counters);
+        } else {
+            open_node(tree, next.index, volume, limit, agenda, counters);
+        }
+    }
+}
+
+/// Hands `meet` the triangles whose bound isn't above the limit, those of low bounds first.
+template <typename Volume, typename Meet>
+void descend(const MeshCollider& mesh, const Volume& volume, double limit, const Meet& meet,
+             QueryCounters& counters) {
+    ++counters.nu;
+    std::visit([&](const auto& tree) { descend(tree, volume, limit, meet, counters); }, mesh.tree());
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,92 @@
+#include "collision/mover/ball_rest.h"
+
+#include <array>
+#include <cmath>
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// Twice the area of a triangle seen from above, signed.
+double turn_of(const Vec3& a, const Vec3& b, double x, double z) {
+    return (b.x() - a.x()) * (z - a.z()) - (b.z() - a.z()) * (x - a.x());
+}
+
+bool over(const Triangle& t, double x, double z) {
+    const std::array turns{turn_of(t.a, t.b, x, z), turn_of(t.b, t.c, x, z), turn_of(t.c, t.a, x, z)};
+    return (turns[0] >= 0.0 && turns[1] >= 0.0 && turns[2] >= 0.0) ||
+           (turns[0] <= 0.0 && turns[1] <= 0.0 && turns[2] <= 0.0);
+}
+
+/// The highest of what it has been offered.
+struct Highest {
+    std::optional<BallRest> best;
+
+    void offer(double height, const Vec3& on) {
+        if (!best || height > best->height) {
+            best = BallRest{height, on};
+        }
+    }
+};
+
+void rest_on_corner(const Vec3& corner, double x, double z, double radius, Highest& highest) {
+    const double dx = x - corner.x();
+    const double dz = z - corner.z();
+    const double left = radius * radius - (dx * dx + dz * dz);
+    if (left >= 0.0) {
+        highest.offer(corner.y() + std::sqrt(left), corner);
+    }
+}
+
+/// The ball's centre is as far from the edge's line as its radius: a quadratic in its height over `a`.
+void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radius, Highest& highest) {
+    constexpr double kUpright = 1e-10;  // square of the sine
+    const Vec3 e = b - a;
+    const double flat2 = e.x() * e.x() + e.z() * e.z();
+    const double length2 = flat2 + e.y() * e.y();
+    if (flat2 <= kUpright * length2) {
+        return;
+    }
+    const double wx = x - a.x();
+    const double wz = z - a.z();
+    // Seen along the edge: how far aside of it the centre is, whatever its height.
+    const double aside = wx * e.z() - wz * e.x();
+    const double left = radius * radius * flat2 - aside * aside;
+    if (left < 0.0) {
+        return;
+    }
+    const double seen = wx * e.x() + wz * e.z();
+    const double up = (seen * e.y() + std::sqrt(left * length2)) / flat2;
+    const double t = (seen + up * e.y()) / length2;
+    if (t >= 0.0 && t <= 1.0) {
+        highest.offer(a.y() + up, a + t * e);
+    }
+}
+
+}  // namespace
+
+std::optional<BallRest> ball_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
+                                  double radius) {
+    constexpr double kSteepest = 1e-5;  // an upright face is met at its upper edge
+    if (std::abs(normal.y()) > kSteepest) {
+        const Vec3 up = normal.y() > 0.0 ? normal : Vec3(-normal);
+        const double on_x = x - radius * up.x();
+        const double on_z = z - radius * up.z();
+        if (over(triangle, on_x, on_z)) {  // no edge can be met before the face is
+            const double dx = on_x - triangle.a.x();
+            const double dz = on_z - triangle.a.z();
+            const double on_y = triangle.a.y() - (up.x() * dx + up.z() * dz) / up.y();
+            return BallRest{on_y + radius * up.y(), {on_x, on_y, on_z}};
+        }
+    }
+    Highest highest;
+    rest_on_corner(triangle.a, x, z, radius, highest);
+    rest_on_corner(triangle.b, x, z, radius, highest);
+    rest_on_corner(triangle.c, x, z, radius, highest);
+    rest_on_edge(triangle.a, triangle.b, x, z, radius, highest);
+    rest_on_edge(triangle.b, triangle.c, x, z, radius, highest);
+    rest_on_edge(triangle.c, triangle.a, x, z, radius, highest);
+    return highest.best;
+}
+
+}  // namespace campuswalk::collision

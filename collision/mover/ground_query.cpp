@@ -1,0 +1,158 @@
+#include "collision/mover/ground_query.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/mover/upright_distance.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// A point this near a walkable face belongs to it: treads and risers are modelled with gaps, metres.
+constexpr double kOwned = 0.01;
+/// How far into a piece the body has to walk to be on it, metres.
+constexpr double kOnto = 0.01;
+/// What touches the ball's side this flatly, as a share of its radius, doesn't hold it: 15 µm less of it and
+/// it wouldn't be met.
+constexpr double kSide = 0.01;
+
+}  // namespace
+
+std::optional<BallRest> Footing::rest_on(const Neighbourhood::Piece& piece, double x, double z,
+                                         double highest, double lowest) const {
+    const double reach = settings_.radius + kRest;
+    const Aabb& box = piece.box;
+    // The ball rests no higher than it would on the nearest point of the box's top.
+    const double dx = std::max({box.min.x() - x, x - box.max.x(), 0.0});
+    const double dz = std::max({box.min.z() - z, z - box.max.z(), 0.0});
+    const double left = reach * reach - (dx * dx + dz * dz);
+    const double above = lowest - box.max.y();
+    if (left < 0.0 || (above > 0.0 && above * above > left) || box.min.y() - reach > highest) {
+        return std::nullopt;
+    }
+    const Obstacle& o = piece.obstacle;
+    if (o.solid == nullptr) {
+        return ball_rest(o.corners, o.normal, x, z, reach);
+    }
+    const Segment ball{{x, highest, z}, {x, highest, z}};
+    const Vec3 drop(0, lowest - highest, 0);
+    if (closest(ball, o).distance <= reach) {
+        return std::nullopt;  // beside or above
+    }
+    const auto fraction = sweep(ball, reach, drop, o);
+    if (!fraction) {
+        return std::nullopt;
+    }
+    const Vec3 center = ball.a + *fraction * drop;
+    return BallRest{center.y(), closest(Segment{center, center}, o).on_shape};
+}
+
+bool Footing::ends_in_floor(const Neighbourhood& around, const Vec3& point) const {
+    const auto pieces = around.pieces();
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Neighbourhood::Piece& p) {
+        if ((point.array() < p.box.min.array() - kOwned).any() ||
+            (point.array() > p.box.max.array() + kOwned).any()) {
+            return false;
+        }
+        const Closest c = closest(Segment{point, point}, p.obstacle);
+        return c.distance <= kOwned && walkable_at(p.obstacle, c.on_shape, settings_.min_up);
+    });
+}
+
+bool Footing::carries(const Neighbourhood& around, const Rest& rest, double highest) const {
+    const Obstacle& o = around.piece(rest.piece).obstacle;
+    const Vec3& on = rest.ball.on;
+    const double up = (rest.ball.height - on.y()) / (settings_.radius + kRest);
+    const bool low = on.y() <= highest;
+    if (walkable_at(o, on, settings_.min_up)) {
+        // The crest of a ramp is higher than its foot, and walked up to on a face as steep as the touch.
+        constexpr double kAlike = 1e-6;
+        return low || (o.solid == nullptr && std::abs(o.normal.y()) <= up + kAlike);
+    }
+    return low && (up >= settings_.min_up || ends_in_floor(around, on));
+}
+
+Ground Footing::ground(const Neighbourhood& around, double x, double z, const Stand& stand, double up,
+                       double down) {
+    const double center = stand.foot.y() + settings_.radius;
+    const double highest = center + up;
+    const double lowest = center - down;
+    rests_.clear();
+    double best = lowest;
+    for (const Neighbourhood::Index i : around.near()) {
+        const auto ball = rest_on(around.piece(i), x, z, highest, best - 2.0 * kRest);
+        if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRest &&
+            ball->height - ball->on.y() > kSide * settings_.radius) {
+            rests_.push_back({i, *ball});
+            best = std::max(best, ball->height);
+        }
+    }
+    Ground ground;
+    ground.at = lowest - settings_.radius;
+    for (const Rest& rest : rests_) {
+        if (rest.ball.height >= best - 2.0 * kRest && rest.ball.height >= lowest) {
+            ground.found = true;
+            if (carries(around, rest, highest_edge(stand))) {
+                ground.carries = true;
+                ground.at = std::max(ground.at, rest.ball.on.y());
+            }
+        }
+    }
+    ground.foot_y = best - settings_.radius;
+    return ground;
+}
+
+/// Is the piece higher than `height` where the body would meet it? A face that slants down beside a stair
+/// may be tall elsewhere.
+bool Footing::reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const {
+    if (obstacle.top <= height) {
+        return false;
+    }
+    const double bottom = std::max(foot.y() + settings_.radius, height + kHeightSlack);
+    const double top = std::max(bottom, foot.y() + settings_.height - settings_.radius);
+    const Segment upper{{foot.x(), bottom, foot.z()}, {foot.x(), top, foot.z()}};
+    return closest_upright(upper, obstacle).on_shape.y() > height;
+}
+
+Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Stand& stand) {
+    const Neighbourhood::Piece& piece = around.piece(i);
+    const double top = piece.obstacle.top;
+    if (top <= stand.foot.y() || (piece.walkable && top <= highest_edge(stand))) {
+        return Kind::floor;
+    }
+    const Separation& s = around.separation(i, stand.foot);
+    if (!s.kind || s.kind_from != stand.base) {
+        s.kind = kind_of(around, piece, s, stand);
+        s.kind_from = stand.base;
+    }
+    return *s.kind;
+}
+
+Kind Footing::kind_of(const Neighbourhood& around, const Neighbourhood::Piece& piece, const Separation& s,
+                      const Stand& stand) {
+    const Vec3& foot = stand.foot;
+    const bool below = s.normal.y() >= settings_.min_up;
+    if (below && s.feature == Feature::face) {
+        return Kind::floor;
+    }
+    // The edge of a floor may be the crest of a ramp, however high.
+    const bool may_be_crest = piece.walkable && s.normal.y() > 0.0;
+    const double highest = highest_edge(stand);
+    if (!below && !may_be_crest &&
+        (s.on_piece.y() > highest || reaches_over(piece.obstacle, foot, highest))) {
+        return Kind::wall;
+    }
+    const double flat = std::sqrt(s.normal.x() * s.normal.x() + s.normal.z() * s.normal.z());
+    if (flat <= 0.0) {
+        return below ? Kind::floor : Kind::wall;
+    }
+    // What would carry the body if it went there?
+    const double gap = std::max(0.0, s.distance - settings_.radius);
+    const double ahead = std::min(gap / flat + kOnto, kProbe) / flat;
+    const Ground there = ground(around, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(),
+                                stand, highest - foot.y(), 2.0 * kRest);
+    return there.found && !there.carries ? Kind::wall : Kind::step;
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "collision/geometry/shapes.h"
+
+namespace campuswalk::collision {
+
+/// A wall as a horizontal move sees it: it may go at most `room` metres against the unit normal (x, z).
+struct HalfPlane {
+    double x = 0.0;
+    double z = 0.0;
+    double room = 0.0;  ///< not negative
+
+    bool allows(const Vec3& move) const { return x * move.x() + z * move.z() >= -room - 1e-12; }
+};
+
+/// The horizontal move nearest to `wish` (y = 0) that all half-planes allow, whatever their order. Standing
+/// still always is one.
+Vec3 nearest_allowed(const Vec3& wish, const std::vector<HalfPlane>& planes);
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "collision/world/obstacle.h"
+
+namespace campuswalk::collision {
+
+/// Like `closest` (obstacle.h) for a segment whose `b` is straight above its `a`: the same distance, faster
+/// where a face is nearest. Of a wall's points at one height as near as at another, the upper.
+Closest closest_upright(const Segment& upright, const Obstacle& obstacle);
+
+/// Likewise `sweep`.
+std::optional<double> sweep_upright(const Segment& upright, double radius, const Vec3& move,
+                                    const Obstacle& obstacle);
+
+}  // namespace campuswalk::collision

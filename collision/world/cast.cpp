@@ -1,0 +1,60 @@
+#include "collision/world/cast.h"
+
+#include <vector>
+
+#include "collision/mesh/mesh_query.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+/// Surfaces this close behind each other along the ray count as one, metres.
+constexpr double kSamePlace = 1e-3;
+
+std::optional<double> first_hit(const std::shared_ptr<const MeshCollider>& mesh, const Ray& local,
+                                QueryCounters& counters) {
+    const auto found = first_on_ray(*mesh, local, counters);
+    return found ? std::optional(found->fraction) : std::nullopt;
+}
+
+template <typename Solid>
+std::optional<double> first_hit(const Solid& solid, const Ray& local, QueryCounters& counters) {
+    ++counters.np;
+    return hit(local, solid);
+}
+
+}  // namespace
+
+std::optional<WorldRayHit> cast(const World& world, const QueryFilter& filter, const Ray& ray,
+                                Detection preferred, QueryCounters& counters) {
+    thread_local std::vector<ObjectId> candidates;
+    world.candidates(ray.from, ray.to, filter, candidates);
+    const double length = (ray.to - ray.from).norm();
+    if (length <= 0.0) {
+        return std::nullopt;
+    }
+    std::optional<WorldRayHit> best;
+    std::optional<WorldRayHit> best_preferred;
+    for (const ObjectId id : candidates) {
+        const Object& object = world.object(id);
+        const Pose& X = object.X_world_shape;
+        const Ray local{X.inverse_apply(ray.from), X.inverse_apply(ray.to)};
+        const auto f =
+            std::visit([&](const auto& shape) { return first_hit(shape, local, counters); }, object.shape);
+        if (!f) {
+            continue;
+        }
+        if (!best || *f < best->fraction) {
+            best = WorldRayHit{id, *f};
+        }
+        if (any_of(object.detection, preferred) && (!best_preferred || *f < best_preferred->fraction)) {
+            best_preferred = WorldRayHit{id, *f};
+        }
+    }
+    if (best_preferred && best_preferred->fraction <= best->fraction + kSamePlace / length) {
+        return best_preferred;
+    }
+    return best;
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "collision/base/query_counters.h"
+#include "collision/geometry/ray.h"
+#include "collision/world/world.h"
+
+namespace campuswalk::collision {
+
+struct WorldRayHit {
+    ObjectId object{};
+    double fraction = 0.0;  ///< of the ray, 0 at its start
+};
+
+/// The first object on the ray that passes the filter. Objects hit at one point (an object for bumping into
+/// and one for looking at often share a mesh): one that takes part in `preferred` goes first, then the lowest
+/// id.
+std::optional<WorldRayHit> cast(const World& world, const QueryFilter& filter, const Ray& ray,
+                                Detection preferred, QueryCounters& counters);
+
+}  // namespace campuswalk::collision

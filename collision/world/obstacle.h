@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "collision/base/query_counters.h"
+#include "collision/geometry/closest.h"
+#include "collision/world/world.h"
+
+namespace campuswalk::collision {
+
+/// One convex piece of the solid world near the avatar, world coordinates: a triangle of a mesh, or a whole
+/// convex solid.
+struct Obstacle {
+    ObjectId object{};
+    std::uint32_t triangle = 0;     ///< index in the object's mesh; 0 for a solid
+    const Object* solid = nullptr;  ///< set for a convex solid
+    Triangle corners;               ///< for a triangle
+    Vec3 normal = Vec3::Zero();     ///< for a triangle: unit face normal, zero if it has no area
+    double top = 0.0;               ///< greatest y
+};
+
+/// Replaces `out` by everything that passes the filter within `radius` of the segment, ordered by object and
+/// triangle. Pointers into `world` stay valid as long as it does.
+void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,
+                      std::vector<Obstacle>& out, QueryCounters& counters);
+
+/// Likewise for one object.
+void gather_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
+                   std::vector<Obstacle>& out, QueryCounters& counters);
+
+Closest closest(const Segment& segment, const Obstacle& obstacle);
+
+/// Does a surface of the obstacle at `point` (a point of it) face up by at least `min_up` (the cosine of the
+/// slope limit)? Triangles count from both sides: flipped floors are common in real models.
+bool walkable_at(const Obstacle& obstacle, const Vec3& point, double min_up);
+
+/// The first fraction of `move` at which a capsule of `radius` about `segment` touches the obstacle; none if
+/// it never does or if it only moves away. Conservative: the fraction is never too large.
+std::optional<double> sweep(const Segment& segment, double radius, const Vec3& move,
+                            const Obstacle& obstacle);
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,234 @@
+#include "collision/world/placement.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "collision/geometry/closest.h"
+#include "collision/geometry/trigonometry.h"
+#include "collision/mesh/mesh_query.h"
+#include "collision/world/obstacle.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+bool inside(const std::shared_ptr<const MeshCollider>& mesh, const Vec3& local, QueryCounters& counters) {
+    return is_inside(*mesh, local, counters);
+}
+
+template <typename Solid>
+bool inside(const Solid& solid, const Vec3& local, QueryCounters& /*counters*/) {
+    return closest(Segment{local, local}, solid, Pose{}).distance <= 0.0;
+}
+
+constexpr double kLift = 0.05;       // metres between the heights that are tried
+constexpr double kRing = 0.02;       // metres between the rings that are tried
+constexpr int kDirections = 64;      // on a ring
+constexpr double kRounding = 2e-3;   // metres
+constexpr double kClearance = 1e-3;  // metres kept from what a body is pushed out of
+constexpr int kHalvings = 16;        // of an offset, to a few micrometres
+
+Segment axis_at(const Vec3& foot, double radius, double height) {
+    return {foot + Vec3(0, radius, 0), foot + Vec3(0, height - radius, 0)};
+}
+
+/// None, as much as ground is overlapped by the rounding of written numbers, then evenly.
+double lift_of(int step) {
+    return step < 2 ? step * kRounding : (step - 1) * kLift;
+}
+
+/// All offsets up to `reach` that a body is tried at, the nearest first.
+std::vector<Vec3> offsets_within(double reach) {
+    struct Offset {
+        double squared = 0.0;
+        int number = 0;  // decides between equally near ones
+        Vec3 vector = Vec3::Zero();
+    };
+    constexpr double kTurn = 6.283185307179586;
+    std::array<Vec3, kDirections> directions;
+    for (int i = 0; i < kDirections; ++i) {
+        const auto [sin, cos] = sin_cos(kTurn * i / kDirections);
+        directions[static_cast<std::size_t>(i)] = Vec3(cos, 0, sin);
+    }
+    std::vector<Offset> offsets;
+    for (int step = 0; lift_of(step) <= reach; ++step) {
+        for (int ring = 0; ring * kRing <= reach; ++ring) {
+            for (const Vec3& direction : directions) {
+                const Vec3 vector = ring * kRing * direction + Vec3(0, lift_of(step), 0);
+                if (const double squared = vector.squaredNorm(); squared <= reach * reach) {
+                    offsets.push_back({squared, static_cast<int>(offsets.size()), vector});
+                }
+                if (ring == 0) {
+                    break;
+                }
+            }
+        }
+    }
+    std::ranges::sort(offsets, {}, [](const Offset& o) { return std::tuple(o.squared, o.number); });
+    std::vector<Vec3> vectors;
+    vectors.reserve(offsets.size());
+    for (const Offset& offset : offsets) {
+        vectors.push_back(offset.vector);
+    }
+    return vectors;
+}
+
+/// Tries offsets of a body from a place where it overlaps something.
+class Push {
+public:
+    Push(const World& world, const QueryFilter& filter, const Vec3& foot, double radius, double height,
+         QueryCounters& counters)
+        : world_(world),
+          filter_(filter),
+          foot_(foot),
+          radius_(radius),
+          height_(height),
+          counters_(counters),
+          axis_(axis_at(foot, radius, height)) {
+        const Segment reach{axis_.a, axis_.b + Vec3(0, 2.0 * radius, 0)};
+        gather_obstacles(world, filter, reach, 3.0 * radius + kClearance, pieces_, counters);
+        for (const Obstacle& piece : pieces_) {
+            const bool overlapped = closest(axis_, piece).distance < radius;
+            distances_.push_back(overlapped ? radius + kClearance : radius);
+        }
+    }
+
+    /// Overlaps of the radius or more leave open which side of a wall was meant.
+    bool shallow() const {
+        return !holds(axis_.a) && std::ranges::none_of(pieces_, [&](const Obstacle& piece) {
+            return closest(axis_, piece).distance <= 0.0;
+        });
+    }
+
+    std::optional<Vec3> nearest() const {
+        // On one ring several directions may be free: how far each can be drawn in tells them apart.
+        std::optional<Vec3> best;
+        double reach = 2.0 * radius_;
+        for (const Vec3& offset : offsets_within(reach)) {
+            if (offset.norm() > reach) {
+                break;
+            }
+            if (!is_free(offset)) {
+                continue;
+            }
+            if (!best) {
+                reach = std::min(reach, offset.norm() + kRing);
+            }
+            if (const Vec3 nearer = drawn_in(offset); !best || nearer.squaredNorm() < best->squaredNorm()) {
+                best = nearer;
+            }
+        }
+        return best ? std::optional<Vec3>(foot_ + *best) : std::nullopt;
+    }
+
+private:
+    bool holds(const Vec3& point) const {
+        Aabb box;
+        box.extend(point);
+        std::vector<ObjectId> around;
+        world_.candidates(box, filter_, around);
+        return std::ranges::any_of(
+            around, [&](ObjectId id) { return contains(world_.object(id), point, counters_); });
+    }
+
+    bool is_free(const Vec3& offset) const {
+        const Segment there{axis_.a + offset, axis_.b + offset};
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const Obstacle& piece = pieces_[i];
+            if (closest(there, piece).distance < distances_[i] ||
+                closest(Segment{axis_.a, there.a}, piece).distance <= 0.0 ||
+                closest(Segment{axis_.b, there.b}, piece).distance <= 0.0) {
+                return false;
+            }
+        }
+        return !obstruction(world_, filter_, foot_ + offset, radius_, height_, counters_);
+    }
+
+    Vec3 drawn_in(const Vec3& offset) const {
+        double blocked = 0.0;
+        double enough = 1.0;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = 0.5 * (blocked + enough);
+            (is_free(middle * offset) ? enough : blocked) = middle;
+        }
+        return enough * offset;
+    }
+
+    const World& world_;
+    const QueryFilter& filter_;
+    Vec3 foot_;
+    double radius_;
+    double height_;
+    QueryCounters& counters_;
+    Segment axis_;
+    std::vector<Obstacle> pieces_;
+    std::vector<double> distances_;  ///< that the axis keeps from each piece, metres
+};
+
+}  // namespace
+
+bool contains(const Object& object, const Vec3& point, QueryCounters& counters) {
+    const Vec3 local = object.X_world_shape.inverse_apply(point);
+    return std::visit([&](const auto& shape) { return inside(shape, local, counters); }, object.shape);
+}
+
+std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filter, const Vec3& foot,
+                                    double radius, double height, QueryCounters& counters) {
+    const Segment body = axis_at(foot, radius, height);
+    std::vector<Obstacle> pieces;
+    gather_obstacles(world, filter, body, radius, pieces, counters);
+    std::optional<ObjectId> worst;
+    double least = radius;
+    for (const Obstacle& piece : pieces) {
+        if (const double distance = closest(body, piece).distance; distance < least) {
+            worst = piece.object;
+            least = distance;
+        }
+    }
+    if (worst) {
+        return worst;
+    }
+    Aabb box;
+    box.extend(body.a);
+    std::vector<ObjectId> around;
+    world.candidates(box, filter, around);
+    for (const ObjectId id : around) {
+        if (contains(world.object(id), body.a, counters)) {
+            return id;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
+                               double height, double search, QueryCounters& counters) {
+    for (int i = 0; i * kLift <= search; ++i) {
+        const Vec3 tried = foot + Vec3(0, i * kLift, 0);
+        if (!obstruction(world, filter, tried, radius, height, counters)) {
+            return tried;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Standing> standing_place(const World& world, const QueryFilter& filter, const Vec3& foot,
+                                       double radius, double height, double search, QueryCounters& counters) {
+    if (const auto here = free_place(world, filter, foot, radius, height, kLift, counters)) {
+        return Standing{*here, std::nullopt};
+    }
+    const auto in_the_way = obstruction(world, filter, foot, radius, height, counters);
+    if (const Push push(world, filter, foot, radius, height, counters); push.shallow()) {
+        if (const auto beside = push.nearest()) {
+            return Standing{*beside, in_the_way};
+        }
+        return std::nullopt;
+    }
+    if (const auto above = free_place(world, filter, foot, radius, height, search, counters)) {
+        return Standing{*above, in_the_way};
+    }
+    return std::nullopt;
+}
+
+}  // namespace campuswalk::collision

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "collision/geometry/shapes.h"
+#include "collision/world/broad_phase.h"
+
+namespace campuswalk::collision {
+
+/// Which of the paper's three detection strategies an object takes part in; values combine as bits.
+enum class Detection : std::uint8_t { none = 0, solid = 1, trigger = 2, ray = 4 };
+
+constexpr Detection operator|(Detection a, Detection b) {
+    return static_cast<Detection>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
+}
+constexpr bool any_of(Detection set, Detection asked) {
+    return (static_cast<std::uint8_t>(set) & static_cast<std::uint8_t>(asked)) != 0;
+}
+
+/// A static object of the world.
+struct Object {
+    Shape shape;
+    Pose X_world_shape;
+    Detection detection = Detection::solid;
+    std::uint32_t layer = 0;  ///< 0..31
+};
+
+/// Which objects a query sees.
+struct QueryFilter {
+    Detection detection = Detection::solid;
+    std::uint32_t ignored_layers = 0;             ///< bit n set: layer n is not seen
+    const std::vector<bool>* disabled = nullptr;  ///< by object: not seen; nothing is disabled if null
+};
+
+/// The static world: objects in a broad phase, hybrid trees as their narrow phase. Immutable once filled;
+/// queries are const and give objects in ascending id, whatever the broad phase's order.
+class World {
+public:
+    explicit World(std::unique_ptr<BroadPhase> broad_phase);
+
+    ObjectId add(Object object);
+
+    std::size_t size() const { return objects_.size(); }
+    const Object& object(ObjectId id) const { return objects_[index_of(id)]; }
+    const Aabb& bounds(ObjectId id) const { return bounds_[index_of(id)]; }
+    /// Of all objects together.
+    const Aabb& bounds() const { return total_bounds_; }
+
+    /// Replaces `out` by the objects that pass the filter and whose boxes overlap `box`, ascending.
+    void candidates(const Aabb& box, const QueryFilter& filter, std::vector<ObjectId>& out) const;
+    /// Likewise for the segment from `from` to `to`.
+    void candidates(const Vec3& from, const Vec3& to, const QueryFilter& filter,
+                    std::vector<ObjectId>& out) const;
+
+private:
+    void keep_visible(const QueryFilter& filter, std::vector<ObjectId>& out) const;
+
+    std::unique_ptr<BroadPhase> broad_phase_;
+    std::vector<Object> objects_;
+    std::vector<Aabb> bounds_;
+    Aabb total_bounds_;
+};
+
+}  // namespace campuswalk::collision

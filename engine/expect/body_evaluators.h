@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/world/obstacle.h"
+#include "engine/expect/finding.h"
+#include "engine/record/tick_record.h"
+#include "engine/script/avatar.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::engine {
+
+// Judges of what became of the avatar's body; see event_evaluators.h.
+
+/// Asks the collision world about the body anew, whatever the mover thought.
+class NoPenetrationJudge {
+public:
+    NoPenetrationJudge(const ExpectNoPenetration& expected, const scene::Campus& campus,
+                       const AvatarProfile& avatar);
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    void see_depth(collision::ObjectId object, double depth, const Moment& now);
+
+    const ExpectNoPenetration* expected_;
+    const scene::Campus* campus_;
+    const AvatarProfile* avatar_;
+    std::uint32_t ignored_layers_;
+    double deepest_ = 0.0;               ///< metres
+    std::optional<std::size_t> inside_;  ///< the object that it was deepest in
+    std::optional<Moment> when_;
+    std::vector<collision::Obstacle> pieces_;
+    std::vector<collision::ObjectId> around_;
+};
+
+class GroundedJudge {
+public:
+    explicit GroundedJudge(const ExpectGrounded& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectGrounded* expected_;
+    Tick last_ = -1;  ///< the walk's closing frame shows its last tick again
+    Tick ticks_ = 0;
+    Tick airborne_ = 0;
+    std::optional<Moment> first_;
+};
+
+class BlockedByJudge {
+public:
+    explicit BlockedByJudge(const ExpectBlockedBy& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectBlockedBy* expected_;
+    std::string first_;  ///< by what, as it would be told
+    std::string other_;  ///< the last that was in the way instead
+    std::optional<Moment> when_;
+};
+
+class StuckJudge {
+public:
+    explicit StuckJudge(const ExpectStuck& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectStuck* expected_;
+    std::string first_;
+    std::string other_;
+    std::optional<Moment> when_;
+};
+
+class FellJudge {
+public:
+    explicit FellJudge(const ExpectFell& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectFell* expected_;
+    std::optional<Moment> when_;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/expect/finding.h"
+#include "engine/record/tick_record.h"
+
+namespace campuswalk::engine {
+
+// Judges of what events come. A judge sees every frame, with the moment at its end, and says at any time what
+// it has found so far; `ended` tells it that nothing more will come. A copy goes on by itself. The
+// expectation must outlive it.
+
+class SequenceJudge {
+public:
+    explicit SequenceJudge(const ExpectSequence& expected)
+        : expected_(&expected), early_(expected.events.size()) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectSequence* expected_;
+    std::size_t met_ = 0;             ///< how many of the events have come
+    std::string last_event_;          ///< of those, as it would be told
+    std::optional<Moment> last_;      ///< when that came
+    std::vector<std::string> early_;  ///< for each, the last event like it that came before its turn
+};
+
+class NeverJudge {
+public:
+    explicit NeverJudge(const ExpectNever& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectNever* expected_;
+    int times_ = 0;
+    std::string first_event_;
+    std::optional<Moment> first_;
+};
+
+class CountJudge {
+public:
+    explicit CountJudge(const ExpectCount& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    const ExpectCount* expected_;
+    int times_ = 0;
+    std::optional<Moment> too_many_;
+};
+
+class WithinJudge {
+public:
+    explicit WithinJudge(const ExpectWithin& expected) : expected_(&expected) {}
+    void see(const FrameRecord& record, const Moment& now);
+    Finding finding(bool ended) const;
+
+private:
+    struct Wait {
+        std::string event;  ///< as it would be told
+        double since = 0.0;
+    };
+    bool late(const Wait& wait, double time) const;
+    std::string told_miss(const Wait& wait) const;
+
+    const ExpectWithin* expected_;
+    int times_ = 0;            ///< how often `after` has come
+    std::vector<Wait> waits_;  ///< those that nothing has followed yet
+    std::optional<Wait> miss_;
+    std::optional<Moment> missed_;
+    std::string too_late_;  ///< what came after the miss, as it would be told
+};
+
+}  // namespace campuswalk::engine

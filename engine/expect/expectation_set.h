@@ -1,0 +1,102 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/expect/body_evaluators.h"
+#include "engine/expect/event_evaluators.h"
+#include "engine/expect/failure.h"
+#include "engine/expect/path_evaluators.h"
+#include "engine/expect/popup_evaluators.h"
+
+namespace campuswalk::engine {
+
+using PlainJudge = std::variant<SequenceJudge, NeverJudge, CountJudge, WithinJudge, PopupJudge, VisitsJudge,
+                                ReachesJudge, NearJudge, DurationJudge, DistanceJudge, NoPenetrationJudge,
+                                GroundedJudge, BlockedByJudge, StuckJudge, FellJudge>;
+
+/// Holds one expectation against a walk's frames.
+class Judge {
+public:
+    /// What it refers to must outlive it. None for those that are judged elsewhere: logs and pictures.
+    static std::optional<Judge> of(const Expectation& expectation, const scene::Campus& campus,
+                                   const AvatarProfile& avatar);
+
+    void see(const FrameRecord& record, const Moment& now);
+
+    /// Why the expectation is not met by what has been seen, if it isn't; what wasn't decided before was
+    /// decided `now`.
+    std::optional<Failure> failure(bool ended, const Moment& now) const;
+
+    /// What of the expectation isn't as expected at a walk's end, if it might have become so had the walk
+    /// gone on.
+    std::optional<SourceMark> undecided() const;
+
+private:
+    Finding finding(bool ended) const;
+
+    Judge(PlainJudge judge, const scene::Campus& campus, const AvatarProfile& avatar)
+        : judge_(std::move(judge)), campus_(&campus), avatar_(&avatar) {}
+
+    PlainJudge judge_;
+    std::string_view name_;
+    bool negated_ = false;
+    const scene::Campus* campus_;
+    const AvatarProfile* avatar_;
+};
+
+/// All expectations of a walk that hold for the whole of it.
+class Jury {
+public:
+    /// Both must outlive it.
+    Jury(const scene::Campus& campus, const Walk& walk);
+
+    /// Every frame but the closing one.
+    void see(const FrameRecord& record);
+    /// The walk's last frame, in which all that is met is left: it is not told among what came before.
+    void see_closing(const FrameRecord& record);
+
+    /// In the order of the file; empty when everything was as expected.
+    std::vector<Failure> verdicts() const;
+
+    /// Of a walk that a step or its time-out stopped: what nothing that was still to come could have mended,
+    /// and what else isn't as expected. The latter is the stop's fault.
+    struct StoppedVerdicts {
+        std::vector<Failure> failures;
+        std::vector<SourceMark> undecided;
+    };
+    StoppedVerdicts verdicts_when_stopped() const;
+    /// Where the walk is, or ended.
+    const Moment& now() const { return chronicle_.now(); }
+
+private:
+    Chronicle chronicle_;
+    std::vector<Judge> judges_;
+};
+
+/// The expectations in a walk's steps. Each is held against everything since the walk's start.
+class StepJuries {
+public:
+    StepJuries(const scene::Campus& campus, const Walk& walk);
+
+    void see(const FrameRecord& record);
+
+    /// What isn't as the step expects, if anything; `record` is the tick so far, which `see` will be shown in
+    /// full afterwards.
+    std::optional<Failure> failure(const ExpectStep& step, const FrameRecord& record) const;
+
+private:
+    using Place = std::tuple<std::string, int, int>;
+    static Place place_of(const SourceMark& mark) { return {mark.file, mark.line, mark.column}; }
+
+    Chronicle chronicle_;
+    std::map<Place, std::vector<Judge>> juries_;  ///< by the step's mark: one for all rounds of a `repeat`
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/record/tick_record.h"
+
+namespace campuswalk::engine {
+
+/// An event with the time that logs tell of it.
+struct TimedEvent {
+    Event event;
+    double time = 0.0;  ///< seconds
+};
+
+/// How things stood at the end of a tick. Cheap to copy, so that a judge can keep the one that matters.
+struct Moment {
+    static constexpr std::size_t kEvents = 5;
+
+    Tick tick = 0;
+    double time = 0.0;  ///< seconds
+    AvatarState avatar;
+    double distance = 0.0;                ///< metres so far
+    std::optional<std::size_t> building;  ///< whose window was opened last of those that are open
+    /// The last events, the oldest first; null where there were fewer.
+    std::array<std::shared_ptr<const TimedEvent>, kEvents> events;
+    std::shared_ptr<const std::vector<bool>> disabled;  ///< by object; null: none is
+};
+
+/// Follows a walk from frame to frame.
+class Chronicle {
+public:
+    void see(const FrameRecord& record);
+    const Moment& now() const { return now_; }
+
+private:
+    void keep(const Event& event, double time);
+
+    Moment now_;
+};
+
+}  // namespace campuswalk::engine

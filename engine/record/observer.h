@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/record/tick_record.h"
+
+namespace campuswalk::engine {
+
+/// Reads the walk as it happens. The simulation knows no observer; what one does can't change a walk.
+/// A failure to write (disk full, no GL) is thrown as std::runtime_error and ends the program with 3.
+class Observer {
+public:
+    virtual ~Observer() = default;
+
+    /// Once before the first tick.
+    virtual void begin(const Walk& walk) { static_cast<void>(walk); }
+    /// After every tick, and once more with the closing events of the walk.
+    virtual void frame(const FrameRecord& record) = 0;
+    /// Once after the last frame; everything must be on disk when this returns.
+    virtual void end() {}
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,240 @@
+#include "engine/render/geometry/overlay_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+#include "collision/hybrid/hybrid_tree.h"
+#include "collision/mesh/mesh_collider.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+using collision::Detection;
+using collision::Pose;
+using Eigen::Vector3d;
+using Color = std::array<float, 3>;
+
+constexpr Color kSolid = {0.02F, 0.55F, 0.95F};
+constexpr Color kSeen = {0.75F, 0.10F, 0.85F};  // but not solid
+constexpr Color kTrigger = {1.0F, 0.45F, 0.02F};
+constexpr Color kPath = {1.0F, 0.60F, 0.02F};
+constexpr Color kContact = {1.0F, 0.02F, 0.02F};
+constexpr Color kTree = {0.05F, 0.85F, 0.10F};
+
+constexpr double kFlatEnough = 0.93969262;  // cosine of 20 degrees
+constexpr int kCircleParts = 24;
+constexpr double kFullTurn = 6.283185307179586;
+constexpr double kOverGround = 0.04;     // metres, so that a path isn't half in the ground
+constexpr double kContactRadius = 0.35;  // metres: a little more than a person's
+
+class Outliner {
+public:
+    Outliner(const Pose& pose, const Color& color, std::vector<OverlayLine>& lines)
+        : pose_(pose), color_(color), lines_(lines) {}
+
+    void line(const Vector3d& a, const Vector3d& b) { lines_.push_back({pose_ * a, pose_ * b, color_}); }
+
+    void box(const Vector3d& half) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3;
+            const int v = (axis + 2) % 3;
+            for (const auto& [su, sv] :
+                 {std::pair(-1, -1), std::pair(-1, 1), std::pair(1, -1), std::pair(1, 1)}) {
+                Vector3d a;
+                a[axis] = -half[axis];
+                a[u] = su * half[u];
+                a[v] = sv * half[v];
+                Vector3d b = a;
+                b[axis] = half[axis];
+                line(a, b);
+            }
+        }
+    }
+
+    /// From `start` on, `turn` radians from axis `u` towards axis `v`.
+    void arc(const Vector3d& centre, double radius, int u, int v, double start, double turn) {
+        const int parts = std::max(2, static_cast<int>(std::lround(kCircleParts * turn / kFullTurn)));
+        const auto at = [&](int i) {
+            const double angle = start + turn * i / parts;
+            Vector3d p = centre;
+            p[u] += radius * std::cos(angle);
+            p[v] += radius * std::sin(angle);
+            return p;
+        };
+        for (int i = 0; i < parts; ++i) {
+            line(at(i), at(i + 1));
+        }
+    }
+    void circle(const Vector3d& centre, double radius, int u, int v) {
+        arc(centre, radius, u, v, 0.0, kFullTurn);
+    }
+
+    void operator()(const collision::Box& shape) { box(shape.half_extents); }
+
+    void operator()(const collision::Sphere& shape) {
+        for (int axis = 0; axis < 3; ++axis) {
+            circle(Vector3d::Zero(), shape.radius, (axis + 1) % 3, (axis + 2) % 3);
+        }
+    }
+
+    void operator()(const collision::Capsule& shape) {
+        const Vector3d up = shape.half_length * Vector3d::UnitY();
+        for (const int sign : {-1, 1}) {
+            circle(sign * up, shape.radius, 0, 2);
+            for (const int side : {0, 2}) {
+                arc(sign * up, shape.radius, side, 1, sign > 0 ? 0.0 : 0.5 * kFullTurn, 0.5 * kFullTurn);
+                Vector3d aside = Vector3d::Zero();
+                aside[side] = sign * shape.radius;
+                line(aside - up, aside + up);
+            }
+        }
+    }
+
+    void operator()(const collision::Wheel& shape) {
+        const Vector3d out = shape.half_width * Vector3d::UnitX();
+        circle(out, shape.radius, 1, 2);
+        circle(-out, shape.radius, 1, 2);
+        for (int i = 0; i < 8; ++i) {
+            const double angle = kFullTurn * i / 8;
+            const Vector3d rim(0.0, shape.radius * std::cos(angle), shape.radius * std::sin(angle));
+            line(rim - out, rim + out);
+        }
+    }
+
+    void operator()(const std::shared_ptr<const collision::MeshCollider>& shape) { mesh(shape->mesh()); }
+
+    void mesh(const collision::TriangleMesh& mesh);
+
+private:
+    const Pose& pose_;
+    Color color_;
+    std::vector<OverlayLine>& lines_;
+};
+
+// A side of a triangle, its ends in a fixed order.
+struct Side {
+    Vector3d a;
+    Vector3d b;
+    Vector3d normal;
+
+    auto ends() const { return std::tuple(a.x(), a.y(), a.z(), b.x(), b.y(), b.z()); }
+};
+
+Side side_of(const Vector3d& a, const Vector3d& b, const Vector3d& normal) {
+    const bool ordered = std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+    return ordered ? Side{a, b, normal} : Side{b, a, normal};
+}
+
+void Outliner::mesh(const collision::TriangleMesh& mesh) {
+    std::vector<Side> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const collision::Triangle t = collision::corners(mesh, i);
+        const Vector3d normal = (t.b - t.a).cross(t.c - t.a).normalized();
+        sides.push_back(side_of(t.a, t.b, normal));
+        sides.push_back(side_of(t.b, t.c, normal));
+        sides.push_back(side_of(t.c, t.a, normal));
+    }
+    std::ranges::stable_sort(sides, {}, [](const Side& side) { return side.ends(); });
+    for (std::size_t first = 0; first < sides.size();) {
+        std::size_t end = first + 1;
+        bool bent = false;
+        while (end < sides.size() && sides[end].ends() == sides[first].ends()) {
+            bent = bent || std::abs(sides[end].normal.dot(sides[first].normal)) < kFlatEnough;
+            ++end;
+        }
+        if (bent || end == first + 1) {
+            line(sides[first].a, sides[first].b);
+        }
+        first = end;
+    }
+}
+
+void add_objects(const scene::Campus& campus, bool colliders, bool triggers,
+                 std::vector<OverlayLine>& lines) {
+    for (std::uint32_t i = 0; i < campus.world.size(); ++i) {
+        const collision::Object& object = campus.world.object(collision::ObjectId{i});
+        const bool solid = any_of(object.detection, Detection::solid);
+        if (colliders && (solid || any_of(object.detection, Detection::ray))) {
+            add_outline(object.shape, object.X_world_shape, solid ? kSolid : kSeen, lines);
+        }
+        if (triggers && any_of(object.detection, Detection::trigger)) {
+            add_outline(object.shape, object.X_world_shape, kTrigger, lines);
+        }
+    }
+}
+
+void add_contact(const Vector3d& foot, std::vector<OverlayLine>& lines) {
+    Pose pose;
+    pose.translation = foot + kOverGround * Vector3d::UnitY();
+    Outliner outliner(pose, kContact, lines);
+    outliner.circle(Vector3d::Zero(), kContactRadius, 0, 2);
+    outliner.circle(Vector3d::Zero(), 0.6 * kContactRadius, 0, 2);
+    outliner.line(Vector3d::Zero(), {0.0, 2.0, 0.0});
+}
+
+}  // namespace
+
+void add_outline(const collision::Shape& shape, const Pose& X_world_shape, const Color& color,
+                 std::vector<OverlayLine>& lines) {
+    Outliner outliner(X_world_shape, color, lines);
+    std::visit(outliner, shape);
+}
+
+void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayLine>& lines) {
+    for (std::uint32_t i = 0; i < campus.world.size(); ++i) {
+        const collision::Object& object = campus.world.object(collision::ObjectId{i});
+        const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape);
+        if (mesh == nullptr) {
+            continue;
+        }
+        const collision::HybridTree tree = collision::build_hybrid_tree((*mesh)->mesh());
+        std::vector<std::uint32_t> nodes = {0};
+        for (int depth = 0; depth < level; ++depth) {
+            std::vector<std::uint32_t> below;
+            for (const std::uint32_t node : nodes) {
+                if (tree.nodes[node].is_leaf()) {
+                    below.push_back(node);
+                } else {
+                    below.insert(below.end(), {tree.nodes[node].first, tree.nodes[node].first + 1});
+                }
+            }
+            if (below.size() == nodes.size()) {
+                break;
+            }
+            nodes = std::move(below);
+        }
+        for (const std::uint32_t node : nodes) {
+            const collision::OrientedBox& box = tree.nodes[node].inner;
+            Pose pose;
+            pose.rotation = object.X_world_shape.rotation * box.axes;
+            pose.translation = object.X_world_shape * box.center;
+            Outliner(pose, kTree, lines).box(box.half_extents);
+        }
+    }
+}
+
+std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const PictureOverlays& overlays,
+                                       std::span<const Vector3d> path, std::span<const Vector3d> contacts) {
+    std::vector<OverlayLine> lines;
+    add_objects(campus, overlays.colliders, overlays.triggers, lines);
+    if (overlays.tree_level) {
+        add_tree_boxes(campus, *overlays.tree_level, lines);
+    }
+    const Vector3d up = kOverGround * Vector3d::UnitY();
+    for (std::size_t i = 1; overlays.path && i < path.size(); ++i) {
+        lines.push_back({path[i - 1] + up, path[i] + up, kPath});
+    }
+    if (overlays.contacts) {
+        for (const Vector3d& foot : contacts) {
+            add_contact(foot, lines);
+        }
+    }
+    return lines;
+}
+
+}  // namespace campuswalk::engine::render

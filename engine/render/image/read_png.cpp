@@ -1,0 +1,120 @@
+#include "engine/render/image/read_png.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include <spng.h>
+
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+// A file of some kilobytes can claim any size; 8K is 33 million pixels.
+constexpr std::uint32_t kLongestSide = 32768;
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 27U;
+constexpr std::size_t kLargestChunk = std::size_t{1} << 24U;  ///< of those kept in memory: texts, profiles
+
+constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+class PngReader {
+public:
+    explicit PngReader(const std::filesystem::path& file)
+        : name_(file), stream_(std::fopen(file.c_str(), "rb")), decoder_(spng_ctx_new(0), spng_ctx_free) {
+        if (!stream_) {
+            const int reason = errno;
+            refuse(reason == ENOENT || reason == ENOTDIR ? "missing-file" : "unreadable-file",
+                   std::string("can't read the picture: ") + std::strerror(reason));
+        }
+        check_signature();
+    }
+
+    Picture read() {
+        check(decoder_ ? 0 : SPNG_EMEM);
+        check(spng_set_png_file(decoder_.get(), stream_.get()));
+        check(spng_set_image_limits(decoder_.get(), kLongestSide, kLongestSide));
+        check(spng_set_chunk_limits(decoder_.get(), kLargestChunk, kLargestChunk));
+        spng_ihdr header{};
+        check(spng_get_ihdr(decoder_.get(), &header));
+        if (std::uint64_t{header.width} * header.height > kMostPixels) {
+            refuse("bad-picture", "the picture has " + std::to_string(header.width) + "x" +
+                                      std::to_string(header.height) + " pixels, which is too large");
+        }
+        Picture picture;
+        picture.width = static_cast<int>(header.width);
+        picture.height = static_cast<int>(header.height);
+        picture.rgba.resize(std::size_t{4} * header.width * header.height);
+        check(spng_decode_image(decoder_.get(), picture.rgba.data(), picture.rgba.size(), SPNG_FMT_RGBA8,
+                                SPNG_DECODE_TRNS));
+        // The checksums of what follows the pixels.
+        check(spng_decode_chunks(decoder_.get()));
+        return picture;
+    }
+
+private:
+    /// Before libspng does, which calls a short text cut short.
+    void check_signature() const {
+        std::array<unsigned char, kSignature.size()> read{};
+        const std::size_t count = std::fread(read.data(), 1, read.size(), stream_.get());
+        if (std::ferror(stream_.get()) != 0) {
+            refuse("unreadable-file", std::string("can't read the picture: ") + std::strerror(errno));
+        }
+        if (count < read.size() || read != kSignature) {
+            refuse("bad-picture", "this is no PNG file");
+        }
+        std::rewind(stream_.get());
+    }
+
+    void check(int error) const {
+        if (error == 0) {
+            return;
+        }
+        if (error == SPNG_EWIDTH || error == SPNG_EHEIGHT || error == SPNG_EUSER_WIDTH ||
+            error == SPNG_EUSER_HEIGHT) {
+            refuse("bad-picture",
+                   "a side of the picture isn't 1 to " + std::to_string(kLongestSide) + " pixels long");
+        }
+        refuse("bad-picture", std::string("the PNG file is cut short or broken: ") + spng_strerror(error));
+    }
+
+    [[noreturn]] void refuse(const char* code, const std::string& message) const {
+        throw scene::InputError(scene::SourceMark{name_.string(), 0, 0}, code, message);
+    }
+
+    std::filesystem::path name_;
+    std::unique_ptr<std::FILE, CloseFile> stream_;
+    std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> decoder_;
+};
+
+/// Over white, in sRGB as browsers do it.
+void make_opaque(Picture& picture) {
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        const int alpha = picture.rgba[i + 3];
+        if (alpha == 255) {
+            continue;
+        }
+        for (std::size_t c = i; c < i + 3; ++c) {
+            picture.rgba[c] =
+                static_cast<std::uint8_t>((picture.rgba[c] * alpha + 255 * (255 - alpha) + 127) / 255);
+        }
+        picture.rgba[i + 3] = 255;
+    }
+}
+
+}  // namespace
+
+Picture read_png(const std::filesystem::path& file) {
+    Picture picture = PngReader(file).read();
+    make_opaque(picture);
+    return picture;
+}
+
+}  // namespace campuswalk::engine::render

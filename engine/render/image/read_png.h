@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "engine/render/image/image.h"
+
+namespace campuswalk::engine::render {
+
+/// The picture in a PNG file of any kind: 16 bits are rounded to 8, palettes and greys become colours, and
+/// what is transparent shows white. Throws scene::InputError (missing-file, unreadable-file, bad-picture)
+/// that names the file.
+Picture read_png(const std::filesystem::path& file);
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,96 @@
+#include "engine/render/passes/hierarchical_z.h"
+
+#include "engine/render/passes/shaders.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+// A look makes the driver finish what it has been given, and takes a millisecond or two. The first comes when
+// the near ground and walls are there, which hide most of what can be hidden; each other after twice as much.
+constexpr std::size_t kFirstLook = std::size_t{3} * 15000;  // indices
+
+}  // namespace
+
+DrawnDepth::DrawnDepth(const GlFunctions& gl, int samples)
+    : gl_(gl),
+      farthest_(gl, "farthest depth", {shaders::kVersion, shaders::kScreenChunk, shaders::kScreenVertex},
+                {shaders::kVersion, samples > 1 ? shaders::kDefineMultisampled : std::string_view(),
+                 shaders::kFarthestFragment}) {
+    gl.GenVertexArrays(1, &no_vertices_);
+}
+
+DrawnDepth::~DrawnDepth() {
+    free_tiles();
+}
+
+void DrawnDepth::free_tiles() {
+    gl_.DeleteFramebuffers(1, &framebuffer_);
+    gl_.DeleteTextures(1, &texture_);
+}
+
+void DrawnDepth::fit(int width, int height) {
+    if (width == picture_width_ && height == picture_height_) {
+        return;
+    }
+    free_tiles();
+    picture_width_ = width;
+    picture_height_ = height;
+    columns_ = (width + DepthTiles::kTileWidth - 1) / DepthTiles::kTileWidth;
+    rows_ = (height + DepthTiles::kTileHeight - 1) / DepthTiles::kTileHeight;
+    gl_.GenTextures(1, &texture_);
+    gl_.BindTexture(GL_TEXTURE_2D, texture_);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, columns_, rows_, 0, GL_RED, GL_FLOAT, nullptr);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.GenFramebuffers(1, &framebuffer_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+}
+
+void DrawnDepth::begin(const RenderTarget& target, const Eigen::Matrix4d& clip_campus) {
+    fit(target.width(), target.height());
+    target.resume();
+    target_ = &target;
+    clip_campus_ = clip_campus;
+    tiles_.farthest.clear();
+    drawn_ = 0;
+    next_look_ = kFirstLook;
+}
+
+bool DrawnDepth::hides(const Eigen::AlignedBox3d& box) const {
+    return !tiles_.empty() && tiles_.hide(box, clip_campus_, target_->width(), target_->height());
+}
+
+bool DrawnDepth::drawn(std::size_t indices) {
+    drawn_ += indices;
+    if (drawn_ < next_look_) {
+        return false;
+    }
+    look();
+    drawn_ = 0;
+    next_look_ *= 2;
+    return true;
+}
+
+void DrawnDepth::look() {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.Viewport(0, 0, columns_, rows_);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    target_->bind_depth();
+    farthest_.use();
+    farthest_.set("depth_map", 0);
+    farthest_.set("tile", Eigen::Vector2i(DepthTiles::kTileWidth, DepthTiles::kTileHeight));
+    farthest_.set("last", Eigen::Vector2i(target_->width() - 1, target_->height() - 1));
+    gl_.BindVertexArray(no_vertices_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    tiles_.columns = columns_;
+    tiles_.rows = rows_;
+    tiles_.farthest.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl_.ReadPixels(0, 0, columns_, rows_, GL_RED, GL_FLOAT, tiles_.farthest.data());
+    gl_.Enable(GL_DEPTH_TEST);
+    target_->resume();
+}
+
+}  // namespace campuswalk::engine::render

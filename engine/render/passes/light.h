@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/render/passes/render_settings.h"
+#include "engine/script/light.h"
+
+namespace campuswalk::engine::render {
+
+/// `base` with what `light` says in the place of its own.
+RenderSettings lit(const RenderSettings& base, const LightSettings& light);
+
+}  // namespace campuswalk::engine::render

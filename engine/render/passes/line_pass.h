@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "engine/render/geometry/overlay_lines.h"
+#include "engine/render/gl/gl_functions.h"
+#include "engine/render/gl/shader_program.h"
+
+namespace campuswalk::engine::render {
+
+/// Draws lines into a finished picture: plainly where they can be seen, faintly where something hides them.
+/// Lives as long as its context.
+class LinePass {
+public:
+    explicit LinePass(const GlFunctions& gl);
+
+    /// `clip_campus` is for places counted from `origin` (world); the picture's target must be bound.
+    void draw(std::span<const OverlayLine> lines, const Eigen::Matrix4d& clip_campus,
+              const Eigen::Vector3d& origin, int width, int height) const;
+
+private:
+    const GlFunctions& gl_;
+    ShaderProgram program_;
+    GLuint array_ = 0;
+    GLuint vertices_ = 0;
+};
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,85 @@
+#include "engine/render/sequence/scaled_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace campuswalk::engine::render {
+namespace {
+
+double linear(int value) {
+    const double s = value / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+const std::array<float, 256>& linear_table() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> made{};
+        for (int i = 0; i < 256; ++i) {
+            made[static_cast<std::size_t>(i)] = static_cast<float>(linear(i));
+        }
+        return made;
+    }();
+    return table;
+}
+
+/// The nearest 8-bit value: the table searched from the other side.
+std::uint8_t gamma_coded(float value) {
+    const auto& table = linear_table();
+    const auto above = std::lower_bound(table.begin(), table.end(), value);
+    if (above == table.begin()) {
+        return 0;
+    }
+    if (above == table.end()) {
+        return 255;
+    }
+    const bool upper = *above - value < value - *(above - 1);
+    return static_cast<std::uint8_t>(above - table.begin() - (upper ? 0 : 1));
+}
+
+/// Whole pixels from `from` to below `to`, at least one.
+std::array<int, 2> covered(int index, int count, int size) {
+    const int from = static_cast<int>(std::int64_t{index} * size / count);
+    const int to = static_cast<int>(std::int64_t{index + 1} * size / count);
+    return {from, std::max(to, from + 1)};
+}
+
+void mean(const Picture& picture, const std::array<int, 2>& columns, const std::array<int, 2>& rows,
+          std::uint8_t* out) {
+    std::array<float, 3> sums = {0, 0, 0};
+    for (int y = rows[0]; y < rows[1]; ++y) {
+        const std::uint8_t* pixel = &picture.rgba[picture.offset(columns[0], y)];
+        for (int x = columns[0]; x < columns[1]; ++x, pixel += 4) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                sums[c] += linear_table()[pixel[c]];
+            }
+        }
+    }
+    const auto count = static_cast<float>((columns[1] - columns[0]) * (rows[1] - rows[0]));
+    for (std::size_t c = 0; c < 3; ++c) {
+        out[c] = gamma_coded(sums[c] / count);
+    }
+    out[3] = 255;
+}
+
+}  // namespace
+
+Picture scaled_down(const Picture& picture, int width) {
+    if (picture.width <= width) {
+        return picture;
+    }
+    Picture small;
+    small.width = width;
+    small.height = std::max(
+        1, static_cast<int>((std::int64_t{picture.height} * width + picture.width / 2) / picture.width));
+    small.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(small.height));
+    for (int y = 0; y < small.height; ++y) {
+        const std::array<int, 2> rows = covered(y, small.height, picture.height);
+        for (int x = 0; x < width; ++x) {
+            mean(picture, covered(x, width, picture.width), rows, &small.rgba[small.offset(x, y)]);
+        }
+    }
+    return small;
+}
+
+}  // namespace campuswalk::engine::render

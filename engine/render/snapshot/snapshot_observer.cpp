@@ -1,0 +1,68 @@
+#include "engine/render/snapshot/snapshot_observer.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "engine/render/image/png.h"
+#include "engine/render/snapshot/channel_files.h"
+
+namespace campuswalk::engine::render {
+void SnapshotObserver::begin(const Walk& walk) {
+    shots_.begin(walk);
+    sights_.clear();
+    for (const Expectation& expectation : walk.expectations) {
+        if (const auto* visible = std::get_if<ExpectVisible>(&expectation)) {
+            sights_[visible->snapshot] = {};
+        }
+    }
+    contacts_.clear();
+}
+
+void SnapshotObserver::frame(const FrameRecord& record) {
+    shots_.follow(record.avatar);
+    for (const Event& event : record.events) {
+        if (event.kind == EventKind::collision_enter) {
+            contacts_.push_back(record.avatar.position);
+        }
+    }
+    for (const SnapshotStep* step : record.snapshots) {
+        take(*step, record);
+    }
+}
+
+void SnapshotObserver::take(const SnapshotStep& step, const FrameRecord& record) {
+    Shot shot = shots_.shot(record, step.camera);
+    shot.overlays = step.overlays;
+    shot.contacts = contacts_;
+    SnapshotPainter& painter = painters_.of(campus_, shots_.light());
+    const std::filesystem::path file = folder_ / (step.name + ".png");
+    write_png(painter.draw(shot), file);
+    files_.push_back(file);
+    if (step.channels.any()) {
+        const Channels channels = painter.draw_channels(shot, choice_of(step.channels));
+        std::ranges::move(write_channels(painter, campus_, channels, step.channels, folder_ / step.name),
+                          std::back_inserter(files_));
+    }
+    if (const auto wanted = sights_.find(step.name); wanted != sights_.end()) {
+        wanted->second = sight_of(painter, shot);
+    }
+}
+
+SnapshotSight SnapshotObserver::sight_of(SnapshotPainter& painter, const Shot& shot) const {
+    const IdPicture ids = painter.draw_ids(shot);
+    std::vector<std::size_t> pixels_of_name(ids.names.size(), 0);
+    for (const std::uint32_t id : ids.ids) {
+        ++pixels_of_name[id];
+    }
+    SnapshotSight sight;
+    sight.pixels = ids.ids.size();
+    sight.of_building.assign(campus_.description.buildings.size(), 0);
+    for (std::size_t i = 0; i < ids.names.size(); ++i) {
+        if (const auto building = ids.names[i].building) {
+            sight.of_building[*building] += pixels_of_name[i];
+        }
+    }
+    return sight;
+}
+
+}  // namespace campuswalk::engine::render

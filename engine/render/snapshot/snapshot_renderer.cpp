@@ -1,0 +1,265 @@
+#include "engine/render/snapshot/snapshot_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "engine/events/popup_text.h"
+#include "engine/render/geometry/building_bounds.h"
+#include "engine/render/geometry/visible_parts.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+// Closer to the head than this the figure would fill the picture.
+constexpr double kFigureFrom = 0.9;
+
+constexpr double kBehind = 4.0;          // metres: a person and what is around it
+constexpr double kOrbitDistance = 10.0;  // metres, around a point
+// Down from the south-west, where the sun is: both sides of a building that are seen are lit.
+constexpr double kOrbitYaw = -0.5235987755982988;
+constexpr double kOrbitPitch = -0.4363323129985824;
+
+constexpr double kSteep = 0.999;          // sine of a look that has no heading but the picture's upper edge
+constexpr double kLabelledShare = 0.002;  // of the picture: a building that shows less has no label
+
+constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
+
+Eigen::Vector3d eyes_of(const Shot& shot) {
+    return shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
+}
+
+bool is_from_avatar(View view) {
+    return view == View::first_person || view == View::third_person;
+}
+
+}  // namespace
+
+SnapshotPainter::SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings)
+    : campus_(campus),
+      settings_(std::move(settings)),
+      renderer_(campus.models, settings_.light, make_gl_context(settings_.backend)),
+      building_bounds_(building_bounds(campus)) {}
+
+Picture SnapshotPainter::draw(const Shot& shot) {
+    const Viewpoint view = viewpoint(shot);
+    const std::vector<OverlayLine> lines = overlay_lines(campus_, shot.overlays, shot.path, shot.contacts);
+    const Picture picture =
+        renderer_.draw(view, shot.camera.width, shot.camera.height, figure(shot, view), lines);
+    return draw_over(picture, shot, view);
+}
+
+Channels SnapshotPainter::draw_channels(const Shot& shot, const ChannelChoice& choice) {
+    const Viewpoint view = viewpoint(shot);
+    return renderer_.draw_channels(view, shot.camera.width, shot.camera.height, choice, figure(shot, view));
+}
+
+IdPicture SnapshotPainter::draw_ids(const Shot& shot) {
+    return ids_of(draw_channels(shot, {.nodes = true}));
+}
+
+IdPicture SnapshotPainter::ids_of(const Channels& channels) {
+    if (!node_names_) {
+        node_names_ = name_nodes(campus_);
+    }
+    IdPicture picture{channels.width, channels.height, {}, node_names_->names};
+    picture.ids.reserve(channels.nodes.size());
+    for (const std::uint32_t node : channels.nodes) {
+        picture.ids.push_back(node_names_->name_of_node[node]);
+    }
+    return picture;
+}
+
+std::optional<Figure> SnapshotPainter::figure(const Shot& shot, const Viewpoint& view) {
+    const View from = shot.camera.view;
+    if (shot.nobody || from == View::first_person || from == View::top) {
+        return std::nullopt;
+    }
+    if ((view.position - eyes_of(shot)).norm() <= kFigureFrom) {
+        return std::nullopt;
+    }
+    return Figure{shot.avatar, shot.profile, shot.stride};
+}
+
+Picture SnapshotPainter::draw_plan(int width, int height) {
+    const Viewpoint view = plan(renderer_.bounds(), static_cast<double>(width) / height);
+    const Canvas canvas(renderer_.draw(view, width, height), fonts_);
+    if (settings_.labels) {
+        draw_map_labels(canvas, view, labels());
+    }
+    draw_scale_bar(canvas, view);
+    draw_north_arrow(canvas);
+    return canvas.picture();
+}
+
+Channels SnapshotPainter::draw_plan_channels(int width, int height, const ChannelChoice& choice) {
+    const Viewpoint view = plan(renderer_.bounds(), static_cast<double>(width) / height);
+    return renderer_.draw_channels(view, width, height, choice);
+}
+
+Picture SnapshotPainter::draw_view(const Viewpoint& view, int width, int height) {
+    return renderer_.draw(view, width, height);
+}
+
+Viewpoint SnapshotPainter::viewpoint(const Shot& shot) const {
+    const CameraSettings& camera = shot.camera;
+    switch (camera.view) {
+        case View::third_person:
+            return third_person(shot.avatar, shot.profile, camera.fov, camera.distance.value_or(kBehind),
+                                settings_.free_distance);
+        case View::top:
+            return top(shot.avatar.position, camera.height_above, camera.fov, renderer_.bounds());
+        case View::orbit:
+            return orbit_view(shot);
+        case View::fixed:
+            return fixed_view(shot);
+        case View::first_person:
+            break;
+    }
+    return first_person(shot.avatar, shot.profile, camera.fov);
+}
+
+Viewpoint SnapshotPainter::orbit_view(const Shot& shot) const {
+    const CameraSettings& camera = shot.camera;
+    const double yaw = camera.yaw.value_or(kOrbitYaw);
+    const double pitch = camera.pitch.value_or(kOrbitPitch);
+    const bool whole = camera.around && camera.around->building && !camera.distance;
+    if (whole && !building_bounds_[*camera.around->building].empty()) {
+        const double aspect = static_cast<double>(camera.width) / camera.height;
+        return orbiting(building_bounds_[*camera.around->building], aspect, yaw, pitch, camera.fov);
+    }
+    const Eigen::Vector3d centre =
+        camera.around
+            ? point_of(*camera.around)
+            : Eigen::Vector3d(shot.avatar.position +
+                              0.5 * shot.avatar.stature * shot.profile.height * Eigen::Vector3d::UnitY());
+    return orbiting(centre, camera.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
+}
+
+Viewpoint SnapshotPainter::fixed_view(const Shot& shot) const {
+    const CameraSettings& camera = shot.camera;
+    const Eigen::Vector3d position = camera.position.value_or(eyes_of(shot));
+    if (camera.look_at) {
+        return looking_at(position, point_of(*camera.look_at), camera.fov);
+    }
+    return looking(position, camera.yaw.value_or(0.0), camera.pitch.value_or(0.0), camera.fov);
+}
+
+Eigen::Vector3d SnapshotPainter::point_of(const CameraTarget& target) const {
+    if (!target.building) {
+        return target.point;
+    }
+    const scene::Bounds& box = building_bounds_[*target.building];
+    return box.empty() ? target.point : Eigen::Vector3d(0.5 * (box.min + box.max));
+}
+
+Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view) {
+    const Canvas canvas(picture, fonts_);
+    if (shot.camera.view == View::top) {
+        draw_path(canvas, view, shot.path);
+        if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), shot.avatar.position)) {
+            draw_heading_arrow(canvas, pixel->x(), pixel->y(), shot.avatar.yaw, 13.0 * canvas.scale());
+        }
+        draw_scale_bar(canvas, view);
+        draw_north_arrow(canvas);
+    } else if (shot.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
+        draw_minimap(canvas, minimap(), shot.avatar);
+    }
+    const std::vector<WindowFrame> frames =
+        draw_info_windows(canvas, windows(shot, view), settings_.max_windows);
+    if (shot.overlays.labels) {
+        draw_labels(canvas, labels_in(shot), frames);
+    }
+    if (shot.overlays.compass && view.projection == Projection::perspective) {
+        const Eigen::Vector3d back = view.R_world_camera.col(2);
+        const Eigen::Vector3d up = view.R_world_camera.col(1);
+        const Eigen::Vector3d level = std::abs(back.y()) > kSteep ? Eigen::Vector3d(-up) : back;
+        draw_compass(canvas, std::atan2(level.x(), level.z()), frames);
+    }
+    if (!shot.caption.empty()) {
+        const double s = canvas.scale();
+        const TextStyle style = {14.0 * s, true, {1, 1, 1, 1}, 0.0, 1};
+        const Eigen::Vector2d size = canvas.text_size(shot.caption, style);
+        canvas.label(20.0 * s + 0.5 * size.x(), 24.0 * s, shot.caption, style);
+    }
+    return canvas.picture();
+}
+
+std::vector<InfoWindow> SnapshotPainter::windows(const Shot& shot, const Viewpoint& view) const {
+    std::vector<InfoWindow> all;
+    for (auto i = shot.open_popups.rbegin(); i != shot.open_popups.rend(); ++i) {
+        all.push_back(info_window_of(campus_.description.buildings[i->building], *i));
+        all.back().anchor = anchor(i->building, shot, view);
+    }
+    return all;
+}
+
+std::optional<Eigen::Vector2d> SnapshotPainter::anchor(std::size_t building, const Shot& shot,
+                                                       const Viewpoint& view) const {
+    const scene::Bounds& box = building_bounds_[building];
+    const auto inside =
+        (view.position.array() > box.min.array()) && (view.position.array() < box.max.array());
+    if (box.empty() || inside.all()) {
+        return std::nullopt;
+    }
+    // Two thirds up: above doors and passers-by, below the roof.
+    Eigen::Vector3d point = 0.5 * (box.min + box.max);
+    point.y() = box.min.y() + 0.66 * (box.max.y() - box.min.y());
+    return pixel_of(view, shot.camera.width, shot.camera.height, point);
+}
+
+std::string SnapshotPainter::title_of(std::size_t index) const {
+    const scene::Building& building = campus_.description.buildings[index];
+    const std::string title = popup_title(building, {});
+    return title.empty() ? building.id : title;
+}
+
+std::vector<MapLabel> SnapshotPainter::labels() const {
+    std::vector<MapLabel> all;
+    for (std::size_t i = 0; i < building_bounds_.size(); ++i) {
+        const scene::Bounds& box = building_bounds_[i];
+        if (!box.empty()) {
+            all.push_back({title_of(i), 0.5 * (box.min + box.max)});
+        }
+    }
+    return all;
+}
+
+// On what is seen of each building, as near to its middle as can be, the one that shows most first.
+std::vector<PixelLabel> SnapshotPainter::labels_in(const Shot& shot) {
+    const IdPicture ids = draw_ids(shot);
+    const auto buildings = static_cast<std::uint32_t>(campus_.description.buildings.size());
+    std::vector<std::uint32_t> owners;
+    owners.reserve(ids.ids.size());
+    for (const std::uint32_t id : ids.ids) {
+        owners.push_back(static_cast<std::uint32_t>(ids.names[id].building.value_or(buildings)));
+    }
+    auto parts = visible_parts(owners, static_cast<std::size_t>(ids.width), buildings);
+    const double least = kLabelledShare * static_cast<double>(owners.size());
+    std::erase_if(parts, [&](const VisiblePart& part) { return static_cast<double>(part.pixels) < least; });
+    std::ranges::stable_sort(parts, std::greater<>(), &VisiblePart::pixels);
+    std::vector<PixelLabel> labels;
+    labels.reserve(parts.size());
+    for (const VisiblePart& part : parts) {
+        labels.push_back({title_of(part.owner), part.deepest});
+    }
+    return labels;
+}
+
+const Minimap& SnapshotPainter::minimap() {
+    if (!minimap_) {
+        const scene::Bounds& bounds = renderer_.bounds();
+        const double across = std::max(1.0, bounds.max.x() - bounds.min.x());
+        const double along = std::max(1.0, bounds.max.z() - bounds.min.z());
+        const double scale =
+            std::min(settings_.minimap_detail, kLargestMinimapPlan / std::max(across, along));
+        const int width = std::max(16, static_cast<int>(across * scale));
+        const int height = std::max(16, static_cast<int>(along * scale));
+        const Viewpoint view = plan(bounds, static_cast<double>(width) / height);
+        minimap_ = Minimap{renderer_.draw(view, width, height), view, settings_.minimap_radius};
+    }
+    return *minimap_;
+}
+
+}  // namespace campuswalk::engine::render

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/base/query_counters.h"
+#include "collision/mover/mover.h"
+#include "collision/world/world.h"
+#include "engine/events/contact_tracker.h"
+#include "engine/events/gaze_memory.h"
+#include "engine/record/tick_record.h"
+#include "engine/script/avatar.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::engine {
+
+enum class Strategy { collision, trigger, ray };
+
+/// A transition with the strategy that saw it.
+struct SensedTransition {
+    Strategy strategy = Strategy::collision;
+    Transition transition;
+    double distance = 0.0;  ///< ray: from the eye to what is looked at, metres
+};
+
+/// The paper's three detection strategies for one avatar: what it bumps into, what volumes it is in, and what
+/// it looks at ("light projection").
+class Senses {
+public:
+    /// `ignored_layers` and `disabled` as in collision::QueryFilter; `gaze_hold` as in GazeMemory.
+    Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
+           Tick stay_ticks, Tick gaze_hold = 0, const std::vector<bool>* disabled = nullptr);
+
+    /// After a tick that moved the avatar along `trace.path`. Replaces `out`, in log order: by time within
+    /// the tick, exits before enters before stays, then by object.
+    void sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+               std::vector<SensedTransition>& out, collision::QueryCounters& counters);
+
+    /// After `sense`, in the same tick, when what can be met has changed: enters and exits alone. What was
+    /// disabled is left at once, without the gaze's hold. Replaces `out`, in the same order.
+    void sense_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                     std::vector<SensedTransition>& out, collision::QueryCounters& counters);
+
+    /// Everything ends at once. Replaces `out`, in the same order.
+    void leave_all(Tick tick, std::vector<SensedTransition>& out);
+
+private:
+    void see_solids(const collision::MoveTrace& trace);
+    void see_triggers(double height, const collision::MoveTrace& trace, collision::QueryCounters& counters);
+    Sighting sight_trigger(collision::ObjectId id, double height, const std::vector<collision::Vec3>& path,
+                           collision::QueryCounters& counters) const;
+    void see_gaze(Tick tick, const AvatarState& avatar, collision::QueryCounters& counters);
+    void collect(Tick tick, Strategy strategy, ContactTracker& tracker, std::vector<SensedTransition>& out);
+
+    const scene::Campus& campus_;
+    AvatarProfile avatar_;
+    std::uint32_t ignored_layers_;
+    const std::vector<bool>* disabled_;
+    ContactTracker solids_;
+    ContactTracker triggers_;
+    ContactTracker gaze_;
+    GazeMemory gaze_memory_;
+    std::vector<Sighting> seen_;
+    std::vector<Transition> changes_;
+    std::vector<collision::ObjectId> candidates_;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,136 @@
+#include "engine/simulation/run_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <utility>
+
+#include "engine/expect/expectation_set.h"
+#include "engine/expect/failure_scene.h"
+#include "engine/simulation/simulation.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+std::string hexadecimal(std::uint64_t value) {
+    std::array<char, 16> digits{};
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    const auto count = static_cast<std::size_t>(result.ptr - digits.data());
+    return std::string(digits.size() - count, '0') + std::string(digits.data(), count);
+}
+
+Event event_at(Tick tick, EventKind kind, std::string object) {
+    Event event;
+    event.tick = tick;
+    event.kind = kind;
+    event.object = std::move(object);
+    return event;
+}
+
+/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect
+/// isn't judged".
+std::string told_undecided(const std::vector<SourceMark>& marks) {
+    constexpr std::size_t kMostListed = 8;
+    std::vector<int> lines;
+    for (const SourceMark& mark : marks) {
+        if (std::ranges::find(lines, mark.line) == lines.end()) {
+            lines.push_back(mark.line);
+        }
+    }
+    if (lines.empty()) {
+        return "";
+    }
+    std::string list;
+    for (std::size_t i = 0; i < std::min(lines.size(), kMostListed); ++i) {
+        const bool last = i + 1 == lines.size();
+        list += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(lines[i]);
+    }
+    list += lines.size() > kMostListed ? ", …" : "";
+    const bool one = lines.size() == 1;
+    return "; the walk stops here, so what line" + std::string(one ? " " : "s ") + list +
+           (one ? " expects" : " expect") + " isn't judged";
+}
+
+/// Set when the failure's line is one of a file that the walk includes.
+std::string included_file(const Failure& failure, const Walk& walk) {
+    const std::string& file = failure.mark.file;
+    return file.empty() || walk.mark.file.empty() || file == walk.mark.file
+               ? ""
+               : std::filesystem::path(file).filename().string();
+}
+
+/// Puts the verdict into the walk's last event and, before it, what was not as expected.
+void add_verdict(const WalkSummary& summary, const Walk& walk, std::vector<Event>& events) {
+    Event end = std::move(events.back());
+    events.pop_back();
+    for (const Failure& failure : summary.failures) {
+        Event& event = events.emplace_back(event_at(summary.ticks, EventKind::expect_fail, failure.code));
+        event.fields = {{"line", static_cast<std::int64_t>(failure.mark.line)},
+                        {"message", Text{failure.message}}};
+        if (std::string file = included_file(failure, walk); !file.empty()) {
+            event.fields.push_back({"file", std::move(file)});
+        }
+    }
+    end.fields = {{"result", std::string(summary.passed ? "pass" : "fail")},
+                  {"events", summary.events},
+                  {"dist", Decimal{summary.distance, 3}},
+                  {"hash", hexadecimal(summary.hash)}};
+    events.push_back(std::move(end));
+}
+
+}  // namespace
+
+WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
+    Simulation simulation(campus, walk);
+    Jury jury(campus, walk);
+    WalkSummary summary;
+    const auto show = [&](const FrameRecord& record) {
+        for (Observer* observer : observers) {
+            observer->frame(record);
+        }
+    };
+
+    for (Observer* observer : observers) {
+        observer->begin(walk);
+    }
+    while (!simulation.finished()) {
+        const FrameRecord& record = simulation.step();
+        jury.see(record);
+        summary.events += static_cast<std::int64_t>(record.events.size());
+        summary.ticks = record.tick;
+        show(record);
+    }
+
+    FrameRecord last = simulation.leave_everything();
+    std::vector<Event> closing(last.events.begin(), last.events.end());
+    // walk.start is not counted, nor is walk.end, which expectations see without the verdict on them.
+    summary.events += static_cast<std::int64_t>(closing.size()) - 1;
+    closing.push_back(event_at(last.tick, EventKind::walk_end, walk.name));
+    last.events = closing;
+    jury.see_closing(last);
+    if (const auto& stop = simulation.stop()) {
+        Jury::StoppedVerdicts verdicts = jury.verdicts_when_stopped();
+        summary.failures = std::move(verdicts.failures);
+        summary.failures.insert(summary.failures.begin(),
+                                {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
+                                 stop->scene ? *stop->scene : scene_of(jury.now(), campus, walk.avatar)});
+    } else {
+        summary.failures = jury.verdicts();
+    }
+    summary.passed = summary.failures.empty();
+    summary.events += static_cast<std::int64_t>(summary.failures.size());
+    summary.distance = simulation.distance();
+    summary.hash = simulation.hash();
+    summary.counters = simulation.counters();
+    add_verdict(summary, walk, closing);
+    last.events = closing;
+    show(last);
+    for (Observer* observer : observers) {
+        observer->end();
+    }
+    return summary;
+}
+
+}  // namespace campuswalk::engine

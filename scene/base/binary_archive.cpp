@@ -1,0 +1,165 @@
+#include "scene/base/binary_archive.h"
+
+#include <utility>
+
+#include "scene/base/content_hash.h"
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr std::uint32_t kByteOrder = 0x01020304;
+constexpr std::uint32_t kOtherByteOrder = 0x04030201;
+
+/// The first bytes of every file, in the order they stand there.
+struct Seal {
+    std::array<char, 8> magic{};
+    std::uint32_t byte_order = kByteOrder;
+    std::uint32_t version = 0;
+    std::uint64_t payload_bytes = 0;
+    std::uint64_t checksum = 0;
+    std::array<std::uint64_t, 4> zeros{};
+};
+static_assert(sizeof(Seal) == kSealBytes);
+
+}  // namespace
+
+SealedWriter::SealedWriter(const FileKind& kind) {
+    Seal seal;
+    seal.magic = kind.magic;
+    seal.version = kind.version;
+    put_bytes(&seal, sizeof seal);
+}
+
+void SealedWriter::put_bytes(const void* from, std::size_t count) {
+    const auto* first = static_cast<const std::byte*>(from);
+    bytes_.insert(bytes_.end(), first, first + count);
+    size_ += count;
+}
+
+void SealedWriter::put_elements(std::span<const std::byte> elements) {
+    constexpr std::size_t kMany = 64 << 10U;
+    if (elements.size() < kMany) {
+        put_bytes(elements.data(), elements.size());
+    } else {
+        left_.push_back({bytes_.size(), elements});
+        size_ += elements.size();
+    }
+}
+
+void SealedWriter::put_text(std::string_view text) {
+    put(std::uint64_t{text.size()});
+    put_bytes(text.data(), text.size());
+}
+
+void SealedWriter::align(std::size_t alignment) {
+    const std::size_t zeros = (alignment - size_ % alignment) % alignment;
+    bytes_.resize(bytes_.size() + zeros);
+    size_ += zeros;
+}
+
+Parts SealedWriter::seal() {
+    Parts parts;
+    std::size_t done = kSealBytes;
+    const std::span<const std::byte> bytes(bytes_);
+    for (const Left& left : left_) {
+        parts.push_back(bytes.subspan(done, left.after - done));
+        parts.push_back(left.elements);
+        done = left.after;
+    }
+    parts.push_back(bytes.subspan(done));
+    Seal seal;
+    std::memcpy(&seal, bytes_.data(), sizeof seal);
+    seal.payload_bytes = size_ - kSealBytes;
+    seal.checksum = checksum_of(parts);
+    std::memcpy(bytes_.data(), &seal, sizeof seal);
+    parts.insert(parts.begin(), bytes.first(kSealBytes));
+    return parts;
+}
+
+std::vector<std::byte> joined(const Parts& parts) {
+    std::vector<std::byte> bytes;
+    for (const std::span<const std::byte> part : parts) {
+        bytes.insert(bytes.end(), part.begin(), part.end());
+    }
+    return bytes;
+}
+
+SealedReader::SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
+                           std::shared_ptr<const void> owner)
+    : bytes_(bytes), owner_(std::move(owner)) {
+    Seal seal;
+    if (bytes.size() < sizeof seal) {
+        throw DamagedFile("it is cut short");
+    }
+    std::memcpy(&seal, bytes.data(), sizeof seal);
+    if (seal.magic != kind.magic) {
+        throw DamagedFile("it is another kind of file");
+    }
+    if (seal.byte_order == kOtherByteOrder) {
+        throw DamagedFile("it was written on a machine of the other byte order");
+    }
+    if (seal.version != kind.version) {
+        throw DamagedFile("it is of version " + std::to_string(seal.version) + ", not " +
+                          std::to_string(kind.version));
+    }
+    if (seal.payload_bytes > bytes.size() - kSealBytes) {
+        throw DamagedFile("it is cut short");
+    }
+    if (seal.payload_bytes < bytes.size() - kSealBytes) {
+        throw DamagedFile("something was added to it");
+    }
+    if (seal.byte_order != kByteOrder || seal.zeros != Seal{}.zeros ||
+        seal.checksum != checksum_of(bytes.subspan(kSealBytes))) {
+        throw DamagedFile("its checksum is wrong");
+    }
+}
+
+std::span<const std::byte> SealedReader::take_bytes(std::size_t count) {
+    return take_bytes_of(count, 1);
+}
+
+std::span<const std::byte> SealedReader::take_bytes_of(std::size_t count, std::size_t size) {
+    if (count > (bytes_.size() - at_) / size) {
+        throw DamagedFile("something that it tells of isn't in it");
+    }
+    const std::span<const std::byte> taken = bytes_.subspan(at_, count * size);
+    at_ += taken.size();
+    return taken;
+}
+
+bool SealedReader::take_flag() {
+    return take_below(2, "flag") == 1;
+}
+
+std::uint32_t SealedReader::take_below(std::uint64_t end, const char* what) {
+    const auto value = take<std::uint32_t>();
+    if (value >= end) {
+        throw DamagedFile(std::string("a ") + what + " in it is out of range");
+    }
+    return value;
+}
+
+std::size_t SealedReader::take_count(std::size_t least_bytes) {
+    const auto count = take<std::uint64_t>();
+    if (count > (bytes_.size() - at_) / least_bytes) {
+        throw DamagedFile("something that it tells of isn't in it");
+    }
+    return static_cast<std::size_t>(count);
+}
+
+std::string SealedReader::take_text() {
+    const std::span<const std::byte> bytes = take_bytes(take_count(1));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void SealedReader::align(std::size_t alignment) {
+    take_bytes((alignment - at_ % alignment) % alignment);
+}
+
+void SealedReader::finish() const {
+    if (at_ != bytes_.size()) {
+        throw DamagedFile("there is more in it than it tells of");
+    }
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,98 @@
+#include "scene/base/glob.h"
+
+#include <optional>
+#include <string_view>
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr std::size_t kNone = std::string_view::npos;
+
+/// A character class that starts at glob[at] == '['.
+struct ClassMatch {
+    bool matches = false;
+    std::size_t end = 0;  ///< one past the closing bracket
+};
+
+/// nullopt when the bracket is never closed: it then stands for itself.
+std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, char c) {
+    std::size_t i = at + 1;
+    const bool negated = i < glob.size() && (glob[i] == '!' || glob[i] == '^');
+    i += negated ? 1 : 0;
+    bool found = false;
+    for (bool first = true; i < glob.size() && (first || glob[i] != ']'); first = false) {
+        const auto low = static_cast<unsigned char>(glob[i]);
+        auto high = low;
+        if (i + 2 < glob.size() && glob[i + 1] == '-' && glob[i + 2] != ']') {
+            high = static_cast<unsigned char>(glob[i + 2]);
+            i += 2;
+        }
+        const auto value = static_cast<unsigned char>(c);
+        found = found || (low <= value && value <= high);
+        ++i;
+    }
+    if (i >= glob.size()) {
+        return std::nullopt;
+    }
+    return ClassMatch{found != negated, i + 1};
+}
+
+/// Matches one character of a name against the glob's item at `at`; gives where the next item starts.
+std::size_t match_one(std::string_view glob, std::size_t at, char c) {
+    if (at >= glob.size()) {
+        return kNone;
+    }
+    if (glob[at] == '[') {
+        if (const auto match = match_class(glob, at, c)) {
+            return match->matches ? match->end : kNone;
+        }
+    }
+    if (glob[at] == '\\' && at + 1 < glob.size()) {
+        return glob[at + 1] == c ? at + 2 : kNone;
+    }
+    return glob[at] == '?' || glob[at] == c ? at + 1 : kNone;
+}
+
+}  // namespace
+
+// Only the last `*` is ever reconsidered, so hostile patterns cost name x glob at worst.
+bool glob_matches(std::string_view glob, std::string_view name) {
+    std::size_t at = 0;
+    std::size_t i = 0;
+    std::size_t after_star = kNone;
+    std::size_t star_took = 0;
+    while (i < name.size()) {
+        if (at < glob.size() && glob[at] == '*') {
+            after_star = ++at;
+            star_took = i;
+            continue;
+        }
+        const std::size_t next = match_one(glob, at, name[i]);
+        if (next != kNone) {
+            at = next;
+            ++i;
+        } else if (after_star != kNone) {
+            at = after_star;
+            i = ++star_took;
+        } else {
+            return false;
+        }
+    }
+    while (at < glob.size() && glob[at] == '*') {
+        ++at;
+    }
+    return at == glob.size();
+}
+
+std::string glob_for(std::string_view name) {
+    std::string glob;
+    for (const char c : name) {
+        if (c == '*' || c == '?' || c == '[' || c == '\\') {
+            glob += '\\';
+        }
+        glob += c;
+    }
+    return glob;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,110 @@
+#include "scene/base/whole_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace campuswalk::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& file, const std::string& reason) {
+    throw std::runtime_error("can't write '" + file.string() + "': " + reason);
+}
+
+std::error_code last_error() {
+    return {errno, std::generic_category()};
+}
+
+/// A new file beside it. Process numbers alone are not unique where containers share a folder.
+std::FILE* open_part(const fs::path& file, fs::path& part) {
+    constexpr int kTries = 100;
+    std::FILE* stream = nullptr;
+    for (int i = 0; i < kTries && stream == nullptr && (i == 0 || errno == EEXIST); ++i) {
+        part = file;
+        part += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kPartSuffix);
+        stream = std::fopen(part.c_str(), "wbx");
+    }
+    return stream;
+}
+
+}  // namespace
+
+WholeFile::WholeFile(fs::path file) : file_(std::move(file)) {
+    std::error_code error;
+    if (fs::exists(file_, error) && !fs::is_regular_file(file_, error)) {
+        fail(file_, "it is not a regular file");  // the rename would put one in its place
+    }
+    if (file_.has_parent_path()) {
+        fs::create_directories(file_.parent_path(), error);
+        if (error) {
+            fail(file_, error.message());
+        }
+    }
+    stream_.reset(open_part(file_, part_));
+    if (!stream_) {
+        fail(file_, last_error().message());
+    }
+}
+
+WholeFile::~WholeFile() {
+    if (!part_.empty()) {
+        stream_.reset();
+        std::error_code ignored;
+        fs::remove(part_, ignored);
+    }
+}
+
+void WholeFile::write(std::span<const std::byte> bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stream_.get()) != bytes.size()) {
+        fail(file_, last_error().message());
+    }
+}
+
+void WholeFile::replace(std::size_t offset, std::span<const std::byte> bytes) {
+    if (std::fseek(stream_.get(), static_cast<long>(offset), SEEK_SET) != 0) {
+        fail(file_, last_error().message());
+    }
+    write(bytes);
+    if (std::fseek(stream_.get(), 0, SEEK_END) != 0) {
+        fail(file_, last_error().message());
+    }
+}
+
+void WholeFile::finish() {
+    // Closing flushes: a full disk may only show here.
+    if (std::fclose(stream_.release()) != 0) {
+        fail(file_, last_error().message());
+    }
+    std::error_code error;
+    fs::rename(part_, file_, error);
+    if (error) {
+        fail(file_, error.message());
+    }
+    part_.clear();
+}
+
+void write_whole_file(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
+    WholeFile whole(file);
+    for (const std::span<const std::byte> part : parts) {
+        whole.write(part);
+    }
+    whole.finish();
+}
+
+void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
+    write_whole_file(file, std::span(&bytes, 1));
+}
+
+void write_whole_file(const fs::path& file, std::string_view text) {
+    write_whole_file(file, std::as_bytes(std::span(text)));
+}
+
+}  // namespace campuswalk::scene

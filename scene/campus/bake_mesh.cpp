@@ -1,0 +1,99 @@
+#include "scene/campus/bake_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "scene/model/weld.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using collision::Vec3;
+
+// Well below what float32 resolves a metre from the origin: such a triangle can't be stood on or bumped into.
+constexpr double kThinnest = 1e-7;
+
+Vec3 whole_millimetres(const Vec3& point) {
+    return (point * 1000.0).array().round() / 1000.0;
+}
+
+/// Height over the longest edge.
+double thickness(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double longest = std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()}));
+    return longest > 0.0 ? ab.cross(ac).norm() / longest : 0.0;
+}
+
+/// Of the corners of all triangles.
+collision::Aabb bounds_of(const WorldGeometry& geometry) {
+    collision::Aabb bounds;
+    for (const auto& triangle : geometry.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            bounds.extend(geometry.positions[vertex]);
+        }
+    }
+    return bounds;
+}
+
+bool float_holds(const WorldGeometry& geometry) {
+    return std::ranges::all_of(geometry.positions, [](const Vec3& position) {
+        return position.cast<float>().cast<double>() == position;
+    });
+}
+
+/// Adds the triangles that `keeps(corners)`, about the mesh's origin.
+template <typename Keeps>
+void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const Keeps& keeps) {
+    WeldTable<3> welded(geometry.positions.size());
+    auto& positions = baked.mesh.positions;
+    for (const auto& triangle : geometry.triangles) {
+        std::array<Eigen::Vector3f, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = (geometry.positions[triangle[k]] - baked.p_world_origin).cast<float>();
+        }
+        if (!keeps(corners)) {
+            continue;
+        }
+        std::array<std::uint32_t, 3> numbers{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            numbers[k] = welded.number_of(bits_of(corners[k]));
+            if (numbers[k] == positions.size()) {
+                positions.push_back(corners[k]);
+            }
+        }
+        baked.mesh.triangles.push_back(numbers);
+    }
+}
+
+}  // namespace
+
+BakedMesh bake_mesh(const WorldGeometry& geometry) {
+    BakedMesh baked;
+    const collision::Aabb bounds = bounds_of(geometry);
+    if (bounds.empty()) {
+        return baked;
+    }
+    baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+    add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& corners) {
+        const bool thick = thickness(corners[0].cast<double>(), corners[1].cast<double>(),
+                                     corners[2].cast<double>()) >= kThinnest;
+        baked.zero_area += thick ? 0U : 1U;
+        return thick;
+    });
+    return baked;
+}
+
+BakedMesh bake_every_triangle(const WorldGeometry& geometry) {
+    BakedMesh baked;
+    const collision::Aabb bounds = bounds_of(geometry);
+    if (!bounds.empty() && !float_holds(geometry)) {
+        baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+    }
+    add_triangles(geometry, baked, [](const std::array<Eigen::Vector3f, 3>&) { return true; });
+    return baked;
+}
+
+}  // namespace campuswalk::scene

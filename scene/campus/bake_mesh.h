@@ -1,0 +1,23 @@
+#pragma once
+
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "scene/campus/node_selection.h"
+
+namespace campuswalk::scene {
+
+/// A collision mesh about its own origin, so that float32 keeps its precision far from the world's.
+struct BakedMesh {
+    collision::TriangleMesh mesh;
+    collision::Vec3 p_world_origin = collision::Vec3::Zero();  ///< the bounds' centre in whole millimetres
+    std::size_t zero_area = 0;  ///< triangles left out because they are thinner than a tenth of a micrometre
+};
+
+/// Joins positions that are equal after rounding to float32; triangles keep their order and winding.
+BakedMesh bake_mesh(const WorldGeometry& geometry);
+
+/// Likewise with every triangle, however thin, so that their numbers are the geometry's. Where float32 holds
+/// all positions as they are, as with an OBJ file's, they stay so: the origin is the world's.
+BakedMesh bake_every_triangle(const WorldGeometry& geometry);
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,235 @@
+#include "scene/campus/campus.h"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+
+#include "scene/cache/load_model.h"
+#include "scene/campus/cached_meshes.h"
+#include "scene/campus/collider_globs.h"
+#include "scene/campus/collider_shapes.h"
+#include "scene/campus/node_selection.h"
+#include "scene/campus/object_names.h"
+#include "scene/import/source/parallel.h"
+#include "scene/model/node_frame.h"
+
+namespace campuswalk::scene {
+namespace {
+
+// An object's layer is a bit of a 32-bit mask, and bit 0 is for objects without a layer.
+constexpr std::size_t kMostLayers = 31;
+
+collision::Detection to_detection(const DetectionModes& modes) {
+    using collision::Detection;
+    return (modes.solid ? Detection::solid : Detection::none) |
+           (modes.trigger ? Detection::trigger : Detection::none) |
+           (modes.ray ? Detection::ray : Detection::none);
+}
+
+/// The models of a campus, and what each is made of where a cache wants to know.
+struct ImportedScenes {
+    std::vector<Model> models;
+    std::vector<ContentHash> contents;  ///< fewer than models where it isn't known of all
+};
+
+ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
+                             std::vector<Diagnostic>& warnings, const Importer& importer,
+                             const CacheFolder* cache, std::size_t imports_at_once) {
+    std::vector<LoadedModel> models(files.size());
+    std::vector<std::exception_ptr> failures(files.size());
+    do_at_once(files.size(), imports_at_once, [&](std::size_t i) {
+        try {
+            models[i] = load_model(files[i], EmptyModel::refuse, importer, cache);
+        } catch (...) {
+            failures[i] = std::current_exception();
+        }
+    });
+    ImportedScenes scenes;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        try {
+            if (failures[i]) {
+                std::rethrow_exception(failures[i]);
+            }
+            LoadedModel& loaded = models[i];
+            scenes.models.push_back(std::move(loaded.imported.model));
+            if (loaded.contents) {
+                scenes.contents.push_back(*loaded.contents);
+            }
+            warnings.insert(warnings.end(), loaded.imported.warnings.begin(), loaded.imported.warnings.end());
+        } catch (const InputError& error) {
+            diagnostics.append(error.diagnostics());
+        }
+    }
+    return scenes;
+}
+
+Origin move_to_origin(const CampusOrigin& wanted, std::vector<Model>& models) {
+    Origin origin = wanted.origin;
+    if (wanted.near) {
+        origin.at = origin_near(world_bounds(models.front()));
+    }
+    for (Model& model : models) {
+        if (!origin.at.isZero(0.0)) {
+            move_origin(model, origin.at);
+        }
+        if (!origin.geographic) {
+            origin.geographic = model.geographic;
+        }
+    }
+    return origin;
+}
+
+/// Adds the colliders of a campus to its world, one after the other.
+class ColliderBuilder {
+public:
+    ColliderBuilder(Campus& campus, KeptMeshes& meshes, DiagnosticList& diagnostics,
+                    std::vector<Diagnostic>& warnings)
+        : campus_(campus), meshes_(meshes), diagnostics_(diagnostics), warnings_(warnings) {}
+
+    void add(const ColliderDescription& collider);
+
+private:
+    std::optional<PlacedShape> shape_of(const ColliderDescription& collider, const NodeSelection& selection);
+    void add_object(const ColliderDescription& collider, const std::string& id,
+                    const NodeSelection& selection);
+
+    Campus& campus_;
+    KeptMeshes& meshes_;
+    DiagnosticList& diagnostics_;
+    std::vector<Diagnostic>& warnings_;
+    std::map<std::string, SourceMark> ids_;
+};
+
+void ColliderBuilder::add(const ColliderDescription& collider) {
+    const std::vector<NodeGlob>& globs = globs_of(campus_.description, collider);
+    if (globs.empty()) {
+        if (!collider.except.empty()) {
+            diagnostics_.error(collider.except.front().mark, "missing-nodes",
+                               "'except' leaves out of nodes, and collider '" + collider.id + "' names none");
+        } else if (is_placed_by_numbers(collider.shape)) {
+            add_object(collider, collider.id, {});
+        } else {
+            diagnostics_.error(collider.mark, "missing-nodes",
+                               "collider '" + collider.id +
+                                   "' needs nodes to take its shape from, or all numbers of its shape");
+        }
+        return;
+    }
+    const NodeSelection selection = select_nodes(campus_.models, globs, collider.except);
+    const std::vector<NodeRef>& matches = selection.roots;
+    if (matches.empty()) {
+        if (!topmost_matches(campus_.models, globs).empty()) {  // else check_globs has said so
+            diagnostics_.error(collider.except.front().mark, "empty-mesh",
+                               "'except' leaves nothing of the nodes of collider '" + collider.id + "'");
+        }
+        return;
+    }
+    if (!collider.each) {
+        add_object(collider, collider.id, selection);
+        return;
+    }
+    std::vector<std::string> names;
+    names.reserve(matches.size());
+    for (const NodeRef& match : matches) {
+        names.push_back(campus_.models[match.model].nodes[match.node].name);
+    }
+    const std::vector<std::string> words = distinct_words(names);
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+        add_object(collider, collider.id + '/' + words[i], {{matches[i]}, selection.except});
+    }
+}
+
+std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& collider,
+                                                     const NodeSelection& selection) {
+    const std::vector<NodeRef>& nodes = selection.roots;
+    const bool is_mesh = std::holds_alternative<MeshShape>(collider.shape);
+    if (is_mesh) {
+        if (std::optional<PlacedShape> kept = meshes_.next()) {
+            return kept;
+        }
+    }
+    ShapeSource source;
+    source.has_nodes = !nodes.empty();
+    source.geometry = gather_geometry(campus_.models, selection);
+    if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
+        source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
+    }
+    std::optional<PlacedShape> placed = place_shape(collider.shape, source);
+    if (is_mesh && placed) {
+        meshes_.add(*placed);
+    }
+    return placed;
+}
+
+void ColliderBuilder::add_object(const ColliderDescription& collider, const std::string& id,
+                                 const NodeSelection& selection) {
+    if (!ids_.emplace(id, collider.mark).second) {
+        diagnostics_.error(collider.mark, "duplicate-id",
+                           "two objects are called '" + id + "'; rename one of the colliders");
+        return;
+    }
+    std::optional<PlacedShape> placed = shape_of(collider, selection);
+    if (!placed) {
+        diagnostics_.error(collider.mark, "empty-mesh",
+                           "the nodes of collider '" + id + "' have no triangle");
+        return;
+    }
+    if (placed->zero_area > 0) {
+        warnings_.push_back({Severity::warning, collider.mark, "zero-area",
+                             "collider '" + id + "': " + std::to_string(placed->zero_area) +
+                                 " triangles without an area are left out"});
+    }
+    campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
+                       campus_.layer_index(collider.layer)});
+    campus_.objects.push_back({id, collider.mark, building_of(campus_.description, collider), collider.popup,
+                               collider.popup_rule, selection});
+}
+
+}  // namespace
+
+std::uint32_t Campus::layer_index(const std::string& layer) const {
+    const auto found = std::ranges::find(description.layers, layer);
+    return found == description.layers.end()
+               ? 0
+               : static_cast<std::uint32_t>(found - description.layers.begin() + 1);
+}
+
+Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
+                   std::vector<Diagnostic>& warnings) {
+    return load_campus(std::move(description), std::move(broad_phase), warnings, import_scene);
+}
+
+Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
+                   std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache,
+                   std::size_t imports_at_once) {
+    DiagnosticList diagnostics;
+    if (description.layers.size() > kMostLayers) {
+        diagnostics.error(description.mark, "too-many-layers",
+                          std::to_string(description.layers.size()) + " layers; at most " +
+                              std::to_string(kMostLayers) + " are possible");
+    }
+    ImportedScenes scenes =
+        import_scenes(description.scenes, diagnostics, warnings, importer, cache, imports_at_once);
+    diagnostics.throw_if_errors();  // without its scenes every glob would be wrong
+
+    Campus campus{
+        std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
+    campus.origin = move_to_origin(campus.description.origin, campus.models);
+    for (const Building& building : campus.description.buildings) {
+        check_globs(campus.models, building.nodes, diagnostics);
+    }
+    const bool known = cache != nullptr && scenes.contents.size() == campus.models.size();
+    KeptMeshes meshes =
+        known ? KeptMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : KeptMeshes();
+    ColliderBuilder builder(campus, meshes, diagnostics, warnings);
+    for (const ColliderDescription& collider : campus.description.colliders) {
+        check_globs(campus.models, collider.nodes, diagnostics);
+        check_globs(campus.models, collider.except, diagnostics);
+        builder.add(collider);
+    }
+    diagnostics.throw_if_errors();
+    meshes.keep();
+    return campus;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/base/diagnostic.h"
+#include "scene/model/origin.h"
+#include "scene/model/scene_file.h"
+
+namespace campuswalk::scene {
+
+/// What a `NAME.campus.yaml` says, checked for form but not yet held against the models it names.
+/// Lengths in metres, angles in radians, every item with the place it was written at.
+
+/// A glob over node names; matching a node takes its whole subtree.
+struct NodeGlob {
+    SourceMark mark;
+    std::string pattern;
+};
+
+/// When what opens a building's pop-up does so.
+struct PopupRule {
+    bool once = false;      ///< not if it has been open before
+    double cooldown = 0.0;  ///< seconds after it closed in which it stays closed
+    double dwell = 0.0;     ///< seconds that the contact must last
+};
+
+/// Something else to say of a building, by the name of a variable.
+struct InfoField {
+    std::string name;  ///< kebab-case
+    std::string value;
+};
+
+/// The information record that a pop-up shows. `title` and `text` may hold variables (see
+/// engine/events/popup_text.h).
+struct Building {
+    SourceMark mark;
+    std::string id;  ///< stable, kebab-case
+    std::vector<NodeGlob> nodes;
+    std::string title;
+    std::string kind;
+    std::string text;
+    std::string hours;
+    int floors = 0;
+    std::vector<InfoField> info;
+    bool popup = true;     ///< for colliders that don't say otherwise
+    PopupRule popup_rule;  ///< likewise
+};
+
+// Shapes. With nodes, numbers that are left out come from the nodes' geometry, and `center` and `base` are
+// in the node's frame; without nodes they are world coordinates and required.
+
+struct MeshShape {};
+
+struct BoxShape {
+    std::optional<Eigen::Vector3d> center;
+    std::optional<Eigen::Vector3d> size;  ///< full edge lengths
+    double yaw = 0.0;
+};
+
+struct SphereShape {
+    std::optional<Eigen::Vector3d> center;
+    std::optional<double> radius;
+};
+
+/// Upright; `height` is the total height, caps included.
+struct CapsuleShape {
+    std::optional<Eigen::Vector3d> base;  ///< lowest point
+    std::optional<double> radius;
+    std::optional<double> height;
+};
+
+/// A solid cylinder: a disc of `radius`, `width` thick along `axis`.
+struct WheelShape {
+    std::optional<Eigen::Vector3d> center;
+    std::optional<double> radius;
+    std::optional<double> width;
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+};
+
+using ShapeDescription = std::variant<MeshShape, BoxShape, SphereShape, CapsuleShape, WheelShape>;
+
+/// The paper's three detection strategies; an object may take part in several.
+struct DetectionModes {
+    bool solid = false;
+    bool trigger = false;
+    bool ray = false;
+};
+
+struct ColliderDescription {
+    SourceMark mark;
+    std::string id;        ///< object id in events; with `each` the prefix of every object's id
+    std::string building;  ///< owner, empty for none; the loader has checked that it exists
+    std::vector<NodeGlob> nodes;
+    std::vector<NodeGlob> except;  ///< nodes, each with its subtree, that are left out of those
+    bool each = false;             ///< one object a matched node instead of one for all
+    ShapeDescription shape;
+    DetectionModes modes;
+    std::string layer;   ///< empty or one of CampusDescription::layers
+    bool popup = false;  ///< its events open the building's pop-up
+    PopupRule popup_rule;
+};
+
+struct Spawn {
+    SourceMark mark;
+    std::string name;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< feet
+    double yaw = 0.0;                                    ///< radians about +Y, 0 looks along -Z
+};
+
+struct Place {
+    SourceMark mark;
+    std::string name;
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/// What all scenes' coordinates are moved by, and where on the Earth the world's origin then is.
+struct CampusOrigin {
+    bool near = false;  ///< `at` is for origin_near of the first scene to find
+    Origin origin;
+};
+
+struct CampusDescription {
+    std::string name;  ///< from the file's name
+    SourceMark mark;
+    std::vector<SceneFile> scenes;
+    CampusOrigin origin;
+    std::vector<std::string> layers;
+    std::vector<Building> buildings;
+    std::vector<ColliderDescription> colliders;
+    std::vector<Spawn> spawns;
+    std::vector<Place> places;
+};
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/base/diagnostic.h"
+#include "scene/campus/campus_description.h"
+#include "scene/model/model.h"
+
+namespace campuswalk::scene {
+
+/// A node of one of a campus' models.
+struct NodeRef {
+    std::size_t model = 0;
+    std::size_t node = 0;
+
+    friend auto operator<=>(const NodeRef&, const NodeRef&) = default;
+};
+
+/// The nodes that a glob names, without those below another named one: a node stands for its subtree.
+/// In the order of the scene files, then of the nodes.
+std::vector<NodeRef> topmost_matches(const std::vector<Model>& models, std::span<const NodeGlob> globs);
+
+/// Some subtrees without others in them.
+struct NodeSelection {
+    std::vector<NodeRef> roots;   ///< each with its subtree
+    std::vector<NodeRef> except;  ///< likewise, left out of those; ascending
+};
+
+/// What `globs` name without what `except` does; no root lies in what is left out.
+NodeSelection select_nodes(const std::vector<Model>& models, std::span<const NodeGlob> globs,
+                           std::span<const NodeGlob> except);
+
+/// Complains (`no-node`, at the glob) about every glob that no node's name matches, with the nearest name.
+void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> globs,
+                 DiagnosticList& diagnostics);
+
+/// All nodes of the roots' subtrees that aren't left out, one root after the other; parents come first.
+std::vector<NodeRef> nodes_of(const std::vector<Model>& models, const NodeSelection& selection);
+
+/// The triangles of some subtrees in world coordinates.
+struct WorldGeometry {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+WorldGeometry gather_geometry(const std::vector<Model>& models, const NodeSelection& selection);
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,50 @@
+#include "scene/campus/object_names.h"
+
+#include <map>
+#include <set>
+
+namespace campuswalk::scene {
+
+std::string object_word(std::string_view node_name) {
+    std::string word;
+    bool gap = false;
+    for (const char c : node_name) {
+        const bool upper = c >= 'A' && c <= 'Z';
+        const bool kept = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
+                          static_cast<unsigned char>(c) >= 0x80;
+        if (!kept) {
+            gap = true;
+            continue;
+        }
+        if (gap && !word.empty()) {
+            word += '-';
+        }
+        gap = false;
+        word += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return word.empty() ? "node" : word;
+}
+
+std::vector<std::string> distinct_words(const std::vector<std::string>& node_names) {
+    std::vector<std::string> words;
+    std::set<std::string> taken;
+    for (const std::string& name : node_names) {
+        words.push_back(object_word(name));
+        taken.insert(words.back());
+    }
+    std::map<std::string, int> last_number;
+    for (std::string& word : words) {
+        int& number = last_number[word];
+        if (++number == 1) {
+            continue;  // the first keeps the plain word
+        }
+        std::string numbered = word + '-' + std::to_string(number);
+        while (!taken.insert(numbered).second) {
+            numbered = word + '-' + std::to_string(++number);
+        }
+        word = numbered;
+    }
+    return words;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scene/model/scene_file.h"
+#include "scene/import/source/image_files.h"
+#include "scene/import/source/model_source.h"
+#include "scene/import/assimp/read_scene.h"
+
+namespace campuswalk::scene {
+
+/// OBJ, FBX, COLLADA, STL, PLY, … : whatever assimp reads and no reader of ours does.
+class AssimpSource final : public ModelSource {
+public:
+    /// Throws InputError missing-file or bad-model.
+    explicit AssimpSource(const SceneFile& file);
+
+    NodeTree nodes() override;
+    const std::vector<SourceMaterial>& materials() override { return materials_; }
+    RawMesh mesh(std::size_t number) override;
+    std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
+    bool flat_normals() const override { return false; }
+    std::optional<GeographicPlace> geographic() const override;
+    void add_warnings(DiagnosticList& warnings) override;
+    std::vector<FileRequest> requests() const override { return folder_.requests(); }
+
+private:
+    void name_nodes(NodeTree& tree) const;
+
+    const SceneFile& file_;
+    SceneFolder folder_;
+    ReadScene read_;
+    std::vector<SourceMaterial> materials_;
+};
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,98 @@
+#include "scene/import/assimp/convert_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <assimp/material.h>
+
+namespace campuswalk::scene {
+namespace {
+
+// Below this an opacity is an exporter's confusion of opacity with transparency: nobody models the invisible.
+constexpr float kLeastOpacity = 0.02F;
+constexpr float kBlack = 0.01F;
+
+/// A colour component as a finite number in 0..1.
+float tidy(float value) {
+    return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
+}
+
+float linear_from_srgb(float value) {
+    const float v = tidy(value);
+    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+bool is_repeating(aiTextureMapMode mode) {
+    return mode != aiTextureMapMode_Clamp && mode != aiTextureMapMode_Decal;
+}
+
+/// The first of the types that the material has becomes its `use`. The first picture of all says by which
+/// texture coordinates they lie; these formats know no others in practice.
+void add_picture(const aiMaterial& source, std::initializer_list<aiTextureType> types,
+                 std::optional<TextureIndex> Material::*use, SourceMaterial& out) {
+    for (const aiTextureType type : types) {
+        aiString path;
+        unsigned int channel = 0;
+        aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+        if (source.GetTexture(type, 0, &path, nullptr, &channel, nullptr, nullptr, modes) ==
+                aiReturn_SUCCESS &&
+            path.length > 0) {
+            if (out.pictures.empty()) {
+                out.uv_channel = channel;
+            }
+            const bool repeat = is_repeating(modes[0]) && is_repeating(modes[1]);
+            out.pictures.push_back({use, {path.C_Str(), repeat}});
+            return;
+        }
+    }
+}
+
+/// Diffuse colours of older formats are display values, and often black when a texture is there to replace
+/// them.
+void convert_color(const aiMaterial& source, const aiColor4D& diffuse, SourceMaterial& out) {
+    const bool textured = !out.pictures.empty();
+    const bool black = std::max({diffuse.r, diffuse.g, diffuse.b}) < kBlack;
+    auto& color = out.material.base_color;
+    if (!(textured && black)) {
+        color = {linear_from_srgb(diffuse.r), linear_from_srgb(diffuse.g), linear_from_srgb(diffuse.b), 1.0F};
+    }
+    float opacity = 1.0F;
+    source.Get(AI_MATKEY_OPACITY, opacity);
+    if (std::isfinite(opacity) && opacity >= kLeastOpacity && opacity < 1.0F) {
+        color[3] = opacity;
+        out.material.alpha_mode = AlphaMode::blend;
+    }
+}
+
+}  // namespace
+
+SourceMaterial convert_material(const aiMaterial& source) {
+    SourceMaterial out;
+    Material& material = out.material;
+    aiString name;
+    if (source.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) {
+        material.name = name.C_Str();
+    }
+    add_picture(source, {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}, &Material::base_color_texture,
+                out);
+
+    aiColor4D diffuse(1, 1, 1, 1);
+    source.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse);
+    aiColor3D emissive(0, 0, 0);
+    source.Get(AI_MATKEY_COLOR_EMISSIVE, emissive);
+    convert_color(source, diffuse, out);
+    material.emissive = {linear_from_srgb(emissive.r), linear_from_srgb(emissive.g),
+                         linear_from_srgb(emissive.b)};
+    material.double_sided = true;
+    out.cut_out_by_texture = material.alpha_mode == AlphaMode::opaque;
+    const std::size_t pictures = out.pictures.size();
+    add_picture(source, {aiTextureType_EMISSIVE}, &Material::emissive_texture, out);
+    if (out.pictures.size() > pictures && std::ranges::max(material.emissive) < kBlack) {
+        material.emissive = {1, 1, 1};  // black beside a picture stands for the picture
+    }
+    add_picture(source, {aiTextureType_NORMALS}, &Material::normal_texture, out);
+    return out;
+}
+
+}  // namespace campuswalk::scene

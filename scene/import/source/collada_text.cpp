@@ -1,0 +1,70 @@
+#include "scene/import/source/collada_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include <pugixml.hpp>
+
+namespace campuswalk::scene {
+namespace {
+
+/// A number alone, but for white space about it.
+std::optional<double> number_of(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(kSpace);
+    if (first == std::string_view::npos) {
+        return std::nullopt;
+    }
+    text = text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
+    if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
+        text.remove_prefix(1);  // allowed in XML, not by from_chars
+    }
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+    return whole ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
+    pugi::xml_document document;
+    if (!document.load_buffer(xml.data(), xml.size())) {
+        return {};  // who imports it says what is wrong with it
+    }
+    // COLLADA 1.5 puts it into <coverage>, and others right into <asset>.
+    const pugi::xml_node location = document.child("COLLADA").child("asset").find_node(
+        [](const pugi::xml_node& node) { return std::string_view(node.name()) == "geographic_location"; });
+    if (!location) {
+        return {};
+    }
+    const auto longitude = number_of(location.child_value("longitude"));
+    const auto latitude = number_of(location.child_value("latitude"));
+    const pugi::xml_node altitude = location.child("altitude");
+    const auto height = altitude ? number_of(altitude.child_value()) : 0.0;
+    if (!longitude || !latitude || !height) {
+        return {std::nullopt, "lacks a latitude or a longitude, or one is no number"};
+    }
+    if (std::abs(*latitude) > kMostLatitude || std::abs(*longitude) > kMostLongitude) {
+        return {std::nullopt, "is not on the Earth: latitudes end at 90 degrees, longitudes at 180"};
+    }
+    return {GeographicPlace{*latitude, *longitude, *height, Eigen::Vector3d::Zero()}, ""};
+}
+
+void trim_element_starts(std::vector<std::uint8_t>& xml) {
+    const auto is_space = [](std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < xml.size(); ++i) {
+        xml[kept++] = xml[i];
+        if (xml[i] == '>') {
+            while (i + 1 < xml.size() && is_space(xml[i + 1])) {
+                ++i;
+            }
+        }
+    }
+    xml.resize(kept);
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,206 @@
+#include "scene/import/source/obj_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace campuswalk::scene {
+namespace {
+
+/// Half of float32's step, relative to the number.
+constexpr double kFloatUnit = 0x1p-24;
+constexpr double kCoarse = 0.00025;  ///< metres
+
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/// A line that tells of a vertex: `v`, three numbers, and what follows.
+struct VertexLine {
+    Eigen::Vector3d at;
+    std::string_view rest;
+};
+
+std::optional<double> take_number(std::string_view& text) {
+    while (!text.empty() && is_space(text.front())) {
+        text.remove_prefix(1);
+    }
+    if (text.starts_with('+')) {
+        text.remove_prefix(1);
+    }
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || !std::isfinite(number)) {
+        return std::nullopt;
+    }
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return text.empty() || is_space(text.front()) ? std::optional(number) : std::nullopt;
+}
+
+std::string_view without_indent(std::string_view line) {
+    while (!line.empty() && is_space(line.front())) {
+        line.remove_prefix(1);
+    }
+    return line;
+}
+
+bool is_vertex(std::string_view line) {
+    return line.size() > 1 && line[0] == 'v' && is_space(line[1]);
+}
+
+bool is_face(std::string_view line) {
+    return line.size() > 1 && line[0] == 'f' && is_space(line[1]);
+}
+
+bool is_uv(std::string_view line) {
+    return line.starts_with("vt");
+}
+
+/// A face's line with its corners' second numbers taken out: `1/2/3` is `1//3`, `1/2` is `1`.
+std::string without_uvs(std::string_view line) {
+    std::string kept;
+    int slashes = 0;  // of this corner
+    for (const char c : line) {
+        slashes = is_space(c) ? 0 : slashes + (c == '/' ? 1 : 0);
+        if (slashes == 2 && c == '/') {
+            kept += "//";
+        } else if (slashes != 1) {
+            kept += c;
+        }
+    }
+    return kept;
+}
+
+/// nullopt if it isn't plainly written: no three numbers, a weight, or a line that goes on in the next.
+std::optional<VertexLine> read_vertex(std::string_view line) {
+    VertexLine vertex;
+    vertex.rest = line.substr(1);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const std::optional<double> number = take_number(vertex.rest);
+        if (!number) {
+            return std::nullopt;
+        }
+        vertex.at[k] = *number;
+    }
+    std::string_view more = vertex.rest;
+    const std::optional<double> weight = take_number(more);
+    const bool weighted = weight && !take_number(more) && *weight != 1.0;
+    return weighted || line.find('\\') != std::string_view::npos ? std::nullopt : std::optional(vertex);
+}
+
+/// Calls `see(line)` for each without its end; stops when that gives false.
+template <typename See>
+bool each_line(std::string_view text, const See& see) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        if (!see(text.substr(0, end))) {
+            return false;
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return true;
+}
+
+bool is_coarse(const Eigen::Vector3d& at, double metres_per_unit) {
+    return at.cwiseAbs().maxCoeff() * metres_per_unit * kFloatUnit > kCoarse;
+}
+
+/// Zero where there is nothing to gain.
+Eigen::Vector3d origin_of(std::string_view text, double metres_per_unit) {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
+    Eigen::Vector3d high = -low;
+    const bool plain = each_line(text, [&](std::string_view line) {
+        line = without_indent(line);
+        if (!is_vertex(line)) {
+            return true;
+        }
+        const std::optional<VertexLine> vertex = read_vertex(line);
+        if (!vertex || !is_coarse(vertex->at, metres_per_unit)) {
+            return false;  // one that is near: all of them would have to be far
+        }
+        low = low.cwiseMin(vertex->at);
+        high = high.cwiseMax(vertex->at);
+        return true;
+    });
+    if (!plain || low.x() > high.x()) {
+        return Eigen::Vector3d::Zero();
+    }
+    const double farthest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+    const Eigen::Vector3d middle = 0.5 * (low + high);
+    const bool gains = (0.5 * (high - low)).maxCoeff() + 1.0 <= 0.5 * farthest;
+    return gains ? Eigen::Vector3d(middle.array().round()) : Eigen::Vector3d::Zero();
+}
+
+void append(std::vector<std::uint8_t>& to, std::string_view text) {
+    to.insert(to.end(), text.begin(), text.end());
+}
+
+void append_moved(std::vector<std::uint8_t>& to, const VertexLine& vertex, const Eigen::Vector3d& origin) {
+    append(to, "v");
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        std::array<char, 64> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                       static_cast<float>(vertex.at[k] - origin[k]));
+        append(to, " ");
+        append(to, {digits.data(), static_cast<std::size_t>(end.ptr - digits.data())});
+    }
+    append(to, vertex.rest);
+}
+
+}  // namespace
+
+bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
+    const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());
+    bool named = false;
+    const bool absent = each_line(text, [&](std::string_view line) {
+        line = without_indent(line);
+        named = named || (is_face(line) && without_uvs(line) != line);
+        return !is_uv(line);
+    });
+    if (!absent || !named) {
+        return false;
+    }
+    std::vector<std::uint8_t> kept;
+    kept.reserve(obj.size());
+    each_line(text, [&](std::string_view line) {
+        if (is_face(without_indent(line))) {
+            append(kept, without_uvs(line));
+        } else {
+            append(kept, line);
+        }
+        kept.push_back('\n');
+        return true;
+    });
+    obj = std::move(kept);
+    return true;
+}
+
+Eigen::Vector3d move_vertices_near(std::vector<std::uint8_t>& obj, double metres_per_unit) {
+    const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());
+    Eigen::Vector3d origin = origin_of(text, metres_per_unit);
+    if (origin.isZero(0.0)) {
+        return origin;
+    }
+    std::vector<std::uint8_t> moved;
+    moved.reserve(obj.size());
+    each_line(text, [&](std::string_view line) {
+        const std::string_view plain = without_indent(line);
+        const auto vertex = is_vertex(plain) ? read_vertex(plain) : std::nullopt;
+        if (vertex) {
+            append_moved(moved, *vertex, origin);
+        } else {
+            append(moved, line);
+        }
+        moved.push_back('\n');
+        return true;
+    });
+    obj = std::move(moved);
+    return origin;
+}
+
+}  // namespace campuswalk::scene

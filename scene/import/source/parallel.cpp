@@ -1,0 +1,24 @@
+#include "scene/import/source/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace campuswalk::scene {
+
+void do_at_once(std::size_t count, std::size_t most, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto take_turns = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            work(i);
+        }
+    };
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(count, most); ++i) {
+        others.emplace_back(take_turns);
+    }
+    take_turns();
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,206 @@
+#include "scene/import/source/sanitize_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision/mesh/mesh_extent.h"
+#include "scene/import/source/vertex_normals.h"
+#include "scene/model/weld.h"
+
+namespace campuswalk::scene {
+namespace {
+
+// cos 40 deg: keeps the corners of rooms and kerbs sharp, makes trunks and domes round.
+constexpr double kCreaseCosine = 0.766044443;
+constexpr double kFlat = 1.0;
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+
+bool indices_in_range(const RawMesh& source) {
+    return source.triangles.empty() || collision::highest_vertex(source.triangles) < source.positions.size();
+}
+
+bool positions_finite(const RawMesh& source) {
+    // Nearly always all are; where one isn't, it counts only when a triangle uses it.
+    if (std::isfinite(collision::largest_coordinate(source.positions))) {
+        return true;
+    }
+    return std::ranges::all_of(source.triangles, [&](const auto& t) {
+        return source.positions[t[0]].allFinite() && source.positions[t[1]].allFinite() &&
+               source.positions[t[2]].allFinite();
+    });
+}
+
+/// One vertex of a triangle's corner, made of whatever the file has for it.
+class VertexSource {
+public:
+    VertexSource(const RawMesh& source, bool flat_normals) : source_(source) {
+        if (source.normals.empty()) {
+            generated_ =
+                corner_normals(source.positions, source.triangles, flat_normals ? kFlat : kCreaseCosine);
+        }
+    }
+
+    /// Appends the vertex of corner `corner` (3 a triangle) to the tidied mesh.
+    void append(std::size_t corner, TidiedMesh& out) const {
+        const std::uint32_t vertex = source_.triangles[corner / 3][corner % 3];
+        out.mesh.positions.push_back(source_.positions[vertex]);
+        out.mesh.normals.push_back(normal(corner, vertex, out.repaired_normals));
+        if (!source_.uvs.empty()) {
+            out.mesh.uvs.push_back(uv(vertex, out.repaired_uvs));
+        }
+        if (!source_.colors.empty()) {
+            out.mesh.colors.push_back(source_.colors[vertex]);
+        }
+    }
+
+private:
+    Eigen::Vector3f normal(std::size_t corner, std::uint32_t vertex, std::size_t& repaired) const {
+        if (source_.normals.empty()) {
+            return generated_[corner];
+        }
+        const Eigen::Vector3d n = source_.normals[vertex].cast<double>();
+        const double length = n.norm();
+        if (std::isfinite(length) && length > 0.0) {
+            return (n / length).cast<float>();
+        }
+        ++repaired;
+        const auto& t = source_.triangles[corner / 3];
+        return face_normal(source_.positions[t[0]], source_.positions[t[1]], source_.positions[t[2]]);
+    }
+
+    Eigen::Vector2f uv(std::uint32_t vertex, std::size_t& repaired) const {
+        const Eigen::Vector2f& t = source_.uvs[vertex];
+        if (t.allFinite()) {
+            return t;
+        }
+        ++repaired;
+        return Eigen::Vector2f::Zero();
+    }
+
+    const RawMesh& source_;
+    std::vector<Eigen::Vector3f> generated_;
+};
+
+/// Every corner makes a vertex; equal ones are joined.
+void append_welded(const VertexSource& vertices, std::size_t corners, TidiedMesh& out) {
+    WeldTable<9> welded(corners);
+    Mesh& mesh = out.mesh;
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        vertices.append(corner, out);
+        WeldTable<9>::Key key{};
+        std::ranges::copy(bits_of(mesh.positions.back()), key.begin());
+        std::ranges::copy(bits_of(mesh.normals.back()), key.begin() + 3);
+        if (!mesh.uvs.empty()) {
+            key[6] = bits_of(mesh.uvs.back().x());
+            key[7] = bits_of(mesh.uvs.back().y());
+        }
+        if (!mesh.colors.empty()) {
+            key[8] = std::bit_cast<std::uint32_t>(mesh.colors.back());
+        }
+        const std::size_t known = welded.size();
+        const std::uint32_t number = welded.number_of(key);
+        mesh.triangles[corner / 3][corner % 3] = number;
+        if (number < known) {
+            mesh.positions.pop_back();
+            mesh.normals.pop_back();
+            if (!mesh.uvs.empty()) {
+                mesh.uvs.pop_back();
+            }
+            if (!mesh.colors.empty()) {
+                mesh.colors.pop_back();
+            }
+        }
+    }
+}
+
+/// The file's own sharing of vertices is kept; only those that no triangle uses are dropped.
+void append_indexed(const VertexSource& vertices, const RawMesh& source, TidiedMesh& out) {
+    const std::size_t vertex_count = source.positions.size();
+    std::vector<std::uint32_t> number(vertex_count, kUnused);
+    out.mesh.positions.reserve(vertex_count);
+    out.mesh.normals.reserve(vertex_count);
+    out.mesh.uvs.reserve(source.uvs.size());
+    out.mesh.colors.reserve(source.colors.size());
+    for (std::size_t corner = 0; corner < source.triangles.size() * 3; ++corner) {
+        std::uint32_t& n = number[source.triangles[corner / 3][corner % 3]];
+        if (n == kUnused) {
+            n = static_cast<std::uint32_t>(out.mesh.positions.size());
+            vertices.append(corner, out);
+        }
+        out.mesh.triangles[corner / 3][corner % 3] = n;
+    }
+}
+
+bool all_vertices_used(const RawMesh& source) {
+    std::vector<std::uint8_t> used(source.positions.size());  // bits would wait for each other
+    for (const auto& t : source.triangles) {
+        used[t[0]] = 1;
+        used[t[1]] = 1;
+        used[t[2]] = 1;
+    }
+    return std::ranges::find(used, 0) == used.end();
+}
+
+/// Double has room for the square of any float.
+bool have_directions(std::span<const Eigen::Vector3f> normals) {
+    return std::isfinite(collision::largest_coordinate(normals)) &&
+           std::ranges::all_of(normals, [](const auto& n) { return n.x() != 0 || n.y() != 0 || n.z() != 0; });
+}
+
+void normalize(std::vector<Eigen::Vector3f>& normals) {
+    for (Eigen::Vector3f& normal : normals) {
+        const Eigen::Vector3d n = normal.cast<double>();
+        normal = (n / n.norm()).cast<float>();
+    }
+}
+
+/// Most meshes of large files need no repair: nothing is copied. False, with nothing done, for others.
+bool take_whole(RawMesh& source, TidiedMesh& out) {
+    const bool finite_uvs = std::ranges::all_of(source.uvs, [](const auto& uv) { return uv.allFinite(); });
+    if (!finite_uvs || !have_directions(source.normals) || !all_vertices_used(source)) {
+        return false;
+    }
+    normalize(source.normals);
+    out.mesh.positions = std::move(source.positions);
+    out.mesh.normals = std::move(source.normals);
+    out.mesh.uvs = std::move(source.uvs);
+    out.mesh.colors = std::move(source.colors);
+    out.mesh.triangles = std::move(source.triangles);
+    return true;
+}
+
+}  // namespace
+
+TidiedMesh tidy_mesh(RawMesh source, bool flat_normals) {
+    TidiedMesh out;
+    out.mesh.name = source.name;
+    if (!indices_in_range(source)) {
+        out.index_out_of_range = true;
+        return out;
+    }
+    if (!positions_finite(source)) {
+        out.position_not_finite = true;
+        return out;
+    }
+    const bool every_corner_its_own = source.positions.size() >= source.triangles.size() * 3;
+    if (!source.normals.empty() && !every_corner_its_own && take_whole(source, out)) {
+        return out;
+    }
+    const VertexSource vertices(source, flat_normals);
+    out.mesh.triangles.resize(source.triangles.size());
+    if (source.normals.empty() || every_corner_its_own) {
+        append_welded(vertices, source.triangles.size() * 3, out);
+    } else {
+        append_indexed(vertices, source, out);
+    }
+    return out;
+}
+
+void flip_winding(Mesh& mesh) {
+    for (auto& triangle : mesh.triangles) {
+        std::swap(triangle[1], triangle[2]);
+    }
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,141 @@
+#include "scene/import/source/scene_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <system_error>
+
+namespace campuswalk::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kPictureSiblings = {"textures", "materials", "images", "maps"};
+
+// Where exporters put pictures that a scene names without a folder, nearest first.
+constexpr std::array<std::string_view, 6> kPictureFolders = {
+    "", "textures/", "images/", "../textures/", "../materials/textures/", "../images/"};
+
+int hex_digit(char c) {
+    if (c >= '0' && c <= '9') {
+        return c - '0';
+    }
+    const int lower = std::tolower(static_cast<unsigned char>(c));
+    return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+}
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string tidy_path(std::string_view uri) {
+    constexpr std::string_view kScheme = "file://";
+    if (uri.starts_with(kScheme)) {
+        uri.remove_prefix(kScheme.size());
+    }
+    // PLY comments end in the carriage return of another system.
+    uri = uri.substr(0, uri.find_last_not_of(" \t\r\n") + 1);
+    std::string path(uri);
+    std::ranges::replace(path, '\\', '/');
+    return path;
+}
+
+}  // namespace
+
+std::string percent_decoded(std::string_view text) {
+    std::string decoded;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && i + 2 < text.size()) {
+            const int high = hex_digit(text[i + 1]);
+            const int low = hex_digit(text[i + 2]);
+            if (high >= 0 && low >= 0) {
+                decoded += static_cast<char>(high * 16 + low);
+                i += 2;
+                continue;
+            }
+        }
+        decoded += text[i];
+    }
+    return decoded;
+}
+
+SceneFolder::SceneFolder(const fs::path& scene_file) {
+    std::error_code ignored;
+    const fs::path folder = scene_file.has_parent_path() ? scene_file.parent_path() : fs::path(".");
+    folder_ = fs::canonical(folder, ignored);
+}
+
+bool SceneFolder::may_read(const fs::path& resolved, bool picture) const {
+    if (folder_.empty()) {
+        return false;
+    }
+    if (folder_ == folder_.root_path()) {  // "below" would be the whole machine
+        return resolved.parent_path() == folder_;
+    }
+    const auto below = [](const fs::path& path, const fs::path& base) {
+        const auto [in_base, in_path] = std::mismatch(base.begin(), base.end(), path.begin(), path.end());
+        return in_base == base.end() && in_path != path.end();
+    };
+    if (below(resolved, folder_)) {
+        return true;
+    }
+    const fs::path parent = folder_.parent_path();
+    if (!picture || !below(resolved, parent)) {
+        return false;
+    }
+    const std::string sibling = lower_case(resolved.lexically_relative(parent).begin()->string());
+    return std::ranges::find(kPictureSiblings, sibling) != kPictureSiblings.end();
+}
+
+std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool picture) const {
+    const fs::path path(relative);
+    if (relative.empty() || path.is_absolute() || relative.find('\0') != std::string::npos) {
+        return std::nullopt;
+    }
+    std::error_code error;
+    const fs::path resolved = fs::canonical(folder_ / path, error);
+    if (error || !may_read(resolved, picture) || !fs::is_regular_file(resolved, error)) {
+        return std::nullopt;
+    }
+    return resolved;
+}
+
+void SceneFolder::keep_request(std::string_view uri, bool picture) const {
+    FileRequest request{std::string(uri), picture};
+    if (std::ranges::find(*requests_, request) == requests_->end()) {
+        requests_->push_back(std::move(request));
+    }
+}
+
+std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
+    keep_request(uri, false);
+    const std::string path = tidy_path(uri);
+    if (auto found = try_path(path, false)) {
+        return found;
+    }
+    return try_path(percent_decoded(path), false);
+}
+
+std::optional<fs::path> SceneFolder::find_picture(std::string_view uri) const {
+    keep_request(uri, true);
+    const std::string path = tidy_path(uri);
+    for (const std::string& name : {path, percent_decoded(path)}) {
+        if (auto found = try_path(name, true)) {
+            return found;
+        }
+        const std::string bare = name.substr(name.find_last_of('/') + 1);
+        for (const std::string_view folder : kPictureFolders) {
+            if (bare.empty()) {
+                break;
+            }
+            if (auto found = try_path(std::string(folder) + bare, true)) {
+                return found;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,95 @@
+#include "scene/import/source/vertex_normals.h"
+
+#include <Eigen/Geometry>
+
+#include "scene/model/weld.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using Triangles = std::span<const std::array<std::uint32_t, 3>>;
+
+// A fan of more faces about one point is not smoothed: the work there grows with its square.
+constexpr std::size_t kMostFacesToSmooth = 128;
+
+Eigen::Vector3d area_vector(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
+    const Eigen::Vector3d origin = a.cast<double>();
+    return (b.cast<double>() - origin).cross(c.cast<double>() - origin);
+}
+
+Eigen::Vector3d unit_or_up(const Eigen::Vector3d& v) {
+    const double length = v.norm();
+    return length > 0.0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d::UnitY();
+}
+
+/// The triangles around each position: `faces[first[p] .. first[p + 1])`.
+struct FacesAround {
+    std::vector<std::uint32_t> position_of_corner;
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> faces;
+};
+
+FacesAround faces_around(std::span<const Eigen::Vector3f> positions, Triangles triangles) {
+    FacesAround around;
+    WeldTable<3> welded(positions.size());
+    for (const auto& triangle : triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            around.position_of_corner.push_back(welded.number_of(bits_of(positions[vertex])));
+        }
+    }
+    around.first.assign(welded.size() + 1, 0);
+    for (const std::uint32_t position : around.position_of_corner) {
+        ++around.first[position + 1];
+    }
+    for (std::size_t i = 1; i < around.first.size(); ++i) {
+        around.first[i] += around.first[i - 1];
+    }
+    around.faces.resize(around.position_of_corner.size());
+    std::vector<std::uint32_t> next = around.first;
+    for (std::size_t corner = 0; corner < around.position_of_corner.size(); ++corner) {
+        around.faces[next[around.position_of_corner[corner]]++] = static_cast<std::uint32_t>(corner / 3);
+    }
+    return around;
+}
+
+}  // namespace
+
+Eigen::Vector3f face_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
+    return unit_or_up(area_vector(a, b, c)).cast<float>();
+}
+
+std::vector<Eigen::Vector3f> corner_normals(std::span<const Eigen::Vector3f> positions, Triangles triangles,
+                                            double crease_cosine) {
+    std::vector<Eigen::Vector3d> areas(triangles.size());
+    std::vector<Eigen::Vector3d> normals(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto& t = triangles[i];
+        areas[i] = area_vector(positions[t[0]], positions[t[1]], positions[t[2]]);
+        normals[i] = unit_or_up(areas[i]);
+    }
+    std::vector<Eigen::Vector3f> result(triangles.size() * 3);
+    if (crease_cosine >= 1.0) {
+        for (std::size_t corner = 0; corner < result.size(); ++corner) {
+            result[corner] = normals[corner / 3].cast<float>();
+        }
+        return result;
+    }
+    const FacesAround around = faces_around(positions, triangles);
+    for (std::size_t corner = 0; corner < result.size(); ++corner) {
+        const std::size_t face = corner / 3;
+        const std::uint32_t position = around.position_of_corner[corner];
+        const std::size_t begin = around.first[position];
+        const std::size_t end = around.first[position + 1];
+        Eigen::Vector3d sum = areas[face];
+        for (std::size_t i = begin; i < end && end - begin <= kMostFacesToSmooth; ++i) {
+            const std::uint32_t other = around.faces[i];
+            if (other != face && normals[other].dot(normals[face]) >= crease_cosine) {
+                sum += areas[other];
+            }
+        }
+        result[corner] = unit_or_up(sum).cast<float>();
+    }
+    return result;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "scene/lint/closed_doors.h"
+#include "scene/lint/ground_cover.h"
+#include "scene/lint/named_sizes.h"
+#include "scene/lint/unit_guess.h"
+#include "scene/lint/wording.h"
+#include "scene/model/model_report.h"
+#include "scene/model/world_triangles.h"
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr double kLeastSize = 0.5;       // metres
+constexpr double kGreatestSize = 5e3;    // metres
+constexpr double kCoarsestStep = 0.005;  // metres between neighbouring float32 coordinates
+constexpr double kFacing = 0.9;          // cosine within which a face counts as facing an axis
+
+std::string unit_hint(double size) {
+    const auto unit = guess_unit(size, 5.0, 3000.0);
+    return unit ? "; with `" + std::string(unit->yaml) + "` it would be " + in_metres(size * unit->factor)
+                : "";
+}
+
+void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
+    const double size = (bounds.max - bounds.min).maxCoeff();
+    if (size == 0.0) {
+        out.push_back({"odd-scale", "all of it lies at one point"});
+    } else if (size < kLeastSize || size > kGreatestSize) {
+        out.push_back({"odd-scale",
+                       "it is " + in_metres(size) + " across, which hardly any campus is" + unit_hint(size)});
+    }
+    const Eigen::Vector3d middle = 0.5 * (bounds.min + bounds.max);
+    const double distance = middle.norm();
+    if (middle.cwiseAbs().maxCoeff() > kFarAway) {  // as origin_near has it
+        out.push_back({"far-from-origin",
+                       "its middle lies " + in_metres(distance) +
+                           " from the origin; `origin: {at: near}` in the campus file brings it near"});
+    }
+}
+
+/// Float32 coordinates in a mesh, scaled as its node places them.
+void check_precision(const Model& model, std::vector<Oddity>& out) {
+    constexpr double kRelativeStep = 1.0 / (1 << 23U);
+    double coarsest = 0.0;
+    std::string worst;
+    for (const Node& node : model.nodes) {
+        const double scale = node.X_world_node.topLeftCorner<3, 3>().colwise().norm().maxCoeff();
+        for (const MeshIndex index : node.meshes) {
+            float largest = 0.0F;
+            for (const Eigen::Vector3f& p : model.meshes[index_of(index)].positions) {
+                largest = std::max(largest, p.cwiseAbs().maxCoeff());
+            }
+            const double step = static_cast<double>(largest) * scale * kRelativeStep;
+            if (step > coarsest) {
+                coarsest = step;
+                worst = node.name;
+            }
+        }
+    }
+    if (coarsest > kCoarsestStep) {
+        out.push_back({"coarse-position",
+                       "vertices of node '" + worst + "' lie on a grid of about " + in_metres(coarsest) +
+                           " because they are so far from the file's origin; move the origin "
+                           "near the model before export"});
+    }
+}
+
+/// A map-like model (flat along z) whose area faces z, not y. A façade alone looks the same, hence
+/// "probably".
+void check_up_axis(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+    const Eigen::Vector3d size = bounds.max - bounds.min;
+    if (size.z() >= 0.5 * std::min(size.x(), size.y())) {
+        return;
+    }
+    double facing_y = 0.0;
+    double facing_z = 0.0;
+    for (const Node& node : model.nodes) {
+        for_each_triangle(model, node, [&](const auto& a, const auto& b, const auto& c) {
+            const Eigen::Vector3d n = (b - a).cross(c - a);
+            const double area = n.norm();
+            facing_y += std::abs(n.y()) > kFacing * area ? area : 0.0;
+            facing_z += std::abs(n.z()) > kFacing * area ? area : 0.0;
+        });
+    }
+    if (facing_z > 2.0 * facing_y) {
+        out.push_back({"z-up",
+                       "it stands on edge: most of its area faces z and it is flat along z; probably "
+                       "`up: z` is meant"});
+    }
+}
+
+void check_nodes(const Model& model, std::vector<Oddity>& out) {
+    std::size_t unnamed = 0;
+    std::size_t mirrored = 0;
+    std::string mirrored_example;
+    std::map<std::string, std::size_t> uses;
+    for (const Node& node : model.nodes) {
+        if (node.meshes.empty()) {
+            continue;
+        }
+        if (is_made_up_name(node.name)) {
+            ++unnamed;
+        } else {
+            ++uses[node.name];
+        }
+        if (node.X_world_node.topLeftCorner<3, 3>().determinant() < 0.0) {
+            ++mirrored;
+            mirrored_example = mirrored_example.empty() ? node.name : mirrored_example;
+        }
+    }
+    if (mirrored > 0) {
+        out.push_back({"mirrored-node", plural(mirrored, "node") + " with a mirroring transform, such as '" +
+                                            mirrored_example +
+                                            "'; their triangles were turned right side out"});
+    }
+    if (unnamed > 0) {
+        out.push_back({"unnamed-node", plural(unnamed, "node") +
+                                           " with triangles without a name of its own; give names, so that "
+                                           "colliders and buildings can refer to them"});
+    }
+    const auto repeated = std::ranges::count_if(uses, [](const auto& use) { return use.second > 1; });
+    if (repeated > 0) {
+        const auto example = std::ranges::find_if(uses, [](const auto& use) { return use.second > 1; });
+        out.push_back({"repeated-name", plural(static_cast<std::size_t>(repeated), "name") +
+                                            " used by several nodes, such as '" + example->first + "' (" +
+                                            std::to_string(example->second) + " times)"});
+    }
+}
+
+void check_duplicates(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+    Oddity odd{"duplicate-faces", "", {}};
+    std::size_t count = 0;
+    const DuplicateFaces* most = nullptr;
+    const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(model, bounds);
+    for (const DuplicateFaces& own : duplicates) {
+        odd.places.push_back({model.nodes[own.node].name, own.first});
+        count += own.count;
+        most = most == nullptr || own.count > most->count ? &own : most;
+    }
+    if (most != nullptr) {
+        odd.message = plural(count, "triangle") + " on top of another, facing the same way, " +
+                      (duplicates.size() > 1 ? "most of them (" + std::to_string(most->count) + ") " : "") +
+                      "in node '" + model.nodes[most->node].name + "'; delete one of each";
+        out.push_back(odd);
+    }
+}
+
+void check_outliers(const Model& model, const ModelReport& report, std::vector<Oddity>& out) {
+    Oddity odd{"outlier", "", {}};
+    for (const std::size_t n : outlier_nodes(model)) {
+        const Bounds& bounds = report.nodes[n].bounds;
+        odd.places.push_back({model.nodes[n].name, 0.5 * (bounds.min + bounds.max)});
+    }
+    if (!odd.places.empty()) {
+        odd.message = plural(odd.places.size(), "node") + " far from all the rest, such as '" +
+                      odd.places.front().node +
+                      "', stretch the bounds; move them, or leave them out of the file";
+        out.push_back(odd);
+    }
+}
+
+void check_ground(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+    constexpr double kRoom = 3.0;  // metres: smaller things are furniture
+    const Eigen::Vector3d size = bounds.max - bounds.min;
+    if (std::min(size.x(), size.z()) < kRoom) {
+        return;
+    }
+    const GroundCover cover = measure_ground(model, bounds);
+    if (is_no_ground(cover)) {
+        const std::string share = short_number(std::round(100.0 * cover.share)) + " %";
+        const std::string what =
+            cover.share >= 0.25 ? "the largest level part is a roof, at " + in_metres(cover.height)
+                                : "the largest level part is " + share + " of what it covers of the plan";
+        out.push_back(
+            {"no-ground", "there is hardly any ground to walk on: " + what +
+                              "; add a floor to the model, or a solid box to the campus, as --suggest does"});
+    }
+}
+
+void check_doors(const Model& model, std::vector<Oddity>& out) {
+    std::vector<Oddity::Place> doors;
+    for (const ClosedDoor& door : find_closed_doors(model)) {
+        doors.push_back({model.nodes[door.node].name, door.foot});
+    }
+    if (!doors.empty()) {
+        out.push_back(solid_doors(std::move(doors)));
+    }
+}
+
+}  // namespace
+
+Oddity solid_doors(std::vector<Oddity::Place> doors) {
+    const std::string message = plural(doors.size(), "door") + " that " +
+                                (doors.size() == 1 ? "closes" : "close") + " a way through, such as '" +
+                                doors.front().node + "'; open them, or keep their nodes out of what is solid";
+    return {"solid-door", message, std::move(doors)};
+}
+
+bool is_made_up_name(const std::string& name) {
+    return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||
+           name.starts_with("<") || name == "defaultobject";
+}
+
+std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report) {
+    std::vector<Oddity> oddities;
+    if (report.bounds.empty()) {
+        oddities.push_back({"no-triangles", "it has no triangle: nothing to see and nothing to walk on"});
+        return oddities;
+    }
+    check_size(report.bounds, oddities);
+    check_precision(model, oddities);
+    check_up_axis(model, report.bounds, oddities);
+    check_nodes(model, oddities);
+    check_duplicates(model, report.bounds, oddities);
+    check_outliers(model, report, oddities);
+    const bool lies = std::ranges::any_of(oddities, [](const Oddity& odd) { return odd.code == "z-up"; });
+    const std::vector<Oddity> odd_sizes = find_odd_sizes(model, report.nodes, lies ? 2 : 1);
+    oddities.insert(oddities.end(), odd_sizes.begin(), odd_sizes.end());
+    // Of a model that lies on its side or has another unit these would only say the same again.
+    const bool upright = std::ranges::none_of(oddities, [](const Oddity& odd) {
+        return odd.code == "z-up" || odd.code == "odd-scale" || odd.code == "door-size";
+    });
+    if (upright) {
+        check_ground(model, report.bounds, oddities);
+        check_doors(model, oddities);
+    }
+    return oddities;
+}
+
+}  // namespace campuswalk::scene

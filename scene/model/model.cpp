@@ -1,0 +1,66 @@
+#include "scene/model/model.h"
+
+#include <cmath>
+
+#include "scene/base/glob.h"
+
+namespace campuswalk::scene {
+
+std::size_t count_triangles(const Model& model) {
+    std::size_t count = 0;
+    for (const Node& node : model.nodes) {
+        for (const MeshIndex mesh : node.meshes) {
+            count += model.meshes[index_of(mesh)].triangles.size();
+        }
+    }
+    return count;
+}
+
+Bounds world_bounds(const Model& model) {
+    Bounds bounds;
+    for (const Node& node : model.nodes) {
+        const Eigen::Matrix3d linear = node.X_world_node.topLeftCorner<3, 3>();
+        const Eigen::Vector3d offset = node.X_world_node.topRightCorner<3, 1>();
+        for (const MeshIndex mesh : node.meshes) {
+            for (const Eigen::Vector3f& position : model.meshes[index_of(mesh)].positions) {
+                bounds.extend(linear * position.cast<double>() + offset);
+            }
+        }
+    }
+    return bounds;
+}
+
+Eigen::Vector3d origin_near(const Bounds& bounds) {
+    constexpr double kRound = 1e3;  // metres
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    for (Eigen::Index axis = 0; axis < 3 && !bounds.empty(); ++axis) {
+        const double middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
+        origin[axis] = std::abs(middle) > kFarAway ? std::round(middle / kRound) * kRound : 0.0;
+    }
+    return origin;
+}
+
+void move_origin(Model& model, const Eigen::Vector3d& origin) {
+    for (Node& node : model.nodes) {
+        node.X_world_node.topRightCorner<3, 1>() -= origin;
+    }
+    if (model.geographic) {
+        model.geographic->at -= origin;
+    }
+}
+
+std::vector<std::size_t> match_nodes(const Model& model, const std::string& glob) {
+    std::vector<std::size_t> matched;
+    std::vector<bool> inside(model.nodes.size(), false);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const Node& node = model.nodes[i];
+        inside[i] = (node.parent >= 0 && inside[static_cast<std::size_t>(node.parent)]) ||
+                    glob_matches(glob, node.name);
+        if (inside[i]) {
+            matched.push_back(i);
+        }
+    }
+    return matched;
+}
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "collision/mesh/mesh_query.h"
+#include "tests/support/dice.h"
+
+/// The queries of mesh_query.h as loops over all triangles, and meshes to ask on both layouts.
+namespace campuswalk::collision {
+
+std::vector<std::uint32_t> loop_near(const TriangleMesh& mesh, const Segment& segment, double radius);
+std::vector<MeshHit> loop_all_on_ray(const TriangleMesh& mesh, const Ray& ray);
+std::vector<std::uint32_t> loop_in_box(const TriangleMesh& mesh, const Box& box, const Pose& X_mesh_box);
+MeshPoint loop_closest_point(const TriangleMesh& mesh, const Vec3& point);
+std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segment, double radius,
+                                  const Vec3& move);
+
+/// Those that this machine has, the least first.
+std::vector<Instructions> instructions_here();
+
+/// One mesh on both layouts.
+struct BothLayouts {
+    MeshCollider wide;
+    MeshCollider paper;
+
+    explicit BothLayouts(const TriangleMesh& mesh) : wide(mesh), paper(mesh, Layout::paper) {}
+    const TriangleMesh& mesh() const { return wide.mesh(); }
+    std::array<const MeshCollider*, 2> each() const { return {&wide, &paper}; }
+};
+
+/// Meshes that trees find easy and hard: scattered, regular, in one place, of one triangle.
+TriangleMesh mesh_of_some_kind(support::Dice& dice);
+/// Lattices, here and 450 km from the mesh's origin; needles; triangles without area; each triangle many
+/// times.
+TriangleMesh hard_mesh(support::Dice& dice);
+/// Within `reach` of a point of the mesh along each axis.
+Vec3 point_around(const TriangleMesh& mesh, support::Dice& dice, double reach);
+
+}  // namespace campuswalk::collision

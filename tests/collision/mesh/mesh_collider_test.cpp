@@ -1,0 +1,90 @@
+#include "collision/mesh/mesh_collider.h"
+
+#include <atomic>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/mesh_pieces.h"
+
+namespace campuswalk::collision {
+namespace {
+
+TriangleMesh box() {
+    TriangleMesh mesh;
+    support::add_box(mesh, {0, 0, 0}, {1, 1, 1});
+    return mesh;
+}
+
+TEST(MeshCollider, HoldsTheMeshAndOneTree) {
+    const MeshCollider wide(box());
+    EXPECT_EQ(wide.layout(), Layout::wide);
+    EXPECT_EQ(wide.mesh().triangles.size(), 12U);
+    EXPECT_FALSE(wide.wide_tree().leaves.empty());
+    EXPECT_THROW(wide.paper_tree(), std::bad_variant_access);
+    const MeshCollider paper(box(), Layout::paper);
+    EXPECT_EQ(paper.layout(), Layout::paper);
+    EXPECT_EQ(paper.mesh().triangles.size(), 12U);
+    EXPECT_EQ(paper.paper_tree().order.size(), 12U);
+    EXPECT_THROW(paper.wide_tree(), std::bad_variant_access);
+}
+
+TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
+    const MeshCollider built(box());
+    const MeshCollider taken(box(), built.wide_tree());
+    EXPECT_EQ(taken.layout(), Layout::wide);
+    EXPECT_EQ(taken.wide_tree().leaves.size(), built.wide_tree().leaves.size());
+    WideTree foreign = built.wide_tree();
+    foreign.leaves[0].triangle[3] = 12;
+    EXPECT_THROW(MeshCollider(box(), foreign), std::invalid_argument);
+    TriangleMesh spoilt = box();
+    spoilt.triangles[7][1] = static_cast<std::uint32_t>(spoilt.positions.size());
+    EXPECT_THROW(MeshCollider(spoilt, built.wide_tree()), std::invalid_argument);
+}
+
+TEST(MeshCollider, FindsClosedPartsOnce) {
+    const MeshCollider collider(box());
+    EXPECT_TRUE(collider.closed_parts().has(0));
+    EXPECT_EQ(&collider.closed_parts(), &collider.closed_parts()) << "found once";
+}
+
+TEST(MeshCollider, RefusesAMeshWithoutTriangles) {
+    EXPECT_THROW(MeshCollider{TriangleMesh{}}, std::invalid_argument);
+    TriangleMesh points = box();
+    points.triangles.clear();
+    EXPECT_THROW(MeshCollider{points}, std::invalid_argument);
+}
+
+TEST(MeshCollider, RefusesAnIndexOutOfRange) {
+    TriangleMesh mesh = box();
+    mesh.triangles[7][1] = static_cast<std::uint32_t>(mesh.positions.size());
+    EXPECT_THROW(MeshCollider{mesh}, std::invalid_argument);
+}
+
+TEST(MeshCollider, RefusesPositionsThatAreNotFinite) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        TriangleMesh mesh = box();
+        mesh.positions[5].y() = bad;
+        EXPECT_THROW(MeshCollider{mesh}, std::invalid_argument);
+    }
+}
+
+TEST(MeshCollider, FindsClosedPartsForSeveralThreadsAtOnce) {
+    const MeshCollider collider(box());
+    std::atomic<int> inside = 0;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) {
+        threads.emplace_back([&] { inside += collider.closed_parts().has(0) ? 1 : 0; });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    EXPECT_EQ(inside, 4);
+}
+
+}  // namespace
+}  // namespace campuswalk::collision

@@ -1,0 +1,168 @@
+#include "collision/base/query_counters.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "collision/geometry/closest.h"
+#include "collision/mesh/mesh_query.h"
+#include "tests/support/mesh_pieces.h"
+#include "tests/support/random_scene.h"
+
+namespace campuswalk::collision {
+namespace {
+
+using support::Dice;
+
+TriangleMesh tiled_floor() {
+    TriangleMesh mesh;
+    support::add_floor(mesh, 16.0, 0.0, 0.5);
+    return mesh;
+}
+
+QueryCounters count_near(const MeshCollider& mesh, const Segment& segment, double radius) {
+    QueryCounters counters;
+    std::vector<std::uint32_t> near;
+    triangles_near(mesh, segment, radius, near, counters);
+    return counters;
+}
+
+/// The nodes that a query cannot do without: the root, and both children of every node that has a triangle
+/// in reach, or whose outer sphere alone lets the query's sphere through.
+struct NodeCounts {
+    std::uint64_t needed = 0;
+    std::uint64_t by_spheres_alone = 0;
+    std::uint64_t triangles_needed = 0;
+};
+
+class NodeCounter {
+public:
+    NodeCounter(const MeshCollider& mesh, const Segment& segment, double radius)
+        : mesh_(mesh), segment_(segment), radius_(radius) {}
+
+    NodeCounts count() {
+        ++counts_.needed;
+        count_needed(0);
+        count_by_spheres(0);
+        return counts_;
+    }
+
+private:
+    bool in_reach(std::uint32_t triangle) const {
+        return closest(segment_, corners(mesh_.mesh(), triangle)).distance <= radius_;
+    }
+
+    bool count_needed(std::uint32_t index) {
+        const HybridNode& node = mesh_.paper_tree().nodes[index];
+        bool reached = false;
+        if (node.is_leaf()) {
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                reached = in_reach(mesh_.paper_tree().order[i]) || reached;
+            }
+            counts_.triangles_needed += reached ? node.count : 0;
+            return reached;
+        }
+        const bool left = count_needed(node.first);
+        const bool right = count_needed(node.first + 1);
+        counts_.needed += left || right ? 2 : 0;
+        return left || right;
+    }
+
+    void count_by_spheres(std::uint32_t index) {
+        const HybridNode& node = mesh_.paper_tree().nodes[index];
+        ++counts_.by_spheres_alone;
+        const Vec3 middle = 0.5 * (segment_.a + segment_.b);
+        const double reach = 0.5 * (segment_.b - segment_.a).norm() + radius_ + node.outer.radius;
+        if (!node.is_leaf() && (middle - node.outer.center).norm() <= reach + 1e-12) {
+            count_by_spheres(node.first);
+            count_by_spheres(node.first + 1);
+        }
+    }
+
+    const MeshCollider& mesh_;
+    Segment segment_;
+    double radius_;
+    NodeCounts counts_;
+};
+
+TEST(QueryCounters, AddUp) {
+    QueryCounters sum{1, 2, 3};
+    sum += {10, 20, 30};
+    EXPECT_EQ(sum.nv, 11U);
+    EXPECT_EQ(sum.np, 22U);
+    EXPECT_EQ(sum.nu, 33U);
+}
+
+TEST(QueryCounters, FarAwayOnlyTheRootIsTested) {
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        const MeshCollider mesh(tiled_floor(), layout);
+        const QueryCounters counters = count_near(mesh, {{900, 0, 0}, {900, 2, 0}}, 0.3);
+        EXPECT_EQ(counters.nv, 1U);
+        EXPECT_EQ(counters.np, 0U);
+        EXPECT_EQ(counters.nu, 1U);
+    }
+}
+
+TEST(QueryCounters, WithinReachOfAllEveryNodeAndTriangleIsTested) {
+    const MeshCollider paper(tiled_floor(), Layout::paper);
+    const QueryCounters on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(on_paper.nv, paper.paper_tree().nodes.size());
+    EXPECT_EQ(on_paper.np, paper.mesh().triangles.size());
+    EXPECT_EQ(on_paper.nu, 1U);
+
+    const MeshCollider wide(tiled_floor());
+    std::size_t boxes = 1;  // and the sphere of all
+    for (const WideNode& node : wide.wide_tree().nodes) {
+        boxes += node.count;
+    }
+    const QueryCounters on_wide = count_near(wide, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(on_wide.nv, boxes);
+    EXPECT_EQ(on_wide.np, wide.mesh().triangles.size());
+    EXPECT_EQ(on_wide.nu, 1U);
+}
+
+TEST(QueryCounters, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
+    Dice dice(50);
+    std::uint64_t tested = 0;
+    std::uint64_t by_spheres = 0;
+    for (int m = 0; m < 10; ++m) {
+        const MeshCollider mesh(m % 2 == 0 ? support::random_mesh(dice, 400, 6.0) : tiled_floor(),
+                                Layout::paper);
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 a = dice.in_cube(6.0);
+            const Segment segment{a, a + Vec3(0, 1.2, 0)};
+            const QueryCounters counters = count_near(mesh, segment, 0.4);
+            const NodeCounts counts = NodeCounter(mesh, segment, 0.4).count();
+            ASSERT_GE(counters.nv, counts.needed);
+            ASSERT_LE(counters.nv, counts.by_spheres_alone);
+            ASSERT_GE(counters.np, counts.triangles_needed);
+            ASSERT_EQ(counters.nu, 1U);
+            tested += counters.nv;
+            by_spheres += counts.by_spheres_alone;
+        }
+    }
+    EXPECT_LT(tested, by_spheres) << "the inner layer rejects what the spheres let through";
+}
+
+TEST(QueryCounters, ASmallQueryInALargeMeshTestsLittleOfIt) {
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        const MeshCollider mesh(tiled_floor(), layout);  // 8192 triangles
+        const QueryCounters counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);
+        EXPECT_LT(counters.nv, 200U);
+        EXPECT_LT(counters.np, 100U);
+        EXPECT_GT(counters.np, 0U);
+    }
+}
+
+TEST(QueryCounters, OfARayThatMissesStaySmall) {
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        const MeshCollider mesh(tiled_floor(), layout);
+        QueryCounters counters;
+        EXPECT_FALSE(first_on_ray(mesh, {{3, 0.01, 3}, {4, 5.0, 3}}, counters));
+        EXPECT_LT(counters.nv, 200U);
+        EXPECT_EQ(counters.nu, 1U);
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::collision

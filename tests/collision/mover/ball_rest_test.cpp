@@ -1,0 +1,71 @@
+#include "collision/mover/ball_rest.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/dice.h"
+#include "tests/support/effort.h"
+#include "tests/support/plain_geometry.h"
+#include "tests/support/random_scene.h"
+
+#include <Eigen/Geometry>
+
+namespace campuswalk::collision {
+namespace {
+
+using support::Dice;
+
+Vec3 face_normal(const Triangle& t) {
+    const Vec3 n = (t.b - t.a).cross(t.c - t.a);
+    return n.norm() > 0.0 ? Vec3(n.normalized()) : Vec3::Zero();
+}
+
+double distance_to(const Triangle& t, const Vec3& p) {
+    return support::distance(support::Line{p, p}, {t.a, t.b, t.c});
+}
+
+TEST(BallRest, OnALevelFaceIsARadiusAboveIt) {
+    const Triangle t{{0, 2, 0}, {0, 2, 5}, {5, 2, 0}};
+    const auto rest = ball_rest(t, face_normal(t), 1.0, 1.0, 0.3);
+    ASSERT_TRUE(rest);
+    EXPECT_NEAR(rest->height, 2.3, 1e-15);
+    EXPECT_EQ(rest->on, Vec3(1, 2, 1));
+    EXPECT_FALSE(ball_rest(t, face_normal(t), -0.31, 1.0, 0.3)) << "it passes beside";
+}
+
+TEST(BallRest, OnTheUpperEdgeOfAnUprightFace) {
+    const Triangle t{{0, 0, -1}, {0, 1, 0}, {0, 1, -2}};
+    const auto rest = ball_rest(t, face_normal(t), 0.3, -1.0, 0.5);
+    ASSERT_TRUE(rest);
+    EXPECT_NEAR(rest->height, 1.4, 1e-15);
+    EXPECT_TRUE(rest->on.isApprox(Vec3(0, 1, -1)));
+}
+
+/// Just there the ball touches, a little lower it overlaps, and higher up it never does again.
+TEST(BallRest, IsTheHighestTouchOfRandomTriangles) {
+    Dice dice(1);
+    int found = 0;
+    for (int i = 0; i < support::repeats(20000); ++i) {
+        const Triangle t = support::random_triangle(dice, Vec3::Zero());
+        const double radius = dice.between(0.05, 0.6);
+        const double x = dice.between(-1.2, 1.2);
+        const double z = dice.between(-1.2, 1.2);
+        SCOPED_TRACE(i);
+        const auto rest = ball_rest(t, face_normal(t), x, z, radius);
+        const double top = std::max({t.a.y(), t.b.y(), t.c.y()});
+        if (rest) {
+            ++found;
+            ASSERT_NEAR(distance_to(t, {x, rest->height, z}), radius, 1e-5);
+            ASSERT_NEAR((rest->on - Vec3(x, rest->height, z)).norm(), radius, 1e-5);
+            ASSERT_LT(distance_to(t, rest->on), 1e-5);
+        }
+        const double from = rest ? rest->height + 1e-4 : std::min({t.a.y(), t.b.y(), t.c.y()}) - radius;
+        for (int k = 0; k <= 50; ++k) {
+            const double y = from + k / 50.0 * (top + radius - from);
+            ASSERT_GT(distance_to(t, {x, y, z}), radius - 1e-7) << y;
+        }
+    }
+    EXPECT_GT(found, support::repeats(20000) / 5);
+}
+
+}  // namespace
+}  // namespace campuswalk::collision

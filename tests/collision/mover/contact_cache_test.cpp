@@ -1,0 +1,163 @@
+#include "collision/mover/contact_cache.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "collision/mover/mover.h"
+#include "tests/support/effort.h"
+#include "tests/support/plain_geometry.h"
+#include "tests/support/random_scene.h"
+
+namespace campuswalk::collision {
+namespace {
+
+using support::Dice;
+using Name = std::pair<ObjectId, std::uint32_t>;
+
+/// A look around a random place, shown to a loop over all that has been gathered.
+struct Look {
+    Vec3 foot;
+    double sideways = 0.0;
+    double up = 0.0;
+    double down = 0.0;
+    double reach = 0.0;
+
+    explicit Look(Dice& dice)
+        : foot(dice.between(-4, 4), dice.between(0, 2), dice.between(-4, 4)),
+          sideways(dice.between(0, 0.3)),
+          up(dice.between(0, 0.4)),
+          down(dice.between(0, 0.4)),
+          reach(dice.between(0, 0.05)) {}
+
+    Aabb box(const MoverSettings& body) const {
+        const double r = body.radius + sideways + reach;
+        return {foot - Vec3(r, down + reach, r), foot + Vec3(r, body.height + up + reach, r)};
+    }
+    Vec3 somewhere(Dice& dice) const {
+        const double angle = dice.between(0, 6.3);
+        const double far = dice.between(0, sideways);
+        return foot + Vec3(far * std::cos(angle), dice.between(-down, up), far * std::sin(angle));
+    }
+};
+
+TEST(Neighbourhood, ASurveyMissesNothingThatMayBeMet) {
+    const MoverSettings body;
+    int met = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(20)); ++seed) {
+        Dice dice(seed);
+        const auto world = support::make_soup(dice);
+        Neighbourhood around(*world, body, {});
+        QueryCounters counters;
+        for (int i = 0; i < 100; ++i) {
+            const Look look(dice);
+            around.cover(look.box(body), counters);
+            around.survey(look.foot, look.sideways, look.up, look.down, look.reach);
+            const std::set<Neighbourhood::Index> near(around.near().begin(), around.near().end());
+            const Vec3 place = look.somewhere(dice);
+            for (Neighbourhood::Index k = 0; k < around.pieces().size(); ++k) {
+                const Obstacle& o = around.piece(k).obstacle;
+                const double distance = closest(body.core(place), o).distance;
+                if (distance <= body.radius + look.reach) {
+                    ASSERT_TRUE(near.contains(k)) << "seed " << seed << ", look " << i;
+                    ++met;
+                }
+                ASSERT_GE(distance, around.separation(k, look.foot).bound(place) - 1e-9);
+            }
+        }
+    }
+    EXPECT_GT(met, support::repeats(1000));
+}
+
+TEST(Neighbourhood, ItHoldsEveryTriangleOfWhatItCovers) {
+    const MoverSettings body;
+    Dice dice(7);
+    const auto world = support::make_random_village(dice);
+    Neighbourhood around(*world, body, {});
+    QueryCounters counters;
+    for (int i = 0; i < 50; ++i) {
+        const Look look(dice);
+        const Aabb box = look.box(body);
+        around.cover(box, counters);
+        std::set<Name> held;
+        for (const Neighbourhood::Piece& piece : around.pieces()) {
+            held.emplace(piece.obstacle.object, piece.obstacle.triangle);
+        }
+        std::vector<Obstacle> expected;
+        gather_obstacles(*world, {}, body.core(look.foot), body.radius + look.sideways, expected, counters);
+        for (const Obstacle& o : expected) {
+            const bool is_box = o.solid != nullptr && std::holds_alternative<Box>(o.solid->shape);
+            ASSERT_TRUE(is_box || held.contains({o.object, o.triangle})) << i;
+        }
+    }
+}
+
+/// What lies beyond is added to what is there already: nothing is lost by that, and nothing twice there.
+TEST(Neighbourhood, ItHoldsEveryTriangleOnceOnALongWay) {
+    const MoverSettings body;
+    int held_in_all = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
+        Dice dice(seed);
+        const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
+        Neighbourhood around(*world, body, {});
+        QueryCounters counters;
+        Vec3 foot(dice.between(-3, 3), dice.between(0, 1), dice.between(-3, 3));
+        Vec3 step = Vec3::Zero();
+        for (int i = 0; i < 200; ++i) {
+            if (i % 20 == 0) {
+                const double x = dice.between(-0.2, 0.2);
+                const double y = dice.between(-0.05, 0.05);
+                step = Vec3(x, y, dice.between(-0.2, 0.2));
+            }
+            foot += step;
+            around.cover({foot - Vec3(0.5, 0.3, 0.5), foot + Vec3(0.5, 2.1, 0.5)}, counters);
+            std::set<Name> held;
+            for (const Neighbourhood::Piece& piece : around.pieces()) {
+                ASSERT_TRUE(held.emplace(piece.obstacle.object, piece.obstacle.triangle).second)
+                    << "seed " << seed << ", step " << i;
+            }
+            std::vector<Obstacle> expected;
+            gather_obstacles(*world, {}, body.core(foot), 0.5, expected, counters);
+            for (const Obstacle& o : expected) {
+                const bool is_box = o.solid != nullptr && std::holds_alternative<Box>(o.solid->shape);
+                ASSERT_TRUE(is_box || held.contains({o.object, o.triangle}))
+                    << "seed " << seed << ", step " << i;
+                ++held_in_all;
+            }
+        }
+    }
+    EXPECT_GT(held_in_all, support::repeats(1000));
+}
+
+/// A mover that has just been made knows nothing from earlier ticks.
+TEST(Neighbourhood, WhatIsKeptNeverChangesAMove) {
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
+        Dice dice(seed);
+        const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
+        CapsuleMover mover(*world, {}, {});
+        MoverState state;
+        state.foot = support::random_free_place(*world, dice, support::kSoupHalf);
+        MoveTrace trace;
+        MoveTrace fresh_trace;
+        QueryCounters counters;
+        Vec3 wish = Vec3::Zero();
+        for (int tick = 0; tick < 400; ++tick) {
+            if (tick % 25 == 0) {
+                wish = 0.05 * Vec3(dice.between(-1, 1), 0, dice.between(-1, 1));
+            }
+            CapsuleMover fresh(*world, {}, {});
+            MoverState fresh_state = state;
+            fresh.move(fresh_state, wish, 1.0 / 60.0, fresh_trace, counters);
+            mover.move(state, wish, 1.0 / 60.0, trace, counters);
+            ASSERT_EQ(state.foot, fresh_state.foot) << "seed " << seed << ", tick " << tick;
+            ASSERT_EQ(state.vertical_speed, fresh_state.vertical_speed);
+            ASSERT_EQ(state.grounded, fresh_state.grounded);
+            ASSERT_EQ(trace.touching.size(), fresh_trace.touching.size());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::collision

@@ -1,0 +1,75 @@
+#include "collision/mover/half_planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/dice.h"
+#include "tests/support/effort.h"
+
+namespace campuswalk::collision {
+namespace {
+
+using support::Dice;
+
+std::vector<HalfPlane> random_planes(Dice& dice, int count) {
+    std::vector<HalfPlane> planes;
+    for (int i = 0; i < count; ++i) {
+        const double angle = dice.between(0.0, 6.3);
+        planes.push_back({std::cos(angle), std::sin(angle), dice.chance(0.3) ? 0.0 : dice.between(0.0, 0.5)});
+    }
+    return planes;
+}
+
+TEST(HalfPlanes, WithoutWallsTheWishIsGranted) {
+    EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, {}), Vec3(0.3, 0, -0.1));
+    EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, {{1, 0, 0.0}}), Vec3(0.3, 0, -0.1));
+}
+
+TEST(HalfPlanes, AWallLeavesWhatGoesAlongIt) {
+    EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, {{1, 0, 0.0}}).isApprox(Vec3(0, 0, 0.2)));
+    EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, {{1, 0, 0.1}}).isApprox(Vec3(-0.1, 0, 0.2)));
+}
+
+/// No allowed point of a fine grid is nearer to the wish.
+TEST(HalfPlanes, NothingAllowedIsNearer) {
+    Dice dice(5);
+    for (int i = 0; i < support::repeats(500); ++i) {
+        const auto planes = random_planes(dice, 1 + i % 6);
+        const Vec3 wish(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
+        const Vec3 found = nearest_allowed(wish, planes);
+        for (const HalfPlane& p : planes) {
+            ASSERT_GE(p.x * found.x() + p.z * found.z(), -p.room - 1e-11);
+        }
+        const double distance = (found - wish).norm();
+        for (int x = -60; x <= 60; ++x) {
+            for (int z = -60; z <= 60; ++z) {
+                const Vec3 other(x / 100.0, 0, z / 100.0);
+                const bool fits = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) {
+                    return p.x * other.x() + p.z * other.z() >= -p.room;
+                });
+                ASSERT_TRUE(!fits || (other - wish).norm() >= distance - 1e-11) << i;
+            }
+        }
+    }
+}
+
+TEST(HalfPlanes, TheirOrderDoesNotMatter) {
+    Dice dice(6);
+    for (int i = 0; i < 2000; ++i) {
+        auto planes = random_planes(dice, 4);
+        const Vec3 wish(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
+        const Vec3 found = nearest_allowed(wish, planes);
+        std::reverse(planes.begin(), planes.end());
+        const Vec3 other = nearest_allowed(wish, planes);
+        ASSERT_LT((found - other).norm(), 1e-12) << i;
+    }
+    // Two ways as long as each other.
+    const std::vector<HalfPlane> gate{{0.6, 0.8, 0.0}, {0.6, -0.8, 0.0}};
+    const std::vector<HalfPlane> turned{gate[1], gate[0]};
+    EXPECT_EQ(nearest_allowed({-0.1, 0, 0}, gate), nearest_allowed({-0.1, 0, 0}, turned));
+}
+
+}  // namespace
+}  // namespace campuswalk::collision

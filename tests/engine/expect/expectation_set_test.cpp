@@ -1,0 +1,211 @@
+#include "engine/expect/expectation_set.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/expect/one_judge.h"
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+const SourceMark kMark = {"a.walk.yaml", 7, 5};
+
+// ---- at the end -----------------------------------------------------------------------------------------
+
+TEST(Jury, GivesItsVerdictsInTheOrderOfTheFile) {
+    Walk walk;
+    walk.expectations = {expect_reaches({"far", {50, 0, 0}, false}, 0.5), ExpectLog{kMark},
+                         expect_never("popup.open"), expect_count("popup.open", 1),
+                         expect_sequence({"popup.open b"})};
+    const scene::Campus campus = empty_campus();
+    Jury jury(campus, walk);
+    Frames(jury).tick({"popup.open a"});
+    const std::vector<Failure> failures = jury.verdicts();
+    ASSERT_EQ(failures.size(), 3U) << "the log is for others to judge";
+    EXPECT_EQ(failures[0].code, "reaches");
+    EXPECT_EQ(failures[1].code, "never");
+    EXPECT_EQ(failures[2].code, "sequence");
+}
+
+TEST(Jury, IsContentWithoutExpectations) {
+    const Walk walk;
+    const scene::Campus campus = empty_campus();
+    Jury jury(campus, walk);
+    Frames(jury).tick({"popup.open a"});
+    EXPECT_TRUE(jury.verdicts().empty());
+}
+
+// ---- of a walk that was stopped -------------------------------------------------------------------------
+
+/// Codes of failures, and lines of what is left undecided, when a walk stops after two events and 3 m.
+std::string when_stopped(const Expectation& expectation) {
+    Walk walk;
+    walk.expectations = {expectation};
+    const scene::Campus campus = empty_campus();
+    Jury jury(campus, walk);
+    Frames(jury)
+        .tick({"walk.start me"})
+        .after_metres(3)
+        .in_the_air(true)
+        .tick({"popup.open a", "avatar.stuck me"});
+    const Jury::StoppedVerdicts verdicts = jury.verdicts_when_stopped();
+    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), jury.verdicts().size());
+    return !verdicts.failures.empty() ? "fails" : !verdicts.undecided.empty() ? "open" : "holds";
+}
+
+TEST(StoppedJury, FailsWhatNothingCouldMend) {
+    for (const Expectation& lost : std::vector<Expectation>{
+             expect_never("popup.open"), expect_count("popup.open", 0), expect_count("popup.open", {}, {}, 0),
+             ExpectWithin{kMark, pattern("walk.start"), pattern("avatar.fell"), 0.05},
+             ExpectNear{kMark, {"far", {9, 0, 0}, true}, 1.0, pattern("popup.open")},
+             ExpectDuration{kMark, {{}, {}, 0.05}}, ExpectDistance{kMark, {{}, {}, 2.0}},
+             ExpectGrounded{kMark, 1.0}, ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}},
+             ExpectNot{kMark, expect_sequence({"walk.start", "popup.open"})}}) {
+        EXPECT_EQ(when_stopped(lost), "fails") << lost.index();
+    }
+}
+
+TEST(StoppedJury, LeavesOpenWhatMightHaveCome) {
+    int place = 0;
+    for (const Expectation& open : std::vector<Expectation>{
+             expect_sequence({"popup.open", "popup.close"}), expect_count("popup.open", 2),
+             expect_count("popup.open", {}, 2),
+             ExpectWithin{kMark, pattern("popup.open"), pattern("popup.close"), 5.0},
+             ExpectWithin{kMark, pattern("avatar.jump"), pattern("avatar.landed"), 5.0},
+             ExpectPopup{kMark, {kMark, "b"}}, expect_reaches({"far", {9, 0, 0}, true}, 1.0),
+             ExpectNear{kMark, {"far", {9, 0, 0}, true}, 1.0, std::nullopt},
+             ExpectNear{kMark, {"here", {0, 0, 0}, true}, 1.0, pattern("avatar.fell")},
+             ExpectDuration{kMark, {5.0, {}, {}}}, ExpectDistance{kMark, {{}, 5.0, {}}},
+             ExpectGrounded{kMark, 0.9}, ExpectBlockedBy{kMark, {kMark, "wall"}},
+             ExpectStuck{kMark, {kMark, "wall"}}, ExpectFell{kMark},
+             ExpectNot{kMark, expect_never("avatar.fell")}, ExpectNot{kMark, ExpectNoPenetration{kMark}},
+             ExpectNot{kMark, expect_count("popup.open", 1)}}) {
+        EXPECT_EQ(when_stopped(open), "open") << place;
+        ++place;
+    }
+}
+
+TEST(StoppedJury, IsContentWithWhatHolds) {
+    for (const Expectation& held : std::vector<Expectation>{
+             expect_never("avatar.fell"), expect_count("popup.open", 1), expect_sequence({"popup.open"}),
+             ExpectNot{kMark, ExpectFell{kMark}}, ExpectNoPenetration{kMark}}) {
+        EXPECT_EQ(when_stopped(held), "holds") << held.index();
+    }
+}
+
+// ---- not ------------------------------------------------------------------------------------------------
+
+TEST(Not, FailsWhereWhatItNamesIsMet) {
+    OneJudge judge(ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}});
+    Frames frames(judge);
+    frames.tick({"avatar.arrive goal"});
+    EXPECT_FALSE(judge.failure());
+    frames.tick({"avatar.stuck me"}).tick({});
+    expect_failure(judge.failure(), 7, "not-stuck", "not expected, but the avatar was stuck at 0.100 s");
+    EXPECT_EQ(judge.failure()->scene.tick, 1);
+}
+
+TEST(Not, SaysWhatHappenedOfEveryExpectation) {
+    const std::vector<std::pair<PlainExpectation, std::string>> met = {
+        {expect_sequence({"walk.start", "popup.open a"}),
+         "all came in this order, the last popup.open a at 0.100 s"},
+        {expect_never("avatar.fell"), "'avatar.fell' never happened"},
+        {expect_count("popup.open", 1), "'popup.open' happened once"},
+        {ExpectWithin{kMark, pattern("walk.start"), pattern("popup.open"), 1.0},
+         "'popup.open' came within 1.000 s after 'walk.start', which came once"},
+        {ExpectPopup{kMark, {kMark, "a"}}, "the pop-up of 'a' opened once"},
+        {ExpectVisits{kMark, {{kMark, "*"}}, 1.0}, "0 of 0 buildings were visited"},
+        {expect_reaches({"here", {0, 0, 0}, true}, 1.0),
+         "here was reached: the avatar came within 0.000 m at 0.000 s"},
+        {ExpectNear{kMark, {"here", {0, 0, 0}, true}, 1.0, std::nullopt},
+         "the avatar was 0.000 m from here at 0.100 s"},
+        {ExpectDuration{kMark, {{}, {}, 1.0}}, "the walk took 0.100 s"},
+        {ExpectDistance{kMark, {{}, {}, 1.0}}, "the avatar went 0.000 m"},
+        {ExpectNoPenetration{kMark}, "the body was inside nothing"},
+        {ExpectGrounded{kMark}, "the avatar was on the ground all the time"},
+        {ExpectBlockedBy{kMark, {kMark, "wall"}}, "the avatar was blocked by wall at 0.100 s"},
+        {ExpectStuck{kMark, {kMark, "wall"}}, "the avatar was stuck by wall at 0.100 s"},
+        {ExpectFell{kMark}, "the avatar fell off the world at 0.100 s"}};
+    ASSERT_EQ(met.size(), std::variant_size_v<PlainExpectation>);
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        EXPECT_EQ(met[i].first.index(), i) << "each once";
+        OneJudge judge(ExpectNot{kMark, met[i].first});
+        std::vector<Event> events = {made_event("popup.open a")};
+        if (i >= 12) {
+            events = {made_event("avatar.stuck me", {{"by", std::string("wall")}}),
+                      made_event("avatar.fell me")};
+        }
+        Frames(judge).tick({"walk.start me"}).with(std::move(events));
+        ASSERT_TRUE(judge.failure()) << met[i].second;
+        EXPECT_EQ(judge.failure()->message, "not expected, but " + met[i].second);
+    }
+}
+
+TEST(FailureCodes, AreTheNamesAndTheirContraries) {
+    const std::vector<std::string> codes = failure_codes();
+    for (const char* code : {"blocked", "enclosed", "timeout", "fell", "sequence", "no_penetration",
+                             "not-sequence", "not-fell", "log"}) {
+        EXPECT_EQ(std::ranges::count(codes, code), 1) << code;
+    }
+}
+
+// ---- in steps -------------------------------------------------------------------------------------------
+
+ExpectStep expect_here(Expectation expected, int line = 4) {
+    return {{"a.walk.yaml", line, 5}, {std::move(expected)}};
+}
+
+TEST(ExpectStep, LetsTheWalkGoOnWhenAllIsAsExpected) {
+    const Outing outing =
+        run(level_campus(),
+            walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), expect_here(expect_count("avatar.arrive", 1)),
+                     walk_to(0, -2), expect_here(expect_count("avatar.arrive", 2), 6)}));
+    EXPECT_TRUE(outing.summary.passed);
+    EXPECT_EQ(outing.recorder.of("avatar.arrive").size(), 2U);
+}
+
+TEST(ExpectStep, EndsTheWalkWhereItIsNot) {
+    const Outing outing =
+        run(level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(0, -1),
+                                     expect_here(expect_count("avatar.arrive", 2, {}, {}, 4)),
+                                     disable("ground"), walk_to(0, -2)}));
+    ASSERT_EQ(outing.summary.failures.size(), 1U);
+    const Failure& failure = outing.summary.failures[0];
+    EXPECT_EQ(failure.code, "count");
+    EXPECT_EQ(failure.message, "'avatar.arrive' happened once, expected exactly 2");
+    EXPECT_EQ(failure.mark.line, 4);
+    EXPECT_EQ(failure.scene.tick, outing.summary.ticks);
+    EXPECT_EQ(outing.recorder.story(), std::vector<std::string>({"avatar.arrive goal", "expect.fail count"}))
+        << "nothing after it is done";
+}
+
+TEST(ExpectStep, HoldsWhatHasHappenedSinceTheStart) {
+    const Outing outing = run(
+        level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), walk_to(0, -2),
+                                 expect_here(expect_reaches({"a", {0, 0, -1}, true}, 0.1)), walk_to(0, -3)}));
+    EXPECT_TRUE(outing.summary.passed);
+}
+
+TEST(ExpectStep, IsPlayedAnewInEachRound) {
+    std::vector<Step> steps = {spawn_at({0, 0, 0})};
+    for (int round = 0; round < 3; ++round) {
+        steps.emplace_back(wait_for(1.0));
+        steps.emplace_back(expect_here(ExpectDuration{{"a.walk.yaml", 4, 5}, {{}, {}, 2.0}}));
+    }
+    const Outing outing = run(level_campus(), walk_of(steps));
+    ASSERT_EQ(outing.summary.failures.size(), 1U);
+    EXPECT_EQ(outing.summary.failures[0].message, "the walk had taken 3.000 s, expected at most 2.000 s");
+}
+
+TEST(ExpectStep, ChangesNeitherLogNorHash) {
+    const Walk without = walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), walk_to(0, -2)});
+    const Walk with = walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), expect_here(ExpectGrounded{kMark}),
+                               walk_to(0, -2), expect_here(ExpectNoPenetration{kMark}, 6)});
+    EXPECT_EQ(run(level_campus(), with).summary.hash, run(level_campus(), without).summary.hash);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

@@ -1,0 +1,112 @@
+#include "engine/expect/popup_evaluators.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/expect/one_judge.h"
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+Event opened(const std::string& building, const std::string& title, const std::string& body) {
+    return made_event("popup.open " + building, {{"title", Text{title}}, {"body", Text{body}}});
+}
+
+// ---- popup ----------------------------------------------------------------------------------------------
+
+ExpectPopup of_library() {
+    ExpectPopup expected;
+    expected.mark = {"a.walk.yaml", 8, 5};
+    expected.building.glob = "library";
+    return expected;
+}
+
+std::optional<Failure> judged(const ExpectPopup& expected) {
+    OneJudge judge(expected);
+    Frames(judge)
+        .tick({"popup.close library"})
+        .with({opened("library", "Main Library", "Open 08-22."), opened("hall", "Hall", "Books.")}, {0, 0, 0})
+        .with({opened("library", "Main Library", "Closed.")}, {0, 0, 0});
+    return judge.failure();
+}
+
+TEST(PopupJudge, PassesWhenTheWindowOpens) {
+    EXPECT_FALSE(judged(of_library()));
+    ExpectPopup expected = of_library();
+    expected.title = "Main*";
+    expected.body = "*22.";
+    expected.times = {1, {}, {}};
+    EXPECT_FALSE(judged(expected));
+}
+
+TEST(PopupJudge, FailsWhenItNeverDoes) {
+    ExpectPopup expected = of_library();
+    expected.building.glob = "lab*";
+    expect_failure(judged(expected), 8, "popup", "the pop-up of 'lab*' opened 0 times, expected at least 1");
+}
+
+TEST(PopupJudge, FailsWhenItSaysSomethingElse) {
+    ExpectPopup expected = of_library();
+    expected.title = "Small*";
+    expected.body = "Open*";
+    expect_failure(judged(expected), 8, "popup",
+                   "the pop-up of 'library' with the title 'Small*' with the body 'Open*' opened 0 times, "
+                   "expected at least 1; that of library at 0.200 s had the title 'Main Library' and the "
+                   "body 'Closed.'");
+}
+
+TEST(PopupJudge, CountsTimes) {
+    ExpectPopup expected = of_library();
+    expected.times = {{}, 3, {}};
+    expect_failure(judged(expected), 8, "popup",
+                   "the pop-up of 'library' opened 2 times, expected at least 3");
+    expected.times = {0, {}, {}};
+    expect_failure(judged(expected), 8, "popup",
+                   "the pop-up of 'library' opened 2 times, expected exactly 0");
+    expected.times = {{}, {}, 2};
+    EXPECT_FALSE(judged(expected));
+}
+
+// ---- visits ---------------------------------------------------------------------------------------------
+
+/// Three buildings to visit, and a shed without a pop-up.
+scene::Campus village() {
+    scene::Campus campus = empty_campus();
+    for (const char* id : {"hall", "lab", "library", "shed"}) {
+        add_building(campus, id);
+        add_box(campus, std::string(id) + "/door", {0, 0, 0}, {1, 1, 1},
+                {collision::Detection::trigger, id, std::string(id) != "shed", ""});
+    }
+    return campus;
+}
+
+std::optional<Failure> visited(const std::vector<std::string>& globs, double ratio = 1.0) {
+    const scene::Campus campus = village();
+    ExpectVisits expected{{"a.walk.yaml", 9, 5}, {}, ratio};
+    for (const std::string& glob : globs) {
+        expected.buildings.push_back({{}, glob});
+    }
+    OneJudge judge(expected, campus);
+    Frames(judge).tick({"popup.open hall"}).tick({"popup.close hall", "popup.open hall", "popup.open lab"});
+    return judge.failure();
+}
+
+TEST(VisitsJudge, WantsEachBuilding) {
+    EXPECT_FALSE(visited({"hall"}));
+    EXPECT_FALSE(visited({"lab", "h*"}));
+    expect_failure(visited({"hall", "l*"}), 9, "visits",
+                   "2 of 3 buildings were visited, expected 3; not visited: library");
+    expect_failure(visited({"library"}), 9, "visits",
+                   "0 of 1 building was visited, expected 1; not visited: library");
+}
+
+TEST(VisitsJudge, WantsAShareOfThem) {
+    EXPECT_FALSE(visited({"*"}, 0.66)) << "of those that have a pop-up";
+    expect_failure(visited({"*"}, 0.67), 9, "visits",
+                   "2 of 3 buildings were visited, expected 3; not visited: library");
+    EXPECT_FALSE(visited({"library"}, 0.0));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

@@ -1,0 +1,164 @@
+#include "engine/render/overlay/canvas.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <pango/pango.h>
+
+#include "engine/render/gl/render_error.h"
+#include "tests/engine/render/color_names.h"
+#include "tests/engine/render/scratch_folder.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+const std::array<std::uint8_t, 3> kGround = {40, 90, 40};
+
+// How many letters of `text` no font has; they would be drawn as boxes.
+int missing_glyphs(const std::string& text) {
+    const Fonts fonts;
+    const std::unique_ptr<PangoLayout, void (*)(gpointer)> layout(pango_layout_new(fonts.context()),
+                                                                  g_object_unref);
+    pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+    return pango_layout_get_unknown_glyphs_count(layout.get());
+}
+
+struct Ink2d {
+    int left = 10000;
+    int top = 10000;
+    int right = -1;
+    int bottom = -1;
+};
+
+Ink2d inked(const Picture& picture) {
+    Ink2d box;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            if (picture.pixel(x, y) != kGround) {
+                box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x),
+                       std::max(box.bottom, y)};
+            }
+        }
+    }
+    return box;
+}
+
+TEST(Fonts, HaveTheLettersOfCampusNamesAroundTheWorld) {
+    EXPECT_EQ(missing_glyphs("Éçole Zürich-Straße, naïve café: ąčęłńőřşťůž ØÆÅ “–” …"), 0);
+    EXPECT_EQ(missing_glyphs("Ελληνικά Русский Обсерватория"), 0);
+    EXPECT_EQ(missing_glyphs("总图书馆 鐘樓 日本語 한국어 藏书二十四万册。"), 0);
+    EXPECT_EQ(missing_glyphs("عربى עברית"), 0);
+    EXPECT_EQ(missing_glyphs("e\u0301 a\u0308"), 0) << "combining accents";
+    EXPECT_EQ(missing_glyphs("\U000F0000"), 1) << "a private letter that no font has is noticed";
+}
+
+TEST(Fonts, AreNotReplacedByOthersWhenOneIsMissing) {
+    const ScratchFolder scratch;
+    const std::filesystem::path& folder = scratch.path();
+    const std::array folders = {folder};
+    for (const std::string name : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "wqy-microhei.ttc"}) {
+        try {
+            const Fonts fonts(folders);
+            ADD_FAILURE() << name << " isn't there";
+        } catch (const RenderError& error) {
+            EXPECT_NE(std::string(error.what()).find(name + " is missing: install"), std::string::npos)
+                << error.what();
+        }
+        for (const std::filesystem::path& usual : Fonts::usual_folders()) {
+            if (std::filesystem::exists(usual / name)) {
+                std::filesystem::create_symlink(usual / name, folder / name);
+                break;
+            }
+        }
+    }
+    EXPECT_NO_THROW(const Fonts fonts(folders));
+}
+
+TEST(Canvas, GivesThePictureBackUnchanged) {
+    Picture picture = plain_picture(5, 3, {1, 128, 255});
+    picture.rgba[picture.offset(4, 0)] = 77;
+    picture.rgba[picture.offset(0, 2) + 2] = 3;
+    const Fonts fonts;
+    EXPECT_EQ(Canvas(picture, fonts).picture().rgba, picture.rgba);
+}
+
+TEST(Canvas, TextSizeCoversTheInkOfTheText) {
+    const Fonts fonts;
+    const TextStyle style = {20.0, true, {1, 1, 1, 1}, 0.0, 1};
+    for (const char* text : {"Library", "总图书馆", "École"}) {
+        const Canvas canvas(plain_picture(200, 60, kGround), fonts);
+        const Eigen::Vector2d size = canvas.text_size(text, style);
+        EXPECT_NEAR(canvas.text(10, 10, text, style), size.y(), 1e-9);
+        const Ink2d ink = inked(canvas.picture());
+        EXPECT_GE(ink.left, 9) << text;
+        EXPECT_GE(ink.top, 9) << text;
+        EXPECT_LE(ink.right, 11 + size.x()) << text;
+        EXPECT_LE(ink.bottom, 11 + size.y()) << text;
+        EXPECT_GT(ink.right - ink.left, 0.7 * size.x()) << text;
+    }
+}
+
+TEST(Canvas, DifferentLettersLookDifferent) {
+    const Fonts fonts;
+    const auto picture_of = [&](const char* text) {
+        const Canvas canvas(plain_picture(60, 60, kGround), fonts);
+        canvas.text(5, 5, text, {30.0, false, {1, 1, 1, 1}, 0.0, 1});
+        return canvas.picture();
+    };
+    EXPECT_GT(differing_pixels(picture_of("图"), picture_of("书")), 50U);
+    EXPECT_GT(differing_pixels(picture_of("e"), picture_of("é")), 5U);
+}
+
+TEST(Canvas, WrapsAtTheWidthEvenWithinAWordAndCutsAtTheLastLine) {
+    const Fonts fonts;
+    const Canvas canvas(plain_picture(200, 400, kGround), fonts);
+    TextStyle style = {16.0, false, {1, 1, 1, 1}, 120.0, 0};
+    const std::string long_word(80, 'm');
+    const double line = canvas.text_size("m", style).y();
+    const Eigen::Vector2d all = canvas.text_size(long_word, style);
+    EXPECT_LE(all.x(), 120.0);
+    EXPECT_GT(all.y(), 5.0 * line);
+    style.max_lines = 3;
+    EXPECT_NEAR(canvas.text_size(long_word, style).y(), 3.0 * line, 1.0);
+    canvas.text(10, 10, long_word, style);
+    EXPECT_LE(inked(canvas.picture()).right, 131);
+}
+
+TEST(Canvas, LabelsAreCentredAndRimmed) {
+    const Fonts fonts;
+    const Canvas canvas(plain_picture(201, 61, kGround), fonts);
+    canvas.label(100.5, 30.5, "HOH", {24.0, true, {1, 1, 1, 1}, 0.0, 1});
+    const Picture picture = canvas.picture();
+    const Ink2d ink = inked(picture);
+    EXPECT_NEAR(0.5 * (ink.left + ink.right), 100.0, 1.5);
+    int white = 0;
+    int dark = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            white += brightness(picture, x, y) > 230 ? 1 : 0;
+            dark += brightness(picture, x, y) < 35 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(white, 50);
+    EXPECT_GT(dark, 50);
+}
+
+TEST(Canvas, PicturesKeepTheirOrientationWhenScaled) {
+    Picture small = plain_picture(2, 2, {200, 0, 0});
+    small.rgba[small.offset(1, 0)] = 0;
+    small.rgba[small.offset(1, 0) + 1] = 200;  // upper right: green
+    const Fonts fonts;
+    const Canvas canvas(plain_picture(40, 40, kGround), fonts);
+    canvas.paint_picture(small, 10.0, {10, 10});
+    const Picture picture = canvas.picture();
+    EXPECT_EQ(color_name(picture, 12, 12), "red");
+    EXPECT_EQ(color_name(picture, 27, 12), "green");
+    EXPECT_EQ(color_name(picture, 27, 27), "red");
+    EXPECT_EQ(picture.pixel(5, 5), kGround);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,185 @@
+#include "engine/render/overlay/info_window.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/render/color_names.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+constexpr int kPictureWidth = 1280;
+constexpr int kPictureHeight = 720;
+constexpr double kShade = 7.0;  // pixels around a window that its shade may darken
+const std::array<std::uint8_t, 3> kGround = {120, 160, 90};
+
+InfoWindow library() {
+    return {"Main Library", "library", "08-22", "Four floors of books.", 4, {}};
+}
+
+struct Drawn {
+    Picture picture;
+    std::vector<WindowFrame> frames;
+};
+
+Drawn drawn(const std::vector<InfoWindow>& windows, int width = kPictureWidth, int height = kPictureHeight,
+            std::size_t max_windows = 3) {
+    const Fonts fonts;
+    const Canvas canvas(plain_picture(width, height, kGround), fonts);
+    Drawn result;
+    result.frames = draw_info_windows(canvas, windows, max_windows);
+    result.picture = canvas.picture();
+    return result;
+}
+
+bool within(const WindowFrame& frame, double margin, int x, int y) {
+    return x >= frame.x - margin && y >= frame.y - margin && x < frame.x + frame.width + margin &&
+           y < frame.y + frame.height + margin;
+}
+
+std::size_t changed_outside(const Drawn& drawn) {
+    std::size_t count = 0;
+    for (int y = 0; y < drawn.picture.height; ++y) {
+        for (int x = 0; x < drawn.picture.width; ++x) {
+            const bool inside = std::ranges::any_of(
+                drawn.frames, [&](const WindowFrame& frame) { return within(frame, kShade, x, y); });
+            count += !inside && drawn.picture.pixel(x, y) != kGround ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+// Pixels as bright as letters in the part of the frame from `top` to `bottom`, shares of its height.
+int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, double right = 0.85) {
+    const WindowFrame& frame = drawn.frames.at(0);
+    int count = 0;
+    for (int y = 0; y < drawn.picture.height; ++y) {
+        for (int x = 0; x < drawn.picture.width; ++x) {
+            const double u = (x - frame.x) / frame.width;
+            const double v = (y - frame.y) / frame.height;
+            const bool here = u > left && u < right && v > top && v < bottom;
+            count += here && brightness(drawn.picture, x, y) > 190 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+TEST(ReadableHours, SpellsOutPlainRangesOnly) {
+    EXPECT_EQ(readable_hours("08-22"), "08:00 – 22:00");
+    EXPECT_EQ(readable_hours("8:30-22"), "08:30 – 22:00");
+    EXPECT_EQ(readable_hours("00-24"), "00:00 – 24:00");
+    for (const char* other : {"closed", "Mon-Fri", "", "08-", "-22", "08-25", "08-22 daily", "8:75-22"}) {
+        EXPECT_EQ(readable_hours(other), other);
+    }
+}
+
+TEST(InfoWindow, TakesTheBuildingsRecordAndFallsBackToItsId) {
+    scene::Building building;
+    building.id = "clock-tower";
+    building.kind = "landmark";
+    building.floors = 5;
+    EXPECT_EQ(info_window_of(building, {}).title, "clock-tower");
+    building.title = "Clock Tower, visit {visits}";
+    const InfoWindow window = info_window_of(building, {0, "Clock Tower, visit 2", "At 01:30."});
+    EXPECT_EQ(window.title, "Clock Tower, visit 2");
+    EXPECT_EQ(window.text, "At 01:30.");
+    EXPECT_EQ(window.kind, "landmark");
+    EXPECT_EQ(window.floors, 5);
+    EXPECT_FALSE(window.anchor);
+}
+
+TEST(InfoWindow, ShowsTitleAndBodyInsideItsFrameAndNothingOutside) {
+    const Drawn full = drawn({library()});
+    ASSERT_EQ(full.frames.size(), 1U);
+    const WindowFrame& frame = full.frames[0];
+    EXPECT_GE(frame.x, 0.0);
+    EXPECT_LE(frame.x + frame.width, kPictureWidth);
+    EXPECT_EQ(changed_outside(full), 0U);
+    EXPECT_LT(mean_brightness(full.picture, static_cast<int>(frame.x) + 4, static_cast<int>(frame.y) + 14,
+                              static_cast<int>(frame.x) + 16, static_cast<int>(frame.y) + 60),
+              60.0)
+        << "a dark panel";
+    EXPECT_GT(letters(full, 0.05, 0.30), 300) << "title";
+
+    InfoWindow without_text = library();
+    without_text.text.clear();
+    EXPECT_LT(drawn({without_text}).frames[0].height, frame.height) << "empty fields take no room";
+    InfoWindow without_title = library();
+    without_title.title = " ";
+    EXPECT_LT(letters(drawn({without_title}), 0.05, 0.22), 60);
+}
+
+TEST(InfoWindow, IsNotBrightWhereThereIsNoText) {
+    InfoWindow blank;
+    blank.title = " ";
+    EXPECT_EQ(letters(drawn({blank}), 0.1, 0.9), 0);
+}
+
+TEST(InfoWindow, CutsTextThatIsTooLongForThePicture) {
+    InfoWindow window = library();
+    window.title = std::string(400, 'W');
+    window.text.clear();
+    for (int i = 0; i < 400; ++i) {
+        window.text += "Books and more books. ";
+    }
+    const Drawn once = drawn({window});
+    EXPECT_LE(once.frames.at(0).height, 0.85 * kPictureHeight);
+    EXPECT_EQ(changed_outside(once), 0U);
+    window.text += window.text;
+    const Drawn twice = drawn({window});
+    EXPECT_EQ(twice.picture.rgba, once.picture.rgba) << "what follows the ellipsis doesn't matter";
+    EXPECT_GT(letters(once, 0.85, 0.97), 20) << "hours and floors are still there";
+}
+
+TEST(InfoWindow, BreaksWordsThatAreWiderThanTheWindow) {
+    InfoWindow window = library();
+    window.text = std::string(300, 'x');
+    const Drawn result = drawn({window});
+    EXPECT_EQ(changed_outside(result), 0U);
+    EXPECT_GT(result.frames.at(0).height, drawn({library()}).frames.at(0).height + 40.0);
+}
+
+TEST(InfoWindow, DrawsChineseAndAccentedNames) {
+    InfoWindow plain = library();
+    InfoWindow named = library();
+    named.title = "Bibliothèque · 总图书馆";
+    const Drawn result = drawn({named});
+    EXPECT_EQ(changed_outside(result), 0U);
+    EXPECT_GT(letters(result, 0.05, 0.30), letters(drawn({plain}), 0.05, 0.30));
+}
+
+TEST(InfoWindow, StacksSeveralAndCountsTheRest) {
+    const std::vector<InfoWindow> six(6, library());
+    const Drawn stacked = drawn(six);
+    ASSERT_GE(stacked.frames.size(), 2U);
+    ASSERT_LE(stacked.frames.size(), 3U);
+    for (std::size_t i = 1; i < stacked.frames.size(); ++i) {
+        EXPECT_GE(stacked.frames[i].y, stacked.frames[i - 1].y + stacked.frames[i - 1].height);
+    }
+    EXPECT_LE(stacked.frames.back().y + stacked.frames.back().height, kPictureHeight);
+    EXPECT_GT(changed_outside(stacked), 100U) << "+n more";
+    EXPECT_EQ(drawn(six, kPictureWidth, kPictureHeight, 1).frames.size(), 1U);
+    EXPECT_TRUE(drawn({}).frames.empty());
+}
+
+TEST(InfoWindow, FitsSmallAndNarrowPictures) {
+    InfoWindow window = library();
+    window.text = std::string(2000, 'x');
+    for (const auto& [width, height] : {std::pair(320, 180), std::pair(200, 600), std::pair(3840, 2160)}) {
+        const WindowFrame frame = drawn({window}, width, height).frames.at(0);
+        EXPECT_GE(frame.x, 0.0) << width;
+        EXPECT_LE(frame.x + frame.width, width) << width;
+        EXPECT_LE(frame.y + frame.height, height) << width;
+    }
+}
+
+TEST(InfoWindow, LeadsALineToTheBuilding) {
+    InfoWindow window = library();
+    window.anchor = Eigen::Vector2d(300, 400);
+    const Picture picture = drawn({window}).picture;
+    EXPECT_GT(brightness(picture, 300, 400), 220.0);
+    window.anchor = Eigen::Vector2d(-50, 400);
+    EXPECT_EQ(changed_outside(drawn({window})), 0U) << "not to what is out of the picture";
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

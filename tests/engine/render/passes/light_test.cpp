@@ -1,0 +1,123 @@
+#include "engine/render/passes/light.h"
+
+#include <cmath>
+#include <span>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "engine/render/gl/render_error.h"
+#include "engine/render/image/fxaa.h"
+#include "engine/render/renderer.h"
+#include "tests/engine/render/color_names.h"
+#include "tests/engine/render/small_scenes.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+constexpr double kDegree = 3.141592653589793 / 180.0;
+
+Picture drawn(const LightSettings& light, int width = kWidth, int height = kHeight) {
+    const scene::Model model = tower_scene();
+    Renderer renderer(std::span(&model, 1), lit(quick_settings(), light));
+    return renderer.draw(tower_view(), width, height);
+}
+
+TEST(Light, WithoutAWordIsTheDay) {
+    EXPECT_EQ(lit({}, {}).to_sun, RenderSettings{}.to_sun);
+    EXPECT_EQ(drawn({}).rgba, drawn({.anti_aliasing = AntiAliasing::msaa}).rgba);
+}
+
+TEST(Light, AzimuthGoesFromNorthTowardsEast) {
+    const auto towards = [](double azimuth, double elevation) {
+        return lit({}, {.sun_azimuth = azimuth * kDegree, .sun_elevation = elevation * kDegree}).to_sun;
+    };
+    EXPECT_TRUE(towards(0, 1e-9).isApprox(Eigen::Vector3d(0, 0, -1), 1e-9));
+    EXPECT_TRUE(towards(90, 1e-9).isApprox(Eigen::Vector3d(1, 0, 0), 1e-9));
+    EXPECT_TRUE(towards(17, 90).isApprox(Eigen::Vector3d(0, 1, 0), 1e-9));
+}
+
+TEST(Light, OneAngleLeavesTheOtherAsItWas) {
+    const Eigen::Vector3d day = RenderSettings{}.to_sun;
+    const Eigen::Vector3d turned = lit({}, {.sun_azimuth = 1.0}).to_sun;
+    EXPECT_NEAR(turned.y(), day.y(), 1e-12);
+    const Eigen::Vector3d lower = lit({}, {.sun_elevation = 0.2}).to_sun;
+    EXPECT_NEAR(lower.x() / lower.z(), day.x() / day.z(), 1e-12);
+}
+
+TEST(Light, GlowIsForEmissiveSurfacesOnly) {
+    const scene::Model model = SceneBuilder()
+                                   .paint({0, 0, 0, 1})
+                                   .glow({0.05F, 0.05F, 0.05F})
+                                   .upright({-0.5, 0, -1.6}, 1.0)
+                                   .paint(kGrey)
+                                   .upright({0.5, 0, -1.6}, 1.0)
+                                   .model();
+    const auto picture = [&](double glow) {
+        RenderSettings settings = quick_settings();
+        settings.fog_distance = 0.0;
+        Renderer renderer(std::span(&model, 1), lit(settings, {.glow = glow}));
+        return renderer.draw(ahead(), kWidth, kHeight);
+    };
+    const Picture bright = picture(10.0);
+    // 0.5 of the light is this sRGB value (IEC 61966-2-1).
+    EXPECT_NEAR(bright.pixel(66, 45)[0], 255.0 * (1.055 * std::pow(0.5, 1 / 2.4) - 0.055), 1.5);
+    EXPECT_EQ(picture(0.0).pixel(66, 45)[0], 0);
+    EXPECT_EQ(picture(0.0).pixel(94, 45), bright.pixel(94, 45));
+}
+
+TEST(Light, ShadowsFallAwayFromTheSun) {
+    const scene::Model model = SceneBuilder()
+                                   .paint(kGrey)
+                                   .double_sided()
+                                   .ground(60.0)
+                                   .paint(kGrey)
+                                   .box({-2, 0, -2}, {2, 6, 2})
+                                   .model();
+    for (const auto& [azimuth, dark, bright] :
+         {std::tuple(90.0, Eigen::Vector3d(-4, 0, 0), Eigen::Vector3d(4, 0, 0)),
+          std::tuple(0.0, Eigen::Vector3d(0, 0, 4), Eigen::Vector3d(0, 0, -4))}) {
+        const LightSettings light{.sun_azimuth = azimuth * kDegree, .sun_elevation = 45 * kDegree};
+        Renderer renderer(std::span(&model, 1), lit(quick_settings(), light));
+        const Viewpoint view = plan(renderer.bounds(), 1.0);
+        const Picture picture = renderer.draw(view, 120, 120);
+        const auto at = [&](const Eigen::Vector3d& point) {
+            const auto pixel = pixel_of(view, 120, 120, point);
+            return brightness(picture, static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+        };
+        EXPECT_LT(at(dark), 0.8 * at(bright));
+    }
+}
+
+// Stairs are what is smoothed: of a size at which walls are more than a few pixels wide.
+constexpr int kWide = 480;
+constexpr int kHigh = 270;
+
+TEST(Light, EverySmoothingIsNearerToManySamplesThanNone) {
+    const scene::Model model = tower_scene();
+    Renderer renderer(std::span(&model, 1), lit(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
+    const Picture fine = halved(halved(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
+    const auto error = [&](AntiAliasing how) {
+        const Picture picture = drawn({.anti_aliasing = how}, kWide, kHigh);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < fine.rgba.size(); ++i) {
+            sum += std::pow(fine.rgba[i] - picture.rgba[i], 2);
+        }
+        return sum;
+    };
+    const double none = error(AntiAliasing::none);
+    EXPECT_LT(error(AntiAliasing::msaa), 0.2 * none);
+    EXPECT_LT(error(AntiAliasing::fxaa), 0.75 * none);
+    EXPECT_LT(error(AntiAliasing::supersampling), 0.4 * none);
+}
+
+TEST(Light, SupersamplingHasHalfTheRoom) {
+    const scene::Model model = tower_scene();
+    Renderer renderer(std::span(&model, 1),
+                      lit(quick_settings(), {.anti_aliasing = AntiAliasing::supersampling}));
+    EXPECT_THROW(renderer.draw(tower_view(), 10'000, 16), RenderError);
+    EXPECT_EQ(renderer.draw(tower_view(), 33, 17).width, 33);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,51 @@
+#include "engine/render/snapshot/renderer_store.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/render/small_scenes.h"
+
+namespace campuswalk::engine::render::test {
+namespace {
+
+/// Counts in `made` how many painters it makes.
+PainterStore counting_store(std::size_t& made) {
+    return PainterStore([&made](const scene::Campus&) {
+        ++made;
+        SnapshotSettings settings;
+        settings.light = quick_settings();
+        return settings;
+    });
+}
+
+TEST(PainterStore, KeepsOneACampusAndLight) {
+    const scene::Campus tower = campus_of(tower_scene());
+    const scene::Campus other = campus_of(SceneBuilder().paint(kRed).ground(10.0).model());
+    std::size_t made = 0;
+    PainterStore store = counting_store(made);
+    LightSettings no_shadows;
+    no_shadows.shadows = false;
+    for (int i = 0; i < 3; ++i) {
+        store.of(tower, {});
+        store.of(tower, no_shadows);
+        store.of(other, {});
+    }
+    EXPECT_EQ(made, 3U);
+}
+
+TEST(PainterStore, ForgetsThemWhenTheyAreMany) {
+    const scene::Campus tower = campus_of(tower_scene());
+    std::size_t made = 0;
+    PainterStore store = counting_store(made);
+    for (int i = 0; i < 6; ++i) {
+        LightSettings light;
+        light.fog_distance = 100.0 + i;
+        store.of(tower, light);
+    }
+    EXPECT_EQ(made, 6U);
+    store.of(tower, {});
+    store.of(tower, {});
+    EXPECT_EQ(made, 7U);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine::render::test

@@ -1,0 +1,73 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/base/glob.h"
+
+namespace campuswalk::scene {
+namespace {
+
+TEST(GlobMatches, PlainNamesMatchThemselvesOnly) {
+    EXPECT_TRUE(glob_matches("library", "library"));
+    EXPECT_FALSE(glob_matches("library", "library_2"));
+    EXPECT_FALSE(glob_matches("library", "old_library"));
+    EXPECT_FALSE(glob_matches("library", "Library"));
+    EXPECT_TRUE(glob_matches("", ""));
+    EXPECT_FALSE(glob_matches("", "a"));
+}
+
+TEST(GlobMatches, StarTakesAnyNumberOfCharacters) {
+    EXPECT_TRUE(glob_matches("*", ""));
+    EXPECT_TRUE(glob_matches("*", "anything at all"));
+    EXPECT_TRUE(glob_matches("library_*", "library_"));
+    EXPECT_TRUE(glob_matches("*_walls", "library_walls"));
+    EXPECT_TRUE(glob_matches("a*b*c", "aXbYbZc"));
+    EXPECT_FALSE(glob_matches("a*b*c", "aXbYbZ"));
+    EXPECT_TRUE(glob_matches("**x**", "x"));
+}
+
+TEST(GlobMatches, QuestionMarkTakesExactlyOne) {
+    EXPECT_TRUE(glob_matches("tree_??", "tree_07"));
+    EXPECT_FALSE(glob_matches("tree_??", "tree_7"));
+    EXPECT_FALSE(glob_matches("tree_??", "tree_007"));
+}
+
+TEST(GlobMatches, ClassesHaveRangesAndNegation) {
+    EXPECT_TRUE(glob_matches("room_[a-c1]", "room_b"));
+    EXPECT_TRUE(glob_matches("room_[a-c1]", "room_1"));
+    EXPECT_FALSE(glob_matches("room_[a-c1]", "room_d"));
+    EXPECT_TRUE(glob_matches("room_[!a-c]", "room_d"));
+    EXPECT_FALSE(glob_matches("room_[!a-c]", "room_a"));
+    EXPECT_TRUE(glob_matches("[]x]", "]"));
+    EXPECT_TRUE(glob_matches("[a-]", "-"));
+}
+
+TEST(GlobMatches, BracketsCanBeMeant) {
+    EXPECT_TRUE(glob_matches("nodes[3", "nodes[3"));  // never closed: stands for itself
+    EXPECT_FALSE(glob_matches("nodes[3]", "nodes[3]"));
+    EXPECT_TRUE(glob_matches("nodes[3]", "nodes3"));
+    EXPECT_TRUE(glob_matches("nodes\\[3]", "nodes[3]"));
+    EXPECT_TRUE(glob_matches("\\*", "*"));
+    EXPECT_FALSE(glob_matches("\\*", "a"));
+}
+
+TEST(GlobFor, MatchesTheNameAlone) {
+    for (const std::string name : {"door", "*", "a?b", "nodes[3]", "[!x]", "\\", "a\\*", "Tür [1] *"}) {
+        EXPECT_TRUE(glob_matches(glob_for(name), name)) << name;
+        EXPECT_FALSE(glob_matches(glob_for(name), name + "x")) << name;
+        EXPECT_FALSE(glob_matches(glob_for(name), "x" + name)) << name;
+    }
+    EXPECT_FALSE(glob_matches(glob_for("*"), "a"));
+    EXPECT_FALSE(glob_matches(glob_for("nodes[3]"), "nodes3"));
+}
+
+TEST(GlobMatches, HostilePatternsEnd) {
+    std::string pattern;
+    for (int i = 0; i < 200; ++i) {
+        pattern += "a*";
+    }
+    EXPECT_FALSE(glob_matches(pattern + "b", std::string(5000, 'a')));
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

@@ -1,0 +1,37 @@
+#include "scene/import/source/parallel.h"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace campuswalk::scene {
+namespace {
+
+TEST(AtOnce, DoesEverythingOnce) {
+    for (const std::size_t most : {0U, 1U, 3U, 100U}) {
+        std::vector<int> done(20);
+        do_at_once(done.size(), most, [&](std::size_t i) { ++done[i]; });
+        EXPECT_EQ(done, std::vector<int>(20, 1)) << most;
+    }
+    do_at_once(0, 4, [](std::size_t) { FAIL(); });
+}
+
+TEST(AtOnce, DoesNoMoreThanAllowedAtATime) {
+    std::atomic<int> now = 0;
+    std::atomic<int> highest = 0;
+    do_at_once(12, 3, [&](std::size_t) {
+        const int others = now++;
+        for (int seen = highest; others + 1 > seen && !highest.compare_exchange_weak(seen, others + 1);) {
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        --now;
+    });
+    EXPECT_LE(highest, 3);
+    EXPECT_GE(highest, 2) << "they wait side by side";
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

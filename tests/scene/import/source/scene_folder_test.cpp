@@ -1,0 +1,95 @@
+#include "scene/import/source/scene_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/model_files.h"
+
+namespace campuswalk::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SceneFolderTest : public testing::Test {
+protected:
+    void SetUp() override {
+        for (const char* name :
+             {"model/meshes/scene.gltf", "model/meshes/a b.bin", "model/meshes/deep/er/x.bin",
+              "model/meshes/textures/own.png", "model/materials/textures/wood.png",
+              "model/Textures/stone.png", "model/private/secret.png", "model/secret.bin", "outside.bin"}) {
+            files_.write(name, "x");
+        }
+    }
+
+    SceneFolder folder() const { return SceneFolder(files_.path() / "model/meshes/scene.gltf"); }
+
+    test::TemporaryFolder files_;
+};
+
+TEST_F(SceneFolderTest, FindsFilesInTheFolderAndBelow) {
+    EXPECT_TRUE(folder().find_file("scene.gltf"));
+    EXPECT_TRUE(folder().find_file("./deep/er/x.bin"));
+    EXPECT_TRUE(folder().find_file("deep/../deep/er/x.bin"));
+    EXPECT_TRUE(folder().find_file("a b.bin"));
+    EXPECT_TRUE(folder().find_file("a%20b.bin"));
+    EXPECT_TRUE(folder().find_file("deep\\er\\x.bin"));
+    EXPECT_FALSE(folder().find_file("nothing.bin"));
+    EXPECT_FALSE(folder().find_file(""));
+    EXPECT_FALSE(folder().find_file("deep"));  // a folder is no file
+}
+
+TEST_F(SceneFolderTest, RefusesWhatLiesOutside) {
+    EXPECT_FALSE(folder().find_file("/etc/passwd"));
+    EXPECT_FALSE(folder().find_file("file:///etc/passwd"));
+    EXPECT_FALSE(folder().find_file("../secret.bin"));
+    EXPECT_FALSE(folder().find_file("..%2Fsecret.bin"));
+    EXPECT_FALSE(folder().find_file("..\\secret.bin"));
+    EXPECT_FALSE(folder().find_file("../../outside.bin"));
+    EXPECT_FALSE(folder().find_file("../materials/textures/wood.png"));  // pictures only as pictures
+    EXPECT_FALSE(folder().find_picture("../private/secret.png"));
+    EXPECT_FALSE(folder().find_picture("/etc/passwd"));
+}
+
+TEST_F(SceneFolderTest, KeepsWhatItWasAskedFor) {
+    const SceneFolder asked = folder();
+    const SceneFolder copy = asked;  // NOLINT(performance-unnecessary-copy-initialization): that is the point
+    EXPECT_TRUE(asked.find_file("a%20b.bin"));
+    EXPECT_FALSE(copy.find_picture("nothing.png"));
+    EXPECT_FALSE(copy.find_file("nothing.png"));
+    EXPECT_TRUE(copy.find_file("a%20b.bin"));
+    const std::vector<FileRequest> expected = {
+        {"a%20b.bin", false}, {"nothing.png", true}, {"nothing.png", false}};
+    EXPECT_EQ(asked.requests(), expected);
+    EXPECT_TRUE(asked.find(expected[0]));
+    EXPECT_TRUE(folder().requests().empty());
+}
+
+TEST_F(SceneFolderTest, RefusesSymbolicLinksThatLeadOutside) {
+    fs::create_symlink(files_.path() / "outside.bin", files_.path() / "model/meshes/link.bin");
+    fs::create_symlink(files_.path() / "model/meshes/deep/er/x.bin",
+                       files_.path() / "model/meshes/inner.bin");
+    EXPECT_FALSE(folder().find_file("link.bin"));
+    EXPECT_TRUE(folder().find_file("inner.bin"));
+}
+
+TEST_F(SceneFolderTest, FindsPicturesWhereExportersPutThem) {
+    EXPECT_TRUE(folder().find_picture("textures/own.png"));
+    EXPECT_TRUE(folder().find_picture("../materials/textures/wood.png"));
+    EXPECT_TRUE(folder().find_picture("../Textures/stone.png"));
+    EXPECT_TRUE(folder().find_picture("wood.png"));                 // a bare name
+    EXPECT_TRUE(folder().find_picture("C:\\Users\\ann\\own.png"));  // another machine's path
+    EXPECT_TRUE(folder().find_picture("own.png\r"));
+    EXPECT_FALSE(folder().find_picture("marble.png"));
+}
+
+TEST(SceneFolder, OfASceneThatIsNotThereFindsNothing) {
+    EXPECT_FALSE(SceneFolder("/no/such/folder/scene.gltf").find_file("scene.gltf"));
+}
+
+TEST(PercentDecoded, LeavesMalformedEscapes) {
+    EXPECT_EQ(percent_decoded("a%20b%2Fc"), "a b/c");
+    EXPECT_EQ(percent_decoded("100%"), "100%");
+    EXPECT_EQ(percent_decoded("%zz%4"), "%zz%4");
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

@@ -1,0 +1,63 @@
+#include "scene/import/source/vertex_normals.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace campuswalk::scene {
+namespace {
+
+constexpr double kCrease = 0.766;  // cos 40 deg
+
+/// Two squares that share the edge along z: one flat, the other rising by `angle`. Vertices are not shared.
+struct Fold {
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 2, 1}, {3, 4, 5}};
+
+    explicit Fold(double angle) {
+        const auto x = static_cast<float>(std::cos(angle));
+        const auto y = static_cast<float>(std::sin(angle));
+        positions = {{0, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {x, y, 0}};
+    }
+};
+
+TEST(CornerNormals, AreSmoothAcrossAGentleEdge) {
+    const Fold fold(-0.3);
+    const auto normals = corner_normals(fold.positions, fold.triangles, kCrease);
+    ASSERT_EQ(normals.size(), 6U);
+    // At the shared edge both faces' corners agree, halfway between the two; away from it the face's own.
+    const double half = 0.15;
+    const Eigen::Vector3f between(static_cast<float>(std::sin(half)), static_cast<float>(std::cos(half)), 0);
+    for (const std::size_t corner : {0U, 2U, 3U, 4U}) {
+        EXPECT_LT((normals[corner].cwiseAbs() - between).norm(), 1e-5F) << corner << ": " << normals[corner];
+    }
+    EXPECT_LT((normals[1].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
+}
+
+TEST(CornerNormals, KeepSharpEdges) {
+    const Fold fold(-std::numbers::pi / 3);
+    const auto normals = corner_normals(fold.positions, fold.triangles, kCrease);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        EXPECT_LT((normals[corner].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
+    }
+}
+
+TEST(CornerNormals, AreFlatOnRequest) {
+    const Fold fold(-0.3);
+    const auto normals = corner_normals(fold.positions, fold.triangles, 1.0);
+    EXPECT_EQ(normals[0], normals[1]);
+    EXPECT_EQ(normals[0], normals[2]);
+    EXPECT_NE(normals[0], normals[3]);
+}
+
+TEST(CornerNormals, OfATriangleWithoutAreaPointUp) {
+    const std::vector<Eigen::Vector3f> positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}};
+    for (const Eigen::Vector3f& normal : corner_normals(positions, triangles, kCrease)) {
+        EXPECT_EQ(normal, Eigen::Vector3f::UnitY());
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

@@ -1,0 +1,99 @@
+#include "scene/lint/named_sizes.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/box_model.h"
+
+namespace campuswalk::scene {
+namespace {
+
+std::vector<Oddity> oddities_of(const Model& model) {
+    return find_odd_sizes(model, report(model).nodes);
+}
+
+/// Ten steps of 0.3 m depth.
+void add_stairs(Model& model, const std::string& name, double riser) {
+    const std::size_t group = test::add_group(model, name);
+    for (int i = 0; i < 10; ++i) {
+        test::add_box(model, "tread", {0, 0, 0.3 * i}, {1, riser * (i + 1), 0.3 * (i + 1)},
+                      static_cast<int>(group));
+    }
+}
+
+TEST(NamedSizes, PointAtADoorOfFiveCentimetres) {
+    Model model;
+    test::add_box(model, "hall", {0, 0, 0}, {0.5, 0.1, 0.5});
+    test::add_box(model, "Door_01", {0.2, 0, 0}, {0.22, 0.05, 0.001});
+    const auto odd = oddities_of(model);
+    ASSERT_EQ(odd.size(), 1U);
+    EXPECT_EQ(odd[0].code, "door-size");
+    EXPECT_NE(odd[0].message.find("'Door_01' of 0.05 m"), std::string::npos) << odd[0].message;
+    EXPECT_NE(odd[0].message.find("scale the model"), std::string::npos) << odd[0].message;
+    ASSERT_EQ(odd[0].places.size(), 1U);
+    EXPECT_TRUE(odd[0].places[0].at.isApprox(Eigen::Vector3d(0.21, 0, 0.0005), 1e-5));
+}
+
+TEST(NamedSizes, GuessTheUnitByTheMiddleDoor) {
+    struct Case {
+        double height;
+        std::optional<double> scale;
+    };
+    for (const Case& c : {Case{210, 0.01}, Case{2100, 0.001}, Case{84, 0.0254}, Case{7, 0.3048},
+                          Case{0.021, 100.0}, Case{2.1, std::nullopt}, Case{0.9, std::nullopt}}) {
+        Model model;
+        test::add_box(model, "door_1", {0, 0, 0}, {1, c.height, 1});
+        test::add_box(model, "door_2", {5, 0, 0}, {6, c.height, 1});
+        test::add_box(model, "church_door", {9, 0, 0}, {10, 3 * c.height, 1});
+        EXPECT_EQ(scale_by_doors(model, report(model).nodes), c.scale) << c.height;
+    }
+    Model model;
+    test::add_box(model, "house", {0, 0, 0}, {1000, 500, 1000});
+    EXPECT_EQ(scale_by_doors(model, report(model).nodes), std::nullopt);
+}
+
+TEST(NamedSizes, MeasureDoorsAlongTheAxisThatIsUp) {
+    Model model;
+    test::add_box(model, "door", {0, 0, 0}, {90, 5, 210});
+    EXPECT_TRUE(oddities_of(model).empty());
+    const auto odd = find_odd_sizes(model, report(model).nodes, 2);
+    ASSERT_EQ(odd.size(), 1U);
+    EXPECT_NE(odd[0].message.find("with `unit: cm` it would be 2.1 m"), std::string::npos) << odd[0].message;
+}
+
+TEST(NamedSizes, PointAtADoorThatLies) {
+    Model model;
+    test::add_box(model, "door", {0, 0, 0}, {0.9, 0.05, 2.1});
+    const auto odd = oddities_of(model);
+    ASSERT_EQ(odd.size(), 1U);
+    EXPECT_NE(odd[0].message.find("`up: z`"), std::string::npos) << odd[0].message;
+}
+
+TEST(NamedSizes, LeaveDoorsOfHousesCupboardsAndCathedralsAlone) {
+    Model model;
+    test::add_box(model, "door", {0, 0, 0}, {0.9, 2.1, 0.05});
+    test::add_box(model, "cupboard_door", {2, 1, 0}, {2.4, 1.5, 0.02});
+    test::add_box(model, "west_door", {4, 0, 0}, {8, 5.5, 0.3});
+    test::add_box(model, "door_frame", {9, 0, 0}, {9.1, 0.1, 0.1});
+    EXPECT_TRUE(oddities_of(model).empty());
+}
+
+TEST(NamedSizes, MeasureRisers) {
+    for (const double riser : {0.17, 0.45, 2.0}) {
+        Model model;
+        add_stairs(model, "Stairs", riser);
+        const auto odd = oddities_of(model);
+        ASSERT_EQ(odd.size(), riser > 0.3 ? 1U : 0U) << riser;
+        if (!odd.empty()) {
+            EXPECT_EQ(odd[0].code, "stair-riser");
+            EXPECT_EQ(odd[0].places.at(0).node, "Stairs");
+        }
+    }
+    Model model;
+    test::add_box(model, "steps", {0, 0, 0}, {1, 2, 1});  // one step is no flight
+    EXPECT_TRUE(oddities_of(model).empty());
+    EXPECT_EQ(riser_of({}), 0.0);
+    EXPECT_NEAR(riser_of({0.5, 0.0, 0.001, 1.0, 0.5, 1.5, 2.9}), 0.5, 1e-9);  // a rail at the end
+}
+
+}  // namespace
+}  // namespace campuswalk::scene

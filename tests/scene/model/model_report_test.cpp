@@ -1,0 +1,164 @@
+#include "scene/model/model_report.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "scene/import/import_model.h"
+#include "tests/scene/model_files.h"
+
+namespace campuswalk::scene {
+namespace {
+
+bool has_oddity(const ModelReport& report, const std::string& code) {
+    return std::ranges::any_of(report.warnings, [&](const Oddity& o) { return o.code == code; });
+}
+
+std::string all_oddities(const ModelReport& report) {
+    std::string text;
+    for (const Oddity& oddity : report.warnings) {
+        text += oddity.code + ": " + oddity.message + "\n";
+    }
+    return text;
+}
+
+class ModelReportTest : public testing::Test {
+protected:
+    Model import(const std::string& name) {
+        std::vector<Diagnostic> warnings;
+        return import_model(test::scene_file(folder_, name), warnings, EmptyModel::accept);
+    }
+    ModelReport report_of(const std::vector<test::TinyNode>& nodes) {
+        test::write_gltf(folder_, "model", nodes);
+        return report(import("model.gltf"));
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ModelReportTest, CountsWhatIsThere) {
+    const ModelReport r = report_of(
+        {{.name = "campus"},
+         {.name = "hall", .size = {20, 5, 10}, .parent = 0},
+         {.name = "roof", .size = {20, 1, 10}, .X_parent_node = test::translation(0, 3, 0), .parent = 1}});
+    EXPECT_EQ(r.file, "model.gltf");
+    EXPECT_EQ(r.meshes, 2U);
+    EXPECT_EQ(r.placements, 2U);
+    EXPECT_EQ(r.triangles, 24U);
+    EXPECT_EQ(r.bounds.max, Eigen::Vector3d(10, 3.5, 5));
+    ASSERT_EQ(r.nodes.size(), 3U);
+    EXPECT_EQ(r.nodes[2].depth, 2);
+    EXPECT_EQ(r.nodes[1].triangles, 12U);
+    EXPECT_EQ(r.nodes[1].bounds.max, Eigen::Vector3d(10, 3.5, 5));  // with its subtree
+    ASSERT_EQ(r.warnings.size(), 1U) << all_oddities(r);
+    EXPECT_EQ(r.warnings[0].code, "no-ground");  // but for the roof
+}
+
+TEST_F(ModelReportTest, HasNothingToSayOfAHouseOnALawn) {
+    const ModelReport r = report_of({{.name = "campus"},
+                                     {.name = "lawn", .size = {60, 0.5, 60}, .parent = 0},
+                                     {.name = "hall", .size = {20, 5, 10}, .parent = 0}});
+    EXPECT_TRUE(r.warnings.empty()) << all_oddities(r);
+}
+
+TEST_F(ModelReportTest, MentionsAnEmptyModel) {
+    EXPECT_TRUE(has_oddity(report_of({{.name = "nothing"}}), "no-triangles"));
+}
+
+TEST_F(ModelReportTest, MentionsScalesThatAreNotHuman) {
+    const ModelReport tiny = report_of({{.name = "door", .size = {0.05F, 0.1F, 0.05F}}});
+    EXPECT_TRUE(has_oddity(tiny, "odd-scale")) << all_oddities(tiny);
+    const ModelReport millimetres = report_of({{.name = "hall", .size = {60000, 9000, 40000}}});
+    EXPECT_NE(all_oddities(millimetres).find("unit: "), std::string::npos) << all_oddities(millimetres);
+}
+
+TEST_F(ModelReportTest, MentionsPlacesFarFromTheOrigin) {
+    const ModelReport placed = report_of(
+        {{.name = "hall", .size = {20, 5, 10}, .X_parent_node = test::translation(84616, 0, 447750)}});
+    EXPECT_TRUE(has_oddity(placed, "far-from-origin"));
+    EXPECT_FALSE(has_oddity(placed, "coarse-position"))
+        << all_oddities(placed);  // the node carries the offset
+    folder_.write("far.obj", test::obj_box("hall", {84616, 0, 447750}, {84636, 5, 447760}));
+    EXPECT_FALSE(has_oddity(report(import("far.obj")), "coarse-position"));  // see import/obj_text.h
+    folder_.write("far.stl",
+                  "solid hall\nfacet normal 0 1 0\nouter loop\nvertex 84616 0 447750\nvertex 84616 0 447760\n"
+                  "vertex 84636 0 447750\nendloop\nendfacet\nendsolid hall\n");
+    EXPECT_TRUE(has_oddity(report(import("far.stl")), "coarse-position"));
+}
+
+TEST_F(ModelReportTest, SuspectsZUpOnlyOfMaps) {
+    EXPECT_TRUE(has_oddity(report_of({{.name = "map", .size = {100, 80, 5}}}), "z-up"));
+    EXPECT_FALSE(has_oddity(report_of({{.name = "map", .size = {100, 5, 80}}}), "z-up"));
+    EXPECT_FALSE(has_oddity(report_of({{.name = "tower", .size = {20, 90, 20}}}), "z-up"));
+}
+
+TEST_F(ModelReportTest, MentionsMirroredUnnamedAndRepeatedNodes) {
+    Eigen::Matrix4d mirror = test::translation(5, 0, 0);
+    mirror(2, 2) = -1.0;
+    const ModelReport r =
+        report_of({{.name = "wing", .size = {1, 1, 1}},
+                   {.name = "wing", .size = {1, 1, 1}, .X_parent_node = mirror},
+                   {.name = "", .size = {1, 1, 1}, .X_parent_node = test::translation(9, 0, 0)}});
+    EXPECT_TRUE(has_oddity(r, "mirrored-node")) << all_oddities(r);
+    EXPECT_TRUE(has_oddity(r, "unnamed-node")) << all_oddities(r);
+    EXPECT_TRUE(has_oddity(r, "repeated-name")) << all_oddities(r);
+}
+
+TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
+    const Model twice = [&] {
+        folder_.write("twice.obj", test::obj_box("a", {0, 0, 0}, {4, 4, 4}) +
+                                       test::obj_box("b", {0, 0, 0}, {4, 4, 4}, 9) +
+                                       test::obj_box("c", {9, 0, 0}, {12, 4, 4}, 17));
+        return import("twice.obj");
+    }();
+    const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(twice, world_bounds(twice));
+    ASSERT_EQ(duplicates.size(), 1U);
+    EXPECT_EQ(twice.nodes[duplicates[0].node].name, "b");
+    EXPECT_EQ(duplicates[0].count, 12U);
+    EXPECT_EQ(duplicates[0].first.cwiseMax(0.0).cwiseMin(4.0), duplicates[0].first);  // on the box
+    // What has no area is no face.
+    folder_.write("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\nf 1 2 3\n");
+    const Model point = import("point.obj");
+    EXPECT_TRUE(find_duplicate_faces(point, world_bounds(point)).empty());
+    EXPECT_NE(all_oddities(report(point)).find("odd-scale: all of it lies at one point"), std::string::npos);
+    // Front and back of the same sheet are two faces.
+    folder_.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 3 2 1\nf 2 3 1\n");
+    const Model sheet = import("sheet.obj");
+    ASSERT_EQ(find_duplicate_faces(sheet, world_bounds(sheet)).size(), 1U);
+    EXPECT_EQ(find_duplicate_faces(sheet, world_bounds(sheet))[0].count, 1U);
+    EXPECT_TRUE(find_duplicate_faces(sheet, world_bounds(sheet))[0].first.isApprox(
+        Eigen::Vector3d(1, 0, 1) / 3.0, 1e-6));
+}
+
+TEST_F(ModelReportTest, AsksNothingElseOfAModelThatLiesOnItsSide) {
+    const ModelReport r = report_of({{.name = "map", .size = {100, 80, 5}}});
+    ASSERT_EQ(r.warnings.size(), 1U) << all_oddities(r);
+    EXPECT_EQ(r.warnings[0].code, "z-up");
+}
+
+TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {
+    std::string text;
+    for (int i = 0; i < 100; ++i) {
+        const int row = i / 10;
+        const Eigen::Vector3d corner(i % 10 * 10.0, 0, row * 10.0);
+        text +=
+            test::obj_box("house_" + std::to_string(i), corner, corner + Eigen::Vector3d(5, 4, 5), 1 + 8 * i);
+    }
+    folder_.write("town.obj", text);
+    EXPECT_TRUE(outlier_nodes(import("town.obj")).empty());
+    text += "o lake\nv 0 0 0\nv 7800 0 0\nv 0 0 7800\nf 801 802 803\n";
+    folder_.write("town.obj", text);
+    const Model town = import("town.obj");
+    const auto outliers = outlier_nodes(town);
+    ASSERT_EQ(outliers.size(), 1U);
+    EXPECT_EQ(town.nodes[outliers[0]].name, "lake");
+    const ModelReport told = report(town);
+    const auto odd = std::ranges::find_if(told.warnings, [](const Oddity& o) { return o.code == "outlier"; });
+    ASSERT_NE(odd, told.warnings.end());
+    ASSERT_EQ(odd->places.size(), 1U);
+    EXPECT_EQ(odd->places[0].node, "lake");
+    EXPECT_EQ(odd->places[0].at, Eigen::Vector3d(3900, 0, 3900));
+}
+
+}  // namespace
+}  // namespace campuswalk::scene
