@@ -4,16 +4,16 @@
 
 namespace campuswalk::collision {
 
-bool can_run(Instructions instructions) {
-    switch (instructions) {
-        case Instructions::sse42:
+bool can_run(SimdTarget simd_target) {
+    switch (simd_target) {
+        case SimdTarget::sse42:
             return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
                    __builtin_cpu_supports("aes");
-        case Instructions::avx2:
+        case SimdTarget::avx2:
             return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                    __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-        case Instructions::avx512:
-            return can_run(Instructions::avx2) && __builtin_cpu_supports("avx512f") &&
+        case SimdTarget::avx512:
+            return can_run(SimdTarget::avx2) && __builtin_cpu_supports("avx512f") &&
                    __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     }
@@ -22,8 +22,8 @@ bool can_run(Instructions instructions) {
 
 namespace {
 
-Instructions fastest() {
-    for (const Instructions best : {Instructions::avx2, Instructions::sse42}) {
+SimdTarget fastest() {
+    for (const SimdTarget best : {SimdTarget::avx2, SimdTarget::sse42}) {
         if (can_run(best)) {
             return best;
         }
@@ -31,22 +31,22 @@ Instructions fastest() {
     throw std::runtime_error("collision queries need a processor with SSE4.2");
 }
 
-Instructions& usual() {
-    static Instructions instructions = fastest();
-    return instructions;
+SimdTarget& usual() {
+    static SimdTarget simd_target = fastest();
+    return simd_target;
 }
 
 }  // namespace
 
-Instructions usual_instructions() {
+SimdTarget default_simd_target() {
     return usual();
 }
 
-void use_instructions(Instructions instructions) {
-    if (!can_run(instructions)) {
+void use_simd_target(SimdTarget simd_target) {
+    if (!can_run(simd_target)) {
         throw std::runtime_error("this processor hasn't got these instructions");
     }
-    usual() = instructions;
+    usual() = simd_target;
 }
 
 }  // namespace campuswalk::collision

@@ -41,7 +41,7 @@ struct BoxFrame {
     double radius = 0.0;  ///< all boxes lie this close to the origin
     bool turned = true;   ///< false: `axes` is the identity
 
-    explicit BoxFrame(const WideNode& node)
+    explicit BoxFrame(const Bvh8Node& node)
         : origin(node.origin[0], node.origin[1], node.origin[2]), radius(node.radius), turned(node.turned) {
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t j = 0; j < 3; ++j) {
@@ -49,7 +49,7 @@ struct BoxFrame {
             }
         }
     }
-    explicit BoxFrame(const WideLeaf& leaf)
+    explicit BoxFrame(const Bvh8Leaf& leaf)
         : origin(leaf.origin[0], leaf.origin[1], leaf.origin[2]), radius(leaf.radius), turned(false) {}
     explicit BoxFrame(const OrientedBox& box)
         : axes(box.axes.transpose()), origin(box.center), radius(box.radius) {}
@@ -58,20 +58,20 @@ struct BoxFrame {
     Vec3 operator*(const Vec3& p) const { return rotate(p - origin); }
 };
 
-/// The boxes of a leaf's triangles, in the leaf's frame. Corners, ends and halves are rounded once each:
+/// The boxes of a leaf's triangles, in the leaf's frame. Vertices, ends and halves are rounded once each:
 /// 3 roundings of the leaf's radius. The constructor fills every lane: those without a triangle with boxes
 /// that don't matter.
 struct LeafBoxes {
     alignas(32) Rows<float, kLeafTriangles> center;
     alignas(32) Rows<float, kLeafTriangles> half;
 
-    explicit LeafBoxes(const WideLeaf& leaf) {
+    explicit LeafBoxes(const Bvh8Leaf& leaf) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto& at = leaf.corner[k];
             for (std::size_t i = 0; i < kLeafTriangles; ++i) {
-                const float a = at[leaf.corner_of[0][i]];
-                const float b = at[leaf.corner_of[1][i]];
-                const float c = at[leaf.corner_of[2][i]];
+                const float a = at[leaf.vertex_of[0][i]];
+                const float b = at[leaf.vertex_of[1][i]];
+                const float c = at[leaf.vertex_of[2][i]];
                 const float low = 0.5F * std::min(a, std::min(b, c));
                 const float high = 0.5F * std::max(a, std::max(b, c));
                 center[k][i] = high + low;

@@ -14,9 +14,9 @@ namespace campuswalk::collision {
 /// that one vector instruction meets them all. Frames and boxes are float32 about float32 origins; queries
 /// cover with slack what that rounding can do.
 
-inline constexpr std::size_t kWideChildren = 8;
+inline constexpr std::size_t kBvh8Children = 8;
 inline constexpr std::size_t kLeafTriangles = 16;
-inline constexpr std::size_t kLeafCorners = 16;
+inline constexpr std::size_t kLeafVertices = 16;
 
 /// Half a unit in the last place of 1 in float32: what one operation rounds by, relative to its result.
 inline constexpr float kFloatUnit = 0x1p-24F;
@@ -29,12 +29,12 @@ inline constexpr float kMaxCoordinate = 1e11F;
 /// float32's precision. Children that aren't there have zeros.
 ///
 /// In four lines of cache is what a ray needs to know of a node whose frame isn't turned, as most aren't.
-struct alignas(64) WideNode {
-    std::array<std::array<float, kWideChildren>, 3> center{};  ///< of each child's box, by axis
-    std::array<std::array<float, kWideChildren>, 3> half{};    ///< its half extents, rounded outward
+struct alignas(64) Bvh8Node {
+    std::array<std::array<float, kBvh8Children>, 3> center{};  ///< of each child's box, by axis
+    std::array<std::array<float, kBvh8Children>, 3> half{};    ///< its half extents, rounded outward
     std::array<float, 4> origin{};                             ///< the fourth entry is 0
     float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
-    std::array<std::uint32_t, kWideChildren> child{};  ///< an index of nodes or of leaves
+    std::array<std::uint32_t, kBvh8Children> child{};  ///< an index of nodes or of leaves
     std::uint8_t count = 0;                            ///< children there are
     std::uint8_t leaves = 0;                           ///< bit i: child i is a leaf
     bool turned = false;                               ///< false: `axes` is the identity
@@ -43,13 +43,13 @@ struct alignas(64) WideNode {
     alignas(64) std::array<std::array<float, 4>, 3> axes{};  ///< by column; the fourth entry is 0
 };
 
-static_assert(offsetof(WideNode, turned) < 256);
+static_assert(offsetof(Bvh8Node, turned) < 256);
 
 /// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
-struct alignas(64) WideLeaf {
+struct alignas(64) Bvh8Leaf {
     /// By axis, less the origin. Slots without a corner hold the last one again.
-    std::array<std::array<float, kLeafCorners>, 3> corner{};
-    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> corner_of{};  ///< by corner, then triangle
+    std::array<std::array<float, kLeafVertices>, 3> corner{};
+    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> vertex_of{};  ///< by corner, then triangle
     std::array<float, 4> origin{};                                        ///< the fourth entry is 0
     std::array<std::uint32_t, kLeafTriangles> triangle{};                 ///< of the mesh, ascending
     float radius = 0.0F;  ///< all corners lie this close to the origin
@@ -67,12 +67,12 @@ struct alignas(64) WideLeaf {
 
 /// A leaf's triangle as `corners(mesh, leaf.triangle[slot])` has it. Most leaves are exact, which spares a
 /// query the way to the mesh: far to go in memory.
-inline Triangle corners(const TriangleMesh& mesh, const WideLeaf& leaf, std::size_t slot) {
+inline Triangle corners(const TriangleMesh& mesh, const Bvh8Leaf& leaf, std::size_t slot) {
     if (!leaf.exact) {
         return corners(mesh, leaf.triangle[slot]);
     }
     const auto corner = [&](std::size_t c) {
-        const std::size_t at = leaf.corner_of[c][slot];
+        const std::size_t at = leaf.vertex_of[c][slot];
         const auto along = [&](std::size_t k) {
             return static_cast<double>(leaf.origin[k]) + static_cast<double>(leaf.corner[k][at]);
         };
@@ -81,16 +81,16 @@ inline Triangle corners(const TriangleMesh& mesh, const WideLeaf& leaf, std::siz
     return {corner(0), corner(1), corner(2)};
 }
 
-/// nodes[0] is the root. Plain data; build_wide_tree makes it.
-struct WideTree {
+/// nodes[0] is the root. Plain data; build_bvh8 makes it.
+struct Bvh8 {
     BoundingSphere outer;  ///< of the whole mesh (paper III.A.1), tested before anything else
     float reach = 0.0F;    ///< greatest coordinate of any vertex
-    Storage<WideNode> nodes;
-    Storage<WideLeaf> leaves;
+    Storage<Bvh8Node> nodes;
+    Storage<Bvh8Leaf> leaves;
 };
 
 /// Top-down and static, by the surface-area heuristic. The mesh has triangles, and vertices within
 /// kMaxCoordinate.
-WideTree build_wide_tree(const TriangleMesh& mesh);
+Bvh8 build_bvh8(const TriangleMesh& mesh);
 
 }  // namespace campuswalk::collision

@@ -21,7 +21,7 @@ constexpr std::size_t kLowestNode = 88;
 /// bottom up.
 class Builder {
 public:
-    Builder(const TriangleMesh& mesh, WideTree& tree) : mesh_(mesh), tree_(tree), leaf_maker_(mesh) {}
+    Builder(const TriangleMesh& mesh, Bvh8& tree) : mesh_(mesh), tree_(tree), leaf_maker_(mesh) {}
 
     void build() {
         fill_points();
@@ -42,7 +42,7 @@ private:
         std::span<SplitItem> items;
         std::optional<std::uint32_t> leaf;  ///< that they went into
     };
-    using Parts = std::array<Part, kWideChildren>;
+    using Parts = std::array<Part, kBvh8Children>;
 
     void fill_points() {
         points_.reserve(mesh_.positions.size());
@@ -80,8 +80,8 @@ private:
             return 1;
         }
         std::size_t capacity = kLowestNode;
-        while (capacity * kWideChildren < items) {
-            capacity *= kWideChildren;
+        while (capacity * kBvh8Children < items) {
+            capacity *= kBvh8Children;
         }
         return capacity;
     }
@@ -103,7 +103,7 @@ private:
         const std::size_t capacity = capacity_of_child(whole.items.size());
         parts[0] = whole;
         std::size_t count = 1;
-        while (count < kWideChildren) {
+        while (count < kBvh8Children) {
             std::size_t fullest = count;
             std::size_t most = capacity;
             for (std::size_t i = 0; i < count; ++i) {
@@ -116,7 +116,7 @@ private:
                 break;
             }
             const std::span<SplitItem> items = parts[fullest].items;
-            const std::size_t left = split(items, spare_, instructions_);
+            const std::size_t left = split(items, spare_, simd_target_);
             parts[fullest] = part(items.first(left));
             parts[count++] = part(items.subspan(left));
         }
@@ -132,7 +132,7 @@ private:
         tree_.nodes.emplace_back().count = static_cast<std::uint8_t>(count);
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t child = parts[i].leaf ? *parts[i].leaf : divide(parts[i]);
-            WideNode& node = tree_.nodes[index];
+            Bvh8Node& node = tree_.nodes[index];
             node.child[i] = child;
             node.leaves = static_cast<std::uint8_t>(node.leaves | (parts[i].leaf ? 1U << i : 0U));
         }
@@ -147,7 +147,7 @@ private:
 
     /// Out of the memory that grew with them.
     void move_nodes() {
-        std::vector<WideNode> exact;
+        std::vector<Bvh8Node> exact;
         reserve_exactly(exact, tree_.nodes.size());
         exact.assign(tree_.nodes.begin(), tree_.nodes.end());
         tree_.nodes = std::move(exact);
@@ -168,8 +168,8 @@ private:
     void fit_nodes() {
         std::vector<Held> held_by_node(tree_.nodes.size());
         for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
-            WideNode& node = tree_.nodes[n];
-            std::array<Held, kWideChildren> held;
+            Bvh8Node& node = tree_.nodes[n];
+            std::array<Held, kBvh8Children> held;
             for (std::size_t i = 0; i < node.count; ++i) {
                 const bool leaf = (node.leaves >> i & 1) != 0;
                 held[i] = (leaf ? held_by_leaf_ : held_by_node)[node.child[i]];
@@ -181,8 +181,8 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    WideTree& tree_;
-    const Instructions instructions_ = usual_instructions();
+    Bvh8& tree_;
+    const SimdTarget simd_target_ = default_simd_target();
     std::vector<Lanes> points_;  ///< the mesh's positions
     std::vector<SplitItem> items_;
     std::vector<SplitItem> spare_;
@@ -195,8 +195,8 @@ private:
 
 }  // namespace
 
-WideTree build_wide_tree(const TriangleMesh& mesh) {
-    WideTree tree;
+Bvh8 build_bvh8(const TriangleMesh& mesh) {
+    Bvh8 tree;
     Builder(mesh, tree).build();
     return tree;
 }

@@ -25,45 +25,45 @@ std::uint32_t not_finite(const std::array<float, N>& numbers) {
     return found;
 }
 
-std::uint32_t not_finite(const WideLeaf& leaf) {
+std::uint32_t not_finite(const Bvh8Leaf& leaf) {
     return not_finite(leaf.origin) | not_finite(leaf.corner[0]) | not_finite(leaf.corner[1]) |
            not_finite(leaf.corner[2]);
 }
 
 /// Not 0 if a triangle has a corner that no leaf has.
-std::uint8_t beyond_corners(const WideLeaf& leaf) {
-    static_assert(std::has_single_bit(kLeafCorners));
+std::uint8_t beyond_vertices(const Bvh8Leaf& leaf) {
+    static_assert(std::has_single_bit(kLeafVertices));
     std::uint8_t all = 0;
-    for (const auto& of_triangle : leaf.corner_of) {
+    for (const auto& of_triangle : leaf.vertex_of) {
         for (const std::uint8_t corner : of_triangle) {
             all = static_cast<std::uint8_t>(all | corner);
         }
     }
-    return static_cast<std::uint8_t>(all & ~(kLeafCorners - 1));
+    return static_cast<std::uint8_t>(all & ~(kLeafVertices - 1));
 }
 
-bool is_sound(const WideLeaf& leaf, std::size_t mesh_triangles) {
+bool is_sound(const Bvh8Leaf& leaf, std::size_t mesh_triangles) {
     std::uint32_t last = 0;
     for (const std::uint32_t triangle : leaf.triangle) {
         last = std::max(last, triangle);
     }
-    return last < mesh_triangles && leaf.corners >= 1 && leaf.corners <= kLeafCorners &&
+    return last < mesh_triangles && leaf.corners >= 1 && leaf.corners <= kLeafVertices &&
            leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles &&
-           (beyond_corners(leaf) | not_finite(leaf)) == 0;
+           (beyond_vertices(leaf) | not_finite(leaf)) == 0;
 }
 
 /// Follows every way down from the root: children come after their parents, and nothing has two.
 class Inspection {
 public:
-    explicit Inspection(const WideTree& tree)
+    explicit Inspection(const Bvh8& tree)
         : tree_(tree), node_depth_(tree.nodes.size()), leaf_seen_(tree.leaves.size()) {}
 
     bool is_whole() {
         std::size_t nodes_seen = 1;
         std::size_t leaves_seen = 0;
         for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
-            const WideNode& node = tree_.nodes[n];
-            if (node.count < 1 || node.count > kWideChildren || node.leaves >> node.count != 0) {
+            const Bvh8Node& node = tree_.nodes[n];
+            if (node.count < 1 || node.count > kBvh8Children || node.leaves >> node.count != 0) {
                 return false;
             }
             for (std::size_t i = 0; i < node.count; ++i) {
@@ -94,14 +94,14 @@ private:
         return true;
     }
 
-    const WideTree& tree_;
+    const Bvh8& tree_;
     std::vector<std::uint8_t> node_depth_;  ///< 0 for the root and for what hasn't been seen
     std::vector<bool> leaf_seen_;
 };
 
 }  // namespace
 
-const char* fault_of(const WideTree& tree, std::size_t mesh_triangles) {
+const char* fault_of(const Bvh8& tree, std::size_t mesh_triangles) {
     if (tree.nodes.empty()) {
         return "the tree has no root";
     }
@@ -111,7 +111,7 @@ const char* fault_of(const WideTree& tree, std::size_t mesh_triangles) {
     if (!std::isfinite(tree.reach) || !tree.outer.center.allFinite() || !std::isfinite(tree.outer.radius)) {
         return "the tree is nowhere";
     }
-    for (const WideLeaf& leaf : tree.leaves) {
+    for (const Bvh8Leaf& leaf : tree.leaves) {
         if (!is_sound(leaf, mesh_triangles)) {
             return "a leaf of the tree has what isn't in the mesh";
         }

@@ -11,6 +11,6 @@ namespace campuswalk::collision {
 /// not looked at: a tree with boxes elsewhere answers wrongly, and no worse.
 ///
 /// What is wrong with the tree of a mesh of so many triangles, in words; null if nothing is.
-const char* fault_of(const WideTree& tree, std::size_t mesh_triangles);
+const char* fault_of(const Bvh8& tree, std::size_t mesh_triangles);
 
 }  // namespace campuswalk::collision

@@ -11,7 +11,7 @@ namespace {
 
 /// The boxes of a node's children, and what all of them hold.
 struct Boxes {
-    std::array<LaneBounds, kWideChildren> of;
+    std::array<LaneBounds, kBvh8Children> of;
     LaneBounds all;
     float area = 0.0F;
 
@@ -50,7 +50,7 @@ Boxes turned_boxes(std::span<const Held> children, const Lanes& origin, const Ei
 /// A corner's place in the frame is a sum of three products of rounded differences: it is off by at most
 /// 5 kFloatUnit times its distance from the origin, which is itself known to within 10 of them. Halving and
 /// adding the ends adds 3 more, so 16 hold all.
-void set_boxes(WideNode& node, const Boxes& boxes, std::size_t count) {
+void set_boxes(Bvh8Node& node, const Boxes& boxes, std::size_t count) {
     const Lanes reach = boxes.all.min.abs().max(boxes.all.max.abs());
     const auto length = static_cast<float>(reach.head<3>().matrix().cast<double>().norm());
     const float outward = 16.0F * kFloatUnit * length + kUnderflow;
@@ -76,7 +76,7 @@ void set_boxes(WideNode& node, const Boxes& boxes, std::size_t count) {
 
 }  // namespace
 
-void Moments::add(const Vec3& point) {
+void PointMoments::add(const Vec3& point) {
     const Eigen::Array3d p = point.array();
     count += 1.0;
     sum += p;
@@ -84,14 +84,14 @@ void Moments::add(const Vec3& point) {
     mixed += p * Eigen::Array3d(p[1], p[2], p[0]);
 }
 
-void Moments::add(const Moments& o) {
+void PointMoments::add(const PointMoments& o) {
     count += o.count;
     sum += o.sum;
     squares += o.squares;
     mixed += o.mixed;
 }
 
-Mat3 Moments::covariance() const {
+Mat3 PointMoments::covariance() const {
     const Eigen::Array3d mean = sum / count;
     const Eigen::Array3d variance = squares / count - mean * mean;
     Mat3 made = variance.matrix().asDiagonal();
@@ -134,7 +134,7 @@ BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> corners) 
     return sphere_about(center, squared);
 }
 
-void fit_node(WideNode& node, std::span<const Held> children, const Held& all) {
+void fit_node(Bvh8Node& node, std::span<const Held> children, const Held& all) {
     const Lanes origin = all.bounds.middle();
     // A turned frame must pay for the work of turning rays and capsules into it.
     constexpr float kWorthTurning = 0.9F;

@@ -9,22 +9,22 @@
 namespace campuswalk::collision {
 
 /// Sums over points about an origin, of which the sum for many parts is the sum of theirs.
-struct Moments {
+struct PointMoments {
     double count = 0.0;
     Eigen::Array3d sum = Eigen::Array3d::Zero();
     Eigen::Array3d squares = Eigen::Array3d::Zero();
     Eigen::Array3d mixed = Eigen::Array3d::Zero();  ///< xy, yz, zx
 
     void add(const Vec3& point);
-    void add(const Moments& o);
+    void add(const PointMoments& o);
     Mat3 covariance() const;
 };
 
-/// What is below a child. Corners are those of its leaves; what leaves share counts for each of them.
+/// What is below a child. Vertices are those of its leaves; what leaves share counts for each of them.
 struct Held {
     std::span<const Lanes> corners;
     LaneBounds bounds;
-    Moments moments;
+    PointMoments moments;
 };
 
 /// What a leaf holds, moments about `origin`.
@@ -39,6 +39,6 @@ BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> corners);
 /// Sets the frame of a `node` that knows its children, and the boxes of its children, which hold `all`
 /// together. The frame is that of the corners' principal axes (paper III.A.2) or the mesh's own, whichever
 /// makes the smaller boxes.
-void fit_node(WideNode& node, std::span<const Held> children, const Held& all);
+void fit_node(Bvh8Node& node, std::span<const Held> children, const Held& all);
 
 }  // namespace campuswalk::collision

@@ -21,7 +21,7 @@ bool is_sum(const Lanes& p, const Lanes& a, const Lanes& b) {
 }
 
 /// About the middle of their bounds.
-void set_corners(WideLeaf& leaf, std::span<const Lanes> corners) {
+void set_vertices(Bvh8Leaf& leaf, std::span<const Lanes> corners) {
     LaneBounds bounds;
     for (const Lanes& corner : corners) {
         bounds.extend(corner);
@@ -57,7 +57,7 @@ Vec3 certain_normal(const Triangle& t) {
 }
 
 /// `corner`: any of the triangle's, less the leaf's origin.
-void set_plane(WideLeaf& leaf, std::size_t slot, const Vec3& normal, const Vec3& corner) {
+void set_plane(Bvh8Leaf& leaf, std::size_t slot, const Vec3& normal, const Vec3& corner) {
     leaf.plane[3][slot] = 0.0F;
     const double length = normal.norm();
     if (length <= 0.0) {
@@ -71,14 +71,14 @@ void set_plane(WideLeaf& leaf, std::size_t slot, const Vec3& normal, const Vec3&
 }
 
 /// Returns the sum of the triangles' normals.
-Vec3 set_planes(WideLeaf& leaf, std::span<const Lanes> corners) {
+Vec3 set_planes(Bvh8Leaf& leaf, std::span<const Lanes> corners) {
     leaf.plane[3].fill(-1e30F);
     const Vec3 origin = Eigen::Vector3f(leaf.origin[0], leaf.origin[1], leaf.origin[2]).cast<double>();
     Vec3 sum = Vec3::Zero();
     for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
-        const Triangle triangle{exact(corners[leaf.corner_of[0][slot]]),
-                                exact(corners[leaf.corner_of[1][slot]]),
-                                exact(corners[leaf.corner_of[2][slot]])};
+        const Triangle triangle{exact(corners[leaf.vertex_of[0][slot]]),
+                                exact(corners[leaf.vertex_of[1][slot]]),
+                                exact(corners[leaf.vertex_of[2][slot]])};
         const Vec3 normal = certain_normal(triangle);
         set_plane(leaf, slot, normal, triangle.a - origin);
         sum += normal;
@@ -86,7 +86,7 @@ Vec3 set_planes(WideLeaf& leaf, std::span<const Lanes> corners) {
     return sum;
 }
 
-void set_facing(WideLeaf& leaf, const Vec3& sum_of_normals) {
+void set_facing(Bvh8Leaf& leaf, const Vec3& sum_of_normals) {
     const double length = sum_of_normals.norm();
     const Eigen::Vector3f facing =
         length > 0.0 ? Eigen::Vector3f((sum_of_normals / length).cast<float>()) : Eigen::Vector3f(0, 0, 0);
@@ -123,21 +123,21 @@ bool LeafMaker::make(std::span<const SplitItem> items, LeafTriangles& leaf) {
             const std::size_t at = known ? last : count;
             vertices_[at] = vertex;
             place_of_[vertex] = static_cast<std::uint8_t>(at);
-            leaf.corner_of[c][slot] = static_cast<std::uint8_t>(at);
+            leaf.vertex_of[c][slot] = static_cast<std::uint8_t>(at);
             count += known ? 0 : 1;
         }
     }
     count_ = count;
     leaf.triangles = static_cast<std::uint8_t>(items.size());
     leaf.corners = static_cast<std::uint8_t>(count);
-    return count <= kLeafCorners;
+    return count <= kLeafVertices;
 }
 
-void fill_leaf(WideLeaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> corners) {
+void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> corners) {
     leaf.triangle = triangles.triangle;
-    leaf.corner_of = triangles.corner_of;
+    leaf.vertex_of = triangles.vertex_of;
     leaf.triangles = triangles.triangles;
-    set_corners(leaf, corners);
+    set_vertices(leaf, corners);
     set_facing(leaf, set_planes(leaf, corners));
 }
 

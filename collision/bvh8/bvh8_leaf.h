@@ -15,7 +15,7 @@ namespace campuswalk::collision {
 /// A leaf's triangles and which of its corners they have.
 struct LeafTriangles {
     std::array<std::uint32_t, kLeafTriangles> triangle{};
-    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> corner_of{};  ///< by corner, then triangle
+    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> vertex_of{};  ///< by corner, then triangle
     std::uint8_t triangles = 0;
     std::uint8_t corners = 0;
 };
@@ -40,6 +40,6 @@ private:
 };
 
 /// Fills a new leaf. `corners`: where its vertices are.
-void fill_leaf(WideLeaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> corners);
+void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> corners);
 
 }  // namespace campuswalk::collision

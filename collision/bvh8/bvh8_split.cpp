@@ -51,9 +51,9 @@ std::size_t halve(std::span<SplitItem> items, std::span<SplitItem> spare) {
 
 }  // namespace
 
-std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, Instructions instructions) {
+std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, SimdTarget simd_target) {
     const std::size_t least = std::max<std::size_t>(1, items.size() / kLopsided);
-    const std::size_t left = split_by_area(items, spare, least, instructions);
+    const std::size_t left = split_by_area(items, spare, least, simd_target);
     return left > 0 ? left : halve(items, spare);
 }
 

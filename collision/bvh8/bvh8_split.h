@@ -34,6 +34,6 @@ struct alignas(32) SplitItem {
 /// all. By the surface-area heuristic (kernels/area_split.h), unless that leaves too little on one side: then
 /// half of them go. Triangles ascend on both sides if they did before. `spare` is room for as many items;
 /// what is in it is lost. The same for all instructions.
-std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, Instructions instructions);
+std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, SimdTarget simd_target);
 
 }  // namespace campuswalk::collision

@@ -10,7 +10,7 @@ namespace campuswalk::collision {
 /// 2^(n-1) - 1, where n = 32 kDigits. A difference is as wide as its terms, and the caller sees to it that
 /// it fits; a product is as wide as both factors together, which always fits.
 template <std::size_t kDigits>
-struct WholeNumber {
+struct ExactInteger {
     std::array<std::uint32_t, kDigits> digits{};
 
     bool negative() const { return digits.back() >> 31 != 0; }
@@ -18,16 +18,16 @@ struct WholeNumber {
 
 /// -1, 0 or 1.
 template <std::size_t kDigits>
-int sign(const WholeNumber<kDigits>& x) {
+int sign(const ExactInteger<kDigits>& x) {
     if (x.negative()) {
         return -1;
     }
-    return x.digits == WholeNumber<kDigits>().digits ? 0 : 1;
+    return x.digits == ExactInteger<kDigits>().digits ? 0 : 1;
 }
 
 /// x -= y 2^(32 places), less what exceeds x's digits.
 template <std::size_t kDigits, std::size_t kOther>
-void subtract(WholeNumber<kDigits>& x, const WholeNumber<kOther>& y, std::size_t places) {
+void subtract(ExactInteger<kDigits>& x, const ExactInteger<kOther>& y, std::size_t places) {
     static_assert(kOther <= kDigits);
     std::uint64_t borrow = 0;
     for (std::size_t i = 0; i < kOther && i + places < kDigits; ++i) {
@@ -38,14 +38,14 @@ void subtract(WholeNumber<kDigits>& x, const WholeNumber<kOther>& y, std::size_t
 }
 
 template <std::size_t kDigits>
-WholeNumber<kDigits> operator-(WholeNumber<kDigits> x, const WholeNumber<kDigits>& y) {
+ExactInteger<kDigits> operator-(ExactInteger<kDigits> x, const ExactInteger<kDigits>& y) {
     subtract(x, y, 0);
     return x;
 }
 
 template <std::size_t kX, std::size_t kY>
-WholeNumber<kX + kY> operator*(const WholeNumber<kX>& x, const WholeNumber<kY>& y) {
-    WholeNumber<kX + kY> product;
+ExactInteger<kX + kY> operator*(const ExactInteger<kX>& x, const ExactInteger<kY>& y) {
+    ExactInteger<kX + kY> product;
     for (std::size_t i = 0; i < kX; ++i) {
         std::uint64_t carry = 0;
         for (std::size_t j = 0; j < kY; ++j) {
@@ -67,17 +67,17 @@ WholeNumber<kX + kY> operator*(const WholeNumber<kX>& x, const WholeNumber<kY>& 
 
 /// magnitude 2^shift, or minus that; the caller sees to it that it fits.
 template <std::size_t kDigits>
-WholeNumber<kDigits> shifted(std::uint64_t magnitude, int shift, bool negative) {
+ExactInteger<kDigits> shifted(std::uint64_t magnitude, int shift, bool negative) {
     const auto first = static_cast<std::size_t>(shift / 32);
     const int rest = shift % 32;
     const std::uint64_t low = magnitude << rest;
     const std::uint64_t high = rest == 0 ? 0 : magnitude >> (64 - rest);
     const std::array<std::uint64_t, 3> digits{low, low >> 32, high};
-    WholeNumber<kDigits> result;
+    ExactInteger<kDigits> result;
     for (std::size_t i = 0; i < digits.size() && first + i < kDigits; ++i) {
         result.digits[first + i] = static_cast<std::uint32_t>(digits[i]);
     }
-    return negative ? WholeNumber<kDigits>() - result : result;
+    return negative ? ExactInteger<kDigits>() - result : result;
 }
 
 }  // namespace campuswalk::collision

@@ -10,7 +10,7 @@ namespace campuswalk::collision {
 namespace {
 
 template <typename Visit>
-void for_each_corner(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, Visit visit) {
+void for_each_vertex(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, Visit visit) {
     for (const std::uint32_t t : triangles) {
         for (const std::uint32_t v : mesh.triangles[t]) {
             visit(Vec3(mesh.positions[v].cast<double>()));
@@ -21,7 +21,7 @@ void for_each_corner(const TriangleMesh& mesh, std::span<const std::uint32_t> tr
 BoundingSphere sphere_to_farthest(const Vec3& center, const TriangleMesh& mesh,
                                   std::span<const std::uint32_t> triangles) {
     double squared = 0.0;
-    for_each_corner(mesh, triangles,
+    for_each_vertex(mesh, triangles,
                     [&](const Vec3& p) { squared = std::max(squared, (p - center).squaredNorm()); });
     return sphere_about(center, squared);
 }
@@ -44,11 +44,11 @@ BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::u
 OrientedBox fit_inner_box(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
     const double count = 3.0 * static_cast<double>(triangles.size());
     Vec3 mean = Vec3::Zero();
-    for_each_corner(mesh, triangles, [&](const Vec3& p) { mean += p; });
+    for_each_vertex(mesh, triangles, [&](const Vec3& p) { mean += p; });
     mean /= count;
 
     Mat3 covariance = Mat3::Zero();
-    for_each_corner(mesh, triangles, [&](const Vec3& p) {
+    for_each_vertex(mesh, triangles, [&](const Vec3& p) {
         const Vec3 d = p - mean;
         covariance += d * d.transpose();
     });
@@ -62,7 +62,7 @@ OrientedBox fit_inner_box(const TriangleMesh& mesh, std::span<const std::uint32_
 
     Vec3 low = Vec3::Constant(1e300);
     Vec3 high = Vec3::Constant(-1e300);
-    for_each_corner(mesh, triangles, [&](const Vec3& p) {
+    for_each_vertex(mesh, triangles, [&](const Vec3& p) {
         const Vec3 along = box.axes.transpose() * (p - mean);
         low = low.cwiseMin(along);
         high = high.cwiseMax(along);

@@ -148,7 +148,7 @@ int word_orientation(const Points<kDimension>& points) {
     }
     constexpr auto kShort = std::int64_t{1} << 60 / kDimension;  // 2 or 6 products stay below 2^63
     bool is_short = true;
-    Differences<WholeNumber<2>, kDimension> wide{};
+    Differences<ExactInteger<2>, kDimension> wide{};
     for (std::size_t i = 0; i < kDimension; ++i) {
         for (std::size_t axis = 0; axis < kDimension; ++axis) {
             const std::int64_t x = rows[i][axis];
@@ -179,15 +179,15 @@ Binary binary(double x) {
 }
 
 template <std::size_t kDimension>
-struct WholePoints {
+struct ExactPoints {
     std::array<std::array<Binary, kDimension>, kDimension + 1> points{};
     std::array<int, kDimension> units{};  ///< exponents of two
     int width = 0;
 };
 
 template <std::size_t kDimension>
-WholePoints<kDimension> whole_points(const Points<kDimension>& points) {
-    WholePoints<kDimension> result;
+ExactPoints<kDimension> whole_points(const Points<kDimension>& points) {
+    ExactPoints<kDimension> result;
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
         int low = std::numeric_limits<int>::max();
         int high = std::numeric_limits<int>::min();
@@ -208,15 +208,15 @@ WholePoints<kDimension> whole_points(const Points<kDimension>& points) {
 }
 
 template <std::size_t kDigits, std::size_t kDimension>
-int long_orientation(const WholePoints<kDimension>& whole) {
-    Differences<WholeNumber<kDigits>, kDimension> rows{};
+int long_orientation(const ExactPoints<kDimension>& whole) {
+    Differences<ExactInteger<kDigits>, kDimension> rows{};
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
         const auto counted = [&](std::size_t i) {
             const Binary& x = whole.points[i][axis];
-            return x.odd == 0 ? WholeNumber<kDigits>()
+            return x.odd == 0 ? ExactInteger<kDigits>()
                               : shifted<kDigits>(x.odd, x.exponent - whole.units[axis], x.negative);
         };
-        const WholeNumber<kDigits> last = counted(kDimension);
+        const ExactInteger<kDigits> last = counted(kDimension);
         for (std::size_t i = 0; i < kDimension; ++i) {
             rows[i][axis] = counted(i) - last;
         }
@@ -233,7 +233,7 @@ int exact_orientation(const Points<kDimension>& points) {
     constexpr std::size_t kSome = 8;
     constexpr std::size_t kMost = 66;
     static_assert(kRoom<kMost> >= 1024 + 1074, "from 2^-1074 to 2^1024");
-    const WholePoints<kDimension> whole = whole_points<kDimension>(points);
+    const ExactPoints<kDimension> whole = whole_points<kDimension>(points);
     if (whole.width <= kRoom<kFew>) {
         return long_orientation<kFew>(whole);
     }

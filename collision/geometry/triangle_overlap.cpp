@@ -13,14 +13,14 @@ namespace campuswalk::collision {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-using Corners = std::array<Vec3, 3>;
-using FlatCorners = std::array<Vec2, 3>;
+using Vertices = std::array<Vec3, 3>;
+using FlatVertices = std::array<Vec2, 3>;
 
 /// On which side of a plane each corner of a triangle lies: -1, 0 or 1.
 using Sides = std::array<int, 3>;
 
 /// All 0 if t has no area.
-Sides sides_of_plane(const Corners& t, const Corners& s) {
+Sides sides_of_plane(const Vertices& t, const Vertices& s) {
     const auto side = [&](const Vec3& p) { return orientation(t[0], t[1], t[2], p); };
     return {side(s[0]), side(s[1]), side(s[2])};
 }
@@ -37,7 +37,7 @@ bool all_on_plane(const Sides& sides) {
 
 /// Turns the triangle so that both edges at its first corner cross the plane or end on it, and neither lies
 /// in it. Returns the first corner's side; if that is on the plane, the side that the others aren't on.
-int put_lone_corner_first(Corners& s, const Sides& sides) {
+int put_lone_vertex_first(Vertices& s, const Sides& sides) {
     const auto is_lone = [&](std::size_t i) {
         const int side = sides[i];
         const int next = sides[(i + 1) % 3];
@@ -53,9 +53,9 @@ int put_lone_corner_first(Corners& s, const Sides& sides) {
 /// Once both lone corners are where orientation() is 1, s' first edge cuts the line behind its last, t's
 /// before its last, in one and the same direction. They meet unless s' first cut is before t's first, or s'
 /// last behind t's last; which of two cuts comes first is the orientation of the two edges' corners.
-bool intervals_meet(Corners s, Corners t, const Sides& sides_s, const Sides& sides_t) {
-    const int side_s = put_lone_corner_first(s, sides_s);
-    const int side_t = put_lone_corner_first(t, sides_t);
+bool intervals_meet(Vertices s, Vertices t, const Sides& sides_s, const Sides& sides_t) {
+    const int side_s = put_lone_vertex_first(s, sides_s);
+    const int side_t = put_lone_vertex_first(t, sides_t);
     if (side_s < 0) {
         std::swap(t[1], t[2]);
     }
@@ -68,7 +68,7 @@ bool intervals_meet(Corners s, Corners t, const Sides& sides_s, const Sides& sid
 // A triangle without area, and one with area whose plane it crosses.
 
 /// The segment that a triangle without area is: along a line, points are in the order of their coordinates.
-Segment segment_of(const Corners& s) {
+Segment segment_of(const Vertices& s) {
     const auto before = [](const Vec3& p, const Vec3& q) {
         return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
     };
@@ -77,7 +77,7 @@ Segment segment_of(const Corners& s) {
 }
 
 /// The line has all edges on the same hand, or passes through some.
-bool line_meets(const Segment& e, const Corners& t) {
+bool line_meets(const Segment& e, const Vertices& t) {
     const auto hand = [&](std::size_t i) { return orientation(e.a, e.b, t[i], t[(i + 1) % 3]); };
     const Sides hands = {hand(0), hand(1), hand(2)};
     const auto [least, greatest] = std::minmax_element(hands.begin(), hands.end());
@@ -91,16 +91,16 @@ Vec2 along(std::size_t axis, const Vec3& p) {
     return {p[kKept[axis][0]], p[kKept[axis][1]]};
 }
 
-FlatCorners along(std::size_t axis, const Corners& t) {
+FlatVertices along(std::size_t axis, const Vertices& t) {
     return {along(axis, t[0]), along(axis, t[1]), along(axis, t[2])};
 }
 
-int turn(const FlatCorners& t) {
+int turn(const FlatVertices& t) {
     return orientation(t[0], t[1], t[2]);
 }
 
 /// Is all of t beyond an edge of s? A triangle without area has no inside: either side of it is beyond.
-bool beyond_an_edge(const FlatCorners& s, int turn_of_s, const FlatCorners& t) {
+bool beyond_an_edge(const FlatVertices& s, int turn_of_s, const FlatVertices& t) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto side = [&](const Vec2& p) { return orientation(s[i], s[(i + 1) % 3], p); };
         const int first = side(t[0]);
@@ -113,7 +113,7 @@ bool beyond_an_edge(const FlatCorners& s, int turn_of_s, const FlatCorners& t) {
 
 /// Convex sets are apart if 0 lies outside their difference {p - q}. Here that is a polygon with area, whose
 /// edges are parallel to edges of s or t.
-bool meet_in_plane(const FlatCorners& s, int turn_of_s, const FlatCorners& t, int turn_of_t) {
+bool meet_in_plane(const FlatVertices& s, int turn_of_s, const FlatVertices& t, int turn_of_t) {
     return !beyond_an_edge(s, turn_of_s, t) && !beyond_an_edge(t, turn_of_t, s);
 }
 
@@ -132,32 +132,32 @@ bool straddle(const Segment& e, const Segment& f, std::size_t axis) {
 /// If the four points span a plane, some view shows it as a plane, and in it segments that straddle each
 /// other and whose boxes meet do meet. If they span a line, the boxes alone decide. Other views tell nothing
 /// false.
-bool segments_meet(const Segment& e, const Segment& f) {
-    const bool boxes_meet = (e.a.cwiseMin(e.b).array() <= f.a.cwiseMax(f.b).array()).all() &&
-                            (f.a.cwiseMin(f.b).array() <= e.a.cwiseMax(e.b).array()).all();
-    return boxes_meet && orientation(e.a, e.b, f.a, f.b) == 0 && straddle(e, f, 0) && straddle(e, f, 1) &&
+bool segments_intersect(const Segment& e, const Segment& f) {
+    const bool boxes_overlap = (e.a.cwiseMin(e.b).array() <= f.a.cwiseMax(f.b).array()).all() &&
+                               (f.a.cwiseMin(f.b).array() <= e.a.cwiseMax(e.b).array()).all();
+    return boxes_overlap && orientation(e.a, e.b, f.a, f.b) == 0 && straddle(e, f, 0) && straddle(e, f, 1) &&
            straddle(e, f, 2);
 }
 
 /// Both without area, or both in one plane.
-bool meet_flat(const Corners& s, const Corners& t) {
+bool meet_flat(const Vertices& s, const Vertices& t) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const FlatCorners flat_s = along(axis, s);
-        const FlatCorners flat_t = along(axis, t);
+        const FlatVertices flat_s = along(axis, s);
+        const FlatVertices flat_t = along(axis, t);
         const int turn_of_s = turn(flat_s);
         const int turn_of_t = turn(flat_t);
         if (turn_of_s != 0 || turn_of_t != 0) {
             return meet_in_plane(flat_s, turn_of_s, flat_t, turn_of_t);
         }
     }
-    return segments_meet(segment_of(s), segment_of(t));
+    return segments_intersect(segment_of(s), segment_of(t));
 }
 
 }  // namespace
 
 bool overlap(const Triangle& first, const Triangle& second) {
-    const Corners s = {first.a, first.b, first.c};
-    const Corners t = {second.a, second.b, second.c};
+    const Vertices s = {first.a, first.b, first.c};
+    const Vertices t = {second.a, second.b, second.c};
     const Sides sides_s = sides_of_plane(t, s);
     if (all_on_one_side(sides_s)) {
         return false;

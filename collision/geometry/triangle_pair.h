@@ -16,7 +16,7 @@ struct TrianglePair {
 
 /// A corner of b in a's frame, the one rounding between the input and the answer of mesh against mesh: each
 /// row's products are added from left to right, the translation last.
-inline Vec3 b_corner_in_a(const Pose& X_a_b, const Eigen::Vector3f& corner) {
+inline Vec3 b_vertex_in_a(const Pose& X_a_b, const Eigen::Vector3f& corner) {
     const Mat3& R = X_a_b.rotation;
     const double x = corner.x();
     const double y = corner.y();

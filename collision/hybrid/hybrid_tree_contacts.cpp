@@ -17,7 +17,7 @@ struct PosedNode {
 
 /// Brings nodes of b into a's frame.
 ///
-/// The answer is about the corners R x + t (b_corner_in_a), whatever R is, and no R in floating point is
+/// The answer is about the corners R x + t (b_vertex_in_a), whatever R is, and no R in floating point is
 /// quite a rotation. So a node's centres go through R and t and its axes through a rotation near R, and its
 /// sizes grow by what R moves points off that rotation.
 ///
@@ -142,7 +142,7 @@ private:
         for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
             const std::uint32_t tb = b_.tree.order[j];
             const auto& v = b_.mesh.triangles[tb];
-            const auto corner = [&](std::uint32_t k) { return b_corner_in_a(X_a_b_, b_.mesh.positions[k]); };
+            const auto corner = [&](std::uint32_t k) { return b_vertex_in_a(X_a_b_, b_.mesh.positions[k]); };
             const Triangle moved{corner(v[0]), corner(v[1]), corner(v[2])};
             for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
                 const std::uint32_t ta = a_.tree.order[i];

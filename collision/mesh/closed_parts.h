@@ -13,7 +13,7 @@ namespace campuswalk::collision {
 /// walls and rooms that are modelled from within have none, so nothing is "inside" them.
 class ClosedParts {
 public:
-    /// Corners at the same float32 position count as one vertex, whatever their indices.
+    /// Vertices at the same float32 position count as one vertex, whatever their indices.
     explicit ClosedParts(const TriangleMesh& mesh);
     /// What `members` and `bounds` gave before, as from a file. Throws std::invalid_argument when they aren't
     /// those of a mesh of so many triangles.

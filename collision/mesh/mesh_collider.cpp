@@ -28,11 +28,11 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
     return mesh;
 }
 
-std::variant<WideTree, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
+std::variant<Bvh8, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
     if (layout == Layout::paper) {
         return build_hybrid_tree(mesh);
     }
-    return build_wide_tree(mesh);
+    return build_bvh8(mesh);
 }
 
 }  // namespace
@@ -40,15 +40,14 @@ std::variant<WideTree, HybridTree> build(const TriangleMesh& mesh, Layout layout
 MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout)
     : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {}
 
-MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree)
-    : mesh_(std::move(mesh)), tree_(std::move(tree)) {
+MeshCollider::MeshCollider(TriangleMesh mesh, Bvh8 tree) : mesh_(std::move(mesh)), tree_(std::move(tree)) {
     checked(mesh_);
-    if (const char* fault = fault_of(wide_tree(), mesh_.triangles.size())) {
+    if (const char* fault = fault_of(bvh8(), mesh_.triangles.size())) {
         throw std::invalid_argument(fault);
     }
 }
 
-MeshCollider::MeshCollider(TriangleMesh mesh, WideTree tree, ClosedParts closed)
+MeshCollider::MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed)
     : MeshCollider(std::move(mesh), std::move(tree)) {
     closed_.emplace(std::move(closed));
 }

@@ -26,22 +26,22 @@ public:
     explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide);
     /// With the tree that was built of this mesh before, as from a file. Throws std::invalid_argument for a
     /// mesh as above, and for a tree whose parts don't fit together (bvh8_check.h).
-    MeshCollider(TriangleMesh mesh, WideTree tree);
+    MeshCollider(TriangleMesh mesh, Bvh8 tree);
     /// With the closed parts that were found before, too.
-    MeshCollider(TriangleMesh mesh, WideTree tree, ClosedParts closed);
+    MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed);
 
     const TriangleMesh& mesh() const { return mesh_; }
     Layout layout() const { return tree_.index() == 0 ? Layout::wide : Layout::paper; }
-    const std::variant<WideTree, HybridTree>& tree() const { return tree_; }
+    const std::variant<Bvh8, HybridTree>& tree() const { return tree_; }
     /// Throw std::bad_variant_access for a collider of the other layout.
-    const WideTree& wide_tree() const { return std::get<WideTree>(tree_); }
+    const Bvh8& bvh8() const { return std::get<Bvh8>(tree_); }
     const HybridTree& paper_tree() const { return std::get<HybridTree>(tree_); }
     /// Found when first asked for: few meshes ever are.
     const ClosedParts& closed_parts() const;
 
 private:
     TriangleMesh mesh_;
-    std::variant<WideTree, HybridTree> tree_;
+    std::variant<Bvh8, HybridTree> tree_;
     mutable std::once_flag closed_once_;
     mutable std::optional<ClosedParts> closed_;
 };

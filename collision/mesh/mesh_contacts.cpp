@@ -26,7 +26,7 @@ double checked_tilt(const Pose& X_a_b) {
 }
 
 /// Eq. (1) on whole meshes, a hair generous: coordinates are rounded at most a few times on the way.
-bool spheres_meet(const BoundingSphere& a, const BoundingSphere& b, const Pose& X_a_b, double tilt) {
+bool spheres_overlap(const BoundingSphere& a, const BoundingSphere& b, const Pose& X_a_b, double tilt) {
     const Vec3 center = X_a_b * b.center;
     const double size =
         a.center.norm() + a.radius + b.center.norm() + b.radius + X_a_b.translation.stableNorm();
@@ -34,8 +34,8 @@ bool spheres_meet(const BoundingSphere& a, const BoundingSphere& b, const Pose& 
     return (center - a.center).stableNorm() <= reach;
 }
 
-void find_paper_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Wanted wanted,
-                         std::vector<TrianglePair>& out, QueryCounters& counters) {
+void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Wanted wanted,
+                          std::vector<TrianglePair>& out, QueryCounters& counters) {
     HybridContactCounters work;
     if (wanted == Wanted::all) {
         all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
@@ -46,36 +46,36 @@ void find_paper_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X
 }
 
 void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, Wanted wanted,
-                   Instructions instructions, std::vector<TrianglePair>& out, QueryCounters& counters) {
+                   SimdTarget simd_target, std::vector<TrianglePair>& out, QueryCounters& counters) {
     out.clear();
     if (a.layout() != b.layout()) {
         throw std::invalid_argument("two meshes aren't of one layout");
     }
     const double tilt = checked_tilt(X_a_b);
     if (a.layout() == Layout::paper) {
-        find_paper_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
-                            counters);
+        find_hybrid_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
+                             counters);
         return;
     }
     ++counters.nv;
     ++counters.nu;
-    if (spheres_meet(a.wide_tree().outer, b.wide_tree().outer, X_a_b, tilt)) {
-        const WidePair pair{a.mesh(), b.mesh(), a.wide_tree(), b.wide_tree(), X_a_b, tilt};
-        find_wide_contacts(pair, wanted, instructions, out, counters);
+    if (spheres_overlap(a.bvh8().outer, b.bvh8().outer, X_a_b, tilt)) {
+        const Bvh8Pair pair{a.mesh(), b.mesh(), a.bvh8(), b.bvh8(), X_a_b, tilt};
+        find_bvh8_contacts(pair, wanted, simd_target, out, counters);
     }
 }
 
 }  // namespace
 
 void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
-                  std::vector<TrianglePair>& out, QueryCounters& counters, Instructions instructions) {
-    find_contacts(a, b, X_a_b, Wanted::all, instructions, out, counters);
+                  std::vector<TrianglePair>& out, QueryCounters& counters, SimdTarget simd_target) {
+    find_contacts(a, b, X_a_b, Wanted::all, simd_target, out, counters);
 }
 
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
-                                          QueryCounters& counters, Instructions instructions) {
+                                          QueryCounters& counters, SimdTarget simd_target) {
     thread_local std::vector<TrianglePair> found;
-    find_contacts(a, b, X_a_b, Wanted::first, instructions, found, counters);
+    find_contacts(a, b, X_a_b, Wanted::first, simd_target, found, counters);
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 

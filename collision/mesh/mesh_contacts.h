@@ -13,7 +13,7 @@ namespace campuswalk::collision {
 
 /// Mesh against mesh, the paper's Table I. Triangles count as closed surfaces: touching is contact. The
 /// answer is exact: a pair is in it if and only if the triangles share a point, where a's corners are taken
-/// as they are (float32, exact in double) and b's are `b_corner_in_a`.
+/// as they are (float32, exact in double) and b's are `b_vertex_in_a`.
 ///
 /// Both meshes are of one layout, or std::invalid_argument is thrown; on the paper's, pairs come in the order
 /// of hybrid_tree_contacts.h and `instructions` don't matter.
@@ -27,12 +27,12 @@ namespace campuswalk::collision {
 /// nu: pairs of nodes brought into one frame. On the paper's layout, see HybridContactCounters.
 void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                   std::vector<TrianglePair>& out, QueryCounters& counters,
-                  Instructions instructions = usual_instructions());
+                  SimdTarget simd_target = default_simd_target());
 
 /// One overlapping pair, the same whatever the instructions; none if the surfaces are apart. Looks where
 /// boxes reach deepest into each other first.
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                                           QueryCounters& counters,
-                                          Instructions instructions = usual_instructions());
+                                          SimdTarget simd_target = default_simd_target());
 
 }  // namespace campuswalk::collision

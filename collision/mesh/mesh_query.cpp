@@ -29,9 +29,9 @@ double offer(std::optional<MeshHit>& best, const MeshHit& found) {
 /// Hands `meet` the triangles that may be on the ray up to the limit, near ones first.
 template <typename Meet>
 void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryCounters& counters,
-            Instructions instructions) {
+            SimdTarget simd_target) {
     const PathVolume path(ray);
-    if (mesh.layout() == Layout::paper || !fits_wide_rays(ray)) {
+    if (mesh.layout() == Layout::paper || !fits_bvh8_rays(ray)) {
         const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
             return meet(t, corners(mesh.mesh(), t), limit);
         };
@@ -40,8 +40,8 @@ void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryCou
     }
     ++counters.nu;
     ++counters.nv;
-    if (path.bound(mesh.wide_tree().outer) <= 1.0) {
-        follow_wide_ray(mesh.mesh(), mesh.wide_tree(), ray, instructions, RayMeeting(meet), counters);
+    if (path.bound(mesh.bvh8().outer) <= 1.0) {
+        trace_bvh8_ray(mesh.mesh(), mesh.bvh8(), ray, simd_target, RayVisitor(meet), counters);
     }
 }
 
@@ -77,30 +77,29 @@ void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_me
 }
 
 std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
-                                    Instructions instructions) {
+                                    SimdTarget simd_target) {
     std::optional<MeshHit> best;
     const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         const auto f = hit(ray, triangle);
         return f ? offer(best, {*f, t}) : limit;
     };
-    follow(mesh, ray, meet, counters, instructions);
+    follow(mesh, ray, meet, counters, simd_target);
     return best;
 }
 
-bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
-                Instructions instructions) {
+bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters, SimdTarget simd_target) {
     constexpr double kNoMore = -1.0;  // below every fraction
     bool found = false;
     const auto meet = [&](std::uint32_t, const Triangle& triangle, double limit) {
         found = found || hit(ray, triangle).has_value();
         return found ? kNoMore : limit;
     };
-    follow(mesh, ray, meet, counters, instructions);
+    follow(mesh, ray, meet, counters, simd_target);
     return found;
 }
 
 void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
-                Instructions instructions) {
+                SimdTarget simd_target) {
     out.clear();
     const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         if (const auto f = hit(ray, triangle)) {
@@ -108,12 +107,11 @@ void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& 
         }
         return limit;
     };
-    follow(mesh, ray, meet, counters, instructions);
+    follow(mesh, ray, meet, counters, simd_target);
     std::sort(out.begin(), out.end(), before);
 }
 
-bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters,
-               Instructions instructions) {
+bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters, SimdTarget simd_target) {
     // An odd direction, so that edges and corners of upright geometry are unlikely to lie on it.
     const Vec3 direction(0.5377, 0.7389, 0.4061);
     const ClosedParts& parts = mesh.closed_parts();
@@ -130,7 +128,7 @@ bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& count
         }
         return limit;
     };
-    follow(mesh, ray, meet, counters, instructions);
+    follow(mesh, ray, meet, counters, simd_target);
     return winding > 0;
 }
 

@@ -19,7 +19,7 @@ namespace campuswalk::collision {
 /// Where rounding leaves open whether a ray passes a triangle, edge-on or of hardly any area, `hit` may see
 /// it where it is not, and such a hit counts only if the tree's boxes are met as well.
 ///
-/// Instructions matter to rays on the wide layout alone: to how fast they are, not to answers nor counters.
+/// SimdTarget matter to rays on the wide layout alone: to how fast they are, not to answers nor counters.
 ///
 /// Counters. nv: bounding volumes tested, on the paper's layout a node each, on the wide layout the mesh's
 /// sphere and each child's box of the nodes that were opened. np: triangles tested, on the wide layout those
@@ -40,20 +40,20 @@ struct MeshHit {
 
 /// The first triangle on the ray; of several at one fraction, the lowest index.
 std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
-                                    Instructions instructions = usual_instructions());
+                                    SimdTarget simd_target = default_simd_target());
 
 /// Whether there is a triangle on the ray.
 bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
-                Instructions instructions = usual_instructions());
+                SimdTarget simd_target = default_simd_target());
 
 /// Replaces `out` by all triangles on the ray, ascending by fraction, then by index.
 void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
-                Instructions instructions = usual_instructions());
+                SimdTarget simd_target = default_simd_target());
 
 /// Is the point inside a closed part of the mesh (closed_parts.h)? By the winding number along one fixed
 /// direction.
 bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters,
-               Instructions instructions = usual_instructions());
+               SimdTarget simd_target = default_simd_target());
 
 /// Replaces `out` by the triangles that have a point in the filled box (see triangle_box_overlap.h),
 /// ascending. X_mesh_box is a rotation and a shift.

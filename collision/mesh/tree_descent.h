@@ -25,7 +25,7 @@ namespace campuswalk::collision {
 //     double meet(leaf, slot, limit)                     likewise, if the query prefers a wide leaf's copy
 
 /// Parts of a tree that are still to be looked at.
-class Agenda {
+class TraversalStack {
 public:
     /// Without initialisers: each query would set all that could wait.
     struct Entry {
@@ -40,18 +40,18 @@ public:
     /// Entries that are added one after the other leave the lowest bound first.
     class Siblings {
     public:
-        explicit Siblings(Agenda& agenda) : agenda_(agenda), first_(agenda.depth_) {}
+        explicit Siblings(TraversalStack& stack) : stack_(stack), first_(stack.depth_) {}
 
         void add(const Entry& entry) {
-            std::size_t at = agenda_.depth_++;
-            for (; at > first_ && agenda_.waiting_[at - 1].bound < entry.bound; --at) {
-                agenda_.waiting_[at] = agenda_.waiting_[at - 1];
+            std::size_t at = stack_.depth_++;
+            for (; at > first_ && stack_.waiting_[at - 1].bound < entry.bound; --at) {
+                stack_.waiting_[at] = stack_.waiting_[at - 1];
             }
-            agenda_.waiting_[at] = entry;
+            stack_.waiting_[at] = entry;
         }
 
     private:
-        Agenda& agenda_;
+        TraversalStack& stack_;
         std::size_t first_;
     };
 
@@ -64,27 +64,27 @@ private:
 };
 
 template <typename Volume>
-void start(const HybridTree& tree, const Volume& volume, double limit, Agenda& agenda,
+void start(const HybridTree& tree, const Volume& volume, double limit, TraversalStack& stack,
            QueryCounters& counters) {
     ++counters.nv;
     if (const double bound = volume.bound(tree.nodes[0]); !(bound > limit)) {
-        Agenda::Siblings(agenda).add({bound, 0, tree.nodes[0].is_leaf()});
+        TraversalStack::Siblings(stack).add({bound, 0, tree.nodes[0].is_leaf()});
     }
 }
 
 template <typename Volume>
-void start(const WideTree& tree, const Volume& volume, double limit, Agenda& agenda,
+void start(const Bvh8& tree, const Volume& volume, double limit, TraversalStack& stack,
            QueryCounters& counters) {
     ++counters.nv;
     if (const double bound = volume.bound(tree.outer); !(bound > limit)) {
-        Agenda::Siblings(agenda).add({bound, 0, false});
+        TraversalStack::Siblings(stack).add({bound, 0, false});
     }
 }
 
 template <typename Volume>
 void open_node(const HybridTree& tree, std::uint32_t index, const Volume& volume, double limit,
-               Agenda& agenda, QueryCounters& counters) {
-    Agenda::Siblings siblings(agenda);
+               TraversalStack& stack, QueryCounters& counters) {
+    TraversalStack::Siblings siblings(stack);
     const std::uint32_t left = tree.nodes[index].first;
     for (const std::uint32_t child : {left + 1, left}) {
         ++counters.nv;
@@ -95,12 +95,12 @@ void open_node(const HybridTree& tree, std::uint32_t index, const Volume& volume
 }
 
 template <typename Volume>
-void open_node(const WideTree& tree, std::uint32_t index, const Volume& volume, double limit, Agenda& agenda,
-               QueryCounters& counters) {
-    Agenda::Siblings siblings(agenda);
-    const WideNode& node = tree.nodes[index];
+void open_node(const Bvh8& tree, std::uint32_t index, const Volume& volume, double limit,
+               TraversalStack& stack, QueryCounters& counters) {
+    TraversalStack::Siblings siblings(stack);
+    const Bvh8Node& node = tree.nodes[index];
     counters.nv += node.count;
-    alignas(32) std::array<float, kWideChildren> bounds;
+    alignas(32) std::array<float, kBvh8Children> bounds;
     volume.bounds(BoxFrame(node), node.center, node.half, bounds);
     for (std::size_t i = 0; i < node.count; ++i) {
         if (const double bound = bounds[i]; !(bound > limit)) {
@@ -120,16 +120,16 @@ void open_leaf(const HybridTree& tree, std::uint32_t index, const Volume&, doubl
 }
 
 template <typename Volume, typename Meet>
-void open_leaf(const WideTree& tree, std::uint32_t index, const Volume& volume, double& limit,
-               const Meet& meet, QueryCounters& counters) {
-    const WideLeaf& leaf = tree.leaves[index];
+void open_leaf(const Bvh8& tree, std::uint32_t index, const Volume& volume, double& limit, const Meet& meet,
+               QueryCounters& counters) {
+    const Bvh8Leaf& leaf = tree.leaves[index];
     const LeafBoxes boxes(leaf);
     alignas(32) std::array<float, kLeafTriangles> bounds;
     volume.bounds(BoxFrame(leaf), boxes.center, boxes.half, bounds);
     for (std::size_t i = 0; i < leaf.triangles; ++i) {
         if (!(static_cast<double>(bounds[i]) > limit)) {
             ++counters.np;
-            if constexpr (std::is_invocable_v<const Meet&, const WideLeaf&, std::size_t, double>) {
+            if constexpr (std::is_invocable_v<const Meet&, const Bvh8Leaf&, std::size_t, double>) {
                 limit = meet(leaf, i, limit);
             } else {
                 limit = meet(leaf.triangle[i], limit);
@@ -141,17 +141,17 @@ void open_leaf(const WideTree& tree, std::uint32_t index, const Volume& volume, 
 template <typename Tree, typename Volume, typename Meet>
 void descend(const Tree& tree, const Volume& volume, double limit, const Meet& meet,
              QueryCounters& counters) {
-    Agenda agenda;
-    start(tree, volume, limit, agenda, counters);
-    while (!agenda.empty()) {
-        const Agenda::Entry next = agenda.take();
+    TraversalStack stack;
+    start(tree, volume, limit, stack, counters);
+    while (!stack.empty()) {
+        const TraversalStack::Entry next = stack.take();
         if (next.bound > limit) {
             continue;
         }
         if (next.leaf) {
             open_leaf(tree, next.index, volume, limit, meet, counters);
         } else {
-            open_node(tree, next.index, volume, limit, agenda, counters);
+            open_node(tree, next.index, volume, limit, stack, counters);
         }
     }
 }

@@ -20,16 +20,16 @@ bool over(const Triangle& t, double x, double z) {
 
 /// The highest of what it has been offered.
 struct Highest {
-    std::optional<BallRest> best;
+    std::optional<SphereRest> best;
 
     void offer(double height, const Vec3& on) {
         if (!best || height > best->height) {
-            best = BallRest{height, on};
+            best = SphereRest{height, on};
         }
     }
 };
 
-void rest_on_corner(const Vec3& corner, double x, double z, double radius, Highest& highest) {
+void rest_on_vertex(const Vec3& corner, double x, double z, double radius, Highest& highest) {
     const double dx = x - corner.x();
     const double dz = z - corner.z();
     const double left = radius * radius - (dx * dx + dz * dz);
@@ -65,8 +65,8 @@ void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radiu
 
 }  // namespace
 
-std::optional<BallRest> ball_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
-                                  double radius) {
+std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
+                                      double radius) {
     constexpr double kSteepest = 1e-5;  // an upright face is met at its upper edge
     if (std::abs(normal.y()) > kSteepest) {
         const Vec3 up = normal.y() > 0.0 ? normal : Vec3(-normal);
@@ -76,13 +76,13 @@ std::optional<BallRest> ball_rest(const Triangle& triangle, const Vec3& normal, 
             const double dx = on_x - triangle.a.x();
             const double dz = on_z - triangle.a.z();
             const double on_y = triangle.a.y() - (up.x() * dx + up.z() * dz) / up.y();
-            return BallRest{on_y + radius * up.y(), {on_x, on_y, on_z}};
+            return SphereRest{on_y + radius * up.y(), {on_x, on_y, on_z}};
         }
     }
     Highest highest;
-    rest_on_corner(triangle.a, x, z, radius, highest);
-    rest_on_corner(triangle.b, x, z, radius, highest);
-    rest_on_corner(triangle.c, x, z, radius, highest);
+    rest_on_vertex(triangle.a, x, z, radius, highest);
+    rest_on_vertex(triangle.b, x, z, radius, highest);
+    rest_on_vertex(triangle.c, x, z, radius, highest);
     rest_on_edge(triangle.a, triangle.b, x, z, radius, highest);
     rest_on_edge(triangle.b, triangle.c, x, z, radius, highest);
     rest_on_edge(triangle.c, triangle.a, x, z, radius, highest);

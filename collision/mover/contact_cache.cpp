@@ -61,7 +61,7 @@ public:
         }
         return limit;
     }
-    double operator()(const WideLeaf& leaf, std::size_t slot, double limit) const {
+    double operator()(const Bvh8Leaf& leaf, std::size_t slot, double limit) const {
         if (const std::uint32_t triangle = leaf.triangle[slot]; !held_(triangle)) {
             take_(triangle, corners(mesh_, leaf, slot));
         }
@@ -76,10 +76,10 @@ private:
 
 }  // namespace
 
-Neighbourhood::Neighbourhood(const World& world, const MoverSettings& settings, const QueryFilter& filter)
+ContactCache::ContactCache(const World& world, const MoverSettings& settings, const QueryFilter& filter)
     : world_(&world), settings_(settings), filter_(filter), margin_(kFirstMargin) {}
 
-void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
+void ContactCache::cover(const Aabb& box, QueryCounters& counters) {
     const Vec3 more(margin_, kUpright, margin_);
     const Aabb wanted{box.min - more, box.max + more};
     if (!contains(covered_, box)) {
@@ -99,7 +99,7 @@ void Neighbourhood::cover(const Aabb& box, QueryCounters& counters) {
     }
 }
 
-void Neighbourhood::go_on_to(const Aabb& box, QueryCounters& counters) {
+void ContactCache::go_on_to(const Aabb& box, QueryCounters& counters) {
     const Aabb before = covered_;
     covered_ = box;
     near_count_ = 0;
@@ -113,33 +113,33 @@ void Neighbourhood::go_on_to(const Aabb& box, QueryCounters& counters) {
     }
 }
 
-void Neighbourhood::forget() {
+void ContactCache::forget() {
     covered_ = Aabb{};
     margin_ = kFirstMargin;
     pieces_.clear();
-    kept_.clear();
+    cached_.clear();
     near_count_ = 0;
 }
 
-void Neighbourhood::resize(double height) {
+void ContactCache::resize(double height) {
     settings_.height = height;
     forget();
 }
 
-void Neighbourhood::drop_outside() {
+void ContactCache::drop_outside() {
     for (std::size_t i = 0; i < pieces_.size();) {
         if (pieces_[i].box.overlaps(covered_)) {
             ++i;
             continue;
         }
         pieces_[i] = pieces_.back();
-        kept_[i] = kept_.back();
+        cached_[i] = cached_.back();
         pieces_.pop_back();
-        kept_.pop_back();
+        cached_.pop_back();
     }
 }
 
-void Neighbourhood::gather(const Aabb& before, QueryCounters& counters) {
+void ContactCache::gather(const Aabb& before, QueryCounters& counters) {
     name_pieces();
     world_->candidates(covered_, filter_, candidates_);
     for (const ObjectId id : candidates_) {
@@ -158,8 +158,8 @@ void Neighbourhood::gather(const Aabb& before, QueryCounters& counters) {
     }
 }
 
-void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before,
-                                QueryCounters& counters) {
+void ContactCache::gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before,
+                               QueryCounters& counters) {
     const Pose& X = world_->object(id).X_world_shape;
     const auto held = [&](std::uint32_t t) { return holds(id, t); };
     const auto take = [&](std::uint32_t t, const Triangle& c) {
@@ -169,7 +169,7 @@ void Neighbourhood::gather_mesh(ObjectId id, const MeshCollider& mesh, const Aab
 }
 
 /// Open addressing, at most a quarter full.
-void Neighbourhood::name_pieces() {
+void ContactCache::name_pieces() {
     names_.assign(std::bit_ceil(std::max(kUsual, pieces_.size()) * 4), 0);
     for (const Piece& piece : pieces_) {
         const std::uint64_t name = name_of(piece.obstacle.object, piece.obstacle.triangle);
@@ -182,7 +182,7 @@ void Neighbourhood::name_pieces() {
 }
 
 /// Among the pieces that have been named.
-bool Neighbourhood::holds(ObjectId id, std::uint32_t triangle) const {
+bool ContactCache::holds(ObjectId id, std::uint32_t triangle) const {
     const std::uint64_t name = name_of(id, triangle);
     std::size_t at = place_of(name, names_.size());
     while (names_[at] != 0 && names_[at] != name) {
@@ -192,7 +192,7 @@ bool Neighbourhood::holds(ObjectId id, std::uint32_t triangle) const {
 }
 
 /// A box is its twelve triangles: whoever is outside can't get in.
-void Neighbourhood::gather_box(ObjectId id, const Box& box) {
+void ContactCache::gather_box(ObjectId id, const Box& box) {
     const Pose& X = world_->object(id).X_world_shape;
     const auto corner = [&](unsigned i) {
         const Vec3 side((i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1);
@@ -212,7 +212,7 @@ void Neighbourhood::gather_box(ObjectId id, const Box& box) {
     }
 }
 
-void Neighbourhood::add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners) {
+void ContactCache::add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners) {
     const Aabb box = bounds_of(corners);
     if (!box.overlaps(covered_)) {
         return;
@@ -228,15 +228,15 @@ void Neighbourhood::add_triangle(ObjectId id, std::uint32_t index, const Triangl
     add(o, box);
 }
 
-void Neighbourhood::add(const Obstacle& obstacle, const Aabb& box) {
+void ContactCache::add(const Obstacle& obstacle, const Aabb& box) {
     const bool walkable = obstacle.solid == nullptr && std::abs(obstacle.normal.y()) >= settings_.min_up;
     reserve_for(pieces_.size() + 1);
     pieces_.push_back({obstacle, box, walkable});
-    kept_.emplace_back();
+    cached_.emplace_back();
 }
 
 /// About the new middle. The last place that a piece was looked at from tells more than its box.
-void Neighbourhood::restart_bounds() {
+void ContactCache::restart_bounds() {
     origin_ = 0.5 * (covered_.min + covered_.max);
     // Of numbers up to the size of what is covered, some roundings of float32.
     slack_ = 1e-6 * (1.0 + (covered_.max - covered_.min).norm());
@@ -246,7 +246,7 @@ void Neighbourhood::restart_bounds() {
         bounds_.back().rest.fill(std::numeric_limits<float>::infinity());
     }
     for (Index i = 0; i < pieces_.size(); ++i) {
-        if (const Separation& s = kept_[i].places[kept_[i].last]; s.distance > 0.0) {
+        if (const Separation& s = cached_[i].places[cached_[i].last]; s.distance > 0.0) {
             set_bound(i, s.normal, s.bound(origin_));
         } else {
             bound_by_box(i);
@@ -255,18 +255,18 @@ void Neighbourhood::restart_bounds() {
 }
 
 /// `push_back` alone would take from the heap whenever there is one piece more than ever before.
-void Neighbourhood::reserve_for(std::size_t count) {
+void ContactCache::reserve_for(std::size_t count) {
     if (count > pieces_.capacity()) {
         const std::size_t room = std::max(kUsual, 2 * count);
         pieces_.reserve(room);
-        kept_.reserve(room);
+        cached_.reserve(room);
         bounds_.reserve(room / kLanes + 1);
         near_.reserve(room + kLanes + 1);
     }
 }
 
 /// The side on which the piece's box is farthest from a body in the middle.
-void Neighbourhood::bound_by_box(Index i) {
+void ContactCache::bound_by_box(Index i) {
     const Aabb& box = pieces_[i].box;
     const Vec3 above = box.min - origin_;
     const Vec3 below = origin_ - box.max;
@@ -287,7 +287,7 @@ void Neighbourhood::bound_by_box(Index i) {
     set_bound(i, normal, best);
 }
 
-void Neighbourhood::set_bound(Index i, const Vec3& normal, double at_origin) {
+void ContactCache::set_bound(Index i, const Vec3& normal, double at_origin) {
     Bounds& b = bounds_[i / kLanes];
     const std::size_t lane = i % kLanes;
     b.x[lane] = static_cast<float>(normal.x());
@@ -297,7 +297,7 @@ void Neighbourhood::set_bound(Index i, const Vec3& normal, double at_origin) {
     b.rest[lane] = static_cast<float>(at_origin);
 }
 
-void Neighbourhood::survey(const Vec3& foot, double sideways, double up, double down, double reach) {
+void ContactCache::survey(const Vec3& foot, double sideways, double up, double down, double reach) {
     const Vec3 at = foot - origin_;
     const auto x = static_cast<float>(at.x());
     const auto y = static_cast<float>(at.y());
@@ -323,8 +323,8 @@ void Neighbourhood::survey(const Vec3& foot, double sideways, double up, double 
     near_count_ = count;
 }
 
-const Separation& Neighbourhood::separation(Index i, const Vec3& foot) {
-    Kept& kept = kept_[i];
+const Separation& ContactCache::separation(Index i, const Vec3& foot) {
+    CachedPiece& kept = cached_[i];
     for (std::uint8_t k = 0; k < 2; ++k) {
         if (kept.places[k].foot == foot) {
             kept.last = k;
@@ -347,8 +347,8 @@ const Separation& Neighbourhood::separation(Index i, const Vec3& foot) {
     return s;
 }
 
-bool Neighbourhood::known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const {
-    const auto& places = kept_[i].places;
+bool ContactCache::known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const {
+    const auto& places = cached_[i].places;
     return std::any_of(places.begin(), places.end(), [&](const Separation& s) {
         return s.bound(from) >= distance && s.bound(to) >= distance;  // never where the place is none
     });

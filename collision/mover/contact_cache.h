@@ -31,7 +31,7 @@ struct Separation {
     Vec3 on_piece = Vec3::Zero();
     double distance = 0.0;  ///< from the capsule's core
     Feature feature = Feature::face;
-    /// Kept by Footing, which finds it out for edges that count from `kind_from`.
+    /// CachedPiece by GroundQuery, which finds it out for edges that count from `kind_from`.
     mutable std::optional<Kind> kind;
     mutable double kind_from = 0.0;
 
@@ -44,7 +44,7 @@ struct Separation {
 /// The pieces of the solid world around a body: triangles and round solids; boxes come apart into
 /// triangles. When the body comes near the end of what was gathered, what lies beyond is gathered too, and
 /// what is far behind dropped. What is kept from earlier ticks saves time and never changes an answer.
-class Neighbourhood {
+class ContactCache {
 public:
     using Index = std::uint32_t;
 
@@ -54,7 +54,7 @@ public:
         bool walkable = false;  ///< a triangle that isn't too steep, from either side
     };
 
-    Neighbourhood(const World& world, const MoverSettings& settings, const QueryFilter& filter);
+    ContactCache(const World& world, const MoverSettings& settings, const QueryFilter& filter);
 
     /// Sees to it that everything in `box` has been gathered.
     void cover(const Aabb& box, QueryCounters& counters);
@@ -84,7 +84,7 @@ private:
     struct Bounds {
         Lanes x{}, y{}, z{}, flat{}, rest{};
     };
-    struct Kept {
+    struct CachedPiece {
         std::array<Separation, 2> places;
         std::uint8_t last = 0;
     };
@@ -115,7 +115,7 @@ private:
     /// The pieces by object and triangle, hashed: a refill asks for nearly all of them whether they are
     /// there.
     std::vector<std::uint64_t> names_;
-    std::vector<Kept> kept_;
+    std::vector<CachedPiece> cached_;
     std::vector<Bounds> bounds_;
     std::vector<Index> near_;
     std::size_t near_count_ = 0;

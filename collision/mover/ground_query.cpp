@@ -19,8 +19,8 @@ constexpr double kSide = 0.01;
 
 }  // namespace
 
-std::optional<BallRest> Footing::rest_on(const Neighbourhood::Piece& piece, double x, double z,
-                                         double highest, double lowest) const {
+std::optional<SphereRest> GroundQuery::rest_on(const ContactCache::Piece& piece, double x, double z,
+                                               double highest, double lowest) const {
     const double reach = settings_.radius + kRest;
     const Aabb& box = piece.box;
     // The ball rests no higher than it would on the nearest point of the box's top.
@@ -33,7 +33,7 @@ std::optional<BallRest> Footing::rest_on(const Neighbourhood::Piece& piece, doub
     }
     const Obstacle& o = piece.obstacle;
     if (o.solid == nullptr) {
-        return ball_rest(o.corners, o.normal, x, z, reach);
+        return sphere_rest(o.corners, o.normal, x, z, reach);
     }
     const Segment ball{{x, highest, z}, {x, highest, z}};
     const Vec3 drop(0, lowest - highest, 0);
@@ -45,12 +45,12 @@ std::optional<BallRest> Footing::rest_on(const Neighbourhood::Piece& piece, doub
         return std::nullopt;
     }
     const Vec3 center = ball.a + *fraction * drop;
-    return BallRest{center.y(), closest(Segment{center, center}, o).on_shape};
+    return SphereRest{center.y(), closest(Segment{center, center}, o).on_shape};
 }
 
-bool Footing::ends_in_floor(const Neighbourhood& around, const Vec3& point) const {
+bool GroundQuery::ends_in_floor(const ContactCache& around, const Vec3& point) const {
     const auto pieces = around.pieces();
-    return std::any_of(pieces.begin(), pieces.end(), [&](const Neighbourhood::Piece& p) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const ContactCache::Piece& p) {
         if ((point.array() < p.box.min.array() - kOwned).any() ||
             (point.array() > p.box.max.array() + kOwned).any()) {
             return false;
@@ -60,7 +60,7 @@ bool Footing::ends_in_floor(const Neighbourhood& around, const Vec3& point) cons
     });
 }
 
-bool Footing::carries(const Neighbourhood& around, const Rest& rest, double highest) const {
+bool GroundQuery::carries(const ContactCache& around, const Rest& rest, double highest) const {
     const Obstacle& o = around.piece(rest.piece).obstacle;
     const Vec3& on = rest.ball.on;
     const double up = (rest.ball.height - on.y()) / (settings_.radius + kRest);
@@ -73,14 +73,14 @@ bool Footing::carries(const Neighbourhood& around, const Rest& rest, double high
     return low && (up >= settings_.min_up || ends_in_floor(around, on));
 }
 
-Ground Footing::ground(const Neighbourhood& around, double x, double z, const Stand& stand, double up,
-                       double down) {
+Ground GroundQuery::ground(const ContactCache& around, double x, double z, const Support& stand, double up,
+                           double down) {
     const double center = stand.foot.y() + settings_.radius;
     const double highest = center + up;
     const double lowest = center - down;
     rests_.clear();
     double best = lowest;
-    for (const Neighbourhood::Index i : around.near()) {
+    for (const ContactCache::Index i : around.near()) {
         const auto ball = rest_on(around.piece(i), x, z, highest, best - 2.0 * kRest);
         if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRest &&
             ball->height - ball->on.y() > kSide * settings_.radius) {
@@ -105,7 +105,7 @@ Ground Footing::ground(const Neighbourhood& around, double x, double z, const St
 
 /// Is the piece higher than `height` where the body would meet it? A face that slants down beside a stair
 /// may be tall elsewhere.
-bool Footing::reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const {
+bool GroundQuery::reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const {
     if (obstacle.top <= height) {
         return false;
     }
@@ -115,8 +115,8 @@ bool Footing::reaches_over(const Obstacle& obstacle, const Vec3& foot, double he
     return closest_upright(upper, obstacle).on_shape.y() > height;
 }
 
-Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Stand& stand) {
-    const Neighbourhood::Piece& piece = around.piece(i);
+Kind GroundQuery::kind(ContactCache& around, ContactCache::Index i, const Support& stand) {
+    const ContactCache::Piece& piece = around.piece(i);
     const double top = piece.obstacle.top;
     if (top <= stand.foot.y() || (piece.walkable && top <= highest_edge(stand))) {
         return Kind::floor;
@@ -129,8 +129,8 @@ Kind Footing::kind(Neighbourhood& around, Neighbourhood::Index i, const Stand& s
     return *s.kind;
 }
 
-Kind Footing::kind_of(const Neighbourhood& around, const Neighbourhood::Piece& piece, const Separation& s,
-                      const Stand& stand) {
+Kind GroundQuery::kind_of(const ContactCache& around, const ContactCache::Piece& piece, const Separation& s,
+                          const Support& stand) {
     const Vec3& foot = stand.foot;
     const bool below = s.normal.y() >= settings_.min_up;
     if (below && s.feature == Feature::face) {

@@ -9,7 +9,7 @@
 namespace campuswalk::collision {
 
 /// Where the body stands, and the height that edges count from.
-struct Stand {
+struct Support {
     Vec3 foot = Vec3::Zero();
     double base = 0.0;  ///< of what carries it; not below the foot
 };
@@ -25,9 +25,9 @@ struct Ground {
 /// Tells ground from walls, by the faces of what the body would touch, not by where it touches them: edges
 /// as high as a step allows carry if a walkable face ends there, and no edge is climbed that is higher, how
 /// ever round the body is.
-class Footing {
+class GroundQuery {
 public:
-    explicit Footing(const MoverSettings& settings) : settings_(settings) {}
+    explicit GroundQuery(const MoverSettings& settings) : settings_(settings) {}
 
     /// The body has another height from now on.
     void resize(double height) { settings_.height = height; }
@@ -37,26 +37,26 @@ public:
 
     /// Looks among what is near for the highest ground at (x, z) up to `up` above and `down` below where the
     /// body stands now.
-    Ground ground(const Neighbourhood& around, double x, double z, const Stand& stand, double up,
+    Ground ground(const ContactCache& around, double x, double z, const Support& stand, double up,
                   double down);
 
-    Kind kind(Neighbourhood& around, Neighbourhood::Index i, const Stand& stand);
+    Kind kind(ContactCache& around, ContactCache::Index i, const Support& stand);
 
 private:
     struct Rest {
-        Neighbourhood::Index piece = 0;
-        BallRest ball;
+        ContactCache::Index piece = 0;
+        SphereRest ball;
     };
 
-    std::optional<BallRest> rest_on(const Neighbourhood::Piece& piece, double x, double z, double highest,
-                                    double lowest) const;
-    bool carries(const Neighbourhood& around, const Rest& rest, double highest) const;
-    double highest_edge(const Stand& stand) const {
+    std::optional<SphereRest> rest_on(const ContactCache::Piece& piece, double x, double z, double highest,
+                                      double lowest) const;
+    bool carries(const ContactCache& around, const Rest& rest, double highest) const;
+    double highest_edge(const Support& stand) const {
         return stand.base + settings_.step_height + kHeightSlack;
     }
-    Kind kind_of(const Neighbourhood& around, const Neighbourhood::Piece& piece, const Separation& separation,
-                 const Stand& stand);
-    bool ends_in_floor(const Neighbourhood& around, const Vec3& point) const;
+    Kind kind_of(const ContactCache& around, const ContactCache::Piece& piece, const Separation& separation,
+                 const Support& stand);
+    bool ends_in_floor(const ContactCache& around, const Vec3& point) const;
     bool reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const;
 
     MoverSettings settings_;

@@ -20,7 +20,7 @@ bool apart(const Separation& s, const Vec3& from, const Vec3& to, double distanc
 
 }  // namespace
 
-bool Way::cleared(Neighbourhood::Index i, const Vec3& from, const Vec3& to) const {
+bool MotionClearance::cleared(ContactCache::Index i, const Vec3& from, const Vec3& to) const {
     if (around_.known_apart(i, from, to, settings_.radius + kKnown)) {
         return true;
     }
@@ -29,25 +29,25 @@ bool Way::cleared(Neighbourhood::Index i, const Vec3& from, const Vec3& to) cons
            apart(around_.separation(i, to), from, to, keep);
 }
 
-bool Way::blocked(Neighbourhood::Index i, const Vec3& from, const Vec3& to) const {
+bool MotionClearance::blocked(ContactCache::Index i, const Vec3& from, const Vec3& to) const {
     return sweep_upright(settings_.core(from), settings_.radius + kHard, to - from, around_.piece(i).obstacle)
         .has_value();
 }
 
-bool Way::is_free(const Vec3& from, const Vec3& to) const {
+bool MotionClearance::is_free(const Vec3& from, const Vec3& to) const {
     const auto near = around_.near();
     return std::all_of(near.begin(), near.end(),
-                       [&](Neighbourhood::Index i) { return cleared(i, from, to) || !blocked(i, from, to); });
+                       [&](ContactCache::Index i) { return cleared(i, from, to) || !blocked(i, from, to); });
 }
 
-bool Way::is_free_over(const Vec3& from, const Vec3& to) const {
+bool MotionClearance::is_free_over(const Vec3& from, const Vec3& to) const {
     const double x = to.x() - from.x();
     const double z = to.z() - from.z();
     const double over = std::max(from.y(), to.y()) + (x * x + z * z) / (8.0 * settings_.radius) + kHard;
     const Vec3 above_from(from.x(), over, from.z());
     const Vec3 above_to(to.x(), over, to.z());
     const auto near = around_.near();
-    return std::all_of(near.begin(), near.end(), [&](Neighbourhood::Index i) {
+    return std::all_of(near.begin(), near.end(), [&](ContactCache::Index i) {
         const auto known = [&](const Vec3& a, const Vec3& b) {
             return around_.known_apart(i, a, b, settings_.radius + kSure);
         };
@@ -61,9 +61,9 @@ bool Way::is_free_over(const Vec3& from, const Vec3& to) const {
     });
 }
 
-Vec3 Way::free_part(const Vec3& foot, const Vec3& move, double radius) const {
+Vec3 MotionClearance::free_part(const Vec3& foot, const Vec3& move, double radius) const {
     double fraction = 1.0;
-    for (const Neighbourhood::Index i : around_.near()) {
+    for (const ContactCache::Index i : around_.near()) {
         if (around_.known_apart(i, foot, foot + move, radius + kHard)) {
             continue;
         }
@@ -74,7 +74,7 @@ Vec3 Way::free_part(const Vec3& foot, const Vec3& move, double radius) const {
     return fraction * move;
 }
 
-bool Way::meets(Neighbourhood::Index i, const Vec3& foot, const Vec3& move) const {
+bool MotionClearance::meets(ContactCache::Index i, const Vec3& foot, const Vec3& move) const {
     return !apart(around_.separation(i, foot), foot, foot + move, settings_.radius + kRest) &&
            sweep_upright(settings_.core(foot), settings_.radius + kRest, move, around_.piece(i).obstacle);
 }

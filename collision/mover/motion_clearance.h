@@ -9,9 +9,10 @@ namespace campuswalk::collision {
 /// Straight ways of the body past what is near, which must have been surveyed for all of them. A plane that
 /// has the piece on one side and the body on the other at both ends of a way clears it; only what no plane
 /// at hand clears is swept.
-class Way {
+class MotionClearance {
 public:
-    Way(Neighbourhood& around, const MoverSettings& settings) : around_(around), settings_(settings) {}
+    MotionClearance(ContactCache& around, const MoverSettings& settings)
+        : around_(around), settings_(settings) {}
 
     /// From one place of the foot to another.
     bool is_free(const Vec3& from, const Vec3& to) const;
@@ -20,13 +21,13 @@ public:
     /// The part of `move` that keeps `radius` about the core free.
     Vec3 free_part(const Vec3& foot, const Vec3& move, double radius) const;
     /// Whether the body comes nearer than kRest to one piece, if it moves.
-    bool meets(Neighbourhood::Index i, const Vec3& foot, const Vec3& move) const;
+    bool meets(ContactCache::Index i, const Vec3& foot, const Vec3& move) const;
 
 private:
-    bool cleared(Neighbourhood::Index i, const Vec3& from, const Vec3& to) const;
-    bool blocked(Neighbourhood::Index i, const Vec3& from, const Vec3& to) const;
+    bool cleared(ContactCache::Index i, const Vec3& from, const Vec3& to) const;
+    bool blocked(ContactCache::Index i, const Vec3& from, const Vec3& to) const;
 
-    Neighbourhood& around_;
+    ContactCache& around_;
     const MoverSettings& settings_;
 };
 

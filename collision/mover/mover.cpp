@@ -38,7 +38,7 @@ double horizontal_norm(const Vec3& v) {
 CapsuleMover::CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter)
     : settings_(settings),
       around_(world, settings, filter),
-      footing_(settings),
+      ground_query_(settings),
       steepest_(std::sqrt(1.0 - settings.min_up * settings.min_up) / settings.min_up) {}
 
 void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
@@ -87,7 +87,7 @@ void CapsuleMover::forget() {
     still_.known = false;
 }
 
-Stand CapsuleMover::stand_of(const MoverState& state) const {
+Support CapsuleMover::support_of(const MoverState& state) const {
     const double foot_y = state.foot.y();
     const bool known = state.grounded && state.carried_at <= foot_y + settings_.radius;
     return {state.foot, known ? std::max(foot_y, state.carried_at) : foot_y};
@@ -97,7 +97,7 @@ void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds
                              QueryCounters& counters) {
     const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
     if (state.grounded) {
-        const double above = stand_of(state).base - state.foot.y();
+        const double above = support_of(state).base - state.foot.y();
         const double high = std::max(settings_.step_height + above, steepest_ * length) + 2.0 * kHeightSlack;
         look_around(state.foot, length, high, high, counters);
         if (length > 0.0) {
@@ -114,7 +114,7 @@ void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds
 /// Surveys what the body may meet this far from its place.
 void CapsuleMover::look_around(const Vec3& foot, double sideways, double up, double down,
                                QueryCounters& counters) {
-    const double beside = sideways + Footing::kProbe;
+    const double beside = sideways + GroundQuery::kProbe;
     const double reach = settings_.radius + beside + settings_.skin + kSurroundings;
     const Vec3 low(reach, down + kSurroundings + settings_.skin, reach);
     const Vec3 high(reach, settings_.height + up + kSurroundings + settings_.skin, reach);
@@ -122,15 +122,15 @@ void CapsuleMover::look_around(const Vec3& foot, double sideways, double up, dou
     around_.survey(foot, beside, up, down, settings_.skin + kListed);
 }
 
-void CapsuleMover::find_walls(const Stand& stand, double length, bool grounded) {
+void CapsuleMover::find_walls(const Support& stand, double length, bool grounded) {
     const Vec3& foot = stand.foot;
     constexpr double kVertical = 1e-6;
     planes_.clear();
     edges_.clear();
     const double reach = settings_.radius + settings_.skin + length + kRest;
     const double highest_edge = foot.y() + settings_.step_height;
-    for (const Neighbourhood::Index i : around_.near()) {
-        const Neighbourhood::Piece& piece = around_.piece(i);
+    for (const ContactCache::Index i : around_.near()) {
+        const ContactCache::Piece& piece = around_.piece(i);
         if ((grounded && piece.walkable && piece.obstacle.top <= highest_edge) ||
             around_.known_apart(i, foot, foot, reach)) {
             continue;
@@ -141,7 +141,7 @@ void CapsuleMover::find_walls(const Stand& stand, double length, bool grounded) 
             continue;
         }
         const bool wall =
-            grounded ? footing_.kind(around_, i, stand) == Kind::wall : s.normal.y() < settings_.min_up;
+            grounded ? ground_query_.kind(around_, i, stand) == Kind::wall : s.normal.y() < settings_.min_up;
         if (!wall) {
             continue;
         }
@@ -156,13 +156,13 @@ void CapsuleMover::find_walls(const Stand& stand, double length, bool grounded) 
 
 /// Holds the wish against the walls. Flat walls always count; an edge counts only once the move would run
 /// into it, because an edge between two flush faces isn't there for the avatar.
-Vec3 CapsuleMover::slide(const Stand& stand, const Vec3& wish, bool grounded) {
+Vec3 CapsuleMover::slide(const Support& stand, const Vec3& wish, bool grounded) {
     const Vec3& foot = stand.foot;
     find_walls(stand, horizontal_norm(wish), grounded);
     while (true) {
         Vec3 move = nearest_allowed(wish, planes_);
         const auto met = std::partition(edges_.begin(), edges_.end(),
-                                        [&](Neighbourhood::Index i) { return !way().meets(i, foot, move); });
+                                        [&](ContactCache::Index i) { return !way().meets(i, foot, move); });
         if (met == edges_.end()) {
             return move;
         }
@@ -177,11 +177,11 @@ Vec3 CapsuleMover::slide(const Stand& stand, const Vec3& wish, bool grounded) {
 }
 
 Ground CapsuleMover::underfoot(const Vec3& foot) {
-    return footing_.ground(around_, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRest, 4.0 * kRest);
+    return ground_query_.ground(around_, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRest, 4.0 * kRest);
 }
 
 void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
-    const Stand stand = stand_of(state);
+    const Support stand = support_of(state);
     const Vec3& start = stand.foot;
     Vec3 flat = slide(stand, wish, true);
     if (flat.squaredNorm() < kCreep * kCreep * wish.squaredNorm()) {
@@ -191,7 +191,7 @@ void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
     const double up = std::max(settings_.step_height + kHeightSlack + stand.base - start.y(), slope);
     const double down = std::max(settings_.step_height + kHeightSlack, slope);
     const Ground ahead =
-        footing_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
+        ground_query_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
     if (ahead.carries) {
         const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
         if (way().is_free(start, goal) || way().is_free_over(start, goal)) {
@@ -206,15 +206,16 @@ void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
 /// Where something is in the way, or nothing to stand on.
 void CapsuleMover::walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead) {
     const double radius = settings_.radius + kHard;
-    const Stand stand = stand_of(state);
+    const Support stand = support_of(state);
     const Vec3& start = stand.foot;
     Vec3 foot = start;
     if (ahead.carries && ahead.foot_y > start.y()) {
         foot += way().free_part(foot, Vec3(0, ahead.foot_y - start.y() + kHard, 0), radius);
     }
     foot += way().free_part(foot, flat, radius);
-    const Ground below = footing_.ground(around_, foot.x(), foot.z(), stand, foot.y() - start.y() + kHard,
-                                         settings_.step_height + kHeightSlack);
+    const Ground below =
+        ground_query_.ground(around_, foot.x(), foot.z(), stand, foot.y() - start.y() + kHard,
+                             settings_.step_height + kHeightSlack);
     const double lower = std::min(0.0, (below.carries ? below.foot_y : start.y()) - foot.y());
     foot += way().free_part(foot, Vec3(0, lower, 0), radius);
     state.foot = foot;
@@ -298,7 +299,7 @@ void CapsuleMover::hold_drift(MoverState& state, double seconds) const {
 Vec3 CapsuleMover::resting_normal(const Vec3& foot) {
     Vec3 steepest = Vec3::UnitY();
     const auto key = [](const Vec3& n) { return std::tuple(n.y(), n.x(), n.z()); };
-    for (const Neighbourhood::Index i : around_.near()) {
+    for (const ContactCache::Index i : around_.near()) {
         const Separation& s = around_.separation(i, foot);
         const bool touches = s.distance > 0.0 && s.distance <= settings_.radius + 2.0 * kRest;
         if (touches && s.normal.y() > 0.0 && key(s.normal) < key(steepest)) {
@@ -320,18 +321,18 @@ void CapsuleMover::land(MoverState& state, const Vec3& foot, const Ground& groun
 
 void CapsuleMover::list_touching(const MoverState& state, MoveTrace& trace) {
     trace.touching.clear();
-    const Stand stand = stand_of(state);
+    const Support stand = support_of(state);
     const Vec3& foot = stand.foot;
     const double reach = settings_.radius + settings_.skin + kListed;
     const double highest_edge = foot.y() + settings_.step_height;
-    for (const Neighbourhood::Index i : around_.near()) {
-        const Neighbourhood::Piece& piece = around_.piece(i);
+    for (const ContactCache::Index i : around_.near()) {
+        const ContactCache::Piece& piece = around_.piece(i);
         if ((piece.walkable && piece.obstacle.top <= highest_edge) ||
             around_.known_apart(i, foot, foot, reach)) {
             continue;
         }
         const double distance = around_.separation(i, foot).distance;
-        if (distance > reach || footing_.kind(around_, i, stand) != Kind::wall) {
+        if (distance > reach || ground_query_.kind(around_, i, stand) != Kind::wall) {
             continue;
         }
         note(Touch{piece.obstacle.object, distance - settings_.radius}, trace.touching);
@@ -364,12 +365,12 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
         settings_.height = to;
         still_.known = false;
         around_.resize(to);
-        footing_.resize(to);
+        ground_query_.resize(to);
     };
     change(height);
     look_around(state.foot, 0.0, kHeightSlack, kHeightSlack, counters);
     const auto near = around_.near();
-    const bool room = std::all_of(near.begin(), near.end(), [&](Neighbourhood::Index i) {
+    const bool room = std::all_of(near.begin(), near.end(), [&](ContactCache::Index i) {
         const double distance = around_.separation(i, state.foot).distance;
         return distance >= settings_.radius + kHard ||
                distance >= closest_upright(old_core, around_.piece(i).obstacle).distance;
@@ -381,7 +382,7 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
 }
 
 void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters) {
-    const double high = stand_of(state).base - state.foot.y() + settings_.step_height + kHeightSlack;
+    const double high = support_of(state).base - state.foot.y() + settings_.step_height + kHeightSlack;
     look_around(state.foot, 0.0, high, high, counters);
     list_touching(state, trace);
 }

@@ -83,26 +83,26 @@ private:
     void move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
                    QueryCounters& counters);
 
-    Stand stand_of(const MoverState& state) const;
+    Support support_of(const MoverState& state) const;
     void walk(MoverState& state, const Vec3& wish);
     void walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead);
     void fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace);
     Vec3 fall_along(const Vec3& foot, const Vec3& n, double rest);
     void turn_along(MoverState& state, const Vec3& n, double moved, double seconds) const;
     void hold_drift(MoverState& state, double seconds) const;
-    Vec3 slide(const Stand& stand, const Vec3& wish, bool grounded);
-    void find_walls(const Stand& stand, double length, bool grounded);
+    Vec3 slide(const Support& stand, const Vec3& wish, bool grounded);
+    void find_walls(const Support& stand, double length, bool grounded);
     Ground underfoot(const Vec3& foot);
     Vec3 resting_normal(const Vec3& foot);
     void list_touching(const MoverState& state, MoveTrace& trace);
 
     static void land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace);
 
-    Way way() { return {around_, settings_}; }
+    MotionClearance way() { return {around_, settings_}; }
 
     /// A move that came to nothing. It does so again if it is asked for again, and whoever pushes against
     /// something asks in every tick.
-    struct Stillness {
+    struct RestState {
         bool known = false;
         MoverState state;
         Vec3 wish = Vec3::Zero();
@@ -113,12 +113,12 @@ private:
     bool stays(const MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) const;
 
     MoverSettings settings_;
-    Neighbourhood around_;
-    Footing footing_;
+    ContactCache around_;
+    GroundQuery ground_query_;
     double steepest_;  ///< metres up for one metre ahead
     std::vector<HalfPlane> planes_;
-    std::vector<Neighbourhood::Index> edges_;
-    Stillness still_;
+    std::vector<ContactCache::Index> edges_;
+    RestState still_;
 };
 
 }  // namespace campuswalk::collision

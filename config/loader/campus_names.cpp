@@ -35,9 +35,9 @@ std::vector<std::string> names_of(const std::vector<Named>& items) {
     return names;
 }
 
-void complain_unknown(const CheckedNode& node, const std::string& name, const char* thing,
+void diagnose_unknown(const CheckedNode& node, const std::string& name, const char* thing,
                       const std::vector<std::string>& known) {
-    node.complain("unknown-name", "the campus has no " + std::string(thing) + " " + in_quotes(name) +
+    node.diagnose("unknown-name", "the campus has no " + std::string(thing) + " " + in_quotes(name) +
                                       suggestion_or_list(name, known));
 }
 
@@ -48,7 +48,7 @@ Target CampusNames::target(const CheckedNode& node) const {
         return target_at(node);
     }
     if (!node.is_scalar()) {
-        node.complain("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
+        node.diagnose("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
         return {};
     }
     const std::optional<std::string> name = node.line();
@@ -68,12 +68,12 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
             std::vector<std::string> known;
             std::ranges::transform(campus_->buildings, std::back_inserter(known), &scene::Building::id);
             std::ranges::copy(places, std::back_inserter(known));
-            complain_unknown(node, *name, "building, place or spawn", known);
+            diagnose_unknown(node, *name, "building, place or spawn", known);
             return {};
         }
     }
     if (!node.is_scalar() && !node.is_sequence()) {
-        node.complain("wrong-type", node.what() + " must be a name or [x, y, z]");
+        node.diagnose("wrong-type", node.what() + " must be a name or [x, y, z]");
         return {};
     }
     if (node.is_scalar() && !name) {
@@ -81,7 +81,7 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
     }
     const Target target = this->target(node);
     if (node.is_sequence() && !target.label.empty() && !target.has_height) {
-        node.complain("bad-value", node.what() + " needs a height too: [x, y, z]");
+        node.diagnose("bad-value", node.what() + " needs a height too: [x, y, z]");
     }
     return {target.label, std::nullopt, target.point};
 }
@@ -95,7 +95,7 @@ std::vector<std::string> CampusNames::standing_names() const {
 Target CampusNames::target_at(const CheckedNode& node) const {
     const std::vector<CheckedNode> items = node.items("a coordinate");
     if (items.size() != 2 && items.size() != 3) {
-        node.complain("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
+        node.diagnose("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
         return {};
     }
     std::vector<double> coordinates;
@@ -122,7 +122,7 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
     } else if (spawn != campus_->spawns.end()) {
         target.point = spawn->position;
     } else {
-        complain_unknown(node, name, "place or spawn", standing_names());
+        diagnose_unknown(node, name, "place or spawn", standing_names());
     }
     return target;
 }
@@ -141,7 +141,7 @@ Standing CampusNames::standing(const CheckedNode& node) const {
         return standing;
     }
     if (!node.is_scalar()) {
-        node.complain("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
+        node.diagnose("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
         return standing;
     }
     standing.label = node.line().value_or("");
@@ -150,7 +150,7 @@ Standing CampusNames::standing(const CheckedNode& node) const {
     }
     const auto spawn = std::ranges::find(campus_->spawns, standing.label, &Spawn::name);
     if (spawn == campus_->spawns.end()) {
-        complain_unknown(node, standing.label, "spawn", names_of(campus_->spawns));
+        diagnose_unknown(node, standing.label, "spawn", names_of(campus_->spawns));
         return standing;
     }
     standing.position = spawn->position;
@@ -160,7 +160,7 @@ Standing CampusNames::standing(const CheckedNode& node) const {
 
 void CampusNames::check_layer(const CheckedNode& node, const std::string& layer) const {
     if (campus_ != nullptr && std::ranges::find(campus_->layers, layer) == campus_->layers.end()) {
-        complain_unknown(node, layer, "layer", campus_->layers);
+        diagnose_unknown(node, layer, "layer", campus_->layers);
     }
 }
 

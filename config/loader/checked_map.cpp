@@ -17,7 +17,7 @@ CheckedMap::CheckedMap(const CheckedNode& node, std::string what)
     if (is_map_) {
         entries_ = node.entries();
     } else {
-        node.complain("wrong-type", what_ + " must be a map of keys, as in {key: value}");
+        node.diagnose("wrong-type", what_ + " must be a map of keys, as in {key: value}");
     }
 }
 
@@ -32,7 +32,7 @@ std::optional<CheckedNode> CheckedMap::find(std::string_view key) {
 std::optional<CheckedNode> CheckedMap::require(std::string_view key) {
     std::optional<CheckedNode> found = find(key);
     if (!found && is_map_) {
-        node_.complain("missing-key", what_ + " needs the key " + in_quotes(key));
+        node_.diagnose("missing-key", what_ + " needs the key " + in_quotes(key));
     }
     return found;
 }
@@ -41,10 +41,10 @@ bool CheckedMap::has(std::string_view key) const {
     return std::ranges::find(entries_, key, &CheckedNode::Entry::key) != entries_.end();
 }
 
-void CheckedMap::complain_at(std::string_view key, std::string code, std::string message) const {
+void CheckedMap::diagnose_at(std::string_view key, std::string code, std::string message) const {
     const auto found = std::ranges::find(entries_, key, &CheckedNode::Entry::key);
     const CheckedNode& at = found == entries_.end() ? node_ : found->value;
-    at.complain(std::move(code), std::move(message));
+    at.diagnose(std::move(code), std::move(message));
 }
 
 void CheckedMap::text(std::string_view key, std::string& target) {
@@ -103,9 +103,9 @@ void CheckedMap::refuse_other_keys() const {
             return;
         }
         if (std::ranges::find(asked_, entry.key) == asked_.end()) {
-            add_complaint(node_.diagnostics(), entry.key_mark, "unknown-key",
-                          "unknown key " + in_quotes(entry.key) + " in " + what_ +
-                              suggestion_or_list(entry.key, asked_));
+            add_diagnostic(node_.diagnostics(), entry.key_mark, "unknown-key",
+                           "unknown key " + in_quotes(entry.key) + " in " + what_ +
+                               suggestion_or_list(entry.key, asked_));
         }
     }
 }

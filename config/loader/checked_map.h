@@ -24,11 +24,11 @@ public:
     /// As `find`; complains (missing-key) when it is absent.
     std::optional<CheckedNode> require(std::string_view key);
     bool has(std::string_view key) const;
-    void complain(std::string code, std::string message) const {
-        node_.complain(std::move(code), std::move(message));
+    void diagnose(std::string code, std::string message) const {
+        node_.diagnose(std::move(code), std::move(message));
     }
     /// Complains of the key's value, or of the map when the key is absent.
-    void complain_at(std::string_view key, std::string code, std::string message) const;
+    void diagnose_at(std::string_view key, std::string code, std::string message) const;
 
     void text(std::string_view key, std::string& target);
     void truth(std::string_view key, bool& target);

@@ -35,23 +35,23 @@ std::string_view kind_name(const YamlNode& node) {
 
 }  // namespace
 
-void CheckedNode::complain(std::string code, std::string message) const {
-    add_complaint(*diagnostics_, mark(), std::move(code), std::move(message));
+void CheckedNode::diagnose(std::string code, std::string message) const {
+    add_diagnostic(*diagnostics_, mark(), std::move(code), std::move(message));
 }
 
-void CheckedNode::complain_in_text(std::size_t byte, std::string code, std::string message) const {
+void CheckedNode::diagnose_in_text(std::size_t byte, std::string code, std::string message) const {
     SourceMark at = mark();
     if (node_->text_column > 0) {
         at.column = node_->text_column + static_cast<int>(count_characters(node_->text.substr(0, byte)));
     }
-    add_complaint(*diagnostics_, at, std::move(code), std::move(message));
+    add_diagnostic(*diagnostics_, at, std::move(code), std::move(message));
 }
 
 bool CheckedNode::require_scalar(std::string_view wanted) const {
     if (is_scalar()) {
         return true;
     }
-    complain("wrong-type", is_null() ? what_ + " is empty; it must be " + std::string(wanted)
+    diagnose("wrong-type", is_null() ? what_ + " is empty; it must be " + std::string(wanted)
                                      : what_ + " must be " + std::string(wanted) + ", not " +
                                            std::string(kind_name(*node_)));
     return false;
@@ -62,7 +62,7 @@ std::optional<std::string> CheckedNode::text() const {
         return std::nullopt;
     }
     if (std::ranges::any_of(node_->text, is_control)) {
-        complain("bad-value", what_ + " must not contain control characters");
+        diagnose("bad-value", what_ + " must not contain control characters");
         return std::nullopt;
     }
     return node_->text;
@@ -71,7 +71,7 @@ std::optional<std::string> CheckedNode::text() const {
 std::optional<std::string> CheckedNode::line() const {
     std::optional<std::string> value = text();
     if (value && (value->empty() || value->find_first_of("\n\t") != std::string::npos)) {
-        complain("bad-value", what_ + " must be one line of text and not empty");
+        diagnose("bad-value", what_ + " must be one line of text and not empty");
         return std::nullopt;
     }
     return value;
@@ -82,13 +82,13 @@ std::optional<double> CheckedNode::number(const Range& range) const {
         return std::nullopt;
     }
     if (node_->quoted) {
-        complain("wrong-type",
+        diagnose("wrong-type",
                  what_ + " must be a number; remove the quotes around " + in_quotes(node_->text));
         return std::nullopt;
     }
     const ParsedNumber parsed = parse_number(node_->text, range);
     if (!parsed.code.empty()) {
-        complain(parsed.code, what_ + " " + parsed.message);
+        diagnose(parsed.code, what_ + " " + parsed.message);
         return std::nullopt;
     }
     return parsed.value;
@@ -101,7 +101,7 @@ std::optional<int> CheckedNode::whole_number(int least, int most) const {
     }
     const auto whole = static_cast<int>(*value);
     if (static_cast<double>(whole) != *value) {
-        complain("bad-value", what_ + " must be a whole number, not " + in_quotes(node_->text));
+        diagnose("bad-value", what_ + " must be a whole number, not " + in_quotes(node_->text));
         return std::nullopt;
     }
     return whole;
@@ -115,7 +115,7 @@ std::optional<std::uint64_t> CheckedNode::seed() const {
     }
     constexpr double kHuge = std::numeric_limits<double>::max();
     if (number({-kHuge, kHuge, false, ""})) {
-        complain("bad-value", what_ +
+        diagnose("bad-value", what_ +
                                   " must be a whole number from 0 to 18446744073709551615, written with "
                                   "digits only");
     }
@@ -129,14 +129,14 @@ std::optional<bool> CheckedNode::truth() const {
     if (!node_->quoted && (node_->text == "true" || node_->text == "false")) {
         return node_->text == "true";
     }
-    complain("wrong-type", what_ + " must be true or false, not " + in_quotes(node_->text) +
+    diagnose("wrong-type", what_ + " must be true or false, not " + in_quotes(node_->text) +
                                (node_->quoted ? " in quotes" : ""));
     return std::nullopt;
 }
 
 std::optional<Eigen::Vector3d> CheckedNode::vector(const Range& range) const {
     if (!is_sequence() || node_->items.size() != 3) {
-        complain("wrong-type", what_ + " must be three numbers, as in [0, 1.5, -2]");
+        diagnose("wrong-type", what_ + " must be three numbers, as in [0, 1.5, -2]");
         return std::nullopt;
     }
     Eigen::Vector3d value = Eigen::Vector3d::Zero();
@@ -155,7 +155,7 @@ std::optional<std::size_t> CheckedNode::one_of(const std::vector<std::string>& n
     }
     const auto found = std::ranges::find(names, node_->text);
     if (found == names.end()) {
-        complain("bad-value", what_ + " must be one of " + listed(names) + ", not " + in_quotes(node_->text) +
+        diagnose("bad-value", what_ + " must be one of " + listed(names) + ", not " + in_quotes(node_->text) +
                                   suggestion(node_->text, names));
         return std::nullopt;
     }
@@ -165,7 +165,7 @@ std::optional<std::size_t> CheckedNode::one_of(const std::vector<std::string>& n
 std::vector<CheckedNode> CheckedNode::items(const std::string& what) const {
     std::vector<CheckedNode> nodes;
     if (!is_sequence() && !is_null()) {
-        complain("wrong-type", what_ + " must be a list, not " + std::string(kind_name(*node_)));
+        diagnose("wrong-type", what_ + " must be a list, not " + std::string(kind_name(*node_)));
     }
     for (const auto& item : node_->items) {
         nodes.push_back(child(*item, what));
@@ -178,7 +178,7 @@ std::vector<CheckedNode> CheckedNode::items_or_one(const std::string& what) cons
         return {child(*node_, what)};
     }
     if (is_map()) {
-        complain("wrong-type", what_ + " must be a single value or a list, not a map of keys");
+        diagnose("wrong-type", what_ + " must be a single value or a list, not a map of keys");
         return {};
     }
     return items(what);
@@ -187,7 +187,7 @@ std::vector<CheckedNode> CheckedNode::items_or_one(const std::string& what) cons
 std::vector<CheckedNode::Entry> CheckedNode::entries() const {
     std::vector<Entry> list;
     if (!is_map() && !is_null()) {
-        complain("wrong-type", what_ + " must be a map of keys, not " + std::string(kind_name(*node_)));
+        diagnose("wrong-type", what_ + " must be a map of keys, not " + std::string(kind_name(*node_)));
     }
     for (const YamlNode::Entry& entry : node_->entries) {
         list.push_back({entry.key, SourceMark{*file_, entry.line, entry.column},

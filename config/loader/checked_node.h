@@ -23,7 +23,7 @@ struct Choice {
     Value value{};
 };
 
-/// A node together with where its complaints go. Every reader below either gives a value that holds or has
+/// A node together with where its diagnostics go. Every reader below either gives a value that holds or has
 /// complained (wrong-type, bad-value) at the node's line and column; nobody needs to check twice.
 /// Copies are cheap; they must not outlive the YamlFile they come from.
 class CheckedNode {
@@ -37,9 +37,9 @@ public:
     const YamlNode& node() const { return *node_; }
     const std::string& file() const { return *file_; }
     scene::SourceMark mark() const { return {*file_, node_->line, node_->column}; }
-    void complain(std::string code, std::string message) const;
+    void diagnose(std::string code, std::string message) const;
     /// At a byte of its text where that can be told, otherwise at its start.
-    void complain_in_text(std::size_t byte, std::string code, std::string message) const;
+    void diagnose_in_text(std::size_t byte, std::string code, std::string message) const;
     scene::DiagnosticList& diagnostics() const { return *diagnostics_; }
 
     bool is_null() const { return node_->kind == YamlNode::Kind::null; }

@@ -6,16 +6,16 @@ namespace campuswalk::config {
 
 namespace {
 
-constexpr std::size_t kMostComplaints = 200;
+constexpr std::size_t kMaxDiagnostics = 200;
 
 }  // namespace
 
 bool is_full(const scene::DiagnosticList& diagnostics) {
-    return diagnostics.all().size() >= kMostComplaints;
+    return diagnostics.all().size() >= kMaxDiagnostics;
 }
 
-void add_complaint(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
-                   std::string message) {
+void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
+                    std::string message) {
     if (is_full(diagnostics)) {
         return;
     }
@@ -23,7 +23,7 @@ void add_complaint(scene::DiagnosticList& diagnostics, const scene::SourceMark& 
     if (is_full(diagnostics)) {
         diagnostics.error(
             {mark.file, 0, 0}, "too-many",
-            "there are more mistakes than " + std::to_string(kMostComplaints) + "; these are the first");
+            "there are more mistakes than " + std::to_string(kMaxDiagnostics) + "; these are the first");
     }
 }
 

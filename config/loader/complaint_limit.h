@@ -10,9 +10,9 @@ namespace campuswalk::config {
 /// mistakes.
 bool is_full(const scene::DiagnosticList& diagnostics);
 
-/// Adds the complaint unless the list is full; the one that fills it is followed by a word on that
+/// Adds the diagnostic unless the list is full; the one that fills it is followed by a word on that
 /// (too-many).
-void add_complaint(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
-                   std::string message);
+void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
+                    std::string message);
 
 }  // namespace campuswalk::config

@@ -83,7 +83,7 @@ engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& fol
         return named_light(node, folder, more);
     }
     if (!node.is_map()) {
-        node.complain("wrong-type", "'light' must be a profile's name or {profile: NAME, …}");
+        node.diagnose("wrong-type", "'light' must be a profile's name or {profile: NAME, …}");
         return {};
     }
     CheckedMap map(node, "'light'");
@@ -193,7 +193,7 @@ private:
             return named_avatar(node, folder);
         }
         if (!node.is_map()) {
-            node.complain("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
+            node.diagnose("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
             return {};
         }
         CheckedMap map(node, "'avatar'");

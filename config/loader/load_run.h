@@ -57,7 +57,7 @@ public:
 
 private:
     SearchPaths search_;
-    CampusDescriptions campuses_;  ///< by path as complaints show it
+    CampusDescriptions campuses_;  ///< by path as diagnostics show it
 };
 
 /// Reads `NAME.campus.yaml` alone.
@@ -66,7 +66,7 @@ scene::CampusDescription load_campus_description(const std::filesystem::path& ca
 /// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
 std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file);
 
-/// Reads a camera's keys as they stand in a walk, `{view: orbit, around: library}`; complaints are of
+/// Reads a camera's keys as they stand in a walk, `{view: orbit, around: library}`; diagnostics are of
 /// `asked_by`. What isn't written is as in `camera`.
 engine::CameraSettings read_camera_text(const std::string& text, const std::string& asked_by,
                                         const scene::CampusDescription& campus,
@@ -79,7 +79,7 @@ engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
 engine::LightSettings load_light(const std::filesystem::path& light_file);
 
 /// Reads a light as it may stand in a walk: a profile's name or `{profile: night, shadows: false}`. Profiles
-/// are looked for near `folder`; complaints are of `asked_by`.
+/// are looked for near `folder`; diagnostics are of `asked_by`.
 engine::LightSettings read_light_text(const std::string& text, const std::string& asked_by,
                                       const std::filesystem::path& folder, const SearchPaths& search);
 

@@ -30,7 +30,7 @@ std::optional<std::string> checked(const CheckedNode& node, bool (*holds)(std::s
                                    const char* form) {
     std::optional<std::string> name = node.line();
     if (name && (name->size() > kLongestName || !holds(*name))) {
-        node.complain("bad-value", node.what() + " must be " + form + ", not " + in_quotes(*name));
+        node.diagnose("bad-value", node.what() + " must be " + form + ", not " + in_quotes(*name));
         return std::nullopt;
     }
     return name;
@@ -48,8 +48,8 @@ std::optional<std::string> kebab_path(const CheckedNode& node) {
 
 void check_kebab_key(const CheckedNode::Entry& entry) {
     if (entry.key.size() > kLongestName || !is_kebab(entry.key)) {
-        add_complaint(entry.value.diagnostics(), entry.key_mark, "bad-value",
-                      "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
+        add_diagnostic(entry.value.diagnostics(), entry.key_mark, "bad-value",
+                       "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
     }
 }
 
@@ -70,7 +70,7 @@ void UniqueNames::add(const std::string& name, const CheckedNode& at) {
     const auto [earlier, fresh] = marks_.emplace(name, at.mark());
     if (!fresh) {
         const scene::SourceMark& mark = earlier->second;
-        at.complain("duplicate-name",
+        at.diagnose("duplicate-name",
                     "the " + thing_ + " " + in_quotes(name) + " stands on line " + std::to_string(mark.line) +
                         (mark.file == at.mark().file ? "" : " of " + mark.file) + " already");
     }

@@ -11,7 +11,7 @@ namespace campuswalk::config {
 /// A value that another file gives in the place of a walk's own; none when `node` is null.
 struct Override {
     std::shared_ptr<const YamlNode> node;
-    std::string file;              ///< as complaints show it
+    std::string file;              ///< as diagnostics show it
     std::filesystem::path folder;  ///< what the file's paths are relative to
 
     explicit operator bool() const { return node != nullptr; }

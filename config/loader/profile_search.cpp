@@ -53,7 +53,7 @@ std::optional<fs::path> find_profile(const ProfileKind& kind, const CheckedNode&
             return file;
         }
     }
-    node.complain("unknown-name", "there is no " + name + kind.suffix + " in '" + kind.folder +
+    node.diagnose("unknown-name", "there is no " + name + kind.suffix + " in '" + kind.folder +
                                       "' or 'config/" + kind.folder +
                                       "' beside the walk, above it or with the program" +
                                       suggestion_or_list(name, known_profiles(kind, folders)));

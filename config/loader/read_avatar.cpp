@@ -22,17 +22,17 @@ constexpr Range kLookDistance{0.0, 10'000.0, false, "m"};
 /// Only what goes together wrongly; each number for itself has been checked.
 void check_body(const CheckedMap& map, const AvatarProfile& profile) {
     if (profile.height < 2.0 * profile.radius) {
-        map.complain_at(map.has("height") ? "height" : "radius", "bad-value",
+        map.diagnose_at(map.has("height") ? "height" : "radius", "bad-value",
                         "the body is a capsule: its height of " + shown_number(profile.height) +
                             " m must be at least twice its radius of " + shown_number(profile.radius) + " m");
     }
     if (profile.eye_height > profile.height) {
-        map.complain_at(map.has("eye_height") ? "eye_height" : "height", "bad-value",
+        map.diagnose_at(map.has("eye_height") ? "eye_height" : "height", "bad-value",
                         "'eye_height' of " + shown_number(profile.eye_height) +
                             " m must not be above the height of " + shown_number(profile.height) + " m");
     }
     if (profile.step_height > 0.5 * profile.height) {
-        map.complain_at(map.has("step_height") ? "step_height" : "height", "bad-value",
+        map.diagnose_at(map.has("step_height") ? "step_height" : "height", "bad-value",
                         "'step_height' of " + shown_number(profile.step_height) +
                             " m must be at most half the height of " + shown_number(profile.height) + " m");
     }

@@ -26,7 +26,7 @@ void read_direction(CheckedMap& map, const CampusNames& names, CameraSettings& c
     const auto yaw = angle(map, "yaw_deg", kYaw);
     const auto pitch = angle(map, "pitch_deg", kPitch);
     if (look_at && (yaw || pitch)) {
-        look_at->complain("bad-value",
+        look_at->diagnose("bad-value",
                           "'look_at' gives the direction, and so do 'yaw_deg' and 'pitch_deg'; "
                           "leave one of them out");
         return;
@@ -65,12 +65,12 @@ void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraSetting
     read_direction(map, names, camera);
 }
 
-engine::PictureChannels read_channels(const CheckedNode& node) {
-    using Channel = bool engine::PictureChannels::*;
-    constexpr std::array kChannels = {Choice<Channel>{"depth", &engine::PictureChannels::depth},
-                                      Choice<Channel>{"ids", &engine::PictureChannels::ids},
-                                      Choice<Channel>{"normals", &engine::PictureChannels::normals}};
-    engine::PictureChannels channels;
+engine::ImageChannels read_channels(const CheckedNode& node) {
+    using Channel = bool engine::ImageChannels::*;
+    constexpr std::array kChannels = {Choice<Channel>{"depth", &engine::ImageChannels::depth},
+                                      Choice<Channel>{"ids", &engine::ImageChannels::ids},
+                                      Choice<Channel>{"normals", &engine::ImageChannels::normals}};
+    engine::ImageChannels channels;
     for (const CheckedNode& item : node.items_or_one("a channel")) {
         if (const auto channel = item.choice(kChannels)) {
             channels.** channel = true;
@@ -79,8 +79,8 @@ engine::PictureChannels read_channels(const CheckedNode& node) {
     return channels;
 }
 
-void read_overlays(const CheckedNode& node, engine::PictureOverlays& overlays) {
-    using Overlays = engine::PictureOverlays;
+void read_overlays(const CheckedNode& node, engine::ImageOverlays& overlays) {
+    using Overlays = engine::ImageOverlays;
     using Overlay = bool Overlays::*;
     constexpr std::array kOverlays = {
         Choice<Overlay>{"path", &Overlays::path},           Choice<Overlay>{"contacts", &Overlays::contacts},

@@ -11,9 +11,9 @@ namespace campuswalk::config {
 void read_camera_fields(CheckedMap& map, const CampusNames& names, engine::CameraSettings& camera);
 
 /// `channels`: one of depth, ids and normals, or a list of them.
-engine::PictureChannels read_channels(const CheckedNode& node);
+engine::ImageChannels read_channels(const CheckedNode& node);
 
 /// `overlays`: one of path, contacts, colliders, triggers, labels and compass, or a list of them.
-void read_overlays(const CheckedNode& node, engine::PictureOverlays& overlays);
+void read_overlays(const CheckedNode& node, engine::ImageOverlays& overlays);
 
 }  // namespace campuswalk::config

@@ -95,7 +95,7 @@ std::vector<SceneFile> read_scenes(const CheckedNode& section, const std::filesy
         scenes.push_back(read_scene(node, folder));
     }
     if (scenes.empty() && (section.is_sequence() || section.is_null())) {
-        section.complain("bad-value", "'scenes' needs at least one model file");
+        section.diagnose("bad-value", "'scenes' needs at least one model file");
     }
     return scenes;
 }

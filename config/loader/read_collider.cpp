@@ -46,7 +46,7 @@ ShapeDescription read_capsule(CheckedMap& map) {
     map.number("radius", kLength, capsule.radius);
     map.number("height", kLength, capsule.height);
     if (capsule.radius && capsule.height && *capsule.height < 2.0 * *capsule.radius) {
-        map.complain_at("height", "bad-value",
+        map.diagnose_at("height", "bad-value",
                         "'height' is the capsule's total height, at least twice its radius of " +
                             shown_number(*capsule.radius) + " m");
     }
@@ -62,7 +62,7 @@ Eigen::Vector3d read_axis(const CheckedNode& node) {
     }
     const Eigen::Vector3d axis = node.vector(kCoordinate).value_or(Eigen::Vector3d::UnitX());
     if (axis.norm() < 1e-6) {
-        node.complain("bad-value", "'axis' must have a direction, not [0, 0, 0]");
+        node.diagnose("bad-value", "'axis' must have a direction, not [0, 0, 0]");
         return Eigen::Vector3d::UnitX();
     }
     return axis.normalized();
@@ -106,7 +106,7 @@ DetectionModes read_modes(const CheckedNode& node) {
         }
     }
     if (words.empty() && (node.is_sequence() || node.is_null())) {
-        node.complain("bad-value", "'mode' must be solid, trigger or ray, or a list of them");
+        node.diagnose("bad-value", "'mode' must be solid, trigger or ray, or a list of them");
     }
     return modes;
 }
@@ -115,7 +115,7 @@ DetectionModes read_modes(const CheckedNode& node) {
 std::string known_name(const CheckedNode& node, const std::vector<std::string>& known, const char* section) {
     const std::optional<std::string> name = node.line();
     if (name && std::ranges::find(known, *name) == known.end()) {
-        node.complain("unknown-name",
+        node.diagnose("unknown-name",
                       in_quotes(*name) + " is not in '" + section + "'" + suggestion_or_list(*name, known));
         return "";
     }
@@ -157,7 +157,7 @@ ColliderDescription read_collider(const CheckedNode& node, const CampusDescripti
     }
     read_popup_rule(map, collider.popup, collider.popup_rule);
     if (collider.popup && !map.has("building")) {
-        map.complain_at("popup", "missing-key", "a collider with a pop-up needs the key 'building'");
+        map.diagnose_at("popup", "missing-key", "a collider with a pop-up needs the key 'building'");
     }
     if (const auto nodes = map.find("nodes")) {
         collider.nodes = node_globs(*nodes);

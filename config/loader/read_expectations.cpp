@@ -86,7 +86,7 @@ std::optional<PlainExpectation> read_word(const CheckedNode& node, const CampusN
 
 void refuse_in_step(const CheckedNode& node, const Place& place, std::string_view key) {
     if (place.in_step) {
-        node.complain("bad-value", in_quotes(std::string(key)) +
+        node.diagnose("bad-value", in_quotes(std::string(key)) +
                                        " can only be judged after the walk: put it below its 'expect'");
     }
 }
@@ -148,7 +148,7 @@ std::vector<Expectation> read_step_expectations(const CheckedNode& node, const C
     }
     const std::vector<CheckedNode> nodes = node.items("an expectation");
     if (nodes.empty()) {
-        node.complain("bad-value", "'expect' needs at least one expectation");
+        node.diagnose("bad-value", "'expect' needs at least one expectation");
     }
     return read_all(nodes, {names, true});
 }

@@ -25,7 +25,7 @@ std::optional<PixelBox> read_mask(const CheckedNode& node) {
     const std::vector<CheckedNode> items = node.items("a number of a mask");
     std::array<int, 4> numbers{};
     if (node.is_sequence() && items.size() != numbers.size()) {
-        node.complain("bad-value", "a mask is [x, y, width, height] in pixels");
+        node.diagnose("bad-value", "a mask is [x, y, width, height] in pixels");
         return std::nullopt;
     }
     for (std::size_t i = 0; i < items.size(); ++i) {

@@ -64,7 +64,7 @@ void read_light_fields(CheckedMap& map, LightSettings& light) {
     if (const auto shadows = map.find("shadows")) {
         light.shadows = shadows->truth();
     }
-    map.number("contact_shading", kReach, light.contact_shading);
+    map.number("contact_shading", kReach, light.ambient_occlusion);
     if (const auto smoothing = map.find("anti_aliasing")) {
         light.anti_aliasing = smoothing->choice(kAntiAliasing);
     }

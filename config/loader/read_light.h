@@ -6,7 +6,7 @@
 namespace campuswalk::config {
 
 /// Sets the fields of `light` whose keys stand in the map: sun, sky, ground_light, room_light, fog_distance,
-/// shadows, contact_shading, anti_aliasing.
+/// shadows, ambient_occlusion, anti_aliasing.
 void read_light_fields(CheckedMap& map, engine::LightSettings& light);
 
 }  // namespace campuswalk::config

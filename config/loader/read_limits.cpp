@@ -22,10 +22,10 @@ void read_all(CheckedMap& map, std::string_view what, const Read& read, Limits<N
     read_one("at_least", limits.at_least);
     read_one("at_most", limits.at_most);
     if (map.is_map() && !map.has("equals") && !map.has("at_least") && !map.has("at_most")) {
-        map.complain("missing-key", std::string(what) + " needs one of equals, at_least, at_most");
+        map.diagnose("missing-key", std::string(what) + " needs one of equals, at_least, at_most");
     }
     if (limits.at_least && limits.at_most && *limits.at_least > *limits.at_most) {
-        map.complain_at("at_most", "bad-value", "'at_most' is less than 'at_least'");
+        map.diagnose_at("at_most", "bad-value", "'at_most' is less than 'at_least'");
     }
 }
 

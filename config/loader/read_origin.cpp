@@ -17,7 +17,7 @@ void read_at(const CheckedNode& node, CampusOrigin& origin) {
     }
     origin.near = node.line() == "near";
     if (!origin.near) {
-        node.complain("bad-value", "'at' must be near, or three numbers, as in [84000, 0, -447000]");
+        node.diagnose("bad-value", "'at' must be near, or three numbers, as in [84000, 0, -447000]");
     }
 }
 

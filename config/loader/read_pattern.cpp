@@ -19,13 +19,13 @@ engine::EventPattern read_pattern(const CheckedNode& node) {
     }
     words >> pattern.object;
     if (std::string more; words >> more) {
-        node.complain("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; " +
+        node.diagnose("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; " +
                                        in_quotes(more) + " is too much");
     }
     const std::vector<std::string> kinds = engine::event_kind_names();
     const auto known = [&](const std::string& kind) { return scene::glob_matches(pattern.kind, kind); };
     if (std::ranges::none_of(kinds, known)) {
-        node.complain("unknown-name", "no event is called " + in_quotes(pattern.kind) +
+        node.diagnose("unknown-name", "no event is called " + in_quotes(pattern.kind) +
                                           suggestion_or_list(pattern.kind, kinds));
     }
     return pattern;

@@ -15,12 +15,12 @@ void check_variables(const CheckedNode& node, const std::string& text,
                      const std::vector<std::string>& known) {
     const auto parts = engine::text_parts(text);
     if (!parts) {
-        node.complain("bad-value", node.what() + " has a '{' that is not closed; write '{{' for a brace");
+        node.diagnose("bad-value", node.what() + " has a '{' that is not closed; write '{{' for a brace");
         return;
     }
     for (const engine::TextPart& part : *parts) {
         if (part.is_variable && std::ranges::find(known, part.text) == known.end()) {
-            node.complain_in_text(part.at, "unknown-name",
+            node.diagnose_in_text(part.at, "unknown-name",
                                   node.what() + " can't say " + in_quotes("{" + part.text + "}") +
                                       suggestion_or_list(part.text, known));
         }

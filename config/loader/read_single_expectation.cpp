@@ -42,7 +42,7 @@ PlainExpectation read_sequence(const CheckedNode& node, const CampusNames& /*nam
         sequence.events.push_back(read_pattern(item));
     }
     if (sequence.events.empty() && (node.is_sequence() || node.is_null())) {
-        node.complain("bad-value", "'sequence' needs at least one event");
+        node.diagnose("bad-value", "'sequence' needs at least one event");
     }
     return sequence;
 }
@@ -104,7 +104,7 @@ PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names
             visits.buildings.push_back(read_name(item));
         }
         if (visits.buildings.empty() && (list.is_sequence() || list.is_null())) {
-            list.complain("bad-value", list.what() + " needs at least one building");
+            list.diagnose("bad-value", list.what() + " needs at least one building");
         }
     };
     if (!node.is_map()) {
@@ -119,7 +119,7 @@ PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names
     }
     map.number("ratio", kRatio, visits.ratio);
     if (!map.has("buildings") && !map.has("ratio")) {
-        map.complain("missing-key", "'visits' needs buildings, a ratio, or both");
+        map.diagnose("missing-key", "'visits' needs buildings, a ratio, or both");
     }
     map.refuse_other_keys();
     return visits;
@@ -220,7 +220,7 @@ PlainExpectation read_stuck(const CheckedNode& node, const CampusNames& /*names*
 
 PlainExpectation read_fell(const CheckedNode& node, const CampusNames& /*names*/) {
     if (!node.is_null()) {
-        node.complain("wrong-type", "'fell' takes no value");
+        node.diagnose("wrong-type", "'fell' takes no value");
     }
     return ExpectFell{node.mark()};
 }

@@ -24,8 +24,8 @@ constexpr double kJumpHeight = 0.4;     // metres: an untrained adult from stand
 constexpr double kCrouchedShare = 0.6;  // of the full height
 
 /// The keys that steps with a way have in common.
-template <typename Way>
-void read_way(CheckedMap& map, Way& step) {
+template <typename MotionClearance>
+void read_way(CheckedMap& map, MotionClearance& step) {
     constexpr std::array kIfBlocked = {Choice<IfBlocked>{"fail", IfBlocked::fail},
                                        Choice<IfBlocked>{"continue", IfBlocked::proceed}};
     map.number("within", kDistance, step.within);
@@ -41,7 +41,7 @@ std::vector<Target> read_points(const CheckedNode& node, const StepContext& cont
         points.push_back(context.names.target(item));
     }
     if (points.empty() && (node.is_sequence() || node.is_null())) {
-        node.complain("bad-value", node.what() + " needs at least one point");
+        node.diagnose("bad-value", node.what() + " needs at least one point");
     }
     return points;
 }
@@ -61,7 +61,7 @@ Step read_switched(const CheckedNode& node, bool enabled) {
         }
     }
     if (step.objects.empty() && (node.is_sequence() || node.is_null())) {
-        node.complain("bad-value", node.what() + " needs at least one object's id");
+        node.diagnose("bad-value", node.what() + " needs at least one object's id");
     }
     return step;
 }
@@ -72,7 +72,7 @@ Step read_switched(const CheckedNode& node, bool enabled) {
 
 Step read_spawn(const CheckedNode& node, StepContext& context) {
     if (!context.first) {
-        node.complain("bad-value", "'spawn' can only be the first step; later it is 'teleport'");
+        node.diagnose("bad-value", "'spawn' can only be the first step; later it is 'teleport'");
     }
     const Standing standing = context.names.standing(node);
     return SpawnStep{node.mark(), standing.label, standing.position, standing.yaw.value_or(0.0)};
@@ -139,7 +139,7 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
     step.mark = node.mark();
     step.camera = context.camera;
     if (context.repeats > 0) {
-        node.complain("bad-value",
+        node.diagnose("bad-value",
                       "a snapshot can't stand in 'repeat': every round would write the same picture");
     }
     const auto take_name = [&](const CheckedNode& name) {
@@ -194,7 +194,7 @@ Step read_jump(const CheckedNode& node, StepContext& /*context*/) {
     }
     map.number("speed", kPace, step.speed);
     if (map.has("height") && map.has("speed")) {
-        map.complain_at("speed", "bad-value", "'jump' takes 'height' or 'speed', not both");
+        map.diagnose_at("speed", "bad-value", "'jump' takes 'height' or 'speed', not both");
     }
     map.number("forward", kForward, step.forward);
     map.refuse_other_keys();

@@ -25,7 +25,7 @@ std::vector<std::string> read_codes(const CheckedNode& node) {
         }
     }
     if (items.empty() && (node.is_sequence() || node.is_null())) {
-        node.complain("bad-value", "'failures' needs at least one; leave it out if any will do");
+        node.diagnose("bad-value", "'failures' needs at least one; leave it out if any will do");
     }
     return codes;
 }
@@ -48,7 +48,7 @@ WalkStatus read_status(const CheckedNode& node) {
     if (const auto failures = map.find("failures")) {
         status.codes = read_codes(*failures);
         if (status.kind != Kind::xfail) {
-            map.complain_at("failures", "bad-value", "'failures' are for walks that are xfail");
+            map.diagnose_at("failures", "bad-value", "'failures' are for walks that are xfail");
         }
     }
     map.refuse_other_keys();

@@ -31,7 +31,7 @@ bool count_steps(std::size_t more, const CheckedNode& at, StepContext& context) 
     if (context.read <= kMostSteps) {
         return true;
     }
-    at.complain("too-many-steps", "with 'repeat' and 'include' the walk has more than " +
+    at.diagnose("too-many-steps", "with 'repeat' and 'include' the walk has more than " +
                                       std::to_string(kMostSteps) + " steps");
     return false;
 }
@@ -64,11 +64,11 @@ bool same_file(const fs::path& a, const fs::path& b) {
 /// Whether the file may be opened from the one that is being read.
 bool may_include(const CheckedNode& node, const fs::path& path, const StepContext& context) {
     if (std::ranges::any_of(context.files, [&](const fs::path& open) { return same_file(open, path); })) {
-        node.complain("include-cycle", shown_path(path) + " includes itself, by way of this line");
+        node.diagnose("include-cycle", shown_path(path) + " includes itself, by way of this line");
         return false;
     }
     if (context.files.size() > kMostDeep) {
-        node.complain("include-depth", "files include each other more than " + std::to_string(kMostDeep) +
+        node.diagnose("include-depth", "files include each other more than " + std::to_string(kMostDeep) +
                                            " deep; put the steps into fewer files");
         return false;
     }
@@ -132,7 +132,7 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
         const bool known_as_first = context.first;
         if (const auto step = single_key(node, "a step", kSteps)) {
             if (known_as_first && step->meaning != kSteps.front().value) {
-                node.complain("bad-value", "the first step must be 'spawn', as in 'spawn: main-gate'");
+                node.diagnose("bad-value", "the first step must be 'spawn', as in 'spawn: main-gate'");
                 context.first = false;
             }
             if (!count_steps(1, node, context)) {
@@ -143,7 +143,7 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
         context.first = false;
     }
     if (nodes.empty() && (section.is_sequence() || section.is_null())) {
-        section.complain("bad-value", context.first ? "'steps' needs at least a spawn"
+        section.diagnose("bad-value", context.first ? "'steps' needs at least a spawn"
                                                     : "'steps' needs at least one step");
     }
 }

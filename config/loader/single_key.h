@@ -26,13 +26,13 @@ template <typename Meaning, std::size_t count>
 std::optional<SingleKey<Meaning>> single_key(const CheckedNode& node, const std::string& what,
                                              const std::array<Choice<Meaning>, count>& choices) {
     if (!node.is_map()) {
-        node.complain("wrong-type", what + " must be a key with a value, as in '" +
+        node.diagnose("wrong-type", what + " must be a key with a value, as in '" +
                                         std::string(choices.front().name) + ": …'");
         return std::nullopt;
     }
     const std::vector<CheckedNode::Entry> entries = node.entries();
     if (entries.size() != 1) {
-        node.complain("bad-value", entries.empty()
+        node.diagnose("bad-value", entries.empty()
                                        ? what + " is empty"
                                        : what + " has one key; start " + in_quotes(entries[1].key) +
                                              " on a line of its own with '- '");
@@ -45,9 +45,9 @@ std::optional<SingleKey<Meaning>> single_key(const CheckedNode& node, const std:
         }
         known.emplace_back(choice.name);
     }
-    add_complaint(node.diagnostics(), entries.front().key_mark, "unknown-key",
-                  "unknown key " + in_quotes(entries.front().key) + " for " + what +
-                      suggestion_or_list(entries.front().key, known));
+    add_diagnostic(node.diagnostics(), entries.front().key_mark, "unknown-key",
+                   "unknown key " + in_quotes(entries.front().key) + " for " + what +
+                       suggestion_or_list(entries.front().key, known));
     return std::nullopt;
 }
 

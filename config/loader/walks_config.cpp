@@ -80,7 +80,7 @@ private:
         const std::vector<CheckedNode::Entry> entries =
             node.is_map() ? node.entries() : std::vector<CheckedNode::Entry>();
         if (entries.size() != 1) {
-            node.complain("wrong-type", "a reporter must be a name or {NAME: FILE}");
+            node.diagnose("wrong-type", "a reporter must be a name or {NAME: FILE}");
             return;
         }
         reporters.push_back({entries.front().key_mark, entries.front().key, path(entries.front().value)});

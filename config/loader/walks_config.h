@@ -50,7 +50,7 @@ struct WalksConfig {
     std::optional<double> timeout;     ///< simulated seconds, for walks without their own
     std::optional<double> kill_after;  ///< seconds of wall clock a walk may take
     bool forbid_only = false;
-    engine::ToleranceChanges snapshots;   ///< for pictures that are compared
+    engine::ToleranceChanges snapshots;   ///< for images that are compared
     std::vector<ProjectConfig> projects;  ///< in the order of their names
 };
 

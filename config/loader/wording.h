@@ -6,7 +6,7 @@
 
 namespace campuswalk::config {
 
-// How complaints quote what the user wrote.
+// How diagnostics quote what the user wrote.
 
 /// 'word', on one line and cut short when long.
 std::string in_quotes(std::string_view text);

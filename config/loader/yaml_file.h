@@ -12,7 +12,7 @@ namespace campuswalk::config {
 class YamlFile {
 public:
     /// Reads and parses `NAME.walk.yaml` for the suffix ".walk.yaml"; null after complaining. `asked_at` is
-    /// where another file names this one ({file, 0, 0} when the user did); complaints about the name
+    /// where another file names this one ({file, 0, 0} when the user did); diagnostics about the name
     /// (file-name) go there.
     static std::unique_ptr<YamlFile> open(const std::filesystem::path& path, const std::string& suffix,
                                           const scene::SourceMark& asked_at,

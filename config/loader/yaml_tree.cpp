@@ -131,8 +131,8 @@ private:
 
     void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
         if (tag != "?" && tag != "!" && !tag.empty()) {
-            add_complaint(diagnostics_, mark_at(positions_.of(mark.pos)), "wrong-type",
-                          "tags are not used here; remove the word with the '!'");
+            add_diagnostic(diagnostics_, mark_at(positions_.of(mark.pos)), "wrong-type",
+                           "tags are not used here; remove the word with the '!'");
         }
     }
 
@@ -187,15 +187,15 @@ private:
 
     Key as_key(Open& map, const YamlNode& node, const TextPosition& at) {
         if (node.kind != YamlNode::Kind::scalar) {
-            add_complaint(diagnostics_, mark_at(at), "wrong-type",
-                          "a key must be a word, as in 'title: Library'");
+            add_diagnostic(diagnostics_, mark_at(at), "wrong-type",
+                           "a key must be a word, as in 'title: Library'");
             return {"", at, false};
         }
         const auto [earlier, fresh] = map.lines.emplace(node.text, at.line);
         if (!fresh) {
-            add_complaint(diagnostics_, mark_at(at), "duplicate-key",
-                          "key " + in_quotes(node.text) + " was given on line " +
-                              std::to_string(earlier->second) + " already; remove one of the two");
+            add_diagnostic(diagnostics_, mark_at(at), "duplicate-key",
+                           "key " + in_quotes(node.text) + " was given on line " +
+                               std::to_string(earlier->second) + " already; remove one of the two");
         }
         return {node.text, at, fresh};
     }
@@ -226,9 +226,9 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::s
                                            DiagnosticList& diagnostics) {
     const TextPositions positions(text);
     TreeBuilder builder(text, positions, file, diagnostics);
-    const auto complain = [&](const YAML::Mark& mark, const char* code, const std::string& message) {
+    const auto diagnose = [&](const YAML::Mark& mark, const char* code, const std::string& message) {
         const TextPosition at = mark.is_null() ? TextPosition{} : positions.of(mark.pos);
-        add_complaint(diagnostics, {file, at.line, at.column}, code, message);
+        add_diagnostic(diagnostics, {file, at.line, at.column}, code, message);
         return nullptr;
     };
     try {
@@ -240,12 +240,12 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::s
         if (is_full(diagnostics)) {
             return nullptr;
         }
-        return complain(refusal.mark, refusal.code, refusal.message);
+        return diagnose(refusal.mark, refusal.code, refusal.message);
     } catch (const YAML::Exception& error) {
         const bool bracket =
             error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW || error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW;
         const YAML::Mark mark = bracket ? builder.innermost_start().value_or(error.mark) : error.mark;
-        return complain(mark, "yaml-syntax", explained(error.msg));
+        return diagnose(mark, "yaml-syntax", explained(error.msg));
     }
     if (!builder.root || builder.root->kind == YamlNode::Kind::null) {
         diagnostics.error({file, 0, 0}, "empty-file", "there is nothing in this file but comments or spaces");

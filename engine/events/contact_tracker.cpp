@@ -8,7 +8,7 @@ bool ContactTracker::active(collision::ObjectId object) const {
     return std::ranges::binary_search(active_, object, {}, &Contact::object);
 }
 
-void ContactTracker::update(Tick tick, const std::vector<Sighting>& seen, std::vector<Transition>& out) {
+void ContactTracker::update(Tick tick, const std::vector<ObjectOverlap>& seen, std::vector<Transition>& out) {
     // One merge of two lists in ascending order.
     next_.clear();
     auto old = active_.begin();
@@ -17,7 +17,7 @@ void ContactTracker::update(Tick tick, const std::vector<Sighting>& seen, std::v
             out.push_back({old->object, Phase::exit, 1.0, tick - old->since});
         }
     };
-    for (const Sighting& s : seen) {
+    for (const ObjectOverlap& s : seen) {
         drop_before([&](const Contact& c) { return c.object >= s.object; });
         if (old != active_.end() && old->object == s.object) {
             const Tick ticks = tick - old->since;

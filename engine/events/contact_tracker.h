@@ -8,7 +8,7 @@
 namespace campuswalk::engine {
 
 /// What one detection strategy sees of an object in one tick.
-struct Sighting {
+struct ObjectOverlap {
     collision::ObjectId object{};
     bool present = true;    ///< at the end of the tick
     bool met = false;       ///< at some moment of the tick; tells a transit from an absence
@@ -37,7 +37,7 @@ public:
 
     /// `seen` is ascending by object. Objects that are active and not in it exit at the tick's end.
     /// Appends what changed; the caller orders transitions of several strategies.
-    void update(Tick tick, const std::vector<Sighting>& seen, std::vector<Transition>& out);
+    void update(Tick tick, const std::vector<ObjectOverlap>& seen, std::vector<Transition>& out);
 
     /// Everything exits: the avatar was put elsewhere, or the walk ended.
     void leave_all(Tick tick, std::vector<Transition>& out);

@@ -4,11 +4,11 @@
 
 namespace campuswalk::engine {
 
-void GazeMemory::advance(Tick tick) {
+void GazeTracker::advance(Tick tick) {
     std::erase_if(looks_, [&](const Look& look) { return tick - look.last >= hold_; });
 }
 
-void GazeMemory::meet(Tick tick, collision::ObjectId object, double distance) {
+void GazeTracker::meet(Tick tick, collision::ObjectId object, double distance) {
     const auto place = std::ranges::lower_bound(looks_, object, {}, &Look::object);
     const Look look{object, tick, distance};
     if (place != looks_.end() && place->object == object) {
@@ -18,11 +18,11 @@ void GazeMemory::meet(Tick tick, collision::ObjectId object, double distance) {
     }
 }
 
-void GazeMemory::forget(collision::ObjectId object) {
+void GazeTracker::forget(collision::ObjectId object) {
     std::erase_if(looks_, [&](const Look& look) { return look.object == object; });
 }
 
-double GazeMemory::distance(collision::ObjectId object) const {
+double GazeTracker::distance(collision::ObjectId object) const {
     const auto place = std::ranges::lower_bound(looks_, object, {}, &Look::object);
     return place != looks_.end() && place->object == object ? place->distance : 0.0;
 }

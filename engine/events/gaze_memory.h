@@ -9,7 +9,7 @@ namespace campuswalk::engine {
 
 /// What counts as looked at: what the ray of the gaze meets, and for a while what it met before. Without that
 /// a pop-up would close and open again with every column that passes between the eyes and the building.
-class GazeMemory {
+class GazeTracker {
 public:
     struct Look {
         collision::ObjectId object{};
@@ -18,7 +18,7 @@ public:
     };
 
     /// An object is looked at no longer in the `hold`th tick without it, at the earliest the first.
-    explicit GazeMemory(Tick hold) : hold_(hold < 1 ? 1 : hold) {}
+    explicit GazeTracker(Tick hold) : hold_(hold < 1 ? 1 : hold) {}
 
     /// Ends the looks that are over by `tick`.
     void advance(Tick tick);

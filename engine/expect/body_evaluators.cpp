@@ -32,14 +32,14 @@ std::string by(const std::string& object) {
 
 // ---- no_penetration -------------------------------------------------------------------------------------
 
-NoPenetrationJudge::NoPenetrationJudge(const ExpectNoPenetration& expected, const scene::Campus& campus,
-                                       const AvatarProfile& avatar)
+NoPenetrationEvaluator::NoPenetrationEvaluator(const ExpectNoPenetration& expected,
+                                               const scene::Campus& campus, const AvatarProfile& avatar)
     : expected_(&expected),
       campus_(&campus),
       avatar_(&avatar),
       ignored_layers_(ignored_layers(campus, avatar)) {}
 
-void NoPenetrationJudge::see(const FrameRecord& record, const Moment& now) {
+void NoPenetrationEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     const double radius = avatar_->radius;
     const double height = record.avatar.stature * avatar_->height;
     const Vector3d& foot = record.avatar.position;
@@ -62,7 +62,7 @@ void NoPenetrationJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-void NoPenetrationJudge::see_depth(collision::ObjectId object, double depth, const Moment& now) {
+void NoPenetrationEvaluator::see_depth(collision::ObjectId object, double depth, const StateSnapshot& now) {
     if (depth > deepest_) {
         deepest_ = depth;
         inside_ = index_of(object);
@@ -70,7 +70,7 @@ void NoPenetrationJudge::see_depth(collision::ObjectId object, double depth, con
     }
 }
 
-Finding NoPenetrationJudge::finding(bool /*ended*/) const {
+Finding NoPenetrationEvaluator::finding(bool /*ended*/) const {
     constexpr double kMillimetres = 1000.0;
     if (!inside_) {
         return {true, expected_->mark, "the body was inside nothing", std::nullopt, true};
@@ -85,7 +85,7 @@ Finding NoPenetrationJudge::finding(bool /*ended*/) const {
 
 // ---- grounded -------------------------------------------------------------------------------------------
 
-void GroundedJudge::see(const FrameRecord& record, const Moment& now) {
+void GroundedEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     if (record.tick == last_) {
         return;
     }
@@ -99,7 +99,7 @@ void GroundedJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding GroundedJudge::finding(bool /*ended*/) const {
+Finding GroundedEvaluator::finding(bool /*ended*/) const {
     if (airborne_ == 0) {
         return {true, expected_->mark, "the avatar was on the ground all the time", std::nullopt, true};
     }
@@ -116,7 +116,7 @@ Finding GroundedJudge::finding(bool /*ended*/) const {
 
 // ---- blocked_by -----------------------------------------------------------------------------------------
 
-void BlockedByJudge::see(const FrameRecord& record, const Moment& now) {
+void BlockedByEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     for (const Event& event : record.events) {
         if (event.kind != EventKind::avatar_blocked && event.kind != EventKind::avatar_stuck) {
             continue;
@@ -132,7 +132,7 @@ void BlockedByJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding BlockedByJudge::finding(bool /*ended*/) const {
+Finding BlockedByEvaluator::finding(bool /*ended*/) const {
     if (!first_.empty()) {
         return {true, expected_->mark, first_, when_};
     }
@@ -144,7 +144,7 @@ Finding BlockedByJudge::finding(bool /*ended*/) const {
 
 // ---- stuck ----------------------------------------------------------------------------------------------
 
-void StuckJudge::see(const FrameRecord& record, const Moment& now) {
+void StuckEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     for (const Event& event : record.events) {
         if (event.kind != EventKind::avatar_stuck) {
             continue;
@@ -161,7 +161,7 @@ void StuckJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding StuckJudge::finding(bool /*ended*/) const {
+Finding StuckEvaluator::finding(bool /*ended*/) const {
     if (!first_.empty()) {
         return {true, expected_->mark, first_, when_};
     }
@@ -174,7 +174,7 @@ Finding StuckJudge::finding(bool /*ended*/) const {
 
 // ---- fell -----------------------------------------------------------------------------------------------
 
-void FellJudge::see(const FrameRecord& record, const Moment& now) {
+void FellEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     const bool falls = std::ranges::any_of(
         record.events, [](const Event& event) { return event.kind == EventKind::avatar_fell; });
     if (falls && !when_) {
@@ -182,7 +182,7 @@ void FellJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding FellJudge::finding(bool /*ended*/) const {
+Finding FellEvaluator::finding(bool /*ended*/) const {
     if (when_) {
         return {true, expected_->mark, "the avatar fell off the world " + at_time(when_->time), when_};
     }

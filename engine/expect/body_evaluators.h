@@ -16,15 +16,15 @@ namespace campuswalk::engine {
 // Judges of what became of the avatar's body; see event_evaluators.h.
 
 /// Asks the collision world about the body anew, whatever the mover thought.
-class NoPenetrationJudge {
+class NoPenetrationEvaluator {
 public:
-    NoPenetrationJudge(const ExpectNoPenetration& expected, const scene::Campus& campus,
-                       const AvatarProfile& avatar);
-    void see(const FrameRecord& record, const Moment& now);
+    NoPenetrationEvaluator(const ExpectNoPenetration& expected, const scene::Campus& campus,
+                           const AvatarProfile& avatar);
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
-    void see_depth(collision::ObjectId object, double depth, const Moment& now);
+    void see_depth(collision::ObjectId object, double depth, const StateSnapshot& now);
 
     const ExpectNoPenetration* expected_;
     const scene::Campus* campus_;
@@ -32,15 +32,15 @@ private:
     std::uint32_t ignored_layers_;
     double deepest_ = 0.0;               ///< metres
     std::optional<std::size_t> inside_;  ///< the object that it was deepest in
-    std::optional<Moment> when_;
+    std::optional<StateSnapshot> when_;
     std::vector<collision::Obstacle> pieces_;
     std::vector<collision::ObjectId> around_;
 };
 
-class GroundedJudge {
+class GroundedEvaluator {
 public:
-    explicit GroundedJudge(const ExpectGrounded& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit GroundedEvaluator(const ExpectGrounded& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
@@ -48,44 +48,44 @@ private:
     Tick last_ = -1;  ///< the walk's closing frame shows its last tick again
     Tick ticks_ = 0;
     Tick airborne_ = 0;
-    std::optional<Moment> first_;
+    std::optional<StateSnapshot> first_;
 };
 
-class BlockedByJudge {
+class BlockedByEvaluator {
 public:
-    explicit BlockedByJudge(const ExpectBlockedBy& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit BlockedByEvaluator(const ExpectBlockedBy& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectBlockedBy* expected_;
     std::string first_;  ///< by what, as it would be told
     std::string other_;  ///< the last that was in the way instead
-    std::optional<Moment> when_;
+    std::optional<StateSnapshot> when_;
 };
 
-class StuckJudge {
+class StuckEvaluator {
 public:
-    explicit StuckJudge(const ExpectStuck& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit StuckEvaluator(const ExpectStuck& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectStuck* expected_;
     std::string first_;
     std::string other_;
-    std::optional<Moment> when_;
+    std::optional<StateSnapshot> when_;
 };
 
-class FellJudge {
+class FellEvaluator {
 public:
-    explicit FellJudge(const ExpectFell& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit FellEvaluator(const ExpectFell& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectFell* expected_;
-    std::optional<Moment> when_;
+    std::optional<StateSnapshot> when_;
 };
 
 }  // namespace campuswalk::engine

@@ -9,7 +9,7 @@ namespace campuswalk::engine {
 
 // ---- sequence -------------------------------------------------------------------------------------------
 
-void SequenceJudge::see(const FrameRecord& record, const Moment& now) {
+void SequenceEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     const std::vector<EventPattern>& events = expected_->events;
     for (const Event& event : record.events) {
         if (met_ < events.size() && matches(events[met_], event)) {
@@ -26,7 +26,7 @@ void SequenceJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding SequenceJudge::finding(bool /*ended*/) const {
+Finding SequenceEvaluator::finding(bool /*ended*/) const {
     if (met_ == expected_->events.size()) {
         return {true, expected_->mark, "all came in this order, the last " + last_event_, last_};
     }
@@ -43,7 +43,7 @@ Finding SequenceJudge::finding(bool /*ended*/) const {
 
 // ---- never ----------------------------------------------------------------------------------------------
 
-void NeverJudge::see(const FrameRecord& record, const Moment& now) {
+void NeverEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     for (const Event& event : record.events) {
         if (matches(expected_->event, event) && ++times_ == 1) {
             first_event_ = told(event, record.time);
@@ -52,7 +52,7 @@ void NeverJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding NeverJudge::finding(bool /*ended*/) const {
+Finding NeverEvaluator::finding(bool /*ended*/) const {
     const std::string event = "'" + told(expected_->event) + "'";
     if (times_ == 0) {
         return {true, expected_->event.mark, event + " never happened", std::nullopt, true};
@@ -63,7 +63,7 @@ Finding NeverJudge::finding(bool /*ended*/) const {
 
 // ---- count ----------------------------------------------------------------------------------------------
 
-void CountJudge::see(const FrameRecord& record, const Moment& now) {
+void CountEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     const Limits<int>& limits = expected_->times;
     for (const Event& event : record.events) {
         times_ += matches(expected_->event, event) ? 1 : 0;
@@ -75,7 +75,7 @@ void CountJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding CountJudge::finding(bool /*ended*/) const {
+Finding CountEvaluator::finding(bool /*ended*/) const {
     const std::string wanted = broken_limit(expected_->times, times_);
     return {wanted.empty(), expected_->mark,
             "'" + told(expected_->event) + "' happened " + told_times(times_) +
@@ -85,12 +85,12 @@ Finding CountJudge::finding(bool /*ended*/) const {
 
 // ---- within ---------------------------------------------------------------------------------------------
 
-bool WithinJudge::late(const Wait& wait, double time) const {
+bool WithinEvaluator::late(const Wait& wait, double time) const {
     constexpr double kRounding = 1e-9;  // seconds
     return time - wait.since > expected_->seconds + kRounding;
 }
 
-void WithinJudge::see(const FrameRecord& record, const Moment& now) {
+void WithinEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     if (!miss_ && !waits_.empty() && late(waits_.front(), record.time)) {
         miss_ = waits_.front();
         missed_ = now;
@@ -109,12 +109,12 @@ void WithinJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-std::string WithinJudge::told_miss(const Wait& wait) const {
+std::string WithinEvaluator::told_miss(const Wait& wait) const {
     return "'" + told(expected_->event) + "' did not come within " + fixed(expected_->seconds, 3) +
            " s after " + wait.event + (too_late_.empty() ? "" : ", only as " + too_late_);
 }
 
-Finding WithinJudge::finding(bool ended) const {
+Finding WithinEvaluator::finding(bool ended) const {
     if (miss_) {
         return {false, expected_->mark, told_miss(*miss_), missed_};
     }

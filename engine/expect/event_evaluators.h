@@ -13,50 +13,50 @@ namespace campuswalk::engine {
 // it has found so far; `ended` tells it that nothing more will come. A copy goes on by itself. The
 // expectation must outlive it.
 
-class SequenceJudge {
+class SequenceEvaluator {
 public:
-    explicit SequenceJudge(const ExpectSequence& expected)
+    explicit SequenceEvaluator(const ExpectSequence& expected)
         : expected_(&expected), early_(expected.events.size()) {}
-    void see(const FrameRecord& record, const Moment& now);
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectSequence* expected_;
-    std::size_t met_ = 0;             ///< how many of the events have come
-    std::string last_event_;          ///< of those, as it would be told
-    std::optional<Moment> last_;      ///< when that came
-    std::vector<std::string> early_;  ///< for each, the last event like it that came before its turn
+    std::size_t met_ = 0;                ///< how many of the events have come
+    std::string last_event_;             ///< of those, as it would be told
+    std::optional<StateSnapshot> last_;  ///< when that came
+    std::vector<std::string> early_;     ///< for each, the last event like it that came before its turn
 };
 
-class NeverJudge {
+class NeverEvaluator {
 public:
-    explicit NeverJudge(const ExpectNever& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit NeverEvaluator(const ExpectNever& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectNever* expected_;
     int times_ = 0;
     std::string first_event_;
-    std::optional<Moment> first_;
+    std::optional<StateSnapshot> first_;
 };
 
-class CountJudge {
+class CountEvaluator {
 public:
-    explicit CountJudge(const ExpectCount& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit CountEvaluator(const ExpectCount& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectCount* expected_;
     int times_ = 0;
-    std::optional<Moment> too_many_;
+    std::optional<StateSnapshot> too_many_;
 };
 
-class WithinJudge {
+class WithinEvaluator {
 public:
-    explicit WithinJudge(const ExpectWithin& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit WithinEvaluator(const ExpectWithin& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
@@ -71,7 +71,7 @@ private:
     int times_ = 0;            ///< how often `after` has come
     std::vector<Wait> waits_;  ///< those that nothing has followed yet
     std::optional<Wait> miss_;
-    std::optional<Moment> missed_;
+    std::optional<StateSnapshot> missed_;
     std::string too_late_;  ///< what came after the miss, as it would be told
 };
 

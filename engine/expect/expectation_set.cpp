@@ -10,61 +10,61 @@ namespace campuswalk::engine {
 namespace {
 
 /// What judges are made from.
-struct Court {
+struct EvaluationContext {
     const scene::Campus& campus;
     const AvatarProfile& avatar;
 
-    PlainJudge judge(const ExpectSequence& expected) const { return SequenceJudge(expected); }
-    PlainJudge judge(const ExpectNever& expected) const { return NeverJudge(expected); }
-    PlainJudge judge(const ExpectCount& expected) const { return CountJudge(expected); }
-    PlainJudge judge(const ExpectWithin& expected) const { return WithinJudge(expected); }
-    PlainJudge judge(const ExpectPopup& expected) const { return PopupJudge(expected); }
-    PlainJudge judge(const ExpectVisits& expected) const { return VisitsJudge(expected, campus); }
-    PlainJudge judge(const ExpectReaches& expected) const { return ReachesJudge(expected); }
-    PlainJudge judge(const ExpectNear& expected) const { return NearJudge(expected); }
-    PlainJudge judge(const ExpectDuration& expected) const { return DurationJudge(expected); }
-    PlainJudge judge(const ExpectDistance& expected) const { return DistanceJudge(expected); }
-    PlainJudge judge(const ExpectNoPenetration& expected) const {
-        return NoPenetrationJudge(expected, campus, avatar);
+    PlainEvaluator evaluator(const ExpectSequence& expected) const { return SequenceEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectNever& expected) const { return NeverEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectCount& expected) const { return CountEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectWithin& expected) const { return WithinEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectPopup& expected) const { return PopupEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectVisits& expected) const { return VisitsEvaluator(expected, campus); }
+    PlainEvaluator evaluator(const ExpectReaches& expected) const { return ReachesEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectNear& expected) const { return NearEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectDuration& expected) const { return DurationEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectDistance& expected) const { return DistanceEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectNoPenetration& expected) const {
+        return NoPenetrationEvaluator(expected, campus, avatar);
     }
-    PlainJudge judge(const ExpectGrounded& expected) const { return GroundedJudge(expected); }
-    PlainJudge judge(const ExpectBlockedBy& expected) const { return BlockedByJudge(expected); }
-    PlainJudge judge(const ExpectStuck& expected) const { return StuckJudge(expected); }
-    PlainJudge judge(const ExpectFell& expected) const { return FellJudge(expected); }
+    PlainEvaluator evaluator(const ExpectGrounded& expected) const { return GroundedEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectBlockedBy& expected) const { return BlockedByEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectStuck& expected) const { return StuckEvaluator(expected); }
+    PlainEvaluator evaluator(const ExpectFell& expected) const { return FellEvaluator(expected); }
 };
 
 }  // namespace
 
-std::optional<Judge> Judge::of(const Expectation& expectation, const scene::Campus& campus,
-                               const AvatarProfile& avatar) {
+std::optional<Evaluator> Evaluator::of(const Expectation& expectation, const scene::Campus& campus,
+                                       const AvatarProfile& avatar) {
     const auto* negation = std::get_if<ExpectNot>(&expectation);
     const PlainExpectation* plain =
         negation != nullptr ? &negation->what : std::get_if<PlainExpectation>(&expectation);
     if (plain == nullptr) {
         return std::nullopt;
     }
-    const Court court{campus, avatar};
-    Judge made(std::visit([&](const auto& expected) { return court.judge(expected); }, *plain), campus,
-               avatar);
+    const EvaluationContext court{campus, avatar};
+    Evaluator made(std::visit([&](const auto& expected) { return court.evaluator(expected); }, *plain),
+                   campus, avatar);
     made.name_ = std::visit([](const auto& expected) { return std::string_view(expected.kName); }, *plain);
     made.negated_ = negation != nullptr;
     return made;
 }
 
-void Judge::see(const FrameRecord& record, const Moment& now) {
-    std::visit([&](auto& judge) { judge.see(record, now); }, judge_);
+void Evaluator::see(const TickRecord& record, const StateSnapshot& now) {
+    std::visit([&](auto& evaluator) { evaluator.see(record, now); }, evaluator_);
 }
 
-Finding Judge::finding(bool ended) const {
-    return std::visit([&](const auto& judge) { return judge.finding(ended); }, judge_);
+Finding Evaluator::finding(bool ended) const {
+    return std::visit([&](const auto& evaluator) { return evaluator.finding(ended); }, evaluator_);
 }
 
-std::optional<SourceMark> Judge::undecided() const {
+std::optional<SourceMark> Evaluator::undecided() const {
     const Finding found = finding(true);
     return found.met == negated_ && found.open ? std::optional(found.mark) : std::nullopt;
 }
 
-std::optional<Failure> Judge::failure(bool ended, const Moment& now) const {
+std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) const {
     const Finding found = finding(ended);
     if (found.met != negated_) {
         return std::nullopt;
@@ -77,41 +77,41 @@ std::optional<Failure> Judge::failure(bool ended, const Moment& now) const {
 
 // ---- at the end -----------------------------------------------------------------------------------------
 
-Jury::Jury(const scene::Campus& campus, const Walk& walk) {
+ExpectationSet::ExpectationSet(const scene::Campus& campus, const Walk& walk) {
     for (const Expectation& expectation : walk.expectations) {
-        if (auto judge = Judge::of(expectation, campus, walk.avatar)) {
-            judges_.push_back(std::move(*judge));
+        if (auto evaluator = Evaluator::of(expectation, campus, walk.avatar)) {
+            evaluators_.push_back(std::move(*evaluator));
         }
     }
 }
 
-void Jury::see(const FrameRecord& record) {
-    chronicle_.see(record);
+void ExpectationSet::see(const TickRecord& record) {
+    history_.see(record);
     see_closing(record);
 }
 
-void Jury::see_closing(const FrameRecord& record) {
-    for (Judge& judge : judges_) {
-        judge.see(record, chronicle_.now());
+void ExpectationSet::see_closing(const TickRecord& record) {
+    for (Evaluator& evaluator : evaluators_) {
+        evaluator.see(record, history_.now());
     }
 }
 
-std::vector<Failure> Jury::verdicts() const {
+std::vector<Failure> ExpectationSet::verdicts() const {
     std::vector<Failure> failures;
-    for (const Judge& judge : judges_) {
-        if (auto failure = judge.failure(true, chronicle_.now())) {
+    for (const Evaluator& evaluator : evaluators_) {
+        if (auto failure = evaluator.failure(true, history_.now())) {
             failures.push_back(std::move(*failure));
         }
     }
     return failures;
 }
 
-Jury::StoppedVerdicts Jury::verdicts_when_stopped() const {
+ExpectationSet::StoppedVerdicts ExpectationSet::verdicts_when_stopped() const {
     StoppedVerdicts verdicts;
-    for (const Judge& judge : judges_) {
-        if (auto mark = judge.undecided()) {
+    for (const Evaluator& evaluator : evaluators_) {
+        if (auto mark = evaluator.undecided()) {
             verdicts.undecided.push_back(std::move(*mark));
-        } else if (auto failure = judge.failure(true, chronicle_.now())) {
+        } else if (auto failure = evaluator.failure(true, history_.now())) {
             verdicts.failures.push_back(std::move(*failure));
         }
     }
@@ -120,38 +120,38 @@ Jury::StoppedVerdicts Jury::verdicts_when_stopped() const {
 
 // ---- in steps -------------------------------------------------------------------------------------------
 
-StepJuries::StepJuries(const scene::Campus& campus, const Walk& walk) {
+StepExpectations::StepExpectations(const scene::Campus& campus, const Walk& walk) {
     for (const Step& step : walk.steps) {
         const auto* expect = std::get_if<ExpectStep>(&step);
         if (expect == nullptr) {
             continue;
         }
-        const auto [jury, fresh] = juries_.try_emplace(place_of(expect->mark));
+        const auto [expectation_set, fresh] = step_expectations_.try_emplace(place_of(expect->mark));
         for (const Expectation& expectation : expect->expectations) {
-            if (auto judge = fresh ? Judge::of(expectation, campus, walk.avatar) : std::nullopt) {
-                jury->second.push_back(std::move(*judge));
+            if (auto evaluator = fresh ? Evaluator::of(expectation, campus, walk.avatar) : std::nullopt) {
+                expectation_set->second.push_back(std::move(*evaluator));
             }
         }
     }
 }
 
-void StepJuries::see(const FrameRecord& record) {
-    if (juries_.empty()) {
+void StepExpectations::see(const TickRecord& record) {
+    if (step_expectations_.empty()) {
         return;
     }
-    chronicle_.see(record);
-    for (auto& [place, judges] : juries_) {
-        for (Judge& judge : judges) {
-            judge.see(record, chronicle_.now());
+    history_.see(record);
+    for (auto& [place, evaluators] : step_expectations_) {
+        for (Evaluator& evaluator : evaluators) {
+            evaluator.see(record, history_.now());
         }
     }
 }
 
-std::optional<Failure> StepJuries::failure(const ExpectStep& step, const FrameRecord& record) const {
-    Chronicle so_far = chronicle_;
+std::optional<Failure> StepExpectations::failure(const ExpectStep& step, const TickRecord& record) const {
+    StateHistory so_far = history_;
     so_far.see(record);
-    for (const Judge& judge : juries_.at(place_of(step.mark))) {
-        Judge copy = judge;
+    for (const Evaluator& evaluator : step_expectations_.at(place_of(step.mark))) {
+        Evaluator copy = evaluator;
         copy.see(record, so_far.now());
         if (auto failure = copy.failure(false, so_far.now())) {
             return failure;

@@ -17,22 +17,23 @@
 
 namespace campuswalk::engine {
 
-using PlainJudge = std::variant<SequenceJudge, NeverJudge, CountJudge, WithinJudge, PopupJudge, VisitsJudge,
-                                ReachesJudge, NearJudge, DurationJudge, DistanceJudge, NoPenetrationJudge,
-                                GroundedJudge, BlockedByJudge, StuckJudge, FellJudge>;
+using PlainEvaluator = std::variant<SequenceEvaluator, NeverEvaluator, CountEvaluator, WithinEvaluator,
+                                    PopupEvaluator, VisitsEvaluator, ReachesEvaluator, NearEvaluator,
+                                    DurationEvaluator, DistanceEvaluator, NoPenetrationEvaluator,
+                                    GroundedEvaluator, BlockedByEvaluator, StuckEvaluator, FellEvaluator>;
 
 /// Holds one expectation against a walk's frames.
-class Judge {
+class Evaluator {
 public:
-    /// What it refers to must outlive it. None for those that are judged elsewhere: logs and pictures.
-    static std::optional<Judge> of(const Expectation& expectation, const scene::Campus& campus,
-                                   const AvatarProfile& avatar);
+    /// What it refers to must outlive it. None for those that are judged elsewhere: logs and images.
+    static std::optional<Evaluator> of(const Expectation& expectation, const scene::Campus& campus,
+                                       const AvatarProfile& avatar);
 
-    void see(const FrameRecord& record, const Moment& now);
+    void see(const TickRecord& record, const StateSnapshot& now);
 
     /// Why the expectation is not met by what has been seen, if it isn't; what wasn't decided before was
     /// decided `now`.
-    std::optional<Failure> failure(bool ended, const Moment& now) const;
+    std::optional<Failure> failure(bool ended, const StateSnapshot& now) const;
 
     /// What of the expectation isn't as expected at a walk's end, if it might have become so had the walk
     /// gone on.
@@ -41,10 +42,10 @@ public:
 private:
     Finding finding(bool ended) const;
 
-    Judge(PlainJudge judge, const scene::Campus& campus, const AvatarProfile& avatar)
-        : judge_(std::move(judge)), campus_(&campus), avatar_(&avatar) {}
+    Evaluator(PlainEvaluator evaluator, const scene::Campus& campus, const AvatarProfile& avatar)
+        : evaluator_(std::move(evaluator)), campus_(&campus), avatar_(&avatar) {}
 
-    PlainJudge judge_;
+    PlainEvaluator evaluator_;
     std::string_view name_;
     bool negated_ = false;
     const scene::Campus* campus_;
@@ -52,15 +53,15 @@ private:
 };
 
 /// All expectations of a walk that hold for the whole of it.
-class Jury {
+class ExpectationSet {
 public:
     /// Both must outlive it.
-    Jury(const scene::Campus& campus, const Walk& walk);
+    ExpectationSet(const scene::Campus& campus, const Walk& walk);
 
     /// Every frame but the closing one.
-    void see(const FrameRecord& record);
+    void see(const TickRecord& record);
     /// The walk's last frame, in which all that is met is left: it is not told among what came before.
-    void see_closing(const FrameRecord& record);
+    void see_closing(const TickRecord& record);
 
     /// In the order of the file; empty when everything was as expected.
     std::vector<Failure> verdicts() const;
@@ -73,30 +74,31 @@ public:
     };
     StoppedVerdicts verdicts_when_stopped() const;
     /// Where the walk is, or ended.
-    const Moment& now() const { return chronicle_.now(); }
+    const StateSnapshot& now() const { return history_.now(); }
 
 private:
-    Chronicle chronicle_;
-    std::vector<Judge> judges_;
+    StateHistory history_;
+    std::vector<Evaluator> evaluators_;
 };
 
 /// The expectations in a walk's steps. Each is held against everything since the walk's start.
-class StepJuries {
+class StepExpectations {
 public:
-    StepJuries(const scene::Campus& campus, const Walk& walk);
+    StepExpectations(const scene::Campus& campus, const Walk& walk);
 
-    void see(const FrameRecord& record);
+    void see(const TickRecord& record);
 
     /// What isn't as the step expects, if anything; `record` is the tick so far, which `see` will be shown in
     /// full afterwards.
-    std::optional<Failure> failure(const ExpectStep& step, const FrameRecord& record) const;
+    std::optional<Failure> failure(const ExpectStep& step, const TickRecord& record) const;
 
 private:
     using Place = std::tuple<std::string, int, int>;
     static Place place_of(const SourceMark& mark) { return {mark.file, mark.line, mark.column}; }
 
-    Chronicle chronicle_;
-    std::map<Place, std::vector<Judge>> juries_;  ///< by the step's mark: one for all rounds of a `repeat`
+    StateHistory history_;
+    std::map<Place, std::vector<Evaluator>>
+        step_expectations_;  ///< by the step's mark: one for all rounds of a `repeat`
 };
 
 }  // namespace campuswalk::engine

@@ -30,7 +30,7 @@ Segment axis_of(const AvatarState& state, const AvatarProfile& avatar) {
             state.position + Vector3d(0, height - avatar.radius, 0)};
 }
 
-Nearest nearest_solid(const Moment& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
+Nearest nearest_solid(const StateSnapshot& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
     const Segment axis = axis_of(moment.avatar, avatar);
     const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(campus, avatar),
                                         moment.disabled.get()};
@@ -75,7 +75,7 @@ std::optional<std::size_t> nearest_building(const Vector3d& point, const scene::
 
 }  // namespace
 
-FailureScene scene_of(const Moment& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
+FailureScene scene_of(const StateSnapshot& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
     FailureScene scene;
     scene.tick = moment.tick;
     scene.time = moment.time;

@@ -13,10 +13,10 @@ namespace campuswalk::engine {
 /// of what is met, `not` makes a failure.
 struct Finding {
     bool met = false;
-    SourceMark mark;             ///< what of the expectation to point at
-    std::string told;            ///< on a line
-    std::optional<Moment> when;  ///< when it was decided; none: not before the end
-    bool open = false;           ///< had the walk gone on, it might have become otherwise
+    SourceMark mark;                    ///< what of the expectation to point at
+    std::string told;                   ///< on a line
+    std::optional<StateSnapshot> when;  ///< when it was decided; none: not before the end
+    bool open = false;                  ///< had the walk gone on, it might have become otherwise
 };
 
 // How findings are worded.

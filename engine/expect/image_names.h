@@ -8,9 +8,9 @@
 
 namespace campuswalk::engine {
 
-/// Appends a complaint (unknown-name) about each snapshot that expectations name and no step takes, and about
-/// each building that isn't there or has nothing to be seen.
-void check_picture_names(const scene::Campus& campus, const Walk& walk,
-                         std::vector<scene::Diagnostic>& complaints);
+/// Appends a diagnostic (unknown-name) about each snapshot that expectations name and no step takes, and
+/// about each building that isn't there or has nothing to be seen.
+void check_image_names(const scene::Campus& campus, const Walk& walk,
+                       std::vector<scene::Diagnostic>& diagnostics);
 
 }  // namespace campuswalk::engine

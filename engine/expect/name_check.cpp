@@ -15,23 +15,23 @@ Diagnostic unknown(const SourceMark& mark, const std::string& message) {
 /// What an expectation names, each kind in its own way; the places have been looked up by the loader.
 class Mentions {
 public:
-    Mentions(const NameCheck& names, const EventSubjects& subjects, std::vector<Diagnostic>& complaints)
-        : names_(names), subjects_(subjects), complaints_(complaints) {}
+    Mentions(const NameCheck& names, const EventSubjects& subjects, std::vector<Diagnostic>& diagnostics)
+        : names_(names), subjects_(subjects), diagnostics_(diagnostics) {}
 
     void check(const ExpectSequence& expected) const {
         for (const EventPattern& event : expected.events) {
-            names_.check(event, complaints_);
+            names_.check(event, diagnostics_);
         }
     }
-    void check(const ExpectNever& expected) const { names_.check(expected.event, complaints_); }
-    void check(const ExpectCount& expected) const { names_.check(expected.event, complaints_); }
+    void check(const ExpectNever& expected) const { names_.check(expected.event, diagnostics_); }
+    void check(const ExpectCount& expected) const { names_.check(expected.event, diagnostics_); }
     void check(const ExpectWithin& expected) const {
-        names_.check(expected.after, complaints_);
-        names_.check(expected.event, complaints_);
+        names_.check(expected.after, diagnostics_);
+        names_.check(expected.event, diagnostics_);
     }
     void check(const ExpectNear& expected) const {
         if (expected.at) {
-            names_.check(*expected.at, complaints_);
+            names_.check(*expected.at, diagnostics_);
         }
     }
     void check(const ExpectPopup& expected) const { check_building(expected.building); }
@@ -55,21 +55,21 @@ private:
     void check_name(const NamePattern& name, const std::string& kind, const std::string& message) const {
         const EventPattern event{name.mark, kind, name.glob};
         if (!subjects_.can_happen(event)) {
-            complaints_.push_back(
+            diagnostics_.push_back(
                 unknown(name.mark, message + scene::did_you_mean(name.glob, subjects_.names(event))));
         }
     }
 
     const NameCheck& names_;
     const EventSubjects& subjects_;
-    std::vector<Diagnostic>& complaints_;
+    std::vector<Diagnostic>& diagnostics_;
 };
 
 }  // namespace
 
-void NameCheck::check(const EventPattern& pattern, std::vector<Diagnostic>& complaints) const {
+void NameCheck::check(const EventPattern& pattern, std::vector<Diagnostic>& diagnostics) const {
     if (!subjects_.can_happen(pattern)) {
-        complaints.push_back(
+        diagnostics.push_back(
             unknown(pattern.mark, "'" + pattern.kind + " " + pattern.object +
                                       "' can't happen: nothing of that name has such events" +
                                       scene::did_you_mean(pattern.object, subjects_.names(pattern))));
@@ -77,8 +77,8 @@ void NameCheck::check(const EventPattern& pattern, std::vector<Diagnostic>& comp
 }
 
 void NameCheck::check(const std::vector<Expectation>& expectations,
-                      std::vector<Diagnostic>& complaints) const {
-    const Mentions mentions(*this, subjects_, complaints);
+                      std::vector<Diagnostic>& diagnostics) const {
+    const Mentions mentions(*this, subjects_, diagnostics);
     const auto check_plain = [&](const PlainExpectation& plain) {
         std::visit([&](const auto& expected) { mentions.check(expected); }, plain);
     };

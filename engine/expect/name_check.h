@@ -14,11 +14,11 @@ public:
     /// Both must outlive it.
     NameCheck(const scene::Campus& campus, const Walk& walk) : subjects_(campus, walk) {}
 
-    /// Appends a complaint (unknown-name) about an event that can't happen.
-    void check(const EventPattern& pattern, std::vector<scene::Diagnostic>& complaints) const;
+    /// Appends a diagnostic (unknown-name) about an event that can't happen.
+    void check(const EventPattern& pattern, std::vector<scene::Diagnostic>& diagnostics) const;
     /// Appends those about all that the expectations name.
     void check(const std::vector<Expectation>& expectations,
-               std::vector<scene::Diagnostic>& complaints) const;
+               std::vector<scene::Diagnostic>& diagnostics) const;
 
 private:
     EventSubjects subjects_;

@@ -36,7 +36,7 @@ std::string metres(double value) {
 
 // ---- reaches --------------------------------------------------------------------------------------------
 
-void ReachesJudge::see(const FrameRecord& record, const Moment& now) {
+void ReachesEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     const double distance = distance_between(expected_->target, record.avatar.position);
     if (distance < nearest_) {
         nearest_ = distance;
@@ -44,7 +44,7 @@ void ReachesJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding ReachesJudge::finding(bool /*ended*/) const {
+Finding ReachesEvaluator::finding(bool /*ended*/) const {
     const bool met = nearest_ <= expected_->within;
     const std::string came = "the avatar came within " + metres(nearest_) + " " + at_time(when_.time);
     return {met, expected_->mark,
@@ -56,7 +56,7 @@ Finding ReachesJudge::finding(bool /*ended*/) const {
 
 // ---- near -----------------------------------------------------------------------------------------------
 
-void NearJudge::see(const FrameRecord& record, const Moment& now) {
+void NearEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     const Vector3d& end = record.avatar.position;
     if (!expected_->at) {
         last_ = Place{distance_between(expected_->target, end), at_time(record.time), now};
@@ -74,11 +74,11 @@ void NearJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-std::string NearJudge::told_place(const Place& place) const {
+std::string NearEvaluator::told_place(const Place& place) const {
     return "the avatar was " + metres(place.distance) + " from " + expected_->target.label + " " + place.when;
 }
 
-Finding NearJudge::finding(bool /*ended*/) const {
+Finding NearEvaluator::finding(bool /*ended*/) const {
     if (!last_) {
         const EventPattern& at = expected_->at.value_or(EventPattern{});
         return {false, at.mark,
@@ -94,7 +94,7 @@ Finding NearJudge::finding(bool /*ended*/) const {
 
 // ---- duration and distance ------------------------------------------------------------------------------
 
-Finding DurationJudge::finding(bool ended) const {
+Finding DurationEvaluator::finding(bool ended) const {
     const std::string wanted = broken_limit(expected_->seconds, time_, " s");
     return {wanted.empty(), expected_->mark,
             (ended ? "the walk took " : "the walk had taken ") + fixed(time_, 3) + " s" +
@@ -102,7 +102,7 @@ Finding DurationJudge::finding(bool ended) const {
             std::nullopt, still_open(expected_->seconds, time_)};
 }
 
-Finding DistanceJudge::finding(bool ended) const {
+Finding DistanceEvaluator::finding(bool ended) const {
     const std::string wanted = broken_limit(expected_->metres, distance_, " m");
     return {wanted.empty(), expected_->mark,
             (ended ? "the avatar went " : "the avatar had gone ") + metres(distance_) +

@@ -10,29 +10,29 @@ namespace campuswalk::engine {
 
 // Judges of where the avatar went; see event_evaluators.h.
 
-class ReachesJudge {
+class ReachesEvaluator {
 public:
-    explicit ReachesJudge(const ExpectReaches& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit ReachesEvaluator(const ExpectReaches& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectReaches* expected_;
     double nearest_ = 1e300;  ///< metres
-    Moment when_;
+    StateSnapshot when_;
 };
 
-class NearJudge {
+class NearEvaluator {
 public:
-    explicit NearJudge(const ExpectNear& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit NearEvaluator(const ExpectNear& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     struct Place {
         double distance = 0.0;  ///< metres, from the target
         std::string when;       ///< as it would be told
-        Moment moment;
+        StateSnapshot moment;
     };
     std::string told_place(const Place& place) const;
 
@@ -41,10 +41,10 @@ private:
     std::optional<Place> first_;  ///< too far away: the first event's
 };
 
-class DurationJudge {
+class DurationEvaluator {
 public:
-    explicit DurationJudge(const ExpectDuration& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& /*now*/) { time_ = record.time; }
+    explicit DurationEvaluator(const ExpectDuration& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& /*now*/) { time_ = record.time; }
     Finding finding(bool ended) const;
 
 private:
@@ -52,10 +52,10 @@ private:
     double time_ = 0.0;
 };
 
-class DistanceJudge {
+class DistanceEvaluator {
 public:
-    explicit DistanceJudge(const ExpectDistance& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& /*now*/) { distance_ = record.distance; }
+    explicit DistanceEvaluator(const ExpectDistance& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& /*now*/) { distance_ = record.distance; }
     Finding finding(bool ended) const;
 
 private:

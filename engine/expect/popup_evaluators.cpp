@@ -42,7 +42,7 @@ bool has_popup(const scene::Campus& campus, std::size_t building) {
 
 // ---- popup ----------------------------------------------------------------------------------------------
 
-void PopupJudge::see(const FrameRecord& record, const Moment& now) {
+void PopupEvaluator::see(const TickRecord& record, const StateSnapshot& now) {
     for (const Event& event : record.events) {
         if (event.kind != EventKind::popup_open ||
             !scene::glob_matches(expected_->building.glob, event.object)) {
@@ -59,7 +59,7 @@ void PopupJudge::see(const FrameRecord& record, const Moment& now) {
     }
 }
 
-Finding PopupJudge::finding(bool /*ended*/) const {
+Finding PopupEvaluator::finding(bool /*ended*/) const {
     const std::string wanted = broken_limit(expected_->times, times_);
     std::string message = described(*expected_) + " opened " + told_times(times_);
     if (!wanted.empty()) {
@@ -70,7 +70,8 @@ Finding PopupJudge::finding(bool /*ended*/) const {
 
 // ---- visits ---------------------------------------------------------------------------------------------
 
-VisitsJudge::VisitsJudge(const ExpectVisits& expected, const scene::Campus& campus) : expected_(&expected) {
+VisitsEvaluator::VisitsEvaluator(const ExpectVisits& expected, const scene::Campus& campus)
+    : expected_(&expected) {
     const std::vector<scene::Building>& buildings = campus.description.buildings;
     for (std::size_t i = 0; i < buildings.size(); ++i) {
         const bool meant = std::ranges::any_of(expected.buildings, [&](const NamePattern& pattern) {
@@ -82,7 +83,7 @@ VisitsJudge::VisitsJudge(const ExpectVisits& expected, const scene::Campus& camp
     }
 }
 
-void VisitsJudge::see(const FrameRecord& record, const Moment& /*now*/) {
+void VisitsEvaluator::see(const TickRecord& record, const StateSnapshot& /*now*/) {
     for (const Event& event : record.events) {
         if (event.kind == EventKind::popup_open &&
             std::ranges::find(wanted_, event.object) != wanted_.end()) {
@@ -91,7 +92,7 @@ void VisitsJudge::see(const FrameRecord& record, const Moment& /*now*/) {
     }
 }
 
-Finding VisitsJudge::finding(bool /*ended*/) const {
+Finding VisitsEvaluator::finding(bool /*ended*/) const {
     constexpr double kRounding = 1e-9;
     constexpr std::size_t kMostListed = 8;
     const auto needed = static_cast<std::size_t>(

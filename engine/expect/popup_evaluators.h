@@ -13,23 +13,23 @@ namespace campuswalk::engine {
 
 // Judges of which information windows open; see event_evaluators.h.
 
-class PopupJudge {
+class PopupEvaluator {
 public:
-    explicit PopupJudge(const ExpectPopup& expected) : expected_(&expected) {}
-    void see(const FrameRecord& record, const Moment& now);
+    explicit PopupEvaluator(const ExpectPopup& expected) : expected_(&expected) {}
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:
     const ExpectPopup* expected_;
     int times_ = 0;
     std::string other_;  ///< the last of the building that said something else, as it would be told
-    std::optional<Moment> when_;
+    std::optional<StateSnapshot> when_;
 };
 
-class VisitsJudge {
+class VisitsEvaluator {
 public:
-    VisitsJudge(const ExpectVisits& expected, const scene::Campus& campus);
-    void see(const FrameRecord& record, const Moment& now);
+    VisitsEvaluator(const ExpectVisits& expected, const scene::Campus& campus);
+    void see(const TickRecord& record, const StateSnapshot& now);
     Finding finding(bool ended) const;
 
 private:

@@ -4,7 +4,7 @@
 
 namespace campuswalk::engine {
 
-void Chronicle::see(const FrameRecord& record) {
+void StateHistory::see(const TickRecord& record) {
     now_.tick = record.tick;
     now_.time = record.time;
     now_.avatar = record.avatar;
@@ -23,7 +23,7 @@ void Chronicle::see(const FrameRecord& record) {
     }
 }
 
-void Chronicle::keep(const Event& event, double time) {
+void StateHistory::keep(const Event& event, double time) {
     std::rotate(now_.events.begin(), now_.events.begin() + 1, now_.events.end());
     now_.events.back() = std::make_shared<const TimedEvent>(TimedEvent{event, time});
 }

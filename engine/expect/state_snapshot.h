@@ -17,7 +17,7 @@ struct TimedEvent {
 };
 
 /// How things stood at the end of a tick. Cheap to copy, so that a judge can keep the one that matters.
-struct Moment {
+struct StateSnapshot {
     static constexpr std::size_t kEvents = 5;
 
     Tick tick = 0;
@@ -31,15 +31,15 @@ struct Moment {
 };
 
 /// Follows a walk from frame to frame.
-class Chronicle {
+class StateHistory {
 public:
-    void see(const FrameRecord& record);
-    const Moment& now() const { return now_; }
+    void see(const TickRecord& record);
+    const StateSnapshot& now() const { return now_; }
 
 private:
     void keep(const Event& event, double time);
 
-    Moment now_;
+    StateSnapshot now_;
 };
 
 }  // namespace campuswalk::engine

@@ -54,17 +54,17 @@ double CostTrace::stage(const char* name, double start, const collision::QueryCo
     return start + tests(cost);
 }
 
-void CostTrace::frame(const FrameRecord& record) {
+void CostTrace::frame(const TickRecord& record) {
     const double start = cost_so_far_;
     if (record.tick >= next_) {  // a walk's closing frame repeats its last tick
         next_ = record.tick + 1;
         collision::QueryCounters all = record.costs.move;
-        all += record.costs.sense;
+        all += record.costs.detect;
         const std::string when =
             R"("tick":)" + std::to_string(record.tick) + R"(,"time":)" + fixed(record.time, 6);
         cost_so_far_ += tests(all) + 1.0;
         slice("tick", kCostTrack, start, cost_so_far_ - start, when + "," + counts(all));
-        stage("sense", stage("move", start, record.costs.move), record.costs.sense);
+        stage("sense", stage("move", start, record.costs.move), record.costs.detect);
         if (clock_) {
             const double now = clock_();
             slice("tick", kClockTrack, last_ - began_, now - last_, when);

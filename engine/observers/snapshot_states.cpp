@@ -2,14 +2,14 @@
 
 namespace campuswalk::engine {
 
-void SnapshotMoments::frame(const FrameRecord& record) {
-    chronicle_.see(record);
+void SnapshotStates::frame(const TickRecord& record) {
+    history_.see(record);
     for (const SnapshotStep* step : record.snapshots) {
-        moments_[step->name] = chronicle_.now();
+        moments_[step->name] = history_.now();
     }
 }
 
-const Moment* SnapshotMoments::taken(const std::string& snapshot) const {
+const StateSnapshot* SnapshotStates::taken(const std::string& snapshot) const {
     const auto found = moments_.find(snapshot);
     return found == moments_.end() ? nullptr : &found->second;
 }

@@ -8,19 +8,19 @@
 
 namespace campuswalk::engine {
 
-/// Keeps how things stood when each snapshot was taken, for what is said of the pictures after the walk.
-class SnapshotMoments final : public Observer {
+/// Keeps how things stood when each snapshot was taken, for what is said of the images after the walk.
+class SnapshotStates final : public Observer {
 public:
-    void frame(const FrameRecord& record) override;
+    void frame(const TickRecord& record) override;
 
     /// Null for one that wasn't taken.
-    const Moment* taken(const std::string& snapshot) const;
+    const StateSnapshot* taken(const std::string& snapshot) const;
     /// The walk's end.
-    const Moment& last() const { return chronicle_.now(); }
+    const StateSnapshot& last() const { return history_.now(); }
 
 private:
-    Chronicle chronicle_;
-    std::map<std::string, Moment> moments_;  ///< by the snapshot's name
+    StateHistory history_;
+    std::map<std::string, StateSnapshot> moments_;  ///< by the snapshot's name
 };
 
 }  // namespace campuswalk::engine

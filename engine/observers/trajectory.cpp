@@ -17,7 +17,7 @@ std::string number(double value) {
 }
 
 /// A walk's closing frame repeats its last tick.
-bool is_new(const FrameRecord& record, Tick& next) {
+bool is_new(const TickRecord& record, Tick& next) {
     if (record.tick < next) {
         return false;
     }
@@ -33,7 +33,7 @@ void TrajectoryCsv::begin(const Walk& walk) {
     sink_("t,x,y,z,yaw_deg,pitch_deg,grounded,height");
 }
 
-void TrajectoryCsv::frame(const FrameRecord& record) {
+void TrajectoryCsv::frame(const TickRecord& record) {
     if (!is_new(record, next_)) {
         return;
     }
@@ -46,7 +46,7 @@ void TrajectoryCsv::frame(const FrameRecord& record) {
     sink_(line + (avatar.grounded ? ",1," : ",0,") + number(avatar.stature * height_));
 }
 
-void TrajectoryTum::frame(const FrameRecord& record) {
+void TrajectoryTum::frame(const TickRecord& record) {
     if (!is_new(record, next_)) {
         return;
     }

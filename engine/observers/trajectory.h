@@ -14,7 +14,7 @@ public:
     explicit TrajectoryCsv(LineSink sink) : sink_(std::move(sink)) {}
 
     void begin(const Walk& walk) override;
-    void frame(const FrameRecord& record) override;
+    void frame(const TickRecord& record) override;
 
 private:
     LineSink sink_;
@@ -29,7 +29,7 @@ public:
     explicit TrajectoryTum(LineSink sink) : sink_(std::move(sink)) {}
 
     void begin(const Walk&) override { next_ = 0; }
-    void frame(const FrameRecord& record) override;
+    void frame(const TickRecord& record) override;
 
 private:
     LineSink sink_;

@@ -13,7 +13,7 @@ public:
     /// Once before the first tick.
     virtual void begin(const Walk& walk) { static_cast<void>(walk); }
     /// After every tick, and once more with the closing events of the walk.
-    virtual void frame(const FrameRecord& record) = 0;
+    virtual void frame(const TickRecord& record) = 0;
     /// Once after the last frame; everything must be on disk when this returns.
     virtual void end() {}
 };

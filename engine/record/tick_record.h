@@ -21,19 +21,19 @@ struct OpenPopup {
 
 /// The work of a tick's stages, in tests of pairs.
 struct TickCosts {
-    collision::QueryCounters move;   ///< putting down, sweeping, stepping and sliding
-    collision::QueryCounters sense;  ///< triggers and the look
+    collision::QueryCounters move;    ///< putting down, sweeping, stepping and sliding
+    collision::QueryCounters detect;  ///< triggers and the look
 };
 
 /// What one tick did, as plain data that observers read after it. Spans stay valid until the next tick.
-struct FrameRecord {
+struct TickRecord {
     Tick tick = 0;
     double time = 0.0;  ///< seconds: tick / ticks_per_second, never a running sum
     TickCosts costs;
     AvatarState avatar;
     double distance = 0.0;                           ///< metres so far, along the path of the foot point
     std::span<const Event> events;                   ///< in log order
-    std::span<const SnapshotStep* const> snapshots;  ///< pictures the script asks for at this moment
+    std::span<const SnapshotStep* const> snapshots;  ///< images the script asks for at this moment
     std::span<const OpenPopup> open_popups;          ///< oldest first
     const std::vector<bool>* disabled = nullptr;     ///< by object; null: none is
 };

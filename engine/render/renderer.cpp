@@ -13,7 +13,6 @@
 #include "engine/render/gl/gl_functions.h"
 #include "engine/render/gl/render_error.h"
 #include "engine/render/gl/render_target.h"
-#include "engine/render/passes/shader_constants.h"
 #include "engine/render/gl/shader_program.h"
 #include "engine/render/image/fxaa.h"
 #include "engine/render/passes/ambient_occlusion_pass.h"
@@ -21,6 +20,7 @@
 #include "engine/render/passes/gpu_campus.h"
 #include "engine/render/passes/hierarchical_z.h"
 #include "engine/render/passes/line_pass.h"
+#include "engine/render/passes/shader_constants.h"
 #include "engine/render/passes/shaders.h"
 #include "engine/render/passes/shadow_maps.h"
 #include "engine/render/passes/surface_programs.h"
@@ -61,10 +61,10 @@ public:
                {shaders::kVersion, light_constants(settings_).text(), shaders::kAirChunk, shaders::kSrgbChunk,
                 shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
-          surfaces_(gl_, settings_.shadows, settings_.occlusion_radius > 0.0,
+          surfaces_(gl_, settings_.shadows, settings_.ambient_occlusion_radius > 0.0,
                     light_constants(settings_).add(shadows_.constants()).text()),
           occlusion_(gl_, depth_, masked_depth_),
-          drawn_depth_(gl_, settings_.samples) {
+          hierarchical_z_(gl_, settings_.samples) {
         gl_.GenVertexArrays(1, &no_vertices_);
     }
     Drawing(const Drawing&) = delete;
@@ -79,19 +79,19 @@ public:
         }
     }
 
-    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
-                 std::span<const OverlayLine> lines) {
+    Image draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
+               std::span<const OverlayLine> lines) {
         context_->make_current();
         if (settings_.supersampling > 1) {
             RenderTarget::check_size(gl_, width, height, 2);
             return halved(draw_once(view, 2 * width, 2 * height, figure, lines));
         }
-        Picture picture = draw_once(view, width, height, figure, lines);
-        return settings_.fxaa ? with_smooth_edges(picture) : std::move(picture);
+        Image image = draw_once(view, width, height, figure, lines);
+        return settings_.fxaa ? with_smooth_edges(image) : std::move(image);
     }
 
-    Picture draw_once(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
-                      std::span<const OverlayLine> lines) {
+    Image draw_once(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
+                    std::span<const OverlayLine> lines) {
         fit_target(width, height);
         occlusion_.fit(width, height);
         Frame frame;
@@ -101,13 +101,13 @@ public:
         frame.room_share = room_share(frame);
         frame.figure = figure ? upload(*figure) : nullptr;
         frame.near_shadows = settings_.shadows && frame.perspective;
-        frame.occlusion = frame.perspective && settings_.occlusion_radius > 0.0;
+        frame.occlusion = frame.perspective && settings_.ambient_occlusion_radius > 0.0;
         if (frame.near_shadows) {
             shadows_.draw_near(frame.eye, -view.R_world_camera.col(2), frame.figure, figure_indices_);
         }
         if (frame.occlusion) {
             occlusion_.draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
-                            settings_.occlusion_radius);
+                            settings_.ambient_occlusion_radius);
         } else {
             occlusion_.leave_open();
         }
@@ -144,7 +144,7 @@ public:
     const scene::Bounds& bounds() const { return geometry_.bounds; }
 
 private:
-    // What the passes of one picture share.
+    // What the passes of one image share.
     struct Frame {
         Eigen::Vector3d eye = Eigen::Vector3d::Zero();  // campus frame
         double room_share = 0.0;                        // 1 in a room
@@ -206,7 +206,7 @@ private:
 
     void draw_solid(const Frame& frame) {
         const Frustum frustum(frame.clip_campus);
-        DrawnDepth* depth = settings_.leave_out_hidden && frame.perspective ? &drawn_depth_ : nullptr;
+        HierarchicalZ* depth = settings_.leave_out_hidden && frame.perspective ? &hierarchical_z_ : nullptr;
         if (depth != nullptr) {
             depth->begin(*target_, frame.clip_campus);
         }
@@ -277,8 +277,8 @@ private:
     ShaderProgram sky_;
     ShadowMaps shadows_;
     SurfacePrograms surfaces_;
-    OcclusionPass occlusion_;
-    DrawnDepth drawn_depth_;
+    AmbientOcclusionPass occlusion_;
+    HierarchicalZ hierarchical_z_;
     GLuint no_vertices_ = 0;
     std::unique_ptr<RenderTarget> target_;
     std::unique_ptr<ChannelPass> channels_;  // none before the first is asked for
@@ -293,8 +293,8 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Picture Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
-                       std::span<const OverlayLine> lines) {
+Image Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
+                     std::span<const OverlayLine> lines) {
     return drawing_->draw(view, width, height, figure, lines);
 }
 

@@ -8,9 +8,9 @@
 #include "engine/render/geometry/camera.h"
 #include "engine/render/geometry/overlay_lines.h"
 #include "engine/render/gl/gl_context.h"
-#include "engine/render/passes/render_settings.h"
 #include "engine/render/image/channels.h"
 #include "engine/render/image/image.h"
+#include "engine/render/passes/render_settings.h"
 #include "engine/script/avatar.h"
 #include "scene/model/model.h"
 
@@ -27,7 +27,7 @@ struct Figure {
 /// All calls from one thread at a time.
 class Renderer {
 public:
-    /// Uploads the models and draws the campus' shadow map, so the first picture isn't the slow one. The
+    /// Uploads the models and draws the campus' shadow map, so the first image isn't the slow one. The
     /// models must outlive the renderer. Throws RenderError when the machine can't draw.
     explicit Renderer(std::span<const scene::Model> models, const RenderSettings& settings = {},
                       std::unique_ptr<GlContext> context = make_gl_context(RenderingBackend::automatic));
@@ -35,12 +35,12 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// A picture of `width` x `height` pixels. Throws RenderError for a size that can't be drawn.
+    /// An image of `width` x `height` pixels. Throws RenderError for a size that can't be drawn.
     /// `lines` go over it.
-    Picture draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {},
-                 std::span<const OverlayLine> lines = {});
+    Image draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {},
+               std::span<const OverlayLine> lines = {});
 
-    /// What the same picture shows in numbers, as far as `choice` asks for it. Throws RenderError likewise.
+    /// What the same image shows in numbers, as far as `choice` asks for it. Throws RenderError likewise.
     Channels draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,
                            const std::optional<Figure>& figure = {});
 

@@ -54,23 +54,23 @@ int take_number(std::string_view& text) {
 }
 
 /// The parts of `file:line:col: error CODE: message`; all of it is the message where it is something else.
-Failure parts_of(std::string_view complaint) {
+Failure parts_of(std::string_view diagnostic) {
     constexpr std::string_view kError = ": error ";
     Failure parts;
-    const std::size_t place = complaint.find(kError);
+    const std::size_t place = diagnostic.find(kError);
     const std::size_t code = place == std::string_view::npos ? place : place + kError.size();
-    const std::size_t message = code == std::string_view::npos ? code : complaint.find(": ", code);
+    const std::size_t message = code == std::string_view::npos ? code : diagnostic.find(": ", code);
     if (message == std::string_view::npos) {
         parts.code = "error";
-        parts.message = std::string(complaint);
+        parts.message = std::string(diagnostic);
         return parts;
     }
-    std::string_view file = complaint.substr(0, place);
+    std::string_view file = diagnostic.substr(0, place);
     const int last = take_number(file);
     const int first = take_number(file);
     parts.mark = {std::string(file), first > 0 ? first : last, first > 0 ? last : 0};
-    parts.code = std::string(complaint.substr(code, message - code));
-    parts.message = std::string(complaint.substr(message + 2));
+    parts.code = std::string(diagnostic.substr(code, message - code));
+    parts.message = std::string(diagnostic.substr(message + 2));
     return parts;
 }
 
@@ -89,8 +89,8 @@ public:
             whole.message = words;
             annotate(result, whole);
         }
-        for (const std::string& complaint : result.complaints) {
-            annotate(result, parts_of(complaint));
+        for (const std::string& diagnostic : result.diagnostics) {
+            annotate(result, parts_of(diagnostic));
         }
         for (const Failure& failure : result.failures) {
             annotate(result, failure);

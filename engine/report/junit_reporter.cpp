@@ -76,12 +76,12 @@ void append_failures(pugi::xml_node test, const WalkResult& result) {
 
 void append_error(pugi::xml_node test, const WalkResult& result) {
     std::string details;
-    for (const std::string& complaint : result.complaints) {
-        details += printable(complaint) + "\n";
+    for (const std::string& diagnostic : result.diagnostics) {
+        details += printable(diagnostic) + "\n";
     }
     const std::string words = verdict_in_words(result);
     append_trouble(test, "error", name_of(result.outcome),
-                   result.complaints.empty() ? words : result.complaints.front(), details + words);
+                   result.diagnostics.empty() ? words : result.diagnostics.front(), details + words);
 }
 
 /// What Jenkins and GitLab show beside a case.

@@ -17,7 +17,7 @@ using TextSink = std::function<void(std::string_view text)>;
 struct ReportStyle {
     bool color = false;       ///< ANSI colours, for a terminal
     bool quiet = false;       ///< only what is not as it should be, and the last line
-    std::string folder = {};  ///< the run's output folder as the user named it, to find pictures in
+    std::string folder = {};  ///< the run's output folder as the user named it, to find images in
 };
 
 /// `list`, `dot`, `junit`, `tap`, `json`, `jsonl` and `github`.

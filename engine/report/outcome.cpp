@@ -19,7 +19,7 @@ std::string listed(const Codes& codes) {
 }
 
 /// What is wrong with the way the walk failed; empty when nothing is.
-std::string complaint(const Codes& failed, const WalkStatus& status) {
+std::string diagnostic(const Codes& failed, const WalkStatus& status) {
     const Codes wanted(status.codes.begin(), status.codes.end());
     if (!failed.empty() && (wanted.empty() || wanted == failed)) {
         return "";
@@ -32,21 +32,21 @@ std::string complaint(const Codes& failed, const WalkStatus& status) {
 
 }  // namespace
 
-JudgedWalk judge_outcome(std::vector<Failure> failures, const WalkStatus& status) {
-    JudgedWalk judged{Outcome::passed, std::move(failures)};
+EvaluatedWalk outcome_of_evaluators(std::vector<Failure> failures, const WalkStatus& status) {
+    EvaluatedWalk evaluated{Outcome::passed, std::move(failures)};
     if (status.kind != WalkStatus::Kind::xfail) {
-        judged.outcome = judged.failures.empty() ? Outcome::passed : Outcome::failed;
-        return judged;
+        evaluated.outcome = evaluated.failures.empty() ? Outcome::passed : Outcome::failed;
+        return evaluated;
     }
     Codes failed;
-    for (const Failure& failure : judged.failures) {
+    for (const Failure& failure : evaluated.failures) {
         failed.insert(failure.code);
     }
-    if (std::string message = complaint(failed, status); !message.empty()) {
-        judged.outcome = Outcome::failed;
-        judged.failures.push_back({status.mark, "xfail", std::move(message), {}});
+    if (std::string message = diagnostic(failed, status); !message.empty()) {
+        evaluated.outcome = Outcome::failed;
+        evaluated.failures.push_back({status.mark, "xfail", std::move(message), {}});
     }
-    return judged;
+    return evaluated;
 }
 
 }  // namespace campuswalk::engine

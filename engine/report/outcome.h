@@ -8,7 +8,7 @@
 
 namespace campuswalk::engine {
 
-struct JudgedWalk {
+struct EvaluatedWalk {
     Outcome outcome = Outcome::passed;
     std::vector<Failure> failures;  ///< the walk's own and, where it should have failed otherwise, "xfail"
 };
@@ -16,6 +16,6 @@ struct JudgedWalk {
 /// What to think of a walk that has been run: `failures` are all there are of it, also those that observers
 /// found. One with the status xfail passes if it failed with just the codes that were named, in any order
 /// and number, or with any if none was; otherwise it fails, and says so at the status.
-JudgedWalk judge_outcome(std::vector<Failure> failures, const WalkStatus& status);
+EvaluatedWalk outcome_of_evaluators(std::vector<Failure> failures, const WalkStatus& status);
 
 }  // namespace campuswalk::engine

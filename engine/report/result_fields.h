@@ -64,7 +64,7 @@ void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
     fields("expected_to_fail", result.expected_to_fail);
     fields("outcome", result.outcome);
     fields("failures", result.failures);
-    fields("complaints", result.complaints);
+    fields("complaints", result.diagnostics);
     fields("campus", result.campus);
     fields("ticks_per_second", result.ticks_per_second);
     fields("seed", result.seed);

@@ -47,7 +47,7 @@ std::string verdict_in_words(const WalkResult& result) {
         case Outcome::interrupted:
             return "interrupted before it ended";
         case Outcome::broken:
-            return result.complaints.empty() ? "it ended without a result" : "";
+            return result.diagnostics.empty() ? "it ended without a result" : "";
         default:
             return "";
     }

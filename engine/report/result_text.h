@@ -18,7 +18,7 @@ constexpr bool failed_as_expected(const WalkResult& result) {
 double seconds_of(const WalkResult& result);
 
 /// What is wrong with a case, without the failures' own words: an xfail that passed, for instance. Empty
-/// where failures and complaints say it all.
+/// where failures and diagnostics say it all.
 std::string verdict_in_words(const WalkResult& result);
 
 /// FILE[ PROJECT][ #REPETITION], printable.

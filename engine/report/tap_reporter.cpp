@@ -59,11 +59,11 @@ private:
         if (const std::string words = verdict_in_words(result); !words.empty()) {
             say("  message: " + quoted(words));
         }
-        if (!result.complaints.empty()) {
+        if (!result.diagnostics.empty()) {
             say("  complaints:");
         }
-        for (const std::string& complaint : result.complaints) {
-            say("    - " + quoted(complaint));
+        for (const std::string& diagnostic : result.diagnostics) {
+            say("    - " + quoted(diagnostic));
         }
         if (!result.failures.empty()) {
             say("  failures:");

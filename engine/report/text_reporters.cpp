@@ -94,8 +94,8 @@ private:
             std::string reason = printable(result.status_reason);
             say("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
         }
-        for (const std::string& complaint : result.complaints) {
-            say("   " + printable(complaint));
+        for (const std::string& diagnostic : result.diagnostics) {
+            say("   " + printable(diagnostic));
         }
         const FailureScene* before = nullptr;
         for (const Failure& failure : result.failures) {

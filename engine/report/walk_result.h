@@ -40,8 +40,8 @@ struct WalkResult {
     bool expected_to_fail = false;
 
     Outcome outcome = Outcome::passed;
-    std::vector<Failure> failures;        ///< of an xfail too
-    std::vector<std::string> complaints;  ///< bad_input, broken: `file:line:col: error CODE: message`
+    std::vector<Failure> failures;         ///< of an xfail too
+    std::vector<std::string> diagnostics;  ///< bad_input, broken: `file:line:col: error CODE: message`
     std::string campus;
     int ticks_per_second = 60;
     std::uint64_t seed = 0;

@@ -23,8 +23,8 @@ std::vector<std::string> failure_codes() {
         codes.push_back("not-" + name);
     }
     codes.emplace_back(ExpectLog::kName);
-    const std::vector<std::string> of_pictures = picture_failure_codes();
-    codes.insert(codes.end(), of_pictures.begin(), of_pictures.end());
+    const std::vector<std::string> of_images = image_failure_codes();
+    codes.insert(codes.end(), of_images.begin(), of_images.end());
     return codes;
 }
 
@@ -32,12 +32,12 @@ std::string code_of(const ExpectVisible& expected) {
     return (expected.negated ? "not-" : "") + std::string(ExpectVisible::kName);
 }
 
-bool is_about_pictures(const Expectation& expectation) {
+bool is_about_images(const Expectation& expectation) {
     return std::holds_alternative<ExpectSnapshot>(expectation) ||
            std::holds_alternative<ExpectVisible>(expectation);
 }
 
-std::vector<std::string> picture_failure_codes() {
+std::vector<std::string> image_failure_codes() {
     const std::string visible(ExpectVisible::kName);
     return {std::string(ExpectSnapshot::kName), visible, "not-" + visible};
 }

@@ -158,11 +158,11 @@ struct ExpectLog {
     bool golden = true;
 };
 
-// ---- pictures -----------------------------------------------------------------------------------------
+// ---- images -----------------------------------------------------------------------------------------
 // Whoever draws the walk's snapshots judges these, after the run: drawing differs between machines, and what
-// is thought of a picture changes neither the walk nor its log. They can't stand in a step.
+// is thought of an image changes neither the walk nor its log. They can't stand in a step.
 
-/// A snapshot is, within a tolerance, the picture that was kept beside the walk.
+/// A snapshot is, within a tolerance, the image that was kept beside the walk.
 struct ExpectSnapshot {
     static constexpr std::string_view kName = "snapshot";
     SourceMark mark;
@@ -178,7 +178,7 @@ struct ExpectVisible {
     SourceMark snapshot_mark;
     std::string snapshot;             ///< name of a snapshot step
     int min_pixels = 1;               ///< at least
-    std::optional<double> min_ratio;  ///< of the picture's pixels, at least
+    std::optional<double> min_ratio;  ///< of the image's pixels, at least
     bool negated = false;             ///< `not`: less than that
 };
 
@@ -187,10 +187,10 @@ std::string code_of(const ExpectVisible& expected);
 
 using Expectation = std::variant<PlainExpectation, ExpectNot, ExpectLog, ExpectSnapshot, ExpectVisible>;
 
-/// Whether it can be judged only where pictures are drawn.
-bool is_about_pictures(const Expectation& expectation);
+/// Whether it can be judged only where images are drawn.
+bool is_about_images(const Expectation& expectation);
 /// The codes of failures of those.
-std::vector<std::string> picture_failure_codes();
+std::vector<std::string> image_failure_codes();
 
 /// What a failure's `code` can be: the names above, those with `not-` before, and what ends a walk early.
 /// `xfail` is that of a walk that should have failed.

@@ -2,7 +2,7 @@
 
 namespace campuswalk::engine {
 
-PictureTolerance changed(PictureTolerance tolerance, const ToleranceChanges& changes) {
+ImageTolerance changed(ImageTolerance tolerance, const ToleranceChanges& changes) {
     tolerance.threshold = changes.threshold.value_or(tolerance.threshold);
     if (changes.max_diff_pixels) {
         tolerance.max_diff_pixels = changes.max_diff_pixels;

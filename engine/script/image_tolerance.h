@@ -5,7 +5,7 @@
 
 namespace campuswalk::engine {
 
-/// A rectangle of a picture, in pixels from its upper left corner.
+/// A rectangle of an image, in pixels from its upper left corner.
 struct PixelBox {
     int x = 0;
     int y = 0;
@@ -13,8 +13,8 @@ struct PixelBox {
     int height = 0;
 };
 
-/// How far two pictures may be apart and still count as the same. Both rules hold.
-struct PictureTolerance {
+/// How far two images may be apart and still count as the same. Both rules hold.
+struct ImageTolerance {
     /// Colours closer than this are the same: 0 is the same bytes, 1 the two farthest apart. 0.2 is beyond
     /// what another processor or Mesa version makes of a surface.
     double threshold = 0.2;
@@ -36,6 +36,6 @@ struct ToleranceChanges {
     std::vector<PixelBox> masks;  ///< added to those there are
 };
 
-PictureTolerance changed(PictureTolerance tolerance, const ToleranceChanges& changes);
+ImageTolerance changed(ImageTolerance tolerance, const ToleranceChanges& changes);
 
 }  // namespace campuswalk::engine

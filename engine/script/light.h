@@ -7,11 +7,11 @@
 namespace campuswalk::engine {
 
 /// How edges are smoothed: samples a pixel where surfaces end (looks best for its cost), a filter over the
-/// finished picture (costs least, softens small things), or four pixels drawn for each (costs most; smooths
+/// finished image (costs least, softens small things), or four pixels drawn for each (costs most; smooths
 /// textures and mirrors too).
 enum class AntiAliasing { none, msaa, fxaa, supersampling };
 
-/// Sun, sky and air of pictures, and how they are drawn (`NAME.light.yaml`). What is left out is as by day.
+/// Sun, sky and air of images, and how they are drawn (`NAME.light.yaml`). What is left out is as by day.
 /// Colours are linear red, green and blue; 1 is what a white sheet sends back when it is drawn as pure white.
 struct LightSettings {
     std::optional<double> sun_azimuth = {};         ///< radians from north (-Z) towards east (+X)
@@ -32,7 +32,7 @@ struct LightSettings {
         {};  ///< metres at which 63 % of a thing's colour is lost; 0 = no fog
     std::optional<bool> shadows = {};
     /// Metres within which corners and things above dim the sky's light; 0 = nowhere.
-    std::optional<double> contact_shading = {};
+    std::optional<double> ambient_occlusion = {};
     std::optional<AntiAliasing> anti_aliasing = {};  ///< msaa by day
 
     friend bool operator==(const LightSettings&, const LightSettings&) = default;

@@ -41,7 +41,7 @@ struct CameraSettings {
     int height = 720;                 ///< pixels
     double fov = 1.0471975511965976;  ///< radians (60°), vertical
     double height_above = 40.0;       ///< metres above the avatar, for View::top
-    /// Metres from what it goes around, for View::orbit, where a building fills the picture and a point is 10
+    /// Metres from what it goes around, for View::orbit, where a building fills the image and a point is 10
     /// m away without; metres behind the avatar, for View::third_person, 4 without.
     std::optional<double> distance;
     std::optional<CameraTarget> around;       ///< for View::orbit; the avatar without
@@ -51,8 +51,8 @@ struct CameraSettings {
     std::optional<double> pitch;              ///< radians, up positive, likewise
 };
 
-/// What else of a picture is kept, as files of numbers.
-struct PictureChannels {
+/// What else of an image is kept, as files of numbers.
+struct ImageChannels {
     bool depth = false;
     bool ids = false;  ///< which building and object each pixel shows
     bool normals = false;
@@ -60,13 +60,13 @@ struct PictureChannels {
     bool any() const { return depth || ids || normals; }
 };
 
-/// What is drawn over a picture, for whoever wants to see how the campus works.
-struct PictureOverlays {
+/// What is drawn over an image, for whoever wants to see how the campus works.
+struct ImageOverlays {
     bool path = false;                   ///< the way walked so far
     bool contacts = false;               ///< where something solid was touched
     bool colliders = false;              ///< edges of what is solid or seen
     bool triggers = false;               ///< edges of what notices who is inside
-    bool labels = false;                 ///< titles of the buildings that are in the picture
+    bool labels = false;                 ///< titles of the buildings that are in the image
     bool compass = false;                ///< where north is
     std::optional<int> tree_level = {};  ///< the boxes at this level of the meshes' trees, 0 the whole mesh'
 
@@ -123,8 +123,8 @@ struct SnapshotStep {
     SourceMark mark;
     std::string name;  ///< file name without extension
     CameraSettings camera;
-    PictureChannels channels;
-    PictureOverlays overlays;
+    ImageChannels channels;
+    ImageOverlays overlays;
 };
 
 /// Along a smooth curve through points, from where the avatar is. Ends like a walk_to to the last of them.
@@ -176,7 +176,7 @@ struct EnableStep {
 /// Ends the walk unless all has been as expected so far.
 struct ExpectStep {
     SourceMark mark;
-    std::vector<Expectation> expectations;  ///< at least one; no log, no pictures
+    std::vector<Expectation> expectations;  ///< at least one; no log, no images
 };
 
 using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
@@ -221,7 +221,7 @@ struct Walk {
     AvatarProfile avatar;
     SimSettings sim;
     CameraSettings camera;
-    LightSettings light;  ///< of its pictures
+    LightSettings light;  ///< of its images
     std::vector<Step> steps;
     std::vector<Expectation> expectations;
 };

@@ -28,17 +28,17 @@ public:
           disabled_(campus.objects.size(), false),
           solids_{collision::Detection::solid, ignored_layers(campus, walk.avatar), &disabled_} {}
 
-    /// Appends the complaints about it.
-    void see(const Step& step, std::vector<Diagnostic>& complaints) {
+    /// Appends the diagnostics about it.
+    void see(const Step& step, std::vector<Diagnostic>& diagnostics) {
         if (const auto* spawn = std::get_if<SpawnStep>(&step)) {
-            check_place(spawn->mark, spawn->label, spawn->position, complaints);
+            check_place(spawn->mark, spawn->label, spawn->position, diagnostics);
         } else if (const auto* teleport = std::get_if<TeleportStep>(&step)) {
-            check_place(teleport->mark, teleport->label, teleport->position, complaints);
+            check_place(teleport->mark, teleport->label, teleport->position, diagnostics);
         } else if (const auto* crouch = std::get_if<CrouchStep>(&step)) {
             height_ = crouch->height;
         } else if (const auto* enable = std::get_if<EnableStep>(&step)) {
             for (const NamePattern& pattern : enable->objects) {
-                switch_objects(pattern, enable->enabled, complaints);
+                switch_objects(pattern, enable->enabled, diagnostics);
             }
         }
     }
@@ -46,7 +46,7 @@ public:
 private:
     /// Complains about a place where the avatar can't stand.
     void check_place(const SourceMark& mark, const std::string& label, const Vector3d& foot,
-                     std::vector<Diagnostic>& complaints) {
+                     std::vector<Diagnostic>& diagnostics) {
         if (collision::standing_place(campus_.world, solids_, foot, avatar_.radius, height_, kPlacementSearch,
                                       counters_)) {
             return;
@@ -54,13 +54,13 @@ private:
         const auto object =
             collision::obstruction(campus_.world, solids_, foot, avatar_.radius, height_, counters_);
         const std::string where = object ? "inside " + campus_.objects[index_of(*object)].id : "not free";
-        complaints.push_back({scene::Severity::error, mark, "spawn-blocked",
-                              label + " at " + fixed(foot) + " is " + where + ": put it where a capsule of " +
-                                  fixed(avatar_.radius, 2) + " m radius and " + fixed(height_, 2) +
-                                  " m height fits"});
+        diagnostics.push_back({scene::Severity::error, mark, "spawn-blocked",
+                               label + " at " + fixed(foot) + " is " + where +
+                                   ": put it where a capsule of " + fixed(avatar_.radius, 2) +
+                                   " m radius and " + fixed(height_, 2) + " m height fits"});
     }
 
-    void switch_objects(const NamePattern& pattern, bool enabled, std::vector<Diagnostic>& complaints) {
+    void switch_objects(const NamePattern& pattern, bool enabled, std::vector<Diagnostic>& diagnostics) {
         bool known = false;
         for (std::size_t i = 0; i < campus_.objects.size(); ++i) {
             if (scene::glob_matches(pattern.glob, campus_.objects[i].id)) {
@@ -69,9 +69,9 @@ private:
             }
         }
         if (!known) {
-            complaints.push_back({scene::Severity::error, pattern.mark, "unknown-name",
-                                  "the campus has no object '" + pattern.glob + "'" +
-                                      scene::did_you_mean(pattern.glob, object_names())});
+            diagnostics.push_back({scene::Severity::error, pattern.mark, "unknown-name",
+                                   "the campus has no object '" + pattern.glob + "'" +
+                                       scene::did_you_mean(pattern.glob, object_names())});
         }
     }
 
@@ -91,40 +91,40 @@ private:
     collision::QueryCounters counters_;
 };
 
-bool same_complaint(const Diagnostic& a, const Diagnostic& b) {
+bool same_diagnostic(const Diagnostic& a, const Diagnostic& b) {
     return a.mark.file == b.mark.file && a.mark.line == b.mark.line && a.mark.column == b.mark.column &&
            a.message == b.message;
 }
 
 /// Steps of a `repeat` are there once a round.
-void drop_repeated(std::vector<Diagnostic>& complaints) {
+void drop_repeated(std::vector<Diagnostic>& diagnostics) {
     std::vector<Diagnostic> kept;
-    for (Diagnostic& complaint : complaints) {
-        if (std::ranges::none_of(kept, [&](const Diagnostic& k) { return same_complaint(k, complaint); })) {
-            kept.push_back(std::move(complaint));
+    for (Diagnostic& diagnostic : diagnostics) {
+        if (std::ranges::none_of(kept, [&](const Diagnostic& k) { return same_diagnostic(k, diagnostic); })) {
+            kept.push_back(std::move(diagnostic));
         }
     }
-    complaints = std::move(kept);
+    diagnostics = std::move(kept);
 }
 
 }  // namespace
 
 std::vector<Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk) {
-    std::vector<Diagnostic> complaints;
+    std::vector<Diagnostic> diagnostics;
     const NameCheck names(campus, walk);
     StepCheck steps(campus, walk);
     for (const Step& step : walk.steps) {
-        steps.see(step, complaints);
+        steps.see(step, diagnostics);
         if (const auto* wait = std::get_if<WaitUntilStep>(&step)) {
-            names.check(wait->event, complaints);
+            names.check(wait->event, diagnostics);
         } else if (const auto* expect = std::get_if<ExpectStep>(&step)) {
-            names.check(expect->expectations, complaints);
+            names.check(expect->expectations, diagnostics);
         }
     }
-    names.check(walk.expectations, complaints);
-    check_picture_names(campus, walk, complaints);
-    drop_repeated(complaints);
-    return complaints;
+    names.check(walk.expectations, diagnostics);
+    check_image_names(campus, walk, diagnostics);
+    drop_repeated(diagnostics);
+    return diagnostics;
 }
 
 }  // namespace campuswalk::engine

@@ -7,7 +7,7 @@
 
 namespace campuswalk::engine {
 
-/// Checks what needs the built campus, before anything runs. Returns the complaints, empty when the walk can
+/// Checks what needs the built campus, before anything runs. Returns the diagnostics, empty when the walk can
 /// run:
 ///   spawn-blocked   a spawn or teleport where the avatar's capsule, as tall as it is by then, doesn't fit
 ///                   between what isn't disabled by then (see collision::standing_place)

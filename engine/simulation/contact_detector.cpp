@@ -23,16 +23,17 @@ constexpr double kTouchSlack = 1e-3;   // metres beyond the skin: bumping into s
 constexpr double kPartSlack = 5e-3;    // metres beyond the skin: and ends
 constexpr double kVolumeSlack = 1e-3;  // metres outside a trigger at which it is left
 
-void sort_for_log(std::vector<SensedTransition>& transitions) {
-    std::ranges::sort(transitions, {}, [](const SensedTransition& s) {
-        return std::tuple(s.transition.at, s.transition.phase, s.transition.object, s.strategy);
+void sort_for_log(std::vector<DetectedTransition>& transitions) {
+    std::ranges::sort(transitions, {}, [](const DetectedTransition& s) {
+        return std::tuple(s.transition.at, s.transition.phase, s.transition.object, s.mode);
     });
 }
 
 }  // namespace
 
-Senses::Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
-               Tick stay_ticks, Tick gaze_hold, const std::vector<bool>* disabled)
+ContactDetector::ContactDetector(const scene::Campus& campus, const AvatarProfile& avatar,
+                                 std::uint32_t ignored_layers, Tick stay_ticks, Tick gaze_hold,
+                                 const std::vector<bool>* disabled)
     : campus_(campus),
       avatar_(avatar),
       ignored_layers_(ignored_layers),
@@ -40,60 +41,60 @@ Senses::Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::ui
       solids_(stay_ticks),
       triggers_(stay_ticks),
       gaze_(stay_ticks),
-      gaze_memory_(gaze_hold) {}
+      gaze_tracker_(gaze_hold) {}
 
-void Senses::sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                   std::vector<SensedTransition>& out, collision::QueryCounters& counters) {
+void ContactDetector::detect(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                             std::vector<DetectedTransition>& out, collision::QueryCounters& counters) {
     out.clear();
-    see_solids(trace);
-    collect(tick, Strategy::collision, solids_, out);
-    see_triggers(avatar.stature * avatar_.height, trace, counters);
-    collect(tick, Strategy::trigger, triggers_, out);
-    see_gaze(tick, avatar, counters);
-    collect(tick, Strategy::ray, gaze_, out);
+    find_solid_contacts(trace);
+    collect(tick, DetectionMode::collision, solids_, out);
+    find_trigger_overlaps(avatar.stature * avatar_.height, trace, counters);
+    collect(tick, DetectionMode::trigger, triggers_, out);
+    find_gaze_hits(tick, avatar, counters);
+    collect(tick, DetectionMode::ray, gaze_, out);
     sort_for_log(out);
 }
 
-void Senses::sense_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                         std::vector<SensedTransition>& out, collision::QueryCounters& counters) {
+void ContactDetector::detect_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                                   std::vector<DetectedTransition>& out, collision::QueryCounters& counters) {
     if (disabled_ != nullptr) {
         for (std::size_t i = 0; i < disabled_->size(); ++i) {
             if ((*disabled_)[i]) {
-                gaze_memory_.forget(static_cast<collision::ObjectId>(i));
+                gaze_tracker_.forget(static_cast<collision::ObjectId>(i));
             }
         }
     }
-    sense(tick, avatar, trace, out, counters);
+    detect(tick, avatar, trace, out, counters);
     // `sense` has told this tick's stays before.
-    std::erase_if(out, [](const SensedTransition& s) { return s.transition.phase == Phase::stay; });
+    std::erase_if(out, [](const DetectedTransition& s) { return s.transition.phase == Phase::stay; });
 }
 
-void Senses::leave_all(Tick tick, std::vector<SensedTransition>& out) {
+void ContactDetector::leave_all(Tick tick, std::vector<DetectedTransition>& out) {
     out.clear();
-    const auto leave = [&](Strategy strategy, ContactTracker& tracker) {
+    const auto leave = [&](DetectionMode mode, ContactTracker& tracker) {
         changes_.clear();
         tracker.leave_all(tick, changes_);
         for (const Transition& t : changes_) {
-            out.push_back({strategy, t, 0.0});
+            out.push_back({mode, t, 0.0});
         }
     };
-    leave(Strategy::collision, solids_);
-    leave(Strategy::trigger, triggers_);
-    leave(Strategy::ray, gaze_);
-    gaze_memory_.forget_all();
+    leave(DetectionMode::collision, solids_);
+    leave(DetectionMode::trigger, triggers_);
+    leave(DetectionMode::ray, gaze_);
+    gaze_tracker_.forget_all();
     sort_for_log(out);
 }
 
-void Senses::collect(Tick tick, Strategy strategy, ContactTracker& tracker,
-                     std::vector<SensedTransition>& out) {
+void ContactDetector::collect(Tick tick, DetectionMode mode, ContactTracker& tracker,
+                              std::vector<DetectedTransition>& out) {
     changes_.clear();
     tracker.update(tick, seen_, changes_);
     for (const Transition& t : changes_) {
-        out.push_back({strategy, t, strategy == Strategy::ray ? gaze_memory_.distance(t.object) : 0.0});
+        out.push_back({mode, t, mode == DetectionMode::ray ? gaze_tracker_.distance(t.object) : 0.0});
     }
 }
 
-void Senses::see_solids(const collision::MoveTrace& trace) {
+void ContactDetector::find_solid_contacts(const collision::MoveTrace& trace) {
     seen_.clear();
     for (const collision::Touch& touch : trace.touching) {
         const double slack = solids_.active(touch.object) ? kPartSlack : kTouchSlack;
@@ -103,8 +104,8 @@ void Senses::see_solids(const collision::MoveTrace& trace) {
     }
 }
 
-void Senses::see_triggers(double height, const collision::MoveTrace& trace,
-                          collision::QueryCounters& counters) {
+void ContactDetector::find_trigger_overlaps(double height, const collision::MoveTrace& trace,
+                                            collision::QueryCounters& counters) {
     seen_.clear();
     Aabb box;
     for (const Vec3& foot : trace.path) {
@@ -114,16 +115,17 @@ void Senses::see_triggers(double height, const collision::MoveTrace& trace,
     const QueryFilter filter{Detection::trigger, ignored_layers_, disabled_};
     campus_.world.candidates(box.grown(avatar_.radius + kVolumeSlack), filter, candidates_);
     for (const collision::ObjectId id : candidates_) {
-        const Sighting sighting = sight_trigger(id, height, trace.path, counters);
-        if (sighting.met || triggers_.active(id)) {
-            seen_.push_back(sighting);
+        const ObjectOverlap overlap = trigger_overlap(id, height, trace.path, counters);
+        if (overlap.met || triggers_.active(id)) {
+            seen_.push_back(overlap);
         }
     }
 }
 
 /// How the avatar meets a volume along its path, from the first contact to the last.
-Sighting Senses::sight_trigger(collision::ObjectId id, double height, const std::vector<Vec3>& path,
-                               collision::QueryCounters& counters) const {
+ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double height,
+                                               const std::vector<Vec3>& path,
+                                               collision::QueryCounters& counters) const {
     const double radius = avatar_.radius + (triggers_.active(id) ? kVolumeSlack : 0.0);
     const auto span_from = [&](const Vec3& foot, const Vec3& move) {
         const Segment body{foot + Vec3(0, avatar_.radius, 0), foot + Vec3(0, height - avatar_.radius, 0)};
@@ -133,22 +135,23 @@ Sighting Senses::sight_trigger(collision::ObjectId id, double height, const std:
         const bool inside = span_from(path.front(), Vec3::Zero()).has_value();
         return {id, inside, inside, 1.0, 1.0};
     }
-    Sighting sighting{id, false, false, 1.0, 0.0};
+    ObjectOverlap overlap{id, false, false, 1.0, 0.0};
     const auto parts = static_cast<double>(path.size() - 1);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         const auto span = span_from(path[i], path[i + 1] - path[i]);
-        sighting.present = span && span->at_end;
+        overlap.present = span && span->at_end;
         if (span) {
             const auto part = static_cast<double>(i);
-            sighting.enter_at = sighting.met ? sighting.enter_at : (part + span->enter) / parts;
-            sighting.exit_at = (part + span->leave) / parts;
-            sighting.met = true;
+            overlap.enter_at = overlap.met ? overlap.enter_at : (part + span->enter) / parts;
+            overlap.exit_at = (part + span->leave) / parts;
+            overlap.met = true;
         }
     }
-    return sighting;
+    return overlap;
 }
 
-void Senses::see_gaze(Tick tick, const AvatarState& avatar, collision::QueryCounters& counters) {
+void ContactDetector::find_gaze_hits(Tick tick, const AvatarState& avatar,
+                                     collision::QueryCounters& counters) {
     seen_.clear();
     const auto [sin_yaw, cos_yaw] = collision::sin_cos(avatar.yaw);
     const auto [sin_pitch, cos_pitch] = collision::sin_cos(avatar.pitch);
@@ -158,10 +161,10 @@ void Senses::see_gaze(Tick tick, const AvatarState& avatar, collision::QueryCoun
     const QueryFilter filter{Detection::solid | Detection::ray, ignored_layers_, disabled_};
     const auto hit = collision::cast(campus_.world, filter, ray, Detection::ray, counters);
     if (hit && any_of(campus_.world.object(hit->object).detection, Detection::ray)) {
-        gaze_memory_.meet(tick, hit->object, hit->fraction * avatar_.look_distance);
+        gaze_tracker_.meet(tick, hit->object, hit->fraction * avatar_.look_distance);
     }
-    gaze_memory_.advance(tick);
-    for (const GazeMemory::Look& look : gaze_memory_.looks()) {
+    gaze_tracker_.advance(tick);
+    for (const GazeTracker::Look& look : gaze_tracker_.looks()) {
         seen_.push_back({look.object});
     }
 }

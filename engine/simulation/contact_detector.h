@@ -14,43 +14,46 @@
 
 namespace campuswalk::engine {
 
-enum class Strategy { collision, trigger, ray };
+enum class DetectionMode { collision, trigger, ray };
 
 /// A transition with the strategy that saw it.
-struct SensedTransition {
-    Strategy strategy = Strategy::collision;
+struct DetectedTransition {
+    DetectionMode mode = DetectionMode::collision;
     Transition transition;
     double distance = 0.0;  ///< ray: from the eye to what is looked at, metres
 };
 
 /// The paper's three detection strategies for one avatar: what it bumps into, what volumes it is in, and what
 /// it looks at ("light projection").
-class Senses {
+class ContactDetector {
 public:
-    /// `ignored_layers` and `disabled` as in collision::QueryFilter; `gaze_hold` as in GazeMemory.
-    Senses(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
-           Tick stay_ticks, Tick gaze_hold = 0, const std::vector<bool>* disabled = nullptr);
+    /// `ignored_layers` and `disabled` as in collision::QueryFilter; `gaze_hold` as in GazeTracker.
+    ContactDetector(const scene::Campus& campus, const AvatarProfile& avatar, std::uint32_t ignored_layers,
+                    Tick stay_ticks, Tick gaze_hold = 0, const std::vector<bool>* disabled = nullptr);
 
     /// After a tick that moved the avatar along `trace.path`. Replaces `out`, in log order: by time within
     /// the tick, exits before enters before stays, then by object.
-    void sense(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-               std::vector<SensedTransition>& out, collision::QueryCounters& counters);
+    void detect(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                std::vector<DetectedTransition>& out, collision::QueryCounters& counters);
 
     /// After `sense`, in the same tick, when what can be met has changed: enters and exits alone. What was
     /// disabled is left at once, without the gaze's hold. Replaces `out`, in the same order.
-    void sense_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                     std::vector<SensedTransition>& out, collision::QueryCounters& counters);
+    void detect_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
+                      std::vector<DetectedTransition>& out, collision::QueryCounters& counters);
 
     /// Everything ends at once. Replaces `out`, in the same order.
-    void leave_all(Tick tick, std::vector<SensedTransition>& out);
+    void leave_all(Tick tick, std::vector<DetectedTransition>& out);
 
 private:
-    void see_solids(const collision::MoveTrace& trace);
-    void see_triggers(double height, const collision::MoveTrace& trace, collision::QueryCounters& counters);
-    Sighting sight_trigger(collision::ObjectId id, double height, const std::vector<collision::Vec3>& path,
-                           collision::QueryCounters& counters) const;
-    void see_gaze(Tick tick, const AvatarState& avatar, collision::QueryCounters& counters);
-    void collect(Tick tick, Strategy strategy, ContactTracker& tracker, std::vector<SensedTransition>& out);
+    void find_solid_contacts(const collision::MoveTrace& trace);
+    void find_trigger_overlaps(double height, const collision::MoveTrace& trace,
+                               collision::QueryCounters& counters);
+    ObjectOverlap trigger_overlap(collision::ObjectId id, double height,
+                                  const std::vector<collision::Vec3>& path,
+                                  collision::QueryCounters& counters) const;
+    void find_gaze_hits(Tick tick, const AvatarState& avatar, collision::QueryCounters& counters);
+    void collect(Tick tick, DetectionMode mode, ContactTracker& tracker,
+                 std::vector<DetectedTransition>& out);
 
     const scene::Campus& campus_;
     AvatarProfile avatar_;
@@ -59,8 +62,8 @@ private:
     ContactTracker solids_;
     ContactTracker triggers_;
     ContactTracker gaze_;
-    GazeMemory gaze_memory_;
-    std::vector<Sighting> seen_;
+    GazeTracker gaze_tracker_;
+    std::vector<ObjectOverlap> seen_;
     std::vector<Transition> changes_;
     std::vector<collision::ObjectId> candidates_;
 };

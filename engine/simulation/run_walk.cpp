@@ -84,9 +84,9 @@ void add_verdict(const WalkSummary& summary, const Walk& walk, std::vector<Event
 
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
     Simulation simulation(campus, walk);
-    Jury jury(campus, walk);
+    ExpectationSet expectation_set(campus, walk);
     WalkSummary summary;
-    const auto show = [&](const FrameRecord& record) {
+    const auto show = [&](const TickRecord& record) {
         for (Observer* observer : observers) {
             observer->frame(record);
         }
@@ -96,28 +96,29 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
         observer->begin(walk);
     }
     while (!simulation.finished()) {
-        const FrameRecord& record = simulation.step();
-        jury.see(record);
+        const TickRecord& record = simulation.step();
+        expectation_set.see(record);
         summary.events += static_cast<std::int64_t>(record.events.size());
         summary.ticks = record.tick;
         show(record);
     }
 
-    FrameRecord last = simulation.leave_everything();
+    TickRecord last = simulation.leave_everything();
     std::vector<Event> closing(last.events.begin(), last.events.end());
     // walk.start is not counted, nor is walk.end, which expectations see without the verdict on them.
     summary.events += static_cast<std::int64_t>(closing.size()) - 1;
     closing.push_back(event_at(last.tick, EventKind::walk_end, walk.name));
     last.events = closing;
-    jury.see_closing(last);
+    expectation_set.see_closing(last);
     if (const auto& stop = simulation.stop()) {
-        Jury::StoppedVerdicts verdicts = jury.verdicts_when_stopped();
+        ExpectationSet::StoppedVerdicts verdicts = expectation_set.verdicts_when_stopped();
         summary.failures = std::move(verdicts.failures);
-        summary.failures.insert(summary.failures.begin(),
-                                {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
-                                 stop->scene ? *stop->scene : scene_of(jury.now(), campus, walk.avatar)});
+        summary.failures.insert(
+            summary.failures.begin(),
+            {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
+             stop->scene ? *stop->scene : scene_of(expectation_set.now(), campus, walk.avatar)});
     } else {
-        summary.failures = jury.verdicts();
+        summary.failures = expectation_set.verdicts();
     }
     summary.passed = summary.failures.empty();
     summary.events += static_cast<std::int64_t>(summary.failures.size());

@@ -22,17 +22,17 @@ constexpr double kAbyss = 10.0;
 constexpr double kNotableFall = 0.5;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
-struct KindsOf {
+struct EventKinds {
     EventKind enter;
     EventKind stay;
     EventKind exit;
 };
 
-KindsOf kinds_of(Strategy strategy) {
-    switch (strategy) {
-        case Strategy::collision:
+EventKinds event_kinds_of(DetectionMode mode) {
+    switch (mode) {
+        case DetectionMode::collision:
             return {EventKind::collision_enter, EventKind::collision_stay, EventKind::collision_exit};
-        case Strategy::trigger:
+        case DetectionMode::trigger:
             return {EventKind::trigger_enter, EventKind::trigger_stay, EventKind::trigger_exit};
         default:
             return {EventKind::ray_enter, EventKind::ray_stay, EventKind::ray_exit};
@@ -84,13 +84,13 @@ Simulation::Simulation(const scene::Campus& campus, const Walk& walk)
       solids_{Detection::solid, ignored_layers(campus, walk.avatar), &disabled_},
       mover_(campus.world, mover_settings(walk.avatar), solids_),
       script_(walk),
-      senses_(campus, walk.avatar, solids_.ignored_layers, ticks_of(walk.sim.stay_every, walk.sim),
-              ticks_of(walk.sim.gaze_hold, walk.sim), &disabled_),
+      contact_detector_(campus, walk.avatar, solids_.ignored_layers, ticks_of(walk.sim.stay_every, walk.sim),
+                        ticks_of(walk.sim.gaze_hold, walk.sim), &disabled_),
       popups_(campus.description.buildings.size()),
-      juries_(campus, walk),
+      step_expectations_(campus, walk),
       stuck_(walk.sim.ticks_per_second) {}
 
-const FrameRecord& Simulation::step() {
+const TickRecord& Simulation::step() {
     ++tick_;
     events_.clear();
     snapshots_.clear();
@@ -107,8 +107,8 @@ const FrameRecord& Simulation::step() {
     }
     report_placement(intent);
     const collision::QueryCounters before_sense = counters_;
-    senses_.sense(tick_, avatar_, trace_, transitions_, counters_);
-    record_.costs.sense = since(before_sense, counters_);
+    contact_detector_.detect(tick_, avatar_, trace_, transitions_, counters_);
+    record_.costs.detect = since(before_sense, counters_);
     report_transitions(placed_);
     report_dwelling();
     report_fall();
@@ -118,11 +118,11 @@ const FrameRecord& Simulation::step() {
     return finish_record();
 }
 
-const FrameRecord& Simulation::leave_everything() {
+const TickRecord& Simulation::leave_everything() {
     events_.clear();
     snapshots_.clear();
     record_.costs = {};
-    senses_.leave_all(tick_, transitions_);
+    contact_detector_.leave_all(tick_, transitions_);
     report_transitions("end");
     return finish_record();
 }
@@ -150,7 +150,7 @@ void Simulation::leave_place(const char* cause) {
     placed_ = cause;
     jumped_ = false;
     if (tick_ > 0) {
-        senses_.leave_all(tick_, transitions_);
+        contact_detector_.leave_all(tick_, transitions_);
         report_transitions(cause);
     }
 }
@@ -189,32 +189,32 @@ void Simulation::report_placement(const Intent& intent) {
 }
 
 void Simulation::report_transitions(const char* cause) {
-    for (const SensedTransition& sensed : transitions_) {
-        report_transition(sensed, cause);
+    for (const DetectedTransition& detected : transitions_) {
+        report_transition(detected, cause);
     }
 }
 
 /// The event of a transition and, when it is the first or the last of its building, the pop-up's: opened
 /// after the enter, closed before the exit.
-void Simulation::report_transition(const SensedTransition& sensed, const char* cause) {
-    const Transition& t = sensed.transition;
+void Simulation::report_transition(const DetectedTransition& detected, const char* cause) {
+    const Transition& t = detected.transition;
     const scene::CampusObject& object = campus_.objects[index_of(t.object)];
-    const KindsOf kinds = kinds_of(sensed.strategy);
+    const EventKinds kinds = event_kinds_of(detected.mode);
     const bool shows = object.popup && object.building;
 
     if (t.phase == Phase::exit && shows) {
-        leave_popup(sensed);
+        leave_popup(detected);
     }
     const EventKind kind = t.phase == Phase::enter  ? kinds.enter
                            : t.phase == Phase::stay ? kinds.stay
                                                     : kinds.exit;
     Event& event = add(kind, object.id, t.at);
     event.fields.push_back({"pos", position_at(t.at)});
-    if (sensed.strategy == Strategy::trigger && t.phase != Phase::stay && cause == nullptr) {
+    if (detected.mode == DetectionMode::trigger && t.phase != Phase::stay && cause == nullptr) {
         event.fields.push_back({"at", Decimal{t.at, 3}});
     }
-    if (sensed.strategy == Strategy::ray && t.phase != Phase::exit) {
-        event.fields.push_back({"distance", Decimal{sensed.distance, 3}});
+    if (detected.mode == DetectionMode::ray && t.phase != Phase::exit) {
+        event.fields.push_back({"distance", Decimal{detected.distance, 3}});
     }
     if (t.phase != Phase::enter) {
         event.fields.push_back({"ticks", static_cast<std::int64_t>(t.ticks)});
@@ -223,7 +223,7 @@ void Simulation::report_transition(const SensedTransition& sensed, const char* c
         event.fields.push_back({"cause", std::string(cause)});
     }
     if (t.phase == Phase::enter && shows) {
-        meet_popup(sensed);
+        meet_popup(detected);
     }
 }
 
@@ -295,13 +295,13 @@ void Simulation::report_timeout() {
     }
 }
 
-const FrameRecord& Simulation::finish_record() {
+const TickRecord& Simulation::finish_record() {
     hash_.add(avatar_.position);
     for (const Event& event : events_) {
         add_event(hash_, event);
     }
     fill_record();
-    juries_.see(record_);
+    step_expectations_.see(record_);
     return record_;
 }
 

@@ -39,10 +39,10 @@ public:
     bool finished() const { return finished_; }
 
     /// Plays one tick; the record is valid until the next call. Tick 0 is the spawn.
-    const FrameRecord& step();
+    const TickRecord& step();
 
     /// The exits of everything that is still met, at the last tick. Call once, when finished.
-    const FrameRecord& leave_everything();
+    const TickRecord& leave_everything();
 
     const std::optional<Stop>& stop() const { return stop_; }
     double distance() const { return distance_; }
@@ -56,7 +56,7 @@ private:
     void stay_where_it_is();
     void report_placement(const Intent& intent);
     void report_transitions(const char* cause);
-    void report_transition(const SensedTransition& sensed, const char* cause);
+    void report_transition(const DetectedTransition& detected, const char* cause);
     void report_fall();
     void report_stuck(const Intent& intent);
     void report_step_end();
@@ -64,8 +64,8 @@ private:
     std::string obstacle() const;
 
     // Information windows (simulation_popups.cpp): of what is met and left, and what has lasted long enough.
-    void meet_popup(const SensedTransition& sensed);
-    void leave_popup(const SensedTransition& sensed);
+    void meet_popup(const DetectedTransition& detected);
+    void leave_popup(const DetectedTransition& detected);
     void report_dwelling();
     void open_popup(std::size_t index, double at);
 
@@ -83,7 +83,7 @@ private:
     void report_push();
 
     void fill_record();
-    const FrameRecord& finish_record();
+    const TickRecord& finish_record();
 
     Eigen::Vector3d position_at(double fraction) const;
     Event& add(EventKind kind, std::string object, double at = 1.0);
@@ -96,16 +96,16 @@ private:
     collision::QueryFilter solids_;
     collision::CapsuleMover mover_;
     ScriptPlayer script_;
-    Senses senses_;
+    ContactDetector contact_detector_;
     Popups popups_;
     std::vector<OpenPopup> windows_;  ///< those that are open, oldest first
-    StepJuries juries_;
+    StepExpectations step_expectations_;
 
     Tick tick_ = -1;
     AvatarState avatar_;
     collision::MoverState body_;
     collision::MoveTrace trace_;
-    std::vector<SensedTransition> transitions_;
+    std::vector<DetectedTransition> transitions_;
     std::vector<Event> events_;
     std::vector<const Step*> effects_;
     std::vector<const SnapshotStep*> snapshots_;
@@ -120,7 +120,7 @@ private:
         collision::ObjectId out_of{};
     };
     std::optional<Push> push_;
-    FrameRecord record_;
+    TickRecord record_;
 
     bool finished_ = false;
     std::optional<Stop> stop_;

@@ -53,14 +53,14 @@ void Simulation::carry_out(const EnableStep& step) {
     }
     stay_where_it_is();
     report_push();
-    senses_.sense_again(tick_, avatar_, trace_, transitions_, counters_);
+    contact_detector_.detect_again(tick_, avatar_, trace_, transitions_, counters_);
     report_transitions(step.enabled ? "enable" : "disabled");
 }
 
 /// The expectations have seen the ticks before; they are shown this one as far as it goes.
 void Simulation::carry_out(const ExpectStep& step) {
     fill_record();
-    if (auto failure = juries_.failure(step, record_)) {
+    if (auto failure = step_expectations_.failure(step, record_)) {
         end_walk(failure->mark, std::move(failure->code), std::move(failure->message));
         stop_->scene = std::move(failure->scene);
     }

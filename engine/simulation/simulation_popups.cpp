@@ -18,8 +18,8 @@ PopupTiming timing_of(const scene::PopupRule& rule, const SimSettings& sim) {
 }
 
 /// An object may be met in three ways at once.
-std::size_t contact_of(const SensedTransition& sensed) {
-    return 3 * index_of(sensed.transition.object) + static_cast<std::size_t>(sensed.strategy);
+std::size_t contact_of(const DetectedTransition& detected) {
+    return 3 * index_of(detected.transition.object) + static_cast<std::size_t>(detected.mode);
 }
 
 /// When the building is open, and its text.
@@ -30,17 +30,18 @@ std::string popup_body(const std::string& hours, const std::string& text) {
 
 }  // namespace
 
-void Simulation::meet_popup(const SensedTransition& sensed) {
-    const scene::CampusObject& object = campus_.objects[index_of(sensed.transition.object)];
-    if (popups_.meet(*object.building, contact_of(sensed), tick_, timing_of(object.popup_rule, walk_.sim))) {
-        open_popup(*object.building, sensed.transition.at);
+void Simulation::meet_popup(const DetectedTransition& detected) {
+    const scene::CampusObject& object = campus_.objects[index_of(detected.transition.object)];
+    if (popups_.meet(*object.building, contact_of(detected), tick_,
+                     timing_of(object.popup_rule, walk_.sim))) {
+        open_popup(*object.building, detected.transition.at);
     }
 }
 
-void Simulation::leave_popup(const SensedTransition& sensed) {
-    const std::size_t building = *campus_.objects[index_of(sensed.transition.object)].building;
-    if (popups_.leave(building, contact_of(sensed), tick_)) {
-        add(EventKind::popup_close, campus_.description.buildings[building].id, sensed.transition.at);
+void Simulation::leave_popup(const DetectedTransition& detected) {
+    const std::size_t building = *campus_.objects[index_of(detected.transition.object)].building;
+    if (popups_.leave(building, contact_of(detected), tick_)) {
+        add(EventKind::popup_close, campus_.description.buildings[building].id, detected.transition.at);
         std::erase_if(windows_, [&](const OpenPopup& window) { return window.building == building; });
     }
 }

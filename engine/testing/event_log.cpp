@@ -30,7 +30,7 @@ Verdict lacks(const std::string& wanted, const std::string& last) {
 
 }  // namespace
 
-void EventLog::frame(const FrameRecord& record) {
+void EventLog::frame(const TickRecord& record) {
     events_.insert(events_.end(), record.events.begin(), record.events.end());
 }
 

@@ -17,7 +17,7 @@ namespace campuswalk::engine {
 /// Hand it to run_walk; it keeps every event, the last being walk.end.
 class EventLog final : public Observer {
 public:
-    void frame(const FrameRecord& record) override;
+    void frame(const TickRecord& record) override;
 
     const std::vector<Event>& events() const { return events_; }
 

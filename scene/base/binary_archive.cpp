@@ -19,24 +19,24 @@ struct Seal {
     std::uint64_t checksum = 0;
     std::array<std::uint64_t, 4> zeros{};
 };
-static_assert(sizeof(Seal) == kSealBytes);
+static_assert(sizeof(Seal) == kArchiveHeaderBytes);
 
 }  // namespace
 
-SealedWriter::SealedWriter(const FileKind& kind) {
+ArchiveWriter::ArchiveWriter(const FileKind& kind) {
     Seal seal;
     seal.magic = kind.magic;
     seal.version = kind.version;
     put_bytes(&seal, sizeof seal);
 }
 
-void SealedWriter::put_bytes(const void* from, std::size_t count) {
+void ArchiveWriter::put_bytes(const void* from, std::size_t count) {
     const auto* first = static_cast<const std::byte*>(from);
     bytes_.insert(bytes_.end(), first, first + count);
     size_ += count;
 }
 
-void SealedWriter::put_elements(std::span<const std::byte> elements) {
+void ArchiveWriter::put_elements(std::span<const std::byte> elements) {
     constexpr std::size_t kMany = 64 << 10U;
     if (elements.size() < kMany) {
         put_bytes(elements.data(), elements.size());
@@ -46,20 +46,20 @@ void SealedWriter::put_elements(std::span<const std::byte> elements) {
     }
 }
 
-void SealedWriter::put_text(std::string_view text) {
+void ArchiveWriter::put_text(std::string_view text) {
     put(std::uint64_t{text.size()});
     put_bytes(text.data(), text.size());
 }
 
-void SealedWriter::align(std::size_t alignment) {
+void ArchiveWriter::align(std::size_t alignment) {
     const std::size_t zeros = (alignment - size_ % alignment) % alignment;
     bytes_.resize(bytes_.size() + zeros);
     size_ += zeros;
 }
 
-Parts SealedWriter::seal() {
+Parts ArchiveWriter::seal() {
     Parts parts;
-    std::size_t done = kSealBytes;
+    std::size_t done = kArchiveHeaderBytes;
     const std::span<const std::byte> bytes(bytes_);
     for (const Left& left : left_) {
         parts.push_back(bytes.subspan(done, left.after - done));
@@ -69,10 +69,10 @@ Parts SealedWriter::seal() {
     parts.push_back(bytes.subspan(done));
     Seal seal;
     std::memcpy(&seal, bytes_.data(), sizeof seal);
-    seal.payload_bytes = size_ - kSealBytes;
+    seal.payload_bytes = size_ - kArchiveHeaderBytes;
     seal.checksum = checksum_of(parts);
     std::memcpy(bytes_.data(), &seal, sizeof seal);
-    parts.insert(parts.begin(), bytes.first(kSealBytes));
+    parts.insert(parts.begin(), bytes.first(kArchiveHeaderBytes));
     return parts;
 }
 
@@ -84,54 +84,54 @@ std::vector<std::byte> joined(const Parts& parts) {
     return bytes;
 }
 
-SealedReader::SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
-                           std::shared_ptr<const void> owner)
+ArchiveReader::ArchiveReader(std::span<const std::byte> bytes, const FileKind& kind,
+                             std::shared_ptr<const void> owner)
     : bytes_(bytes), owner_(std::move(owner)) {
     Seal seal;
     if (bytes.size() < sizeof seal) {
-        throw DamagedFile("it is cut short");
+        throw DamagedFile("it is truncated");
     }
     std::memcpy(&seal, bytes.data(), sizeof seal);
     if (seal.magic != kind.magic) {
         throw DamagedFile("it is another kind of file");
     }
     if (seal.byte_order == kOtherByteOrder) {
-        throw DamagedFile("it was written on a machine of the other byte order");
+        throw DamagedFile("it was written on a machine with a different byte order");
     }
     if (seal.version != kind.version) {
         throw DamagedFile("it is of version " + std::to_string(seal.version) + ", not " +
                           std::to_string(kind.version));
     }
-    if (seal.payload_bytes > bytes.size() - kSealBytes) {
-        throw DamagedFile("it is cut short");
+    if (seal.payload_bytes > bytes.size() - kArchiveHeaderBytes) {
+        throw DamagedFile("it is truncated");
     }
-    if (seal.payload_bytes < bytes.size() - kSealBytes) {
-        throw DamagedFile("something was added to it");
+    if (seal.payload_bytes < bytes.size() - kArchiveHeaderBytes) {
+        throw DamagedFile("it has trailing bytes");
     }
     if (seal.byte_order != kByteOrder || seal.zeros != Seal{}.zeros ||
-        seal.checksum != checksum_of(bytes.subspan(kSealBytes))) {
+        seal.checksum != checksum_of(bytes.subspan(kArchiveHeaderBytes))) {
         throw DamagedFile("its checksum is wrong");
     }
 }
 
-std::span<const std::byte> SealedReader::take_bytes(std::size_t count) {
+std::span<const std::byte> ArchiveReader::take_bytes(std::size_t count) {
     return take_bytes_of(count, 1);
 }
 
-std::span<const std::byte> SealedReader::take_bytes_of(std::size_t count, std::size_t size) {
+std::span<const std::byte> ArchiveReader::take_bytes_of(std::size_t count, std::size_t size) {
     if (count > (bytes_.size() - at_) / size) {
-        throw DamagedFile("something that it tells of isn't in it");
+        throw DamagedFile("it refers to data that it does not contain");
     }
     const std::span<const std::byte> taken = bytes_.subspan(at_, count * size);
     at_ += taken.size();
     return taken;
 }
 
-bool SealedReader::take_flag() {
+bool ArchiveReader::take_flag() {
     return take_below(2, "flag") == 1;
 }
 
-std::uint32_t SealedReader::take_below(std::uint64_t end, const char* what) {
+std::uint32_t ArchiveReader::take_below(std::uint64_t end, const char* what) {
     const auto value = take<std::uint32_t>();
     if (value >= end) {
         throw DamagedFile(std::string("a ") + what + " in it is out of range");
@@ -139,26 +139,26 @@ std::uint32_t SealedReader::take_below(std::uint64_t end, const char* what) {
     return value;
 }
 
-std::size_t SealedReader::take_count(std::size_t least_bytes) {
+std::size_t ArchiveReader::take_count(std::size_t least_bytes) {
     const auto count = take<std::uint64_t>();
     if (count > (bytes_.size() - at_) / least_bytes) {
-        throw DamagedFile("something that it tells of isn't in it");
+        throw DamagedFile("it refers to data that it does not contain");
     }
     return static_cast<std::size_t>(count);
 }
 
-std::string SealedReader::take_text() {
+std::string ArchiveReader::take_text() {
     const std::span<const std::byte> bytes = take_bytes(take_count(1));
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-void SealedReader::align(std::size_t alignment) {
+void ArchiveReader::align(std::size_t alignment) {
     take_bytes((alignment - at_ % alignment) % alignment);
 }
 
-void SealedReader::finish() const {
+void ArchiveReader::finish() const {
     if (at_ != bytes_.size()) {
-        throw DamagedFile("there is more in it than it tells of");
+        throw DamagedFile("it contains data that nothing refers to");
     }
 }
 

@@ -27,13 +27,13 @@ struct FileKind {
 };
 
 /// A file that isn't what it must be: damaged, foreign, of another version, or forged. `what()` says how, in
-/// words for the user ("it is cut short").
+/// words for the user ("it is truncated").
 class DamagedFile : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-inline constexpr std::size_t kSealBytes = 64;
+inline constexpr std::size_t kArchiveHeaderBytes = 64;
 
 /// What is copied as it lies in memory.
 template <typename T>
@@ -42,9 +42,9 @@ concept Plain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 /// Bytes that lie in several places, in the order of the file.
 using Parts = std::vector<std::span<const std::byte>>;
 
-class SealedWriter {
+class ArchiveWriter {
 public:
-    explicit SealedWriter(const FileKind& kind);
+    explicit ArchiveWriter(const FileKind& kind);
 
     template <Plain T>
     void put(T value) {
@@ -88,12 +88,12 @@ private:
 std::vector<std::byte> joined(const Parts& parts);
 
 /// Reads what may be anything: throws DamagedFile before it would read, or make room for, what isn't there.
-class SealedReader {
+class ArchiveReader {
 public:
     /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader; with an `owner`,
     /// nobody changes them as long as that lives.
-    SealedReader(std::span<const std::byte> bytes, const FileKind& kind,
-                 std::shared_ptr<const void> owner = nullptr);
+    ArchiveReader(std::span<const std::byte> bytes, const FileKind& kind,
+                  std::shared_ptr<const void> owner = nullptr);
 
     template <Plain T>
     T take() {
@@ -144,7 +144,7 @@ public:
 private:
     std::span<const std::byte> bytes_;
     std::shared_ptr<const void> owner_;  ///< null: what is taken is copied
-    std::size_t at_ = kSealBytes;
+    std::size_t at_ = kArchiveHeaderBytes;
 };
 
 }  // namespace campuswalk::scene

@@ -16,7 +16,7 @@ struct SourceMark {
 
 enum class Severity { error, warning };
 
-/// One complaint about an input file. `code` is stable (scripts match on it), `message` says what to do.
+/// One diagnostic about an input file. `code` is stable (scripts match on it), `message` says what to do.
 struct Diagnostic {
     Severity severity = Severity::error;
     SourceMark mark;
@@ -39,7 +39,7 @@ private:
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// Collects complaints so that a file's mistakes are reported together.
+/// Collects diagnostics so that a file's mistakes are reported together.
 class DiagnosticList {
 public:
     void error(const SourceMark& mark, std::string code, std::string message);

@@ -16,23 +16,23 @@ constexpr const char* kModelKind = "model";
 constexpr const char* kRequestsKind = "requests";
 constexpr FileKind kRequestsFile = {{'c', 'w', ' ', 'f', 'i', 'l', 'e', 's'}, 1};
 
-SealedWriter lay_out(const std::vector<FileRequest>& requests) {
-    SealedWriter out(kRequestsFile);
+ArchiveWriter lay_out(const std::vector<FileRequest>& requests) {
+    ArchiveWriter out(kRequestsFile);
     out.put(std::uint64_t{requests.size()});
     for (const FileRequest& request : requests) {
         out.put_text(request.uri);
-        out.put(std::uint32_t{request.picture});
+        out.put(std::uint32_t{request.image});
     }
     return out;
 }
 
 std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
     constexpr std::size_t kLeastRequest = 12;
-    SealedReader in(bytes, kRequestsFile);
+    ArchiveReader in(bytes, kRequestsFile);
     std::vector<FileRequest> requests(in.take_count(kLeastRequest));
     for (FileRequest& request : requests) {
         request.uri = in.take_text();
-        request.picture = in.take_flag();
+        request.image = in.take_flag();
     }
     in.finish();
     return requests;
@@ -71,7 +71,7 @@ ContentHash key_with(const ContentHash& key, const SceneFile& file, const Conten
     std::error_code none;
     for (const FileRequest& request : requests) {
         hasher.add_text(request.uri);
-        hasher.add_number(std::uint64_t{request.picture});
+        hasher.add_number(std::uint64_t{request.image});
         const std::optional<std::filesystem::path> found = folder.find(request);
         const bool itself = found && std::filesystem::equivalent(*found, file.path, none);
         const auto hash = itself ? contents : found ? hash_of_file(*found) : std::nullopt;
@@ -109,9 +109,9 @@ LoadedModel import_and_keep(const SceneFile& file, EmptyModel if_empty, const Im
     const ContentHash key = key_of(file, if_empty, contents);
     if (hash_of_file(file.path) == contents) {  // nobody has saved it meanwhile
         loaded.contents = key_with(key, file, contents, loaded.imported.requests);
-        SealedWriter model = lay_out_model(loaded.imported);
+        ArchiveWriter model = lay_out_model(loaded.imported);
         cache.store(*loaded.contents, kModelKind, model.seal());
-        SealedWriter requests = lay_out(loaded.imported.requests);
+        ArchiveWriter requests = lay_out(loaded.imported.requests);
         cache.store(key, kRequestsKind, requests.seal());
     }
     return loaded;

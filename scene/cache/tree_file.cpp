@@ -11,26 +11,26 @@
 namespace campuswalk::scene {
 
 using collision::Aabb;
+using collision::Bvh8;
+using collision::Bvh8Leaf;
+using collision::Bvh8Node;
 using collision::ClosedParts;
 using collision::MeshCollider;
 using collision::Storage;
 using collision::TriangleMesh;
 using collision::Vec3;
-using collision::WideLeaf;
-using collision::WideNode;
-using collision::WideTree;
 
 namespace {
 
 constexpr std::size_t kLeastMesh = 160;
 
-void put(SealedWriter& out, const Vec3& v) {
+void put(ArchiveWriter& out, const Vec3& v) {
     out.put_all(std::span<const double>(v.data(), 3));
 }
 
-void put(SealedWriter& out, const PlacedMesh& placed) {
+void put(ArchiveWriter& out, const PlacedMesh& placed) {
     const TriangleMesh& mesh = placed.collider->mesh();
-    const WideTree& tree = placed.collider->wide_tree();
+    const Bvh8& tree = placed.collider->bvh8();
     const ClosedParts& closed = placed.collider->closed_parts();
     put(out, placed.p_world_origin);
     out.put(std::uint64_t{placed.zero_area});
@@ -51,7 +51,7 @@ void put(SealedWriter& out, const PlacedMesh& placed) {
     out.put_aligned(std::span(closed.members()));
 }
 
-Vec3 take_vector(SealedReader& in) {
+Vec3 take_vector(ArchiveReader& in) {
     Vec3 v;
     for (Eigen::Index k = 0; k < 3; ++k) {
         v[k] = in.take<double>();
@@ -62,7 +62,7 @@ Vec3 take_vector(SealedReader& in) {
 /// `flag`: where in a part its only bool is. A byte of another value is no bool, and reading one from it
 /// undefined.
 template <typename Part>
-Storage<Part> take_parts(SealedReader& in, std::uint64_t count, std::size_t flag) {
+Storage<Part> take_parts(ArchiveReader& in, std::uint64_t count, std::size_t flag) {
     Storage<Part> parts = in.take_aligned<Part>(count);
     // Without as_const they would be copied, to be changed.
     const std::span<const std::byte> bytes = std::as_bytes(std::span(std::as_const(parts)));
@@ -76,11 +76,11 @@ Storage<Part> take_parts(SealedReader& in, std::uint64_t count, std::size_t flag
     return parts;
 }
 
-PlacedMesh take_mesh(SealedReader& in) {
+PlacedMesh take_mesh(ArchiveReader& in) {
     PlacedMesh placed;
     placed.p_world_origin = take_vector(in);
     placed.zero_area = in.take<std::uint64_t>();
-    WideTree tree;
+    Bvh8 tree;
     tree.outer.center = take_vector(in);
     tree.outer.radius = in.take<double>();
     tree.reach = static_cast<float>(in.take<double>());
@@ -95,11 +95,11 @@ PlacedMesh take_mesh(SealedReader& in) {
     TriangleMesh mesh;
     mesh.positions = in.take_aligned<Eigen::Vector3f>(positions);
     mesh.triangles = in.take_aligned<std::array<std::uint32_t, 3>>(triangles);
-    tree.nodes = take_parts<WideNode>(in, nodes, offsetof(WideNode, turned));
-    tree.leaves = take_parts<WideLeaf>(in, leaves, offsetof(WideLeaf, exact));
+    tree.nodes = take_parts<Bvh8Node>(in, nodes, offsetof(Bvh8Node, turned));
+    tree.leaves = take_parts<Bvh8Leaf>(in, leaves, offsetof(Bvh8Leaf, exact));
     Storage<std::uint64_t> inside = in.take_aligned<std::uint64_t>(members);
     if (!placed.p_world_origin.allFinite()) {
-        throw DamagedFile("a mesh in it is nowhere");
+        throw DamagedFile("a mesh in it has no position");
     }
     try {
         ClosedParts parts(std::move(inside), closed, mesh.triangles.size());
@@ -113,8 +113,8 @@ PlacedMesh take_mesh(SealedReader& in) {
 
 }  // namespace
 
-SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
-    SealedWriter out(kTreeFile);
+ArchiveWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
+    ArchiveWriter out(kTreeFile);
     out.put(std::uint64_t{meshes.size()});
     for (const PlacedMesh& placed : meshes) {
         put(out, placed);
@@ -123,12 +123,12 @@ SealedWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
 }
 
 std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
-    SealedWriter out = lay_out_trees(meshes);
+    ArchiveWriter out = lay_out_trees(meshes);
     return joined(out.seal());
 }
 
 std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
-    SealedReader in(bytes, kTreeFile, std::move(owner));
+    ArchiveReader in(bytes, kTreeFile, std::move(owner));
     std::vector<PlacedMesh> meshes(in.take_count(kLeastMesh));
     for (PlacedMesh& placed : meshes) {
         placed = take_mesh(in);

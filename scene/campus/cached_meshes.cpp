@@ -44,8 +44,8 @@ ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origi
 
 }  // namespace
 
-KeptMeshes::KeptMeshes(const CacheFolder& cache, const CampusDescription& campus,
-                       const Eigen::Vector3d& origin, std::span<const ContentHash> models)
+CachedMeshes::CachedMeshes(const CacheFolder& cache, const CampusDescription& campus,
+                           const Eigen::Vector3d& origin, std::span<const ContentHash> models)
     : cache_(&cache), key_(key_of(campus, origin, models)) {
     if (const auto file = cache.find(key_, kTreesKind)) {
         try {
@@ -55,7 +55,7 @@ KeptMeshes::KeptMeshes(const CacheFolder& cache, const CampusDescription& campus
     }
 }
 
-std::optional<PlacedShape> KeptMeshes::next() {
+std::optional<PlacedShape> CachedMeshes::next() {
     if (!complete_ || taken_ == meshes_.size()) {
         complete_ = false;
         return std::nullopt;
@@ -68,16 +68,16 @@ std::optional<PlacedShape> KeptMeshes::next() {
     return placed;
 }
 
-void KeptMeshes::add(const PlacedShape& made) {
+void CachedMeshes::add(const PlacedShape& made) {
     if (cache_ != nullptr) {
         meshes_.push_back({std::get<std::shared_ptr<const collision::MeshCollider>>(made.shape),
                            made.X_world_shape.translation, made.zero_area});
     }
 }
 
-void KeptMeshes::keep() const {
+void CachedMeshes::keep() const {
     if (cache_ != nullptr && !complete_) {
-        SealedWriter trees = lay_out_trees(meshes_);
+        ArchiveWriter trees = lay_out_trees(meshes_);
         cache_->store(key_, kTreesKind, trees.seal());
     }
 }

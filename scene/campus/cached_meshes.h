@@ -14,14 +14,14 @@ namespace campuswalk::scene {
 
 /// The collision meshes of a campus in the order in which they are made: from the cache if they were made
 /// before of the same models and nodes, and kept there if not.
-class KeptMeshes {
+class CachedMeshes {
 public:
     /// Without a cache: nothing is found and nothing kept.
-    KeptMeshes() = default;
+    CachedMeshes() = default;
     /// `origin`: what is taken off the models' coordinates; `models`: what each of them is made of (see
     /// load_model.h).
-    KeptMeshes(const CacheFolder& cache, const CampusDescription& campus, const Eigen::Vector3d& origin,
-               std::span<const ContentHash> models);
+    CachedMeshes(const CacheFolder& cache, const CampusDescription& campus, const Eigen::Vector3d& origin,
+                 std::span<const ContentHash> models);
 
     /// The one whose turn it is; nullopt if it has to be made, and then given to `add`.
     std::optional<PlacedShape> next();

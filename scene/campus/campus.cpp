@@ -82,7 +82,7 @@ Origin move_to_origin(const CampusOrigin& wanted, std::vector<Model>& models) {
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
-    ColliderBuilder(Campus& campus, KeptMeshes& meshes, DiagnosticList& diagnostics,
+    ColliderBuilder(Campus& campus, CachedMeshes& meshes, DiagnosticList& diagnostics,
                     std::vector<Diagnostic>& warnings)
         : campus_(campus), meshes_(meshes), diagnostics_(diagnostics), warnings_(warnings) {}
 
@@ -94,7 +94,7 @@ private:
                     const NodeSelection& selection);
 
     Campus& campus_;
-    KeptMeshes& meshes_;
+    CachedMeshes& meshes_;
     DiagnosticList& diagnostics_;
     std::vector<Diagnostic>& warnings_;
     std::map<std::string, SourceMark> ids_;
@@ -105,13 +105,14 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     if (globs.empty()) {
         if (!collider.except.empty()) {
             diagnostics_.error(collider.except.front().mark, "missing-nodes",
-                               "'except' leaves out of nodes, and collider '" + collider.id + "' names none");
+                               "'except' filters 'nodes', but collider '" + collider.id + "' has no 'nodes'");
         } else if (is_placed_by_numbers(collider.shape)) {
             add_object(collider, collider.id, {});
         } else {
-            diagnostics_.error(collider.mark, "missing-nodes",
-                               "collider '" + collider.id +
-                                   "' needs nodes to take its shape from, or all numbers of its shape");
+            diagnostics_.error(
+                collider.mark, "missing-nodes",
+                "collider '" + collider.id +
+                    "' needs either 'nodes' to take its shape from or every dimension of its shape");
         }
         return;
     }
@@ -120,7 +121,7 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     if (matches.empty()) {
         if (!topmost_matches(campus_.models, globs).empty()) {  // else check_globs has said so
             diagnostics_.error(collider.except.front().mark, "empty-mesh",
-                               "'except' leaves nothing of the nodes of collider '" + collider.id + "'");
+                               "'except' excludes every node of collider '" + collider.id + "'");
         }
         return;
     }
@@ -165,19 +166,19 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
                                  const NodeSelection& selection) {
     if (!ids_.emplace(id, collider.mark).second) {
         diagnostics_.error(collider.mark, "duplicate-id",
-                           "two objects are called '" + id + "'; rename one of the colliders");
+                           "two objects have the id '" + id + "'; rename one of the colliders");
         return;
     }
     std::optional<PlacedShape> placed = shape_of(collider, selection);
     if (!placed) {
         diagnostics_.error(collider.mark, "empty-mesh",
-                           "the nodes of collider '" + id + "' have no triangle");
+                           "the nodes of collider '" + id + "' have no triangles");
         return;
     }
     if (placed->zero_area > 0) {
         warnings_.push_back({Severity::warning, collider.mark, "zero-area",
                              "collider '" + id + "': " + std::to_string(placed->zero_area) +
-                                 " triangles without an area are left out"});
+                                 " zero-area triangles are ignored"});
     }
     campus_.world.add({std::move(placed->shape), placed->X_world_shape, to_detection(collider.modes),
                        campus_.layer_index(collider.layer)});
@@ -205,8 +206,8 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     DiagnosticList diagnostics;
     if (description.layers.size() > kMostLayers) {
         diagnostics.error(description.mark, "too-many-layers",
-                          std::to_string(description.layers.size()) + " layers; at most " +
-                              std::to_string(kMostLayers) + " are possible");
+                          std::to_string(description.layers.size()) + " layers declared; the maximum is " +
+                              std::to_string(kMostLayers));
     }
     ImportedScenes scenes =
         import_scenes(description.scenes, diagnostics, warnings, importer, cache, imports_at_once);
@@ -219,8 +220,8 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
         check_globs(campus.models, building.nodes, diagnostics);
     }
     const bool known = cache != nullptr && scenes.contents.size() == campus.models.size();
-    KeptMeshes meshes =
-        known ? KeptMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : KeptMeshes();
+    CachedMeshes meshes =
+        known ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : CachedMeshes();
     ColliderBuilder builder(campus, meshes, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
         check_globs(campus.models, collider.nodes, diagnostics);

@@ -39,13 +39,13 @@ std::string suggestion(const std::vector<Model>& models, const std::string& patt
         }
     }
     if (names.empty()) {
-        return "; no node of the scenes has a name";
+        return "; no node in the scenes has a name";
     }
     std::string shown;
     for (std::size_t i = 0; i < names.size() && i < kNamesShown; ++i) {
         shown += (i == 0 ? "'" : ", '") + names[i] + "'";
     }
-    return "; the scenes have " + shown + (names.size() > kNamesShown ? ", …" : "");
+    return "; the scenes contain " + shown + (names.size() > kNamesShown ? ", …" : "");
 }
 
 bool contains(std::span<const NodeRef> refs, const NodeRef& wanted) {
@@ -91,7 +91,7 @@ void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> glo
         });
         if (!matched) {
             diagnostics.error(glob.mark, "no-node",
-                              "no node is called '" + glob.pattern + "'" + suggestion(models, glob.pattern));
+                              "no node is named '" + glob.pattern + "'" + suggestion(models, glob.pattern));
         }
     }
 }

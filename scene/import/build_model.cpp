@@ -12,7 +12,7 @@ std::string in_quotes(const std::string& name) {
     return "'" + name + "'";
 }
 
-/// One import under way: the parts of the model and the complaints about them.
+/// One import under way: the parts of the model and the diagnostics about them.
 class Import {
 public:
     Import(ModelSource& source, const SceneFile& file, EmptyModel if_empty)
@@ -32,8 +32,8 @@ public:
 
 private:
     std::optional<MeshIndex> convert_one(std::size_t number, const std::string& node);
-    void load_texture(const SourcePicture& picture, SourceMaterial& source);
-    void report_repairs(const TidiedMesh& tidied, const std::string& node);
+    void load_texture(const SourceImage& image, SourceMaterial& source);
+    void report_repairs(const SanitizedMesh& sanitized, const std::string& node);
     void report_no_triangle(const std::string& node);
     void error(const char* code, const std::string& message) {
         diagnostics_.error(file_.mark, code, message);
@@ -67,7 +67,7 @@ void Import::check_nodes() {
 /// Nothing in it can be walked on.
 void Import::report_no_triangle(const std::string& node) {
     const std::string message =
-        file_.file + ": the mesh of node " + in_quotes(node) + " has no triangle; give it faces or remove it";
+        file_.file + ": the mesh of node " + in_quotes(node) + " has no triangles; add faces or remove it";
     if (if_empty_ == EmptyModel::refuse) {
         error("empty-mesh", message);
     } else {
@@ -75,14 +75,14 @@ void Import::report_no_triangle(const std::string& node) {
     }
 }
 
-void Import::report_repairs(const TidiedMesh& tidied, const std::string& node) {
-    if (tidied.repaired_normals > 0) {
-        warning("repaired-normals", file_.file + ": " + std::to_string(tidied.repaired_normals) +
+void Import::report_repairs(const SanitizedMesh& sanitized, const std::string& node) {
+    if (sanitized.repaired_normals > 0) {
+        warning("repaired-normals", file_.file + ": " + std::to_string(sanitized.repaired_normals) +
                                         " normals of node " + in_quotes(node) +
-                                        " have no direction; the faces' are used");
+                                        " have zero length; face normals are used instead");
     }
-    if (tidied.repaired_uvs > 0) {
-        warning("repaired-uvs", file_.file + ": " + std::to_string(tidied.repaired_uvs) +
+    if (sanitized.repaired_uvs > 0) {
+        warning("repaired-uvs", file_.file + ": " + std::to_string(sanitized.repaired_uvs) +
                                     " texture coordinates of node " + in_quotes(node) + " are not finite");
     }
 }
@@ -95,20 +95,20 @@ std::optional<MeshIndex> Import::convert_one(std::size_t number, const std::stri
     points_and_lines_ += raw.points_and_lines;
     const std::size_t material = raw.material < materials_.size() ? raw.material : 0;
     const bool has_points_and_lines = raw.points_and_lines > 0;
-    TidiedMesh tidied = tidy_mesh(std::move(raw), source_.flat_normals());
-    if (tidied.index_out_of_range) {
+    SanitizedMesh sanitized = sanitize_mesh(std::move(raw), source_.flat_normals());
+    if (sanitized.index_out_of_range) {
         error("bad-model",
-              file_.file + ": a face of node " + in_quotes(node) + " uses a vertex that is not there");
-    } else if (tidied.position_not_finite) {
+              file_.file + ": a face of node " + in_quotes(node) + " refers to a vertex that does not exist");
+    } else if (sanitized.position_not_finite) {
         error("bad-vertex", file_.file + ": a vertex of node " + in_quotes(node) + " is NaN or infinite");
-    } else if (tidied.mesh.triangles.empty()) {
+    } else if (sanitized.mesh.triangles.empty()) {
         if (!has_points_and_lines) {  // else part of the drawing's lines
             report_no_triangle(node);
         }
     } else {
-        report_repairs(tidied, node);
-        tidied.mesh.material = static_cast<MaterialIndex>(material);
-        model_.meshes.push_back(std::move(tidied.mesh));
+        report_repairs(sanitized, node);
+        sanitized.mesh.material = static_cast<MaterialIndex>(material);
+        model_.meshes.push_back(std::move(sanitized.mesh));
         return static_cast<MeshIndex>(model_.meshes.size() - 1);
     }
     return std::nullopt;
@@ -129,12 +129,12 @@ void Import::convert_meshes() {
     }
     if (points_and_lines_ > 0) {
         warning("points-and-lines", file_.file + ": " + std::to_string(points_and_lines_) +
-                                        " points and lines are left out, the first in node " +
+                                        " points and lines are ignored, the first in node " +
                                         in_quotes(points_and_lines_node_));
     }
 }
 
-/// Only of materials that something is drawn with: an unused one's missing picture harms nobody.
+/// Only of materials that something is drawn with: an unused one's missing image harms nobody.
 void Import::load_textures() {
     std::vector<bool> used(materials_.size(), false);
     for (const Mesh& mesh : model_.meshes) {
@@ -143,33 +143,33 @@ void Import::load_textures() {
     for (std::size_t i = 0; i < materials_.size(); ++i) {
         SourceMaterial& material = materials_[i];
         if (used[i]) {
-            for (const SourcePicture& picture : material.pictures) {
-                load_texture(picture, material);
+            for (const SourceImage& image : material.images) {
+                load_texture(image, material);
             }
         }
     }
 }
 
 /// Without its colours a surface can't be shown; without its bumps or its glow it can.
-void Import::load_texture(const SourcePicture& picture, SourceMaterial& source) {
+void Import::load_texture(const SourceImage& image, SourceMaterial& source) {
     Material& material = source.material;
     std::string reason;
-    const auto texture = textures_.load(picture.reference, reason);
+    const auto texture = textures_.load(image.reference, reason);
     if (!texture) {
         const std::string message = file_.file + ": material " + in_quotes(material.name) + ": texture " +
-                                    in_quotes(picture.reference.uri) + " " + reason;
-        if (picture.use == &Material::base_color_texture) {
+                                    in_quotes(image.reference.uri) + " " + reason;
+        if (image.use == &Material::base_color_texture) {
             error("bad-texture", message);
             return;
         }
-        warning("bad-texture", message + "; drawn without it");
-        if (picture.use == &Material::emissive_texture) {
+        warning("bad-texture", message + "; drawn without the texture");
+        if (image.use == &Material::emissive_texture) {
             material.emissive = {0, 0, 0};  // it says where the surface glows: not all over
         }
         return;
     }
-    material.*picture.use = texture;
-    if (picture.use == &Material::base_color_texture && source.cut_out_by_texture &&
+    material.*image.use = texture;
+    if (image.use == &Material::base_color_texture && source.cut_out_by_texture &&
         has_cut_outs(textures_.texture(*texture))) {
         material.alpha_mode = AlphaMode::mask;
     }
@@ -177,7 +177,7 @@ void Import::load_texture(const SourcePicture& picture, SourceMaterial& source) 
 
 Model Import::finish(std::vector<Diagnostic>& warnings) {
     if (!diagnostics_.has_errors() && model_.meshes.empty() && if_empty_ == EmptyModel::refuse) {
-        error("empty-mesh", in_quotes(file_.file) + " has no triangle");
+        error("empty-mesh", in_quotes(file_.file) + " has no triangles");
     }
     diagnostics_.throw_if_errors();
     source_.add_warnings(diagnostics_);

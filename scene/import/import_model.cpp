@@ -34,9 +34,10 @@ ImportedModel import_scene(const SceneFile& file, EmptyModel if_empty) {
         return imported;
     } catch (const std::bad_alloc&) {
         throw InputError(file.mark, "bad-model",
-                         "'" + file.file + "' needs more memory than there is; simplify or split it");
+                         "'" + file.file + "' needs more memory than is available; simplify or split it");
     } catch (const std::length_error&) {
-        throw InputError(file.mark, "bad-model", "'" + file.file + "' asks for a size that can't be");
+        throw InputError(file.mark, "bad-model",
+                         "'" + file.file + "' asks for an impossible allocation size");
     }
 }
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "scene/base/diagnostic.h"
-#include "scene/model/scene_file.h"
 #include "scene/model/model.h"
 #include "scene/model/model_file.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 
@@ -25,12 +25,12 @@ enum class EmptyModel { refuse, accept };
 ///   empty-mesh     nothing in it has a triangle, or a mesh made for triangles has none
 ///   bad-vertex     a position or a node's transform is NaN or infinite, with the node's name
 ///   bad-texture    a texture is missing or cannot be decoded, with its material's name
-/// Repairs and oddities that do not stop a walk go to `warnings`:
+/// Repairs and lints that do not stop a walk go to `warnings`:
 ///   points-and-lines   how many were left out
 ///   repaired-normals   normals that are zero or not finite, taken from the faces
 ///   repaired-uvs       texture coordinates that are not finite, set to 0
 ///   missing-materials  an OBJ's material file isn't there
-///   unsupported-feature  what is passed over in a glTF file although the picture or the shape needs it
+///   unsupported-feature  what is passed over in a glTF file although the image or the shape needs it
 ///   bad-geography      a COLLADA file's geographic_location is none
 ///   unplaced-mesh      a glTF file without a default scene: meshes of no node are put at the origin
 Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings,

@@ -31,12 +31,13 @@ struct RefusedFormat {
 };
 
 constexpr std::array<RefusedFormat, 6> kRefused = {{
-    {".ifc", "IFC is not read: its importer crashes on real files; convert it to glTF (IfcConvert, Blender)"},
-    {".3mf", "3MF is not read: its importer crashes on damaged files; convert it to glTF or OBJ"},
-    {".blend", "Blender's own files are not read; export glTF from Blender"},
-    {".skp", "SketchUp's own files are not read; export COLLADA or glTF from SketchUp"},
-    {".usd", "USD is not read; convert it to glTF (Blender)"},
-    {".usdz", "USD is not read; convert it to glTF (Blender)"},
+    {".ifc",
+     "IFC is not supported: its importer crashes on real files; convert it to glTF (IfcConvert, Blender)"},
+    {".3mf", "3MF is not supported: its importer crashes on damaged files; convert it to glTF or OBJ"},
+    {".blend", ".blend files are not supported; export glTF from Blender"},
+    {".skp", ".skp files are not supported; export COLLADA or glTF from SketchUp"},
+    {".usd", "USD is not supported; convert it to glTF (Blender)"},
+    {".usdz", "USD is not supported; convert it to glTF (Blender)"},
 }};
 
 std::string lower_extension(const SceneFile& file) {
@@ -54,7 +55,7 @@ void check_ply_header(const SceneFile& file, std::ifstream& in) {
     if (header.find("end_header") == std::string::npos) {
         throw InputError(file.mark, "bad-model",
                          "'" + file.file +
-                             "' is not a model that can be read: it ends in its PLY header; "
+                             "' can't be read as a model: it ends inside its PLY header; "
                              "export or copy it again");
     }
 }
@@ -77,7 +78,7 @@ Reader reader_for(const SceneFile& file) {
         names += format.extension;
     }
     throw InputError(file.mark, "bad-model",
-                     "'" + file.file + "' is of no format that is read (" + names + "); convert it to glTF");
+                     "'" + file.file + "' is not in a supported format (" + names + "); convert it to glTF");
 }
 
 void check_readable(const SceneFile& file) {

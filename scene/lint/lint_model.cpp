@@ -29,25 +29,25 @@ std::string unit_hint(double size) {
                 : "";
 }
 
-void check_size(const Bounds& bounds, std::vector<Oddity>& out) {
+void check_size(const Bounds& bounds, std::vector<ModelLint>& out) {
     const double size = (bounds.max - bounds.min).maxCoeff();
     if (size == 0.0) {
-        out.push_back({"odd-scale", "all of it lies at one point"});
+        out.push_back({"odd-scale", "all its vertices lie at one point"});
     } else if (size < kLeastSize || size > kGreatestSize) {
-        out.push_back({"odd-scale",
-                       "it is " + in_metres(size) + " across, which hardly any campus is" + unit_hint(size)});
+        out.push_back({"odd-scale", "it is " + in_metres(size) +
+                                        " across, which is an unlikely size for a campus" + unit_hint(size)});
     }
     const Eigen::Vector3d middle = 0.5 * (bounds.min + bounds.max);
     const double distance = middle.norm();
     if (middle.cwiseAbs().maxCoeff() > kFarAway) {  // as origin_near has it
         out.push_back({"far-from-origin",
-                       "its middle lies " + in_metres(distance) +
-                           " from the origin; `origin: {at: near}` in the campus file brings it near"});
+                       "its centre is " + in_metres(distance) +
+                           " from the origin; set `origin: {at: near}` in the campus file to move it there"});
     }
 }
 
 /// Float32 coordinates in a mesh, scaled as its node places them.
-void check_precision(const Model& model, std::vector<Oddity>& out) {
+void check_precision(const Model& model, std::vector<ModelLint>& out) {
     constexpr double kRelativeStep = 1.0 / (1 << 23U);
     double coarsest = 0.0;
     std::string worst;
@@ -75,7 +75,7 @@ void check_precision(const Model& model, std::vector<Oddity>& out) {
 
 /// A map-like model (flat along z) whose area faces z, not y. A façade alone looks the same, hence
 /// "probably".
-void check_up_axis(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+void check_up_axis(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
     const Eigen::Vector3d size = bounds.max - bounds.min;
     if (size.z() >= 0.5 * std::min(size.x(), size.y())) {
         return;
@@ -92,12 +92,12 @@ void check_up_axis(const Model& model, const Bounds& bounds, std::vector<Oddity>
     }
     if (facing_z > 2.0 * facing_y) {
         out.push_back({"z-up",
-                       "it stands on edge: most of its area faces z and it is flat along z; probably "
-                       "`up: z` is meant"});
+                       "it seems to lie on its back: most of its area faces Z and it is flat along Z; "
+                       "set `up: z`"});
     }
 }
 
-void check_nodes(const Model& model, std::vector<Oddity>& out) {
+void check_nodes(const Model& model, std::vector<ModelLint>& out) {
     std::size_t unnamed = 0;
     std::size_t mirrored = 0;
     std::string mirrored_example;
@@ -117,26 +117,26 @@ void check_nodes(const Model& model, std::vector<Oddity>& out) {
         }
     }
     if (mirrored > 0) {
-        out.push_back({"mirrored-node", plural(mirrored, "node") + " with a mirroring transform, such as '" +
-                                            mirrored_example +
-                                            "'; their triangles were turned right side out"});
+        out.push_back({"mirrored-node", plural(mirrored, "node") +
+                                            " with a mirroring transform, for example '" + mirrored_example +
+                                            "'; their triangle winding was corrected"});
     }
     if (unnamed > 0) {
         out.push_back({"unnamed-node", plural(unnamed, "node") +
-                                           " with triangles without a name of its own; give names, so that "
+                                           " with triangles but no stable name; name them so that "
                                            "colliders and buildings can refer to them"});
     }
     const auto repeated = std::ranges::count_if(uses, [](const auto& use) { return use.second > 1; });
     if (repeated > 0) {
         const auto example = std::ranges::find_if(uses, [](const auto& use) { return use.second > 1; });
         out.push_back({"repeated-name", plural(static_cast<std::size_t>(repeated), "name") +
-                                            " used by several nodes, such as '" + example->first + "' (" +
-                                            std::to_string(example->second) + " times)"});
+                                            " shared by several nodes, for example '" + example->first +
+                                            "' (" + std::to_string(example->second) + " times)"});
     }
 }
 
-void check_duplicates(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
-    Oddity odd{"duplicate-faces", "", {}};
+void check_duplicates(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
+    ModelLint odd{"duplicate-faces", "", {}};
     std::size_t count = 0;
     const DuplicateFaces* most = nullptr;
     const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(model, bounds);
@@ -148,26 +148,26 @@ void check_duplicates(const Model& model, const Bounds& bounds, std::vector<Oddi
     if (most != nullptr) {
         odd.message = plural(count, "triangle") + " on top of another, facing the same way, " +
                       (duplicates.size() > 1 ? "most of them (" + std::to_string(most->count) + ") " : "") +
-                      "in node '" + model.nodes[most->node].name + "'; delete one of each";
+                      "in node '" + model.nodes[most->node].name + "'; delete the duplicates";
         out.push_back(odd);
     }
 }
 
-void check_outliers(const Model& model, const ModelReport& report, std::vector<Oddity>& out) {
-    Oddity odd{"outlier", "", {}};
+void check_outliers(const Model& model, const ModelReport& report, std::vector<ModelLint>& out) {
+    ModelLint odd{"outlier", "", {}};
     for (const std::size_t n : outlier_nodes(model)) {
         const Bounds& bounds = report.nodes[n].bounds;
         odd.places.push_back({model.nodes[n].name, 0.5 * (bounds.min + bounds.max)});
     }
     if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "node") + " far from all the rest, such as '" +
+        odd.message = plural(odd.places.size(), "node") + " far from everything else, for example '" +
                       odd.places.front().node +
-                      "', stretch the bounds; move them, or leave them out of the file";
+                      "', stretch the bounds; move them or exclude them from the export";
         out.push_back(odd);
     }
 }
 
-void check_ground(const Model& model, const Bounds& bounds, std::vector<Oddity>& out) {
+void check_ground(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
     constexpr double kRoom = 3.0;  // metres: smaller things are furniture
     const Eigen::Vector3d size = bounds.max - bounds.min;
     if (std::min(size.x(), size.z()) < kRoom) {
@@ -176,17 +176,17 @@ void check_ground(const Model& model, const Bounds& bounds, std::vector<Oddity>&
     const GroundCover cover = measure_ground(model, bounds);
     if (is_no_ground(cover)) {
         const std::string share = short_number(std::round(100.0 * cover.share)) + " %";
-        const std::string what =
-            cover.share >= 0.25 ? "the largest level part is a roof, at " + in_metres(cover.height)
-                                : "the largest level part is " + share + " of what it covers of the plan";
+        const std::string what = cover.share >= 0.25
+                                     ? "the largest level surface is a roof, at " + in_metres(cover.height)
+                                     : "the largest level surface is " + share + " of its footprint";
         out.push_back(
-            {"no-ground", "there is hardly any ground to walk on: " + what +
-                              "; add a floor to the model, or a solid box to the campus, as --suggest does"});
+            {"no-ground", "there is almost no ground to walk on: " + what +
+                              "; add a floor to the model or a solid box to the campus, as --suggest does"});
     }
 }
 
-void check_doors(const Model& model, std::vector<Oddity>& out) {
-    std::vector<Oddity::Place> doors;
+void check_doors(const Model& model, std::vector<ModelLint>& out) {
+    std::vector<ModelLint::Place> doors;
     for (const ClosedDoor& door : find_closed_doors(model)) {
         doors.push_back({model.nodes[door.node].name, door.foot});
     }
@@ -197,10 +197,11 @@ void check_doors(const Model& model, std::vector<Oddity>& out) {
 
 }  // namespace
 
-Oddity solid_doors(std::vector<Oddity::Place> doors) {
+ModelLint solid_doors(std::vector<ModelLint::Place> doors) {
     const std::string message = plural(doors.size(), "door") + " that " +
-                                (doors.size() == 1 ? "closes" : "close") + " a way through, such as '" +
-                                doors.front().node + "'; open them, or keep their nodes out of what is solid";
+                                (doors.size() == 1 ? "closes" : "close") + " a doorway, for example '" +
+                                doors.front().node +
+                                "'; open them or exclude their nodes from solid colliders";
     return {"solid-door", message, std::move(doors)};
 }
 
@@ -209,30 +210,30 @@ bool is_made_up_name(const std::string& name) {
            name.starts_with("<") || name == "defaultobject";
 }
 
-std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report) {
-    std::vector<Oddity> oddities;
+std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report) {
+    std::vector<ModelLint> lints;
     if (report.bounds.empty()) {
-        oddities.push_back({"no-triangles", "it has no triangle: nothing to see and nothing to walk on"});
-        return oddities;
+        lints.push_back({"no-triangles", "it has no triangles: nothing to see and nothing to walk on"});
+        return lints;
     }
-    check_size(report.bounds, oddities);
-    check_precision(model, oddities);
-    check_up_axis(model, report.bounds, oddities);
-    check_nodes(model, oddities);
-    check_duplicates(model, report.bounds, oddities);
-    check_outliers(model, report, oddities);
-    const bool lies = std::ranges::any_of(oddities, [](const Oddity& odd) { return odd.code == "z-up"; });
-    const std::vector<Oddity> odd_sizes = find_odd_sizes(model, report.nodes, lies ? 2 : 1);
-    oddities.insert(oddities.end(), odd_sizes.begin(), odd_sizes.end());
+    check_size(report.bounds, lints);
+    check_precision(model, lints);
+    check_up_axis(model, report.bounds, lints);
+    check_nodes(model, lints);
+    check_duplicates(model, report.bounds, lints);
+    check_outliers(model, report, lints);
+    const bool lies = std::ranges::any_of(lints, [](const ModelLint& odd) { return odd.code == "z-up"; });
+    const std::vector<ModelLint> odd_sizes = find_odd_sizes(model, report.nodes, lies ? 2 : 1);
+    lints.insert(lints.end(), odd_sizes.begin(), odd_sizes.end());
     // Of a model that lies on its side or has another unit these would only say the same again.
-    const bool upright = std::ranges::none_of(oddities, [](const Oddity& odd) {
+    const bool upright = std::ranges::none_of(lints, [](const ModelLint& odd) {
         return odd.code == "z-up" || odd.code == "odd-scale" || odd.code == "door-size";
     });
     if (upright) {
-        check_ground(model, report.bounds, oddities);
-        check_doors(model, oddities);
+        check_ground(model, report.bounds, lints);
+        check_doors(model, lints);
     }
-    return oddities;
+    return lints;
 }
 
 }  // namespace campuswalk::scene

@@ -25,7 +25,7 @@ constexpr double kUsualLow = 1.8;       // metres
 constexpr double kUsualHigh = 3.2;      // metres
 constexpr double kHighestRiser = 0.32;  // metres: avatars step 0.3 m
 
-Oddity::Place foot_of(const NodeReport& node) {
+ModelLint::Place foot_of(const NodeReport& node) {
     Vector3d foot = 0.5 * (node.bounds.min + node.bounds.max);
     foot.y() = node.bounds.min.y();
     return {node.name, foot};
@@ -57,12 +57,13 @@ bool is_odd_height(double height) {
 std::string unit_hint(double height) {
     const auto unit = guess_unit(height, kUsualLow, kUsualHigh);
     return unit ? "with `" + std::string(unit->yaml) + "` it would be " + in_metres(height * unit->factor)
-                : "scale the model, if all of it is so";
+                : "scale the model if everything in it is off";
 }
 
-void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int up, std::vector<Oddity>& out) {
-    Oddity odd{"door-size", "", {}};
-    Oddity flat{"door-size", "", {}};
+void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int up,
+                 std::vector<ModelLint>& out) {
+    ModelLint odd{"door-size", "", {}};
+    ModelLint flat{"door-size", "", {}};
     double height = 0.0;
     for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
         const Vector3d size = nodes[n].bounds.max - nodes[n].bounds.min;
@@ -74,13 +75,14 @@ void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int u
         }
     }
     if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "door") + " of a height that no door has, such as '" +
-                      odd.places.front().node + "' of " + in_metres(height) + "; " + unit_hint(height);
+        odd.message = plural(odd.places.size(), "door") +
+                      " with an unlikely height for a door, for example '" + odd.places.front().node +
+                      "' of " + in_metres(height) + "; " + unit_hint(height);
         out.push_back(odd);
     }
     if (!flat.places.empty()) {
-        flat.message = plural(flat.places.size(), "door") + " lying on the ground, such as '" +
-                       flat.places.front().node + "'; if the whole does, `up: z` is meant";
+        flat.message = plural(flat.places.size(), "door") + " lying on the ground, for example '" +
+                       flat.places.front().node + "'; if the whole model does, set `up: z`";
         out.push_back(flat);
     }
 }
@@ -106,8 +108,8 @@ std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model)
     return heights;
 }
 
-void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<Oddity>& out) {
-    Oddity odd{"stair-riser", "", {}};
+void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<ModelLint>& out) {
+    ModelLint odd{"stair-riser", "", {}};
     double riser = 0.0;
     for (auto& [part, heights] : heights_of_stairs(model)) {
         const double own = riser_of(std::move(heights));
@@ -118,9 +120,8 @@ void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std:
     }
     if (!odd.places.empty()) {
         odd.message = plural(odd.places.size(), "flight") +
-                      " of stairs with steps that nobody climbs, such as '" + odd.places.front().node +
-                      "' with steps of " + in_metres(riser) +
-                      "; a visitor steps 0.3 m up unless the avatar says otherwise";
+                      " of stairs with risers too high to climb, for example '" + odd.places.front().node +
+                      "' with risers of " + in_metres(riser) + "; the default avatar steps up 0.3 m";
         out.push_back(odd);
     }
 }
@@ -143,13 +144,13 @@ double riser_of(std::vector<double> heights) {
     return risers[risers.size() / 2];
 }
 
-std::vector<Oddity> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
-    std::vector<Oddity> oddities;
-    check_doors(model, nodes, up, oddities);
+std::vector<ModelLint> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
+    std::vector<ModelLint> lints;
+    check_doors(model, nodes, up, lints);
     if (up == 1) {
-        check_stairs(model, nodes, oddities);
+        check_stairs(model, nodes, lints);
     }
-    return oddities;
+    return lints;
 }
 
 std::optional<double> scale_by_doors(const Model& model, const std::vector<NodeReport>& nodes) {

@@ -52,7 +52,7 @@ struct Material {
     float metallic = 0.0F;   ///< 0 paint or stone, 1 bare metal; multiplies the texture's blue
     float roughness = 1.0F;  ///< 0 a mirror, 1 matt; multiplies the texture's green
     std::optional<TextureIndex> metallic_roughness_texture;  ///< of numbers, not of colours
-    std::optional<TextureIndex> normal_texture;              ///< tangent space, +Y up the picture
+    std::optional<TextureIndex> normal_texture;              ///< tangent space, +Y up the image
     float normal_scale = 1.0F;                               ///< how strongly it bends the surface
     std::array<float, 3> emissive = {0, 0, 0};               ///< linear, multiplies the texture; may exceed 1
     std::optional<TextureIndex> emissive_texture;

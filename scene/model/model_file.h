@@ -15,8 +15,8 @@ namespace campuswalk::scene {
 /// A file that an import looked for beside the scene, found or not: what the model depends on besides the
 /// scene file itself. Asked again of a SceneFolder it gives the same file.
 struct FileRequest {
-    std::string uri;       ///< as the scene names it
-    bool picture = false;  ///< looked for as pictures are (SceneFolder::find_picture)
+    std::string uri;     ///< as the scene names it
+    bool image = false;  ///< looked for as images are (SceneFolder::find_image)
 
     friend bool operator==(const FileRequest&, const FileRequest&) = default;
 };
@@ -32,7 +32,7 @@ struct ImportedModel {
 inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 4};
 
 /// An imported model as the bytes of a file, yet to be sealed: what is large in it is left where it is.
-SealedWriter lay_out_model(const ImportedModel& imported);
+ArchiveWriter lay_out_model(const ImportedModel& imported);
 
 /// An imported model as bytes, and back to the bit: how the import's helper process hands it over, and how
 /// the cache keeps it. Floats are stored as they lie in memory.
@@ -41,7 +41,7 @@ std::vector<std::byte> write_model_file(const ImportedModel& imported);
 /// Reads bytes that may be anything; what it returns keeps all that `Model` promises: indices are in range,
 /// parents come before children, transforms and positions are finite, textures have all their pixels.
 /// Throws DamagedFile; memory is bounded by a small multiple of the bytes. With an `owner` that keeps the
-/// bytes as they are, meshes and pictures are used where they lie in them; without, they are copied.
+/// bytes as they are, meshes and images are used where they lie in them; without, they are copied.
 ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner = nullptr);
 
 }  // namespace campuswalk::scene

@@ -83,7 +83,7 @@ ModelReport report(const Model& model) {
     for (const Texture& texture : model.textures) {
         result.textures.push_back({texture.name, texture.width, texture.height});
     }
-    result.warnings = find_oddities(model, result);
+    result.warnings = find_lints(model, result);
     return result;
 }
 

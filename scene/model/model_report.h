@@ -45,7 +45,7 @@ struct TextureReport {
 ///   solid-door       doors that close a way through
 ///   door-size        doors that are no door's size, or lie on the ground
 ///   stair-riser      stairs with steps that nobody climbs
-struct Oddity {
+struct ModelLint {
     struct Place {
         std::string node;
         Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< world
@@ -68,16 +68,16 @@ struct ModelReport {
     std::vector<NodeReport> nodes;
     std::vector<MaterialReport> materials;
     std::vector<TextureReport> textures;
-    std::vector<Oddity> warnings;
+    std::vector<ModelLint> warnings;
 };
 
 ModelReport report(const Model& model);
 
 /// The warnings alone, of what the report tells else.
-std::vector<Oddity> find_oddities(const Model& model, const ModelReport& report);
+std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report);
 
-/// The oddity `solid-door`, of one door or more.
-Oddity solid_doors(std::vector<Oddity::Place> doors);
+/// The lint `solid-door`, of one door or more.
+ModelLint solid_doors(std::vector<ModelLint::Place> doors);
 
 /// Whether an importer made the name up, where the file has none: it changes when the file does.
 bool is_made_up_name(const std::string& name);

@@ -13,21 +13,21 @@ namespace {
 }
 
 template <typename Element>
-Storage<Element> take_counted(SealedReader& in) {
+Storage<Element> take_counted(ArchiveReader& in) {
     const std::size_t count = in.take_count(sizeof(Element));
     return in.take_aligned<Element>(count);
 }
 
-float take_finite(SealedReader& in) {
+float take_finite(ArchiveReader& in) {
     const auto number = in.take<float>();
     if (!std::isfinite(number)) {
-        refuse("a colour in it is no number");
+        refuse("a colour in it is not a number");
     }
     return number;
 }
 
 template <std::size_t Count>
-void take_finite(SealedReader& in, std::array<float, Count>& numbers) {
+void take_finite(ArchiveReader& in, std::array<float, Count>& numbers) {
     for (float& number : numbers) {
         number = take_finite(in);
     }
@@ -41,7 +41,7 @@ constexpr std::size_t kLeastMaterial = 88;
 constexpr std::size_t kLeastMesh = 52;
 constexpr std::size_t kLeastNode = 116;
 
-Diagnostic take_diagnostic(SealedReader& in) {
+Diagnostic take_diagnostic(ArchiveReader& in) {
     Diagnostic diagnostic;
     diagnostic.severity = static_cast<Severity>(in.take_below(2, "severity"));
     diagnostic.mark.file = in.take_text();
@@ -52,14 +52,14 @@ Diagnostic take_diagnostic(SealedReader& in) {
     return diagnostic;
 }
 
-FileRequest take_request(SealedReader& in) {
+FileRequest take_request(ArchiveReader& in) {
     FileRequest request;
     request.uri = in.take_text();
-    request.picture = in.take_flag();
+    request.image = in.take_flag();
     return request;
 }
 
-Texture take_texture(SealedReader& in) {
+Texture take_texture(ArchiveReader& in) {
     constexpr std::int32_t kLargest = 1 << 24U;
     Texture texture;
     texture.name = in.take_text();
@@ -72,18 +72,18 @@ Texture take_texture(SealedReader& in) {
     if (!sized ||
         static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height) * 4 !=
             texture.rgba.size()) {
-        refuse("a picture in it hasn't the pixels it should");
+        refuse("an image in it has the wrong number of pixels");
     }
     return texture;
 }
 
-std::optional<TextureIndex> take_texture_index(SealedReader& in, std::size_t textures) {
+std::optional<TextureIndex> take_texture_index(ArchiveReader& in, std::size_t textures) {
     const bool textured = in.take_flag();
     const std::uint32_t texture = in.take_below(textured ? textures : 1, "texture's number");
     return textured ? std::optional(static_cast<TextureIndex>(texture)) : std::nullopt;
 }
 
-Material take_material(SealedReader& in, std::size_t textures) {
+Material take_material(ArchiveReader& in, std::size_t textures) {
     Material material;
     material.name = in.take_text();
     take_finite(in, material.base_color);
@@ -106,17 +106,17 @@ void check_mesh(const Mesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
     const auto fits = [&](std::size_t count) { return count == 0 || count == vertices; };
     if (mesh.normals.size() != vertices || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
-        refuse("a mesh in it has not one normal, texture coordinate or colour a vertex");
+        refuse("a mesh in it does not have one normal, texture coordinate or colour per vertex");
     }
     if (!std::isfinite(collision::largest_coordinate(mesh.positions))) {
-        refuse("a vertex in it is no number");
+        refuse("a vertex in it is not a number");
     }
     if (!mesh.triangles.empty() && collision::highest_vertex(mesh.triangles) >= vertices) {
-        refuse("a triangle in it uses a vertex that is not there");
+        refuse("a triangle in it refers to a vertex that does not exist");
     }
 }
 
-Mesh take_mesh(SealedReader& in, std::size_t materials) {
+Mesh take_mesh(ArchiveReader& in, std::size_t materials) {
     Mesh mesh;
     mesh.name = in.take_text();
     mesh.material = static_cast<MaterialIndex>(in.take_below(materials, "material's number"));
@@ -129,7 +129,7 @@ Mesh take_mesh(SealedReader& in, std::size_t materials) {
     return mesh;
 }
 
-Node take_node(SealedReader& in, std::size_t nodes_before, std::size_t meshes) {
+Node take_node(ArchiveReader& in, std::size_t nodes_before, std::size_t meshes) {
     Node node;
     node.name = in.take_text();
     node.parent = in.take<std::int32_t>();
@@ -146,12 +146,12 @@ Node take_node(SealedReader& in, std::size_t nodes_before, std::size_t meshes) {
     }
     node.meshes = in.take_all<MeshIndex>(in.take_count(sizeof(MeshIndex)));
     if (std::ranges::any_of(node.meshes, [&](MeshIndex mesh) { return index_of(mesh) >= meshes; })) {
-        refuse("a node in it has a mesh that is not there");
+        refuse("a node in it refers to a mesh that does not exist");
     }
     return node;
 }
 
-std::optional<GeographicPlace> take_geographic(SealedReader& in) {
+std::optional<GeographicPlace> take_geographic(ArchiveReader& in) {
     if (!in.take_flag()) {
         return std::nullopt;
     }
@@ -165,13 +165,13 @@ std::optional<GeographicPlace> take_geographic(SealedReader& in) {
     const bool on_earth = std::abs(place.latitude_deg) <= kMostLatitude &&
                           std::abs(place.longitude_deg) <= kMostLongitude && std::isfinite(place.height);
     if (!on_earth || !place.at.allFinite()) {
-        refuse("a place in it is not on the Earth");
+        refuse("a geographic place in it is out of range");
     }
     return place;
 }
 
 template <typename Item, typename Take>
-std::vector<Item> take_each(SealedReader& in, std::size_t least_bytes, const Take& take) {
+std::vector<Item> take_each(ArchiveReader& in, std::size_t least_bytes, const Take& take) {
     std::vector<Item> items;
     const std::size_t count = in.take_count(least_bytes);
     items.reserve(count);
@@ -184,7 +184,7 @@ std::vector<Item> take_each(SealedReader& in, std::size_t least_bytes, const Tak
 }  // namespace
 
 ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
-    SealedReader in(bytes, kModelFile, std::move(owner));
+    ArchiveReader in(bytes, kModelFile, std::move(owner));
     ImportedModel read;
     Model& model = read.model;
     read.warnings = take_each<Diagnostic>(in, kLeastDiagnostic, [&](auto) { return take_diagnostic(in); });

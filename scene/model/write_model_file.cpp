@@ -4,12 +4,12 @@ namespace campuswalk::scene {
 namespace {
 
 template <typename Element>
-void put_counted(SealedWriter& out, const Storage<Element>& elements) {
+void put_counted(ArchiveWriter& out, const Storage<Element>& elements) {
     out.put(std::uint64_t{elements.size()});
     out.put_aligned(std::span<const Element>(elements));
 }
 
-void put(SealedWriter& out, const Diagnostic& diagnostic) {
+void put(ArchiveWriter& out, const Diagnostic& diagnostic) {
     out.put(static_cast<std::uint32_t>(diagnostic.severity));
     out.put_text(diagnostic.mark.file);
     out.put(std::int32_t{diagnostic.mark.line});
@@ -18,12 +18,12 @@ void put(SealedWriter& out, const Diagnostic& diagnostic) {
     out.put_text(diagnostic.message);
 }
 
-void put(SealedWriter& out, const FileRequest& request) {
+void put(ArchiveWriter& out, const FileRequest& request) {
     out.put_text(request.uri);
-    out.put(std::uint32_t{request.picture});
+    out.put(std::uint32_t{request.image});
 }
 
-void put(SealedWriter& out, const Texture& texture) {
+void put(ArchiveWriter& out, const Texture& texture) {
     out.put_text(texture.name);
     out.put(std::int32_t{texture.width});
     out.put(std::int32_t{texture.height});
@@ -31,12 +31,12 @@ void put(SealedWriter& out, const Texture& texture) {
     put_counted(out, texture.rgba);
 }
 
-void put(SealedWriter& out, const std::optional<TextureIndex>& texture) {
+void put(ArchiveWriter& out, const std::optional<TextureIndex>& texture) {
     out.put(std::uint32_t{texture.has_value()});
     out.put(static_cast<std::uint32_t>(texture.value_or(TextureIndex{})));
 }
 
-void put(SealedWriter& out, const Material& material) {
+void put(ArchiveWriter& out, const Material& material) {
     out.put_text(material.name);
     out.put_all(std::span<const float>(material.base_color));
     out.put_all(std::span<const float>(material.emissive));
@@ -53,7 +53,7 @@ void put(SealedWriter& out, const Material& material) {
     out.put(std::uint32_t{material.unlit});
 }
 
-void put(SealedWriter& out, const Mesh& mesh) {
+void put(ArchiveWriter& out, const Mesh& mesh) {
     out.put_text(mesh.name);
     out.put(static_cast<std::uint32_t>(mesh.material));
     put_counted(out, mesh.positions);
@@ -64,7 +64,7 @@ void put(SealedWriter& out, const Mesh& mesh) {
 }
 
 /// An affine transform's last row is known.
-void put(SealedWriter& out, const Node& node) {
+void put(ArchiveWriter& out, const Node& node) {
     out.put_text(node.name);
     out.put(std::int32_t{node.parent});
     for (Eigen::Index row = 0; row < 3; ++row) {
@@ -76,7 +76,7 @@ void put(SealedWriter& out, const Node& node) {
     out.put_all(std::span(node.meshes));
 }
 
-void put(SealedWriter& out, const std::optional<GeographicPlace>& place) {
+void put(ArchiveWriter& out, const std::optional<GeographicPlace>& place) {
     out.put(std::uint32_t{place.has_value()});
     if (place) {
         out.put(place->latitude_deg);
@@ -87,7 +87,7 @@ void put(SealedWriter& out, const std::optional<GeographicPlace>& place) {
 }
 
 template <typename Item>
-void put_each(SealedWriter& out, const std::vector<Item>& items) {
+void put_each(ArchiveWriter& out, const std::vector<Item>& items) {
     out.put(std::uint64_t{items.size()});
     for (const Item& item : items) {
         put(out, item);
@@ -96,8 +96,8 @@ void put_each(SealedWriter& out, const std::vector<Item>& items) {
 
 }  // namespace
 
-SealedWriter lay_out_model(const ImportedModel& imported) {
-    SealedWriter out(kModelFile);
+ArchiveWriter lay_out_model(const ImportedModel& imported) {
+    ArchiveWriter out(kModelFile);
     put_each(out, imported.warnings);
     put_each(out, imported.requests);
     out.put_text(imported.model.file);
@@ -111,7 +111,7 @@ SealedWriter lay_out_model(const ImportedModel& imported) {
 }
 
 std::vector<std::byte> write_model_file(const ImportedModel& imported) {
-    SealedWriter out = lay_out_model(imported);
+    ArchiveWriter out = lay_out_model(imported);
     return joined(out.seal());
 }
 

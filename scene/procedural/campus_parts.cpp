@@ -59,7 +59,7 @@ void add_window_wall(MeshParts& parts, const Pose& X_campus_wall, double half, i
     }
 }
 
-void add_tree(MeshParts& parts, const Vec3& foot, Chance& chance) {
+void add_tree(MeshParts& parts, const Vec3& foot, SplitMix& chance) {
     const double height = chance.between(4.0, 9.0);
     const double radius = chance.between(1.2, 2.5);
     const Pose X = turned(foot, chance.between(0.0, 6.0));

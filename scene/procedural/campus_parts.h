@@ -22,7 +22,7 @@ void add_window_wall(MeshParts& parts, const collision::Pose& X_campus_wall, dou
 
 /// A trunk, a bumpy crown up to 3 m around it, and leaves that stick out of it. Whatever differs between
 /// trees is by `chance`.
-void add_tree(MeshParts& parts, const collision::Vec3& foot, Chance& chance);
+void add_tree(MeshParts& parts, const collision::Vec3& foot, SplitMix& chance);
 
 /// 1.8 m long, along X's x.
 void add_bench(MeshParts& parts, const collision::Pose& X);

@@ -7,9 +7,9 @@
 namespace campuswalk::scene {
 
 /// Numbers that look random and are the same everywhere: Steele, Lea and Flood's SplitMix (2014).
-class Chance {
+class SplitMix {
 public:
-    explicit Chance(std::uint64_t seed) : state_(seed) {}
+    explicit SplitMix(std::uint64_t seed) : state_(seed) {}
 
     double between(double low, double high) {
         constexpr double kStep = 0x1p-53;

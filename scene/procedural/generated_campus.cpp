@@ -14,11 +14,11 @@ using collision::Vec3;
 namespace {
 
 constexpr double kLot = kGeneratedLot;
-constexpr int kCellsALot = 24;    ///< of the terrain, along a side
-constexpr double kFooting = 2.0;  ///< metres that a house goes into the ground, which isn't level
-constexpr int kTrees = 14;        ///< a lot
-constexpr int kBenches = 8;       ///< a lot
-constexpr int kLamps = 6;         ///< a lot
+constexpr int kCellsALot = 24;        ///< of the terrain, along a side
+constexpr double kGroundQuery = 2.0;  ///< metres that a house goes into the ground, which isn't level
+constexpr int kTrees = 14;            ///< a lot
+constexpr int kBenches = 8;           ///< a lot
+constexpr int kLamps = 6;             ///< a lot
 
 struct House {
     Pose X_campus_house;  ///< the middle of its floor at ground level
@@ -66,7 +66,7 @@ void add_house(MeshParts& parts, const House& house) {
         const Pose& X = house.X_campus_house;
         const Pose X_campus_wall{X.rotation * X_house_wall.rotation, X * X_house_wall.rotate({0, 0, away})};
         const auto at = [&](double x, double y) { return Vec3(X_campus_wall * Vec3(x, y, 0.0)); };
-        parts.add_quad(at(-half, -kFooting), at(half, -kFooting), at(half, 0.0), at(-half, 0.0));
+        parts.add_quad(at(-half, -kGroundQuery), at(half, -kGroundQuery), at(half, 0.0), at(-half, 0.0));
         add_window_wall(parts, X_campus_wall, half, house.storeys);
     };
     wall(0, house.half_length, house.half_width);
@@ -81,7 +81,7 @@ void add_house(MeshParts& parts, const House& house) {
 /// What is on one lot, whose middle is at x, z.
 class Lot {
 public:
-    Lot(double x, double z, Chance& chance) : x_(x), z_(z), chance_(chance) {
+    Lot(double x, double z, SplitMix& chance) : x_(x), z_(z), chance_(chance) {
         const double at_x = x + chance.between(-6.0, 6.0);
         const double at_z = z + chance.between(-6.0, 6.0);
         house_.X_campus_house = turned({at_x, rolling_ground(at_x, at_z), at_z}, chance.between(-0.3, 0.3));
@@ -140,7 +140,7 @@ private:
 
     double x_;
     double z_;
-    Chance& chance_;
+    SplitMix& chance_;
     House house_;
 };
 
@@ -151,7 +151,7 @@ GeneratedCampus generated_campus(int lots) {
     MeshParts parts(campus.mesh);
     begin_run(campus.runs, CampusPart::terrain, campus.mesh);
     add_terrain(parts, lots);
-    Chance chance(1);
+    SplitMix chance(1);
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {
             Lot lot(kLot * (column - 0.5 * (lots - 1)), kLot * (row - 0.5 * (lots - 1)), chance);

@@ -40,7 +40,7 @@ double nearest_middle(double coordinate, int lots) {
 }
 
 /// Of a corner of the terrain.
-double corner_height(double x, double z, int lots) {
+double vertex_height(double x, double z, int lots) {
     const double middle_x = nearest_middle(x, lots);
     const double middle_z = nearest_middle(z, lots);
     const double out = Vec3(x - middle_x, 0.0, z - middle_z).norm();
@@ -56,7 +56,7 @@ double ground_height(double x, double z, int lots) {
     const double column = std::floor((x - low) / kCell);
     const double row = std::floor((z - low) / kCell);
     const auto height = [&](double across, double along) {
-        return corner_height(low + kCell * (column + across), low + kCell * (row + along), lots);
+        return vertex_height(low + kCell * (column + across), low + kCell * (row + along), lots);
     };
     const double u = (x - low) / kCell - column;
     const double v = (z - low) / kCell - row;
@@ -80,7 +80,7 @@ void add_terrain(MeshParts& parts, int lots) {
         for (int column = 0; column <= cells; ++column) {
             const double x = low + step * column;
             const double z = low + step * row;
-            parts.add_point({x, corner_height(x, z, lots), z});
+            parts.add_point({x, vertex_height(x, z, lots), z});
         }
     }
     for (int row = 0; row < cells; ++row) {
@@ -95,7 +95,7 @@ void add_terrain(MeshParts& parts, int lots) {
 /// One lot of the campus.
 class Lot {
 public:
-    Lot(int row, int column, int lots, Chance& chance) : lots_(lots), chance_(chance) {
+    Lot(int row, int column, int lots, SplitMix& chance) : lots_(lots), chance_(chance) {
         const double x = middle_of(column, lots);
         const double z = middle_of(row, lots);
         X_campus_course_ = turned({x, ground_height(x, z, lots), z}, chance.between(-3.0, 3.0));
@@ -154,7 +154,7 @@ private:
     }
 
     int lots_;
-    Chance& chance_;
+    SplitMix& chance_;
     Pose X_campus_course_;
     CourseSizes sizes_;
 };
@@ -176,7 +176,7 @@ WalkableCampus walkable_campus(int lots) {
     MeshParts parts(campus.mesh);
     begin_run(campus.runs, CampusPart::terrain, campus.mesh);
     add_terrain(parts, lots);
-    Chance chance(4);
+    SplitMix chance(4);
     std::vector<WalkPath> nowhere;
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {

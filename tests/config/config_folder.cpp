@@ -32,12 +32,12 @@ ConfigFolder::ConfigFolder() {
 
 Lines ConfigFolder::about_campus(std::string_view text) const {
     write("a.campus.yaml", text);
-    return complaints_of([&] { campus(); });
+    return formatted_diagnostics_of([&] { campus(); });
 }
 
 Lines ConfigFolder::about_avatar(std::string_view text) const {
     write("an.avatar.yaml", text);
-    return complaints_of([&] { load_avatar(path("an.avatar.yaml")); });
+    return formatted_diagnostics_of([&] { load_avatar(path("an.avatar.yaml")); });
 }
 
 Lines ConfigFolder::about_walk(std::string_view text) const {
@@ -46,7 +46,7 @@ Lines ConfigFolder::about_walk(std::string_view text) const {
 }
 
 Lines ConfigFolder::about_run() const {
-    return complaints_of([&] { run(); });
+    return formatted_diagnostics_of([&] { run(); });
 }
 
 Lines ConfigFolder::about_steps(const std::string& text) const {
@@ -64,7 +64,7 @@ Lines ConfigFolder::about_collider(const std::string& text) const {
         text);
 }
 
-Lines ConfigFolder::complaints_of(const std::function<void()>& load) const {
+Lines ConfigFolder::formatted_diagnostics_of(const std::function<void()>& load) const {
     const std::string prefix = folder_.path().string() + "/";
     Lines lines;
     for (const scene::Diagnostic& diagnostic : diagnostics_of(load)) {

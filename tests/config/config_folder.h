@@ -14,7 +14,7 @@ namespace campuswalk::config::test {
 using Lines = std::vector<std::string>;
 
 /// A folder with a small campus (a.campus.yaml), a profile (avatars/adult.avatar.yaml) and a walk
-/// (a.walk.yaml) that load without a complaint; tests replace one of the files.
+/// (a.walk.yaml) that load without a diagnostic; tests replace one of the files.
 class ConfigFolder {
 public:
     ConfigFolder();
@@ -43,12 +43,12 @@ public:
     Lines about_collider(const std::string& text) const;
 
 private:
-    Lines complaints_of(const std::function<void()>& load) const;
+    Lines formatted_diagnostics_of(const std::function<void()>& load) const;
 
     support::TemporaryFolder folder_;
 };
 
-/// The complaints that `load` throws; none when it doesn't.
+/// The diagnostics that `load` throws; none when it doesn't.
 std::vector<scene::Diagnostic> diagnostics_of(const std::function<void()>& load);
 
 }  // namespace campuswalk::config::test

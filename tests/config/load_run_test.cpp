@@ -101,7 +101,7 @@ TEST_F(LoadRun, LeavesNamesAloneWhenTheCampusCannotBeRead) {
             "a.campus.yaml:1:9: error yaml-syntax: this '[' has no ']', or a ',' is missing after it"));
 }
 
-TEST_F(LoadRun, ComplainsOfTheCampusItNames) {
+TEST_F(LoadRun, DiagnosesTheCampusItNames) {
     const auto about = [&](const std::string& campus) {
         return folder_.about_walk("campus: " + campus + "\nsteps: [{spawn: gate}]\n");
     };
@@ -128,7 +128,7 @@ TEST_F(LoadRun, ComplainsOfTheCampusItNames) {
             "big.campus.yaml: error too-large: the file has 5000000 bytes; at most 2000000 are read"));
 }
 
-TEST_F(LoadRun, ComplainsOfTheAvatarItNames) {
+TEST_F(LoadRun, DiagnosesTheAvatarItNames) {
     const auto about = [&](const std::string& avatar) {
         return folder_.about_walk("campus: a.campus.yaml\navatar: " + avatar + "\nsteps: [{spawn: gate}]\n");
     };
@@ -163,7 +163,7 @@ TEST_F(LoadRun, ComplainsOfTheAvatarItNames) {
             "in main-gate, not 'Foo'"));
 }
 
-TEST_F(LoadRun, ComplainsOfTheWalkFileItself) {
+TEST_F(LoadRun, DiagnosesTheWalkFileItself) {
     const auto about = [&](const std::string& name) {
         const auto found = test::diagnostics_of([&] { load_run(folder_.path(name), {}); });
         return found.size() == 1 ? found[0].code + ": " + found[0].message : "";

@@ -1,4 +1,4 @@
-// Whatever happens to a file, loading it gives a result or complaints that point into it.
+// Whatever happens to a file, loading it gives a result or diagnostics that point into it.
 
 #include <algorithm>
 #include <fstream>

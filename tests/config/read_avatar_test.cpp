@@ -59,7 +59,7 @@ TEST_F(ReadAvatar, LeavesTheRestAtItsDefault) {
     EXPECT_THAT(avatar.ignore_layers, ElementsAre("trees"));
 }
 
-TEST_F(ReadAvatar, ComplainsOfKeysAndNumbers) {
+TEST_F(ReadAvatar, DiagnosesKeysAndNumbers) {
     EXPECT_THAT(folder_.about_avatar("heigth: 1\n"),
                 ElementsAre("an.avatar.yaml:1:1: error unknown-key: unknown key 'heigth' in an avatar (did "
                             "you mean 'height'?)"));
@@ -85,7 +85,7 @@ TEST_F(ReadAvatar, ComplainsOfKeysAndNumbers) {
                     "an.avatar.yaml:1:22: error wrong-type: a layer must be a text, not a map of keys"));
 }
 
-TEST_F(ReadAvatar, ComplainsOfBodiesThatCannotBe) {
+TEST_F(ReadAvatar, DiagnosesBodiesThatCannotBe) {
     EXPECT_THAT(folder_.about_avatar("radius: 1\n"),
                 ElementsAre("an.avatar.yaml:1:9: error bad-value: the body is a capsule: its height of 1.8 m "
                             "must be at least twice its radius of 1 m"));

@@ -115,7 +115,7 @@ TEST_F(ReadCamera, ReadsOverlays) {
                     "triggers, labels, compass, not 'grid'"));
 }
 
-TEST_F(ReadCamera, ComplainsOfTargetsAndChannels) {
+TEST_F(ReadCamera, DiagnosesTargetsAndChannels) {
     EXPECT_THAT(
         folder_.about_walk(
             "campus: a.campus.yaml\n"

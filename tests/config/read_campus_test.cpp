@@ -108,7 +108,7 @@ TEST_F(ReadCampus, TakesEmptySectionsAndSharedValues) {
     EXPECT_THAT(about("\"layers\": ['ground', \"trees\"]\n"), ElementsAre());
 }
 
-TEST_F(ReadCampus, ComplainsOfTheFileAsAWhole) {
+TEST_F(ReadCampus, DiagnosesTheFileAsAWhole) {
     EXPECT_THAT(
         folder_.about_campus("[]\n"),
         ElementsAre(
@@ -126,7 +126,7 @@ TEST_F(ReadCampus, ComplainsOfTheFileAsAWhole) {
                     "scenes, origin, layers, buildings, colliders, spawns, places"));
 }
 
-TEST_F(ReadCampus, ComplainsOfScenes) {
+TEST_F(ReadCampus, DiagnosesScenes) {
     const auto about_scenes = [&](const std::string& scenes) {
         return folder_.about_campus("colliders: []\nscenes: " + scenes + "\n");
     };
@@ -172,7 +172,7 @@ TEST_F(ReadCampus, ReadsTheOrigin) {
     EXPECT_EQ(place, (scene::GeographicPlace{-33.5, 151.25, 12, {0, 0, 0}}));
 }
 
-TEST_F(ReadCampus, ComplainsOfTheOrigin) {
+TEST_F(ReadCampus, DiagnosesTheOrigin) {
     EXPECT_THAT(
         about("origin: {at: here, latitude_deg: 91, longitude_deg: -180.5, altitude: 3}\n"),
         ElementsAre(
@@ -187,7 +187,7 @@ TEST_F(ReadCampus, ComplainsOfTheOrigin) {
                 ElementsAre("a.campus.yaml:3:9: error missing-key: 'origin' needs the key 'longitude_deg'"));
 }
 
-TEST_F(ReadCampus, ComplainsOfNumbers) {
+TEST_F(ReadCampus, DiagnosesNumbers) {
     EXPECT_THAT(
         about("places: {a: [010, 0x10, 1_000], b: [.inf, -.nan, 1e999], c: ['1', 1e8, x]}\n"),
         ElementsAre(
@@ -203,7 +203,7 @@ TEST_F(ReadCampus, ComplainsOfNumbers) {
             "a.campus.yaml:3:72: error wrong-type: 'c' must be a number, not 'x'"));
 }
 
-TEST_F(ReadCampus, ComplainsOfLayers) {
+TEST_F(ReadCampus, DiagnosesLayers) {
     EXPECT_THAT(
         about("layers: [Ground, a b, trees, trees, '', [x]]\n"),
         ElementsAre("a.campus.yaml:3:10: error bad-value: a layer must be small letters, digits and single "
@@ -218,7 +218,7 @@ TEST_F(ReadCampus, ComplainsOfLayers) {
         ElementsAre("a.campus.yaml:3:9: error wrong-type: 'layers' must be a list, not a single value"));
 }
 
-TEST_F(ReadCampus, ComplainsOfBuildings) {
+TEST_F(ReadCampus, DiagnosesBuildings) {
     EXPECT_THAT(
         about("buildings:\n"
               "  - {id: hut}\n"
@@ -247,7 +247,7 @@ TEST_F(ReadCampus, ComplainsOfBuildings) {
             "a.campus.yaml:10:40: error bad-value: 'text' must not contain control characters"));
 }
 
-TEST_F(ReadCampus, ComplainsOfSpawnsAndPlaces) {
+TEST_F(ReadCampus, DiagnosesSpawnsAndPlaces) {
     EXPECT_THAT(
         about("spawns: [a]\nplaces: a\n"),
         ElementsAre(

@@ -83,7 +83,7 @@ TEST_F(ReadCollider, ReadsSpheresCapsulesAndWheels) {
     EXPECT_TRUE(std::get<scene::WheelShape>(tilted.shape).axis.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
 }
 
-TEST_F(ReadCollider, ComplainsOfMissingAndUnknownKeys) {
+TEST_F(ReadCollider, DiagnosesMissingAndUnknownKeys) {
     EXPECT_THAT(folder_.about_collider("{}"),
                 ElementsAre("a.campus.yaml:5:5: error missing-key: a collider needs the key 'id'",
                             "a.campus.yaml:5:5: error missing-key: a collider needs the key 'mode'",
@@ -103,7 +103,7 @@ TEST_F(ReadCollider, ComplainsOfMissingAndUnknownKeys) {
             "a.campus.yaml:5:56: error missing-key: a collider with a pop-up needs the key 'building'"));
 }
 
-TEST_F(ReadCollider, ComplainsOfWords) {
+TEST_F(ReadCollider, DiagnosesWords) {
     EXPECT_THAT(folder_.about_collider("{id: a, shape: cube, mode: solid, radius: 1}"),
                 ElementsAre("a.campus.yaml:5:20: error bad-value: 'shape' must be one of mesh, box, sphere, "
                             "capsule, wheel, not 'cube'"));
@@ -133,7 +133,7 @@ TEST_F(ReadCollider, ComplainsOfWords) {
     }
 }
 
-TEST_F(ReadCollider, ComplainsOfNames) {
+TEST_F(ReadCollider, DiagnosesNames) {
     EXPECT_THAT(
         folder_.about_collider("{id: a, building: hat, layer: tres, shape: mesh, mode: solid}"),
         ElementsAre(
@@ -145,7 +145,7 @@ TEST_F(ReadCollider, ComplainsOfNames) {
         ElementsAre("a.campus.yaml:6:10: error duplicate-name: the collider 'a' stands on line 5 already"));
 }
 
-TEST_F(ReadCollider, ComplainsOfNumbers) {
+TEST_F(ReadCollider, DiagnosesNumbers) {
     EXPECT_THAT(
         folder_.about_collider("{id: a, shape: box, mode: solid, center: [0, 0, 0], size: [1, 0, 1]}"),
         ElementsAre("a.campus.yaml:5:67: error bad-value: 'size' must be more than 0 and at most 1000000 m, "

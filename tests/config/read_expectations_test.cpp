@@ -69,7 +69,7 @@ TEST_F(ReadExpectations, WantsOneKeyEach) {
                 ElementsAre("a.walk.yaml:4:3: error wrong-type: 'expect' must be a list, not a map of keys"));
 }
 
-TEST_F(ReadExpectations, ComplainsOfEvents) {
+TEST_F(ReadExpectations, DiagnosesEvents) {
     EXPECT_THAT(
         folder_.about_expectations("  - sequence: [popup.opne hut, popup.open a b, '']\n"),
         ElementsAre("a.walk.yaml:4:16: error unknown-name: no event is called 'popup.opne' (did you mean "
@@ -85,7 +85,7 @@ TEST_F(ReadExpectations, ComplainsOfEvents) {
                             "a.walk.yaml:5:12: error wrong-type: 'never' must be a text, not a list"));
 }
 
-TEST_F(ReadExpectations, ComplainsOfCountsAndGoals) {
+TEST_F(ReadExpectations, DiagnosesCountsAndGoals) {
     EXPECT_THAT(
         folder_.about_expectations("  - count: {event: popup.open}\n  - count: {at_least: 1.5}\n"
                                    "  - count: {event: popup.open, at_least: 3, at_most: 2}\n  - count: 3\n"),
@@ -200,7 +200,7 @@ TEST_F(ReadExpectations, ReadsWordsWithAndWithoutAValue) {
     EXPECT_EQ(plain<ExpectBlockedBy>(all, 9).object.glob, "wall");
 }
 
-TEST_F(ReadExpectations, ComplainsOfWords) {
+TEST_F(ReadExpectations, DiagnosesWords) {
     EXPECT_THAT(
         folder_.about_expectations("  - reaches\n  - grounded: never\n  - fell: far\n  - stuck: hut\n"),
         ElementsAre("a.walk.yaml:4:5: error wrong-type: an expectation must be a key with a value, as in "
@@ -242,12 +242,12 @@ TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
         "  - visible: {building: \"h*\", in: desk, min_pixels: 50, min_ratio: 0.25}\n"
         "  - not: {visible: {building: hut, in: desk}}\n");
     EXPECT_EQ(std::get<ExpectSnapshot>(all.at(0)).name, "desk");
-    const PictureTolerance as_it_was = changed({}, std::get<ExpectSnapshot>(all.at(0)).tolerance);
-    EXPECT_EQ(as_it_was.threshold, PictureTolerance().threshold);
+    const ImageTolerance as_it_was = changed({}, std::get<ExpectSnapshot>(all.at(0)).tolerance);
+    EXPECT_EQ(as_it_was.threshold, ImageTolerance().threshold);
     EXPECT_FALSE(as_it_was.max_diff_pixels);
-    PictureTolerance before;
+    ImageTolerance before;
     before.masks = {{0, 0, 9, 9}};
-    const PictureTolerance tolerance = changed(before, std::get<ExpectSnapshot>(all.at(1)).tolerance);
+    const ImageTolerance tolerance = changed(before, std::get<ExpectSnapshot>(all.at(1)).tolerance);
     EXPECT_EQ(tolerance.threshold, 0.1);
     EXPECT_EQ(tolerance.max_diff_pixels, 7);
     EXPECT_EQ(tolerance.max_diff_pixel_ratio, 0.5);
@@ -263,7 +263,7 @@ TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
     EXPECT_TRUE(std::get<ExpectVisible>(all.at(4)).negated);
 }
 
-TEST_F(ReadExpectations, ComplainsOfWhatIsExpectedOfSnapshots) {
+TEST_F(ReadExpectations, DiagnosesWhatIsExpectedOfSnapshots) {
     EXPECT_THAT(
         folder_.about_expectations("  - snapshot: My Desk\n  - snapshot: {threshold: 2}\n"
                                    "  - snapshot: {name: desk, masks: [[1, 2, 3]]}\n"

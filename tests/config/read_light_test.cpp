@@ -56,7 +56,7 @@ TEST_F(ReadLight, PutsEveryKeyWhereItBelongs) {
     EXPECT_EQ(light.glow, 12.5);
     EXPECT_EQ(light.fog_distance, 300.0);
     EXPECT_EQ(light.shadows, false);
-    EXPECT_EQ(light.contact_shading, 0.0);
+    EXPECT_EQ(light.ambient_occlusion, 0.0);
     EXPECT_EQ(light.anti_aliasing, AntiAliasing::fxaa);
 }
 

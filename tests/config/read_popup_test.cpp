@@ -46,7 +46,7 @@ TEST_F(ReadPopup, IsTheBuildingsWhereTheColliderSaysNothing) {
     EXPECT_FALSE(read("title: Hut, popup: {dwell: 2}", ", popup: false").colliders.at(0).popup);
 }
 
-TEST_F(ReadPopup, ComplainsOfOtherTimes) {
+TEST_F(ReadPopup, DiagnosesOtherTimes) {
     EXPECT_THAT(
         about("title: Hut, popup: {dwell: -1, onec: true}"),
         ElementsAre("a.campus.yaml:3:42: error bad-value: 'dwell' must be from 0 to 86400 s, not '-1'",
@@ -69,7 +69,7 @@ TEST_F(ReadPopup, ReadsFreeFields) {
     EXPECT_EQ(building.info[1].value, "123");
 }
 
-TEST_F(ReadPopup, ComplainsOfVariablesThatNothingStandsFor) {
+TEST_F(ReadPopup, DiagnosesVariablesThatNothingStandsFor) {
     EXPECT_THAT(about("title: \"{title}\", text: \"{visit} and {id\""),
                 ElementsAre(testing::StartsWith("a.campus.yaml:3:23: error unknown-name: 'title' can't say "
                                                 "'{title}'"),
@@ -84,8 +84,8 @@ TEST_F(ReadPopup, ComplainsOfVariablesThatNothingStandsFor) {
 TEST_F(ReadPopup, PointsAtTheVariableWhereTheTextStandsAsItIs) {
     const auto columns = [&](const std::string& text) {
         std::vector<int> found;
-        for (const std::string& complaint : about("title: Hut, text: " + text)) {
-            found.push_back(std::stoi(complaint.substr(complaint.find(":3:") + 3)));
+        for (const std::string& diagnostic : about("title: Hut, text: " + text)) {
+            found.push_back(std::stoi(diagnostic.substr(diagnostic.find(":3:") + 3)));
         }
         return found;
     };
@@ -98,7 +98,7 @@ TEST_F(ReadPopup, PointsAtTheVariableWhereTheTextStandsAsItIs) {
     EXPECT_THAT(columns("&name '{a}'"), ElementsAre(kText));
 }
 
-TEST_F(ReadPopup, ComplainsOfFieldsThatAreThereAlready) {
+TEST_F(ReadPopup, DiagnosesFieldsThatAreThereAlready) {
     EXPECT_THAT(
         about("title: Hut, info: {hours: 8, A: b}"),
         ElementsAre("a.campus.yaml:3:34: error duplicate-name: the variable 'hours' is there already; "

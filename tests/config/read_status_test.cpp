@@ -44,7 +44,7 @@ TEST_F(ReadStatus, HasAReasonAndFailures) {
     EXPECT_EQ(read("status: {is: skip, because: it is winter}").status.reason, "it is winter");
 }
 
-TEST_F(ReadStatus, ComplainsOfOthers) {
+TEST_F(ReadStatus, DiagnosesOthers) {
     EXPECT_THAT(
         about("status: xfial"),
         ElementsAre("a.walk.yaml:2:9: error bad-value: 'status' must be one of run, skip, only, xfail, "

@@ -124,7 +124,7 @@ TEST_F(ReadSteps, WantsOneKeyAStep) {
             "disable, snapshot, repeat, include"));
 }
 
-TEST_F(ReadSteps, ComplainsOfTargets) {
+TEST_F(ReadSteps, DiagnosesTargets) {
     EXPECT_THAT(about("walk_to: sqare"), ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has "
                                                      "no place or spawn 'sqare' (did you mean 'square'?)"));
     EXPECT_THAT(about("look_at: hut"), ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has no "
@@ -145,7 +145,7 @@ TEST_F(ReadSteps, ComplainsOfTargets) {
                 ElementsAre("a.walk.yaml:4:18: error wrong-type: a coordinate must be a number, not 'b'"));
 }
 
-TEST_F(ReadSteps, ComplainsOfWalkTo) {
+TEST_F(ReadSteps, DiagnosesWalkTo) {
     EXPECT_THAT(about("walk_to: {}"),
                 ElementsAre("a.walk.yaml:4:14: error missing-key: 'walk_to' needs the key 'to'"));
     EXPECT_THAT(
@@ -157,7 +157,7 @@ TEST_F(ReadSteps, ComplainsOfWalkTo) {
             "a.walk.yaml:4:71: error bad-value: 'if_blocked' must be one of fail, continue, not 'go'"));
 }
 
-TEST_F(ReadSteps, ComplainsOfStandings) {
+TEST_F(ReadSteps, DiagnosesStandings) {
     EXPECT_THAT(
         about("teleport: square"),
         ElementsAre(
@@ -173,7 +173,7 @@ TEST_F(ReadSteps, ComplainsOfStandings) {
             "a.walk.yaml:3:12: error unknown-name: the campus has no spawn 'gaet' (did you mean 'gate'?)"));
 }
 
-TEST_F(ReadSteps, ComplainsOfNumbersAndSnapshots) {
+TEST_F(ReadSteps, DiagnosesNumbersAndSnapshots) {
     EXPECT_THAT(about("wait: -1"),
                 ElementsAre("a.walk.yaml:4:11: error bad-value: 'wait' must be from 0 to 86400 s, not '-1'"));
     EXPECT_THAT(about("wait: [1]"),
@@ -217,7 +217,7 @@ TEST_F(ReadSteps, ReadsWaysAlongACurve) {
     EXPECT_EQ(full.if_blocked, IfBlocked::proceed);
 }
 
-TEST_F(ReadSteps, ComplainsOfCurves) {
+TEST_F(ReadSteps, DiagnosesCurves) {
     EXPECT_THAT(about("follow: []"),
                 ElementsAre("a.walk.yaml:4:13: error bad-value: 'follow' needs at least one point"));
     EXPECT_THAT(
@@ -248,7 +248,7 @@ TEST_F(ReadSteps, ReadsJumps) {
     EXPECT_EQ(std::get<JumpStep>(steps.at(4)).forward, 0.0);
 }
 
-TEST_F(ReadSteps, ComplainsOfJumps) {
+TEST_F(ReadSteps, DiagnosesJumps) {
     EXPECT_THAT(about("jump: high"),
                 ElementsAre("a.walk.yaml:4:11: error wrong-type: 'jump' must be a number, not 'high'"));
     EXPECT_THAT(about("jump: 0"), ElementsAre("a.walk.yaml:4:11: error bad-value: 'jump' must be more than 0 "
@@ -275,7 +275,7 @@ TEST_F(ReadSteps, ReadsHowTallAndHowFast) {
     EXPECT_EQ(std::get<SpeedStep>(folder_.run().walk.steps.at(1)).speed, 5.0);
 }
 
-TEST_F(ReadSteps, ComplainsOfHowTallAndHowFast) {
+TEST_F(ReadSteps, DiagnosesHowTallAndHowFast) {
     EXPECT_THAT(
         about("crouch: down"),
         ElementsAre("a.walk.yaml:4:13: error bad-value: 'crouch' must be one of on, off, not 'down'"));
@@ -304,7 +304,7 @@ TEST_F(ReadSteps, ReadsWhatToWaitFor) {
     EXPECT_EQ(full.timeout, 4.0);
 }
 
-TEST_F(ReadSteps, ComplainsOfWhatToWaitFor) {
+TEST_F(ReadSteps, DiagnosesWhatToWaitFor) {
     EXPECT_THAT(about("wait_until: popup.opne"),
                 ElementsAre("a.walk.yaml:4:17: error unknown-name: no event is called 'popup.opne' (did you "
                             "mean 'popup.open'?)"));
@@ -327,7 +327,7 @@ TEST_F(ReadSteps, ReadsWhatToEnable) {
     EXPECT_EQ(on.objects[1].mark.column, 23);
 }
 
-TEST_F(ReadSteps, ComplainsOfWhatToEnable) {
+TEST_F(ReadSteps, DiagnosesWhatToEnable) {
     EXPECT_THAT(about("disable: []"),
                 ElementsAre("a.walk.yaml:4:14: error bad-value: 'disable' needs at least one object's id"));
     EXPECT_THAT(about("enable: {id: hut}"),

@@ -34,7 +34,7 @@ TEST_F(ReadWalk, ReadsTheSimulation) {
     EXPECT_EQ(sim("{stay_every: 2.5}").stay_every, 2.5);
 }
 
-TEST_F(ReadWalk, ComplainsOfTheSimulation) {
+TEST_F(ReadWalk, DiagnosesTheSimulation) {
     EXPECT_THAT(
         about_sim("{ticks_per_second: 0, stay_every: -1, seed: -1, dt: 1}"),
         ElementsAre("a.walk.yaml:2:25: error bad-value: 'ticks_per_second' must be from 1 to 10000, not '0'",
@@ -58,7 +58,7 @@ TEST_F(ReadWalk, ComplainsOfTheSimulation) {
         ElementsAre("a.walk.yaml:2:6: error wrong-type: 'sim' must be a map of keys, as in {key: value}"));
 }
 
-TEST_F(ReadWalk, ComplainsOfTheFileAsAWhole) {
+TEST_F(ReadWalk, DiagnosesTheFileAsAWhole) {
     EXPECT_THAT(folder_.about_walk("steps:\n"),
                 ElementsAre("a.walk.yaml:1:1: error missing-key: a walk needs the key 'campus'",
                             "a.walk.yaml:1:1: error bad-value: 'steps' needs at least a spawn"));

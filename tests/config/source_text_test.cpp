@@ -11,7 +11,7 @@ namespace {
 
 class SourceText : public testing::Test {
 protected:
-    /// The complaint about a file of these bytes, empty when it can be read.
+    /// The diagnostic about a file of these bytes, empty when it can be read.
     std::string about(std::string_view bytes) {
         folder_.write("a.yaml", bytes);
         return about_path("a.yaml");

@@ -45,7 +45,7 @@ TEST_F(UnrolledSteps, GoRoundByRound) {
     EXPECT_EQ(mark_of(steps.at(5)).line, 7) << "in the second round too";
 }
 
-TEST_F(UnrolledSteps, ComplainOfRoundsOnce) {
+TEST_F(UnrolledSteps, DiagnoseRoundsOnce) {
     EXPECT_THAT(about("repeat: {times: 3, steps: [{wait: -1}]}"),
                 ElementsAre("a.walk.yaml:4:39: error bad-value: 'wait' must be from 0 to 86400 s, not '-1'"));
     EXPECT_THAT(about("repeat: {times: 0, step: []}"),
@@ -83,7 +83,7 @@ TEST_F(UnrolledSteps, AreReadFromTheFileThatIsNamed) {
     EXPECT_TRUE(mark_of(steps.at(2)).file.ends_with("pause.steps.yaml"));
 }
 
-TEST_F(UnrolledSteps, ComplainOfAFileWhereItIsWrongAndOnce) {
+TEST_F(UnrolledSteps, DiagnoseAFileWhereItIsWrongAndOnce) {
     folder_.write("lap.steps.yaml", "steps:\n  - wait: long\n  - spawn: gate\nstep: 1\n");
     EXPECT_THAT(
         about("include: lap.steps.yaml\n  - include: lap.steps.yaml"),
@@ -94,7 +94,7 @@ TEST_F(UnrolledSteps, ComplainOfAFileWhereItIsWrongAndOnce) {
                     "'steps'?)"));
 }
 
-TEST_F(UnrolledSteps, ComplainOfTheFileItself) {
+TEST_F(UnrolledSteps, DiagnoseTheFileItself) {
     EXPECT_THAT(about("include: lap.steps.yaml"),
                 ElementsAre("a.walk.yaml:4:14: error missing-file: 'lap.steps.yaml': no such file; check the "
                             "path"));
@@ -123,7 +123,7 @@ TEST_F(UnrolledSteps, DoNotGoTooDeep) {
                             "deep; put the steps into fewer files"));
 }
 
-TEST_F(UnrolledSteps, TakeAPictureOfANameOnce) {
+TEST_F(UnrolledSteps, TakeAImageOfANameOnce) {
     folder_.write("lap.steps.yaml", "steps: [{snapshot: view}]\n");
     EXPECT_EQ(read("  - spawn: gate\n  - include: lap.steps.yaml\n").size(), 2U);
     EXPECT_THAT(about("snapshot: view\n  - include: lap.steps.yaml"),

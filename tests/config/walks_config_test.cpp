@@ -115,7 +115,7 @@ TEST_F(ReadWalksConfig, ReplacesAWalksAvatarAndSpawn) {
     EXPECT_EQ(moved.avatar.height, folder_.run().walk.avatar.height);
 }
 
-TEST_F(ReadWalksConfig, ComplainsOfAProjectsValuesWhereTheyStand) {
+TEST_F(ReadWalksConfig, DiagnosesAProjectsValuesWhereTheyStand) {
     const WalksConfig read =
         config("projects:\n  a: {avatar: chidl}\n  b: {spawn: gaet}\n  c: {campus: none.campus.yaml}\n");
     const std::vector<std::pair<int, int>> places = {{2, 15}, {3, 14}, {4, 15}};

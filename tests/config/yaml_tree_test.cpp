@@ -9,7 +9,7 @@ namespace {
 
 using scene::DiagnosticList;
 
-/// The complaints about a text, a line each.
+/// The diagnostics about a text, a line each.
 std::string about(const std::string& text) {
     DiagnosticList diagnostics;
     const auto root = parse_yaml(text, "a.yaml", diagnostics);
@@ -103,7 +103,7 @@ TEST(YamlTree, RefusesQuotesThatNothingCloses) {
     EXPECT_EQ(about("title: \"Main\n"), "a.yaml:1:8: error yaml-syntax: this quote is never closed\n");
 }
 
-TEST(YamlTree, ComplainsOfEveryKeyThatIsGivenTwice) {
+TEST(YamlTree, DiagnosesEveryKeyThatIsGivenTwice) {
     EXPECT_EQ(
         about("a: 1\nb: {c: 1, c: 2}\na: 3\n"),
         "a.yaml:2:11: error duplicate-key: key 'c' was given on line 2 already; remove one of the two\n"

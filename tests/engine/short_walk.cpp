@@ -162,7 +162,7 @@ void Recorder::begin(const Walk&) {
     calls_.emplace_back("begin");
 }
 
-void Recorder::frame(const FrameRecord& record) {
+void Recorder::frame(const TickRecord& record) {
     calls_.emplace_back("frame");
     Frame frame{record.tick, record.time, record.avatar, {}, {}};
     for (const OpenPopup& popup : record.open_popups) {

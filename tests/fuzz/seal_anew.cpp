@@ -15,10 +15,10 @@ int main(int argc, char** argv) {
     for (const char* name : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
         std::ifstream in(name, std::ios::binary);
         std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
-        if (bytes.size() < kSealBytes) {
+        if (bytes.size() < kArchiveHeaderBytes) {
             continue;
         }
-        const auto payload = std::as_bytes(std::span(bytes)).subspan(kSealBytes);
+        const auto payload = std::as_bytes(std::span(bytes)).subspan(kArchiveHeaderBytes);
         const std::uint64_t size = payload.size();
         const std::uint64_t checksum = checksum_of(payload);
         std::memcpy(bytes.data() + 16, &size, sizeof size);

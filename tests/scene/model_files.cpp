@@ -156,7 +156,7 @@ std::string obj_box(const std::string& name, const Eigen::Vector3d& low, const E
     return out.str();
 }
 
-std::string tga_picture(int width, int height, std::array<unsigned char, 4> rgba) {
+std::string tga_image(int width, int height, std::array<unsigned char, 4> rgba) {
     std::string bytes(18, '\0');
     bytes[2] = 2;  // true colour, not compressed
     bytes[12] = static_cast<char>(width & 0xFF);

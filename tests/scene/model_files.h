@@ -34,8 +34,8 @@ void write_gltf(const TemporaryFolder& folder, const std::string& name, const st
 std::string obj_box(const std::string& name, const Eigen::Vector3d& low, const Eigen::Vector3d& high,
                     int first_vertex = 1);
 
-/// An uncompressed TGA picture of one colour, `rgba`.
-std::string tga_picture(int width, int height, std::array<unsigned char, 4> rgba);
+/// An uncompressed TGA image of one colour, `rgba`.
+std::string tga_image(int width, int height, std::array<unsigned char, 4> rgba);
 
 SceneFile scene_file(const TemporaryFolder& folder, const std::string& name);
 SceneFile shared_scene(const std::string& name);

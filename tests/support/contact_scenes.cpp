@@ -20,8 +20,8 @@ using collision::Vec3;
 std::vector<TrianglePair> loop_contacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& X_a_b) {
     std::vector<Triangle> moved;
     for (const auto& v : b.triangles) {
-        moved.push_back({b_corner_in_a(X_a_b, b.positions[v[0]]), b_corner_in_a(X_a_b, b.positions[v[1]]),
-                         b_corner_in_a(X_a_b, b.positions[v[2]])});
+        moved.push_back({b_vertex_in_a(X_a_b, b.positions[v[0]]), b_vertex_in_a(X_a_b, b.positions[v[1]]),
+                         b_vertex_in_a(X_a_b, b.positions[v[2]])});
     }
     std::vector<TrianglePair> pairs;
     for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {

@@ -37,14 +37,14 @@ void deepen(Penetration& worst, std::size_t object, double depth) {
 }
 
 /// Do the triangle and the parallelogram that the line sweeps over have a point in common?
-bool sweeps_through(const Line& start, const Line& end, const Corners& triangle) {
+bool sweeps_through(const Line& start, const Line& end, const Vertices& triangle) {
     const Line edges[] = {start, end, {start.from, end.from}, {start.to, end.to}};
     if (std::any_of(std::begin(edges), std::end(edges),
                     [&](const Line& edge) { return passes_through(edge, triangle); })) {
         return true;
     }
-    const Corners lower{start.from, start.to, end.from};
-    const Corners upper{end.from, start.to, end.to};
+    const Vertices lower{start.from, start.to, end.from};
+    const Vertices upper{end.from, start.to, end.to};
     for (std::size_t i = 0; i < 3; ++i) {
         const Line edge{triangle[i], triangle[(i + 1) % 3]};
         if (passes_through(edge, lower) || passes_through(edge, upper)) {

@@ -15,7 +15,7 @@ double volume(const Point& p, const Point& q, const Point& r, const Point& s) {
 }
 
 /// Is the foot of the perpendicular from `point` on the triangle's plane inside the triangle?
-bool stands_over(const Point& point, const Corners& t, const Point& normal) {
+bool stands_over(const Point& point, const Vertices& t, const Point& normal) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Point& corner = t[i];
         const Point edge = t[(i + 1) % 3] - corner;
@@ -53,7 +53,7 @@ double distance(const Line& a, const Line& b) {
     return least;
 }
 
-bool passes_through(const Line& line, const Corners& t) {
+bool passes_through(const Line& line, const Vertices& t) {
     const double from = volume(t[0], t[1], t[2], line.from);
     const double to = volume(t[0], t[1], t[2], line.to);
     if (from == to || (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)) {
@@ -65,7 +65,7 @@ bool passes_through(const Line& line, const Corners& t) {
     return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
-double distance(const Line& line, const Corners& t) {
+double distance(const Line& line, const Vertices& t) {
     if (passes_through(line, t)) {
         return 0.0;
     }

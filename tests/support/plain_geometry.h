@@ -9,7 +9,7 @@
 namespace campuswalk::support {
 
 using Point = Eigen::Vector3d;
-using Corners = std::array<Point, 3>;
+using Vertices = std::array<Point, 3>;
 
 /// A straight piece from `from` to `to`.
 struct Line {
@@ -22,10 +22,10 @@ struct Line {
 double distance(const Point& point, const Line& line);
 double distance(const Line& a, const Line& b);
 /// 0 where they intersect. Triangles without area are their edges.
-double distance(const Line& line, const Corners& triangle);
+double distance(const Line& line, const Vertices& triangle);
 
 /// Does the line pass through the triangle (or end on it)? A line in the triangle's own plane doesn't.
-bool passes_through(const Line& line, const Corners& triangle);
+bool passes_through(const Line& line, const Vertices& triangle);
 
 // Signed distances from the surface, negative inside, in the solid's own frame.
 

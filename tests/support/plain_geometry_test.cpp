@@ -9,7 +9,7 @@
 namespace campuswalk::support {
 namespace {
 
-const Corners kTriangle{Point(0, 0, 0), Point(4, 0, 0), Point(0, 0, 3)};
+const Vertices kTriangle{Point(0, 0, 0), Point(4, 0, 0), Point(0, 0, 3)};
 
 TEST(PlainGeometry, LineOverTheTrianglesInsideIsAsFarAsItsLowerEnd) {
     EXPECT_DOUBLE_EQ(distance(Line{{1, 0.25, 1}, {1, 2, 1}}, kTriangle), 0.25);
@@ -32,9 +32,9 @@ TEST(PlainGeometry, LineBesideTheTriangleIsAsFarAsTheEdgeOrCorner) {
 }
 
 TEST(PlainGeometry, TriangleWithoutAreaIsItsEdges) {
-    const Corners needle{Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0)};
+    const Vertices needle{Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0)};
     EXPECT_DOUBLE_EQ(distance(Line{{1.5, 1, -1}, {1.5, 1, 1}}, needle), 1.0);
-    const Corners dot{Point(0, 0, 0), Point(0, 0, 0), Point(0, 0, 0)};
+    const Vertices dot{Point(0, 0, 0), Point(0, 0, 0), Point(0, 0, 0)};
     EXPECT_DOUBLE_EQ(distance(Line{{3, 4, 0}, {3, 9, 0}}, dot), 5.0);
 }
 
@@ -51,7 +51,7 @@ TEST(PlainGeometry, DistanceToATriangleIsTheLeastOfADenseSampling) {
     const auto point = [&] { return Point(number(random), number(random), number(random)); };
     for (int trial = 0; trial < 60; ++trial) {
         const Line line{point(), point()};
-        const Corners t{point(), point(), point()};
+        const Vertices t{point(), point(), point()};
         double least = 1e300;
         constexpr int kFine = 100;
         for (int i = 0; i <= kFine; ++i) {

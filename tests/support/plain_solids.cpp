@@ -33,11 +33,11 @@ double signed_distance(const collision::Object& solid, const Line& world_line) {
     return least_on_unit_interval([&](double t) { return signed_distance(solid.shape, line.at(t)); });
 }
 
-Corners corners_of(const collision::Triangle& triangle) {
+Vertices vertices_of(const collision::Triangle& triangle) {
     return {triangle.a, triangle.b, triangle.c};
 }
 
-std::optional<double> first_meeting(const Line& line, const Corners& t) {
+std::optional<double> first_meeting(const Line& line, const Vertices& t) {
     if (!passes_through(line, t)) {
         return std::nullopt;
     }

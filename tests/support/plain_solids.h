@@ -15,10 +15,10 @@ double signed_distance(const collision::Shape& solid, const Point& point);
 double signed_distance(const collision::Object& solid, const Line& world_line);
 
 /// The corners of a mesh's triangle.
-Corners corners_of(const collision::Triangle& triangle);
+Vertices vertices_of(const collision::Triangle& triangle);
 
 /// Where the line first meets the triangle; none for a line in the triangle's own plane.
-std::optional<double> first_meeting(const Line& line, const Corners& triangle);
+std::optional<double> first_meeting(const Line& line, const Vertices& triangle);
 
 /// Where the line first meets the filled solid in the solid's own frame, to about 1e-12.
 std::optional<double> first_meeting(const Line& line, const collision::Shape& solid);

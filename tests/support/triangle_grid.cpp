@@ -4,7 +4,7 @@
 
 namespace campuswalk::support {
 
-void TriangleGrid::add(std::size_t object, const Corners& t) {
+void TriangleGrid::add(std::size_t object, const Vertices& t) {
     entries_.push_back({t, t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]), object});
 }
 

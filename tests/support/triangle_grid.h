@@ -11,13 +11,13 @@ namespace campuswalk::support {
 class TriangleGrid {
 public:
     struct Entry {
-        Corners corners;
+        Vertices corners;
         Point min = Point::Zero();
         Point max = Point::Zero();
         std::size_t object = 0;
     };
 
-    void add(std::size_t object, const Corners& triangle);
+    void add(std::size_t object, const Vertices& triangle);
     /// Call once, after the last `add`.
     void sort_into_columns();
 

@@ -145,7 +145,7 @@ TriangleMesh square() {
     return mesh;
 }
 
-TEST(Judge, KnowsTheFirstHit) {
+TEST(Evaluator, KnowsTheFirstHit) {
     TriangleMesh mesh = square();
     const Ray down{{0.3, 6.0, 0.2}, {0.3, -4.0, 0.2}};
     EXPECT_TRUE(is_first_hit(mesh, down, 0.6));
@@ -162,7 +162,7 @@ TEST(Judge, KnowsTheFirstHit) {
     EXPECT_TRUE(is_first_hit(mesh, down, 0.5));
 }
 
-TEST(Judge, LetsARayPassAnEdgeOnEitherSide) {
+TEST(Evaluator, LetsARayPassAnEdgeOnEitherSide) {
     for (const double beside : {-5e-5, 5e-5}) {
         const Ray at_edge{{1.0 + beside, 6.0, 0.2}, {1.0 + beside, -4.0, 0.2}};
         EXPECT_TRUE(is_first_hit(square(), at_edge, 0.6));
@@ -173,14 +173,14 @@ TEST(Judge, LetsARayPassAnEdgeOnEitherSide) {
     EXPECT_TRUE(is_first_hit(square(), off, std::nullopt));
 }
 
-TEST(Judge, AllowsForTheSlant) {
+TEST(Evaluator, AllowsForTheSlant) {
     // It drops 1 mm in 1 m: a tenth of a millimetre sideways is 10 cm along it.
     const Ray grazing{{-2.0, 0.002, 0.0}, {2.0, -0.002, 0.0}};
     EXPECT_TRUE(is_first_hit(square(), grazing, 0.51));
     EXPECT_FALSE(is_first_hit(square(), grazing, 0.6));
 }
 
-TEST(Judge, TakesAHitAtTheEndForNone) {
+TEST(Evaluator, TakesAHitAtTheEndForNone) {
     const Ray ends{{0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}};
     EXPECT_TRUE(same_hit(ends, 1.0, std::nullopt));
     EXPECT_TRUE(same_hit(ends, 0.5, 0.5009));
@@ -189,7 +189,7 @@ TEST(Judge, TakesAHitAtTheEndForNone) {
     EXPECT_TRUE(is_first_hit(square(), ends, std::nullopt));
 }
 
-TEST(Judge, KnowsWhatIsTouched) {
+TEST(Evaluator, KnowsWhatIsTouched) {
     const TriangleMesh mesh = square();
     const auto upright = [](double height) {
         return collision::Segment{{0.5, height, -0.5}, {0.5, height + 1.0, -0.5}};
@@ -207,7 +207,7 @@ std::size_t room_to_spare(const Elements& elements) {
     return (elements.capacity() - elements.size()) * sizeof(typename Elements::value_type);
 }
 
-std::size_t room_to_spare(const collision::WideTree& tree) {
+std::size_t room_to_spare(const collision::Bvh8& tree) {
     return room_to_spare(tree.nodes) + room_to_spare(tree.leaves);
 }
 

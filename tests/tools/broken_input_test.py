@@ -161,8 +161,8 @@ class BrokenInput(ProgramCase):
 
     def test_glob_that_matches_nothing(self):
         self.campus("nodes: floor", "nodes: [flor, 'gravel_*']")
-        self.refused("small.campus.yaml:10:26: error no-node: no node is called 'flor'; did you mean 'floor'?",
-                     "small.campus.yaml:10:32: error no-node: no node is called 'gravel_*'; the scenes have "
+        self.refused("small.campus.yaml:10:26: error no-node: no node is named 'flor'; did you mean 'floor'?",
+                     "small.campus.yaml:10:32: error no-node: no node is named 'gravel_*'; the scenes contain "
                      "'floor', 'room.obj', 'wall'")
 
     def test_collider_without_a_triangle(self):
@@ -190,14 +190,14 @@ class BrokenInput(ProgramCase):
     def test_missing_texture(self):
         self.field(triangle_gltf("grass.png"))
         self.refused("field.campus.yaml:1:17: error bad-texture: field.gltf: material 'grass': texture 'grass.png' "
-                     "is missing, or lies outside the folders a scene may read (its own and below, or textures/, "
+                     "is missing or outside the folders a scene may read (its own and below, or textures/, "
                      "materials/, images/, maps/ beside it)", arguments=("run", "field.walk.yaml"))
 
     def test_unreadable_texture(self):
         self.write("grass.png", PNG[:30])
         self.field(triangle_gltf("grass.png"))
         self.refused("field.campus.yaml:1:17: error bad-texture: field.gltf: material 'grass': texture 'grass.png' "
-                     "cannot be decoded (damaged or of an unknown format); use PNG, JPEG or WebP", arguments=("run", "field.walk.yaml"))
+                     "cannot be decoded (damaged or in an unknown format); use PNG, JPEG or WebP", arguments=("run", "field.walk.yaml"))
 
     # ---- places
 

@@ -38,7 +38,7 @@ class Cache(ProgramCase):
         self.write("room.obj", self.read("room.obj").decode().replace("o wall", "o fence"))
         outcome = self.run_program("run", "short.walk.yaml", env=self.environment)
         self.assertEqual(outcome.code, 2)
-        self.assertIn("no node is called 'wall'", outcome.err)
+        self.assertIn("no node is named 'wall'", outcome.err)
 
     def test_damaged_files_are_made_anew(self):
         log = self.walk()

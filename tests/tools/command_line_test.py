@@ -204,7 +204,7 @@ class Info(ProgramCase):
         found = json.loads(self.passes("info", "odd.obj", "--json").out)
         self.assertEqual(found["warnings"], [{
             "code": "missing-materials",
-            "message": "odd.obj: the material file 'none.mtl' is not there; its materials are drawn plain"}])
+            "message": "odd.obj: the material file 'none.mtl' was not found; its materials are drawn in a plain colour"}])
 
     def test_what_is_no_model(self):
         for name, complaint in (("none.obj", "none.obj: error missing-file: 'none.obj': no such file; check the path"),

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace engine::render::test;
-using engine::render::Picture;
+using engine::render::Image;
 
 /// Grey ground with a red wall ahead of the origin; under a green roof, 3 m up, when asked.
 scene::Campus small_campus(bool roofed) {
@@ -40,17 +40,17 @@ engine::render::SnapshotSettings quick() {
     return settings;
 }
 
-Picture map_of(const scene::Campus& campus, const std::vector<Eigen::Vector3d>& path) {
-    engine::render::SnapshotPainter painter(campus, quick());
-    return draw_map(campus, painter, {{}, {}, path, ""}, 320, 180);
+Image map_of(const scene::Campus& campus, const std::vector<Eigen::Vector3d>& path) {
+    engine::render::SnapshotRenderer snapshot_renderer(campus, quick());
+    return draw_map(campus, snapshot_renderer, {{}, {}, path, ""}, 320, 180);
 }
 
 template <typename Is>
-int count(const Picture& picture, const Is& is) {
+int count(const Image& image, const Is& is) {
     int pixels = 0;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const auto [r, g, b] = picture.pixel(x, y);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const auto [r, g, b] = image.pixel(x, y);
             pixels += is(int{r}, int{g}, int{b}) ? 1 : 0;
         }
     }
@@ -61,17 +61,17 @@ bool is_green(int r, int g, int b) {
     return g > 2 * r && g > 2 * b;
 }
 
-TEST(MapPicture, CutsAwayWhatIsOverTheAvatarsHead) {
+TEST(MapImage, CutsAwayWhatIsOverTheAvatarsHead) {
     EXPECT_EQ(count(map_of(small_campus(true), {}), is_green), 0);
     // Beside the roof there is nothing to cut away.
     const scene::Campus campus = small_campus(true);
-    engine::render::SnapshotPainter painter(campus, quick());
-    MapMoment beside;
+    engine::render::SnapshotRenderer snapshot_renderer(campus, quick());
+    MapState beside;
     beside.avatar.position = {12, 0, 0};
-    EXPECT_GT(count(draw_map(campus, painter, beside, 320, 180), is_green), 2000);
+    EXPECT_GT(count(draw_map(campus, snapshot_renderer, beside, 320, 180), is_green), 2000);
 }
 
-TEST(MapPicture, ShowsTheWayWalkedAndTheAvatarAtItsEnd) {
+TEST(MapImage, ShowsTheWayWalkedAndTheAvatarAtItsEnd) {
     const auto yellow = [](int r, int g, int b) { return r > b + 50 && g > b + 25; };
     const scene::Campus campus = small_campus(false);
     EXPECT_EQ(count(map_of(campus, {}), yellow), 0);
@@ -88,7 +88,7 @@ protected:
     std::vector<std::string> drawn(const fs::path& folder = "stroll") {
         std::vector<std::string> paths;
         for (const engine::Artifact& artifact :
-             draw_failures(campus_, walk_, failures_, folder_.path() / "out", folder, *painters_)) {
+             draw_failures(campus_, walk_, failures_, folder_.path() / "out", folder, *renderers_)) {
             EXPECT_TRUE(fs::is_regular_file(folder_.path() / "out" / artifact.path)) << artifact.path;
             EXPECT_EQ(artifact.media_type, "image/png");
             paths.push_back(artifact.name + ": " + artifact.path);
@@ -110,7 +110,7 @@ protected:
     support::TemporaryFolder folder_;
     scene::Campus campus_ = small_campus(false);
     // Must go before the campus.
-    std::shared_ptr<engine::render::PainterStore> painters_ = make_painters(Backend::automatic);
+    std::shared_ptr<engine::render::RendererStore> renderers_ = make_renderers(Backend::automatic);
     engine::Walk walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), engine::walk_to(0, -10)});
     std::vector<engine::Failure> failures_;
 };
@@ -132,7 +132,7 @@ TEST_F(DrawnFailures, AreTheSameAfterThoseOfOtherWalks) {
     fail_at(60);
     drawn("first");
     const scene::Campus other = small_campus(true);
-    draw_failures(other, walk_, failures_, folder_.path() / "out", "other", *painters_);
+    draw_failures(other, walk_, failures_, folder_.path() / "out", "other", *renderers_);
     failures_[0].scene.tick = 10;
     drawn("between");
     failures_[0].scene.tick = 60;

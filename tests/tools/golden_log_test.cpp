@@ -41,7 +41,7 @@ protected:
         return {std::istreambuf_iterator<char>(stream), {}};
     }
     /// What is wrong with these lines beside kLog.
-    std::string complaint(const Lines& lines) const {
+    std::string diagnostic(const Lines& lines) const {
         check(kLog, UpdateSnapshots::all);
         const GoldenCheck checked = check(lines, UpdateSnapshots::none);
         return checked.failure ? checked.failure->message : "";
@@ -72,8 +72,8 @@ TEST_F(GoldenLog, IsNotWrittenOfAWalkThatFails) {
 
 TEST_F(GoldenLog, IsTheSameWithATimeoutThatWasNotReached) {
     const std::string header = kHeader.substr(0, kHeader.size() - 1);
-    EXPECT_EQ(complaint({header + R"(,"timeout":60.0})", kStart, kEnter, end_line("pass", 1)}), "");
-    EXPECT_THAT(complaint({header + R"(,"project":"near"})", kStart, kEnter, end_line("pass", 1)}),
+    EXPECT_EQ(diagnostic({header + R"(,"timeout":60.0})", kStart, kEnter, end_line("pass", 1)}), "");
+    EXPECT_THAT(diagnostic({header + R"(,"project":"near"})", kStart, kEnter, end_line("pass", 1)}),
                 HasSubstr("project=near is new"));
 }
 
@@ -121,29 +121,29 @@ TEST_F(GoldenLog, IsOnlyReplacedWhenAsked) {
 TEST_F(GoldenLog, TakesNoNoticeOfVerdicts) {
     const std::string fail =
         R"({"tick":90,"time":1.5,"event":"expect.fail","object":"never","line":7,"message":"x"})";
-    EXPECT_EQ(complaint({kHeader, kStart, kEnter, fail, end_line("fail", 2)}), "");
-    EXPECT_THAT(complaint({kHeader, kStart, kEnter, fail, end_line("fail", 2, "00000000000000ac")}),
+    EXPECT_EQ(diagnostic({kHeader, kStart, kEnter, fail, end_line("fail", 2)}), "");
+    EXPECT_THAT(diagnostic({kHeader, kStart, kEnter, fail, end_line("fail", 2, "00000000000000ac")}),
                 HasSubstr("hash is 00000000000000ac instead of 00000000000000ab"));
 }
 
 TEST_F(GoldenLog, SaysWhatIsDifferentAndWhere) {
     std::string farther = kEnter;
     farther.replace(farther.find("3.6"), 3, "3.7");
-    EXPECT_EQ(complaint({kHeader, kStart, farther, end_line("pass", 1)}),
+    EXPECT_EQ(diagnostic({kHeader, kStart, farther, end_line("pass", 1)}),
               "the log is not the golden one (log.jsonl, line 3): 1.000000 s trigger.enter door: pos is "
               "0.000,0.000,3.700 instead of 0.000,0.000,3.600; if that is meant, run with "
               "--update-snapshots=changed");
-    EXPECT_THAT(complaint(other_), HasSubstr("line 3): 1.500000 s walk.end visit instead of "
-                                             "1.000000 s trigger.enter door;"));
-    EXPECT_THAT(complaint({kHeader, kStart}),
+    EXPECT_THAT(diagnostic(other_), HasSubstr("line 3): 1.500000 s walk.end visit instead of "
+                                              "1.000000 s trigger.enter door;"));
+    EXPECT_THAT(diagnostic({kHeader, kStart}),
                 HasSubstr("line 3): the run ends there, and the golden log goes on "
                           "with 000060    1.000000 trigger.enter    door"));
     Lines more = kLog;
     more.push_back(kEnter);
-    EXPECT_THAT(complaint(more), HasSubstr("line 5): the golden log ends there, and the run goes on with"));
+    EXPECT_THAT(diagnostic(more), HasSubstr("line 5): the golden log ends there, and the run goes on with"));
     std::string faster = kHeader;
     faster.replace(faster.find("60"), 2, "120");
-    EXPECT_THAT(complaint({faster, kStart, kEnter, end_line("pass", 1)}),
+    EXPECT_THAT(diagnostic({faster, kStart, kEnter, end_line("pass", 1)}),
                 HasSubstr("line 1): what it ran with: tps is 120 instead of 60;"));
 }
 

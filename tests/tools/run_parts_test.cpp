@@ -334,7 +334,7 @@ TEST(FrameHelpers, GiveTheFramesOfEachPartInTurn) {
     }
 }
 
-std::string complaint_of(const FrameHelpers::Draw& draw) {
+std::string diagnostic_of(const FrameHelpers::Draw& draw) {
     FrameHelpers helpers(2, draw);
     EXPECT_EQ(helpers.next_frame(1), "one");
     try {
@@ -346,17 +346,17 @@ std::string complaint_of(const FrameHelpers::Draw& draw) {
 }
 
 TEST(FrameHelpers, SayWhyThereAreNoMoreFrames) {
-    EXPECT_EQ(complaint_of([](std::size_t, const Say& say) {
+    EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   say(Topic::result, "no driver here");
               }),
               "no driver here");
-    EXPECT_EQ(complaint_of([](std::size_t, const Say& say) {
+    EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   say(Topic::result, "");
               }),
               "a frame is missing");
-    EXPECT_EQ(complaint_of([](std::size_t, const Say& say) {
+    EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   raise(SIGKILL);
               }),

@@ -109,12 +109,12 @@ TEST(PairRuns, MakeARowOfEachMeasurement) {
     EXPECT_FALSE(rows[2].work.has_value());
 }
 
-/// What is said of engines in a scene, and whether it is a complaint.
-std::string complaints(const std::vector<NamedEngine>& engines, bool& any) {
+/// What is said of engines in a scene, and whether it is a diagnostic.
+std::string diagnostics(const std::vector<NamedEngine>& engines, bool& any) {
     const PairScene scene = two_placements();
     const Results results = measure(scene, engines, 1);
     testing::internal::CaptureStderr();
-    any = complain_about_ours(scene, results);
+    any = diagnose_ours(scene, results);
     return testing::internal::GetCapturedStderr();
 }
 
@@ -123,10 +123,10 @@ TEST(PairRuns, ComplainAboutOursAlone) {
     std::vector<NamedEngine> engines;
     add(engines, "ours", {{1, 1}, {2, 2}, {3, 3}}, true, true);
     add(engines, "a peer", {{1, 1}});
-    EXPECT_EQ(complaints(engines, any), "");
+    EXPECT_EQ(diagnostics(engines, any), "");
     EXPECT_FALSE(any);
     add(engines, "ours too", {{1, 1}}, false, true);
-    EXPECT_EQ(complaints(engines, any),
+    EXPECT_EQ(diagnostics(engines, any),
               "error: parrots: at 3 pairs ours too differs from ours by +0/-2\n"
               "error: parrots: at 3 pairs ours too differs from ours by +0/-2\n");
     EXPECT_TRUE(any);
@@ -136,7 +136,7 @@ TEST(PairRuns, ComplainWhereTheSceneKnowsBetter) {
     bool any = false;
     std::vector<NamedEngine> engines;
     add(engines, "ours", {{1, 1}}, true, true);
-    EXPECT_EQ(complaints(engines, any), "error: parrots: ours finds 1 pairs where there are 3\n");
+    EXPECT_EQ(diagnostics(engines, any), "error: parrots: ours finds 1 pairs where there are 3\n");
     EXPECT_TRUE(any);
 }
 

@@ -61,7 +61,8 @@ std::vector<WalkPath> to_the_wall_and_through() {
 WalkScore score_of(const MadeUpWalker::Move& move, int rounds = 3) {
     const TriangleMesh mesh = floor_and_wall();
     MadeUpWalker walker(move);
-    return run_walks({{"made up", &walker}}, to_the_wall_and_through(), {}, WalkJudge(mesh), rounds).at(0);
+    return run_walks({{"made up", &walker}}, to_the_wall_and_through(), {}, WalkEvaluator(mesh), rounds)
+        .at(0);
 }
 
 TEST(RunWalks, LetsOneThatStopsBeforeWallsPass) {
@@ -159,9 +160,9 @@ TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
     EXPECT_LT(thrice.us_p50, kSlow);
 }
 
-TEST(WalkJudge, AgreesWithTheTestsOwnOracle) {
+TEST(WalkEvaluator, AgreesWithTheTestsOwnOracle) {
     const scene::WalkableCampus campus = scene::walkable_campus(1);
-    const WalkJudge judge(campus.mesh);
+    const WalkEvaluator evaluator(campus.mesh);
     collision::World world(std::make_unique<collision::LinearBroadPhase>());
     support::add_object(world, campus.mesh);
     const support::PenetrationOracle oracle(world);
@@ -172,17 +173,17 @@ TEST(WalkJudge, AgreesWithTheTestsOwnOracle) {
         // About what is built: most of it is near the middle.
         const Vec3 foot = Vec3(dice.between(-20, 20), dice.between(-1.0, 4.0), dice.between(-20, 20));
         const double depth = oracle.worst_penetration(foot, 0.3, 1.8).depth;
-        EXPECT_NEAR(judge.penetration(foot, 0.3, 1.8), std::max(0.0, depth), 1e-9) << foot.transpose();
+        EXPECT_NEAR(evaluator.penetration(foot, 0.3, 1.8), std::max(0.0, depth), 1e-9) << foot.transpose();
         inside += depth > 0.0 ? 1 : 0;
         // An axis of no length: a point.
         const Vec3 to = foot + dice.in_cube(0.5);
-        const bool met = judge.crosses(foot, to);
+        const bool met = evaluator.crosses(foot, to);
         int met_one_by_one = 0;
         const support::Line way{foot, to};
         if (i % 40 == 0) {
             for (std::size_t t = 0; t < campus.mesh.triangles.size(); ++t) {
                 const collision::Triangle c = corners(campus.mesh, t);
-                met_one_by_one += passes_through(way, support::Corners{c.a, c.b, c.c}) ? 1 : 0;
+                met_one_by_one += passes_through(way, support::Vertices{c.a, c.b, c.c}) ? 1 : 0;
             }
             EXPECT_EQ(met, met_one_by_one > 0) << foot.transpose();
             crossed += met ? 1 : 0;
@@ -228,7 +229,7 @@ TEST(OurWalker, GetsEverywhereOnASmallCampusAndAllocatesNothingWarm) {
     OurWalker ours(campus.mesh, body);
     CountingWalker counted(ours);
     const WalkScore score =
-        run_walks({{"ours", &counted}}, campus.paths, body, WalkJudge(campus.mesh), 3).at(0);
+        run_walks({{"ours", &counted}}, campus.paths, body, WalkEvaluator(campus.mesh), 3).at(0);
     EXPECT_EQ(score.goals, 23U);
     EXPECT_EQ(score.walled_off, 7U);
     EXPECT_TRUE(walks_right(score)) << testing::PrintToString(score.failures);

@@ -21,7 +21,7 @@ constexpr double kAllowed = 1e-6;
 
 }  // namespace
 
-void TickAudit::frame(const engine::FrameRecord& record) {
+void TickAudit::frame(const engine::TickRecord& record) {
     if (record.tick < ticks_) {
         return;  // the closing events, at the last tick again
     }
@@ -40,16 +40,16 @@ void TickAudit::check(const engine::AvatarState& avatar, double time) {
     const double height = avatar.stature * avatar_.height;
     const Penetration worst = oracle_.worst_penetration(foot, avatar_.radius, height);
     if (worst.depth > kAllowed) {
-        complaints_.push_back("at " + engine::fixed(time, 3) + " s " +
-                              engine::fixed(1000.0 * worst.depth, 3) + " mm inside object " +
-                              std::to_string(worst.object.value_or(0)));
+        diagnostics_.push_back("at " + engine::fixed(time, 3) + " s " +
+                               engine::fixed(1000.0 * worst.depth, 3) + " mm inside object " +
+                               std::to_string(worst.object.value_or(0)));
     }
     if (!last_) {
         return;
     }
     if (const auto object = oracle_.crossed(*last_, foot, avatar_.radius, height)) {
-        complaints_.push_back("at " + engine::fixed(time, 3) + " s through object " +
-                              std::to_string(*object));
+        diagnostics_.push_back("at " + engine::fixed(time, 3) + " s through object " +
+                               std::to_string(*object));
     }
 }
 
@@ -71,7 +71,7 @@ AuditedRun audited_run(const std::filesystem::path& walk_file) {
     run.summary = engine::run_walk(run.campus, run.walk, observers);
     run.ticks = audit.ticks();
     run.end = audit.last_foot();
-    run.complaints = audit.complaints();
+    run.diagnostics = audit.diagnostics();
     return run;
 }
 
@@ -82,8 +82,8 @@ void expect_passed(const AuditedRun& run) {
 }
 
 void expect_clean(const AuditedRun& run) {
-    for (const std::string& complaint : run.complaints) {
-        ADD_FAILURE() << complaint;
+    for (const std::string& diagnostic : run.diagnostics) {
+        ADD_FAILURE() << diagnostic;
     }
 }
 

@@ -17,12 +17,12 @@ public:
     TickAudit(const PenetrationOracle& oracle, const engine::AvatarProfile& avatar)
         : oracle_(oracle), avatar_(avatar) {}
 
-    void frame(const engine::FrameRecord& record) override;
+    void frame(const engine::TickRecord& record) override;
 
     int ticks() const { return ticks_; }
     /// Where the walk ended.
     Point last_foot() const { return last_.value_or(Point::Zero()); }
-    const std::vector<std::string>& complaints() const { return complaints_; }
+    const std::vector<std::string>& diagnostics() const { return diagnostics_; }
 
 private:
     void check(const engine::AvatarState& avatar, double time);
@@ -31,7 +31,7 @@ private:
     engine::AvatarProfile avatar_;
     std::optional<Point> last_;
     int ticks_ = 0;
-    std::vector<std::string> complaints_;
+    std::vector<std::string> diagnostics_;
 };
 
 /// A walk from its file, run with its log kept and every tick audited.
@@ -42,15 +42,15 @@ struct AuditedRun {
     std::vector<std::string> log = {};  ///< lines without their ends
     int ticks = 0;
     Point end = Point::Zero();
-    std::vector<std::string> complaints = {};  ///< of the oracle
+    std::vector<std::string> diagnostics = {};  ///< of the oracle
 };
 
-/// Loads, checks and runs as `campuswalk run` does, without pictures. Throws scene::InputError.
+/// Loads, checks and runs as `campuswalk run` does, without images. Throws scene::InputError.
 AuditedRun audited_run(const std::filesystem::path& walk_file);
 
 /// Fails the test for each expectation of the walk that doesn't hold, and for a step that ended it.
 void expect_passed(const AuditedRun& run);
-/// Fails the test for each of the oracle's complaints.
+/// Fails the test for each of the oracle's diagnostics.
 void expect_clean(const AuditedRun& run);
 
 }  // namespace campuswalk::support

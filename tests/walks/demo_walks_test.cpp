@@ -40,15 +40,15 @@ TEST(DemoWalks, TakeEveryStep) {
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<engine::Step>);
     // What it walks through was disabled then; nothing else.
-    for (const std::string& complaint : run.complaints) {
+    for (const std::string& diagnostic : run.diagnostics) {
         const bool in_fountain =
             std::ranges::any_of(std::vector<std::string>{"fountain", "fountain/jet"}, [&](const auto& id) {
                 const auto object = std::ranges::find(run.campus.objects, id, &scene::CampusObject::id);
-                return complaint.ends_with("object " + std::to_string(object - run.campus.objects.begin()));
+                return diagnostic.ends_with("object " + std::to_string(object - run.campus.objects.begin()));
             });
-        EXPECT_TRUE(in_fountain) << complaint;
+        EXPECT_TRUE(in_fountain) << diagnostic;
     }
-    EXPECT_FALSE(run.complaints.empty()) << "it does walk through the fountain";
+    EXPECT_FALSE(run.diagnostics.empty()) << "it does walk through the fountain";
 }
 
 // The same way for three bodies: a sign with its board 1.25 m above the ground, then steps of 17 cm.

@@ -142,15 +142,16 @@ TEST(ExpectationWalks, EndAsTheirStatusSays) {
     for (const Lesson& lesson : lessons()) {
         SCOPED_TRACE(lesson.file.filename().string());
         const Played played = play(lesson);
-        // Those about pictures are judged by the program, which draws: picture_expectations_test.py.
+        // Those about images are judged by the program, which draws: image_expectations_test.py.
         if (lesson.walk.status.kind == WalkStatus::Kind::skip ||
-            std::ranges::any_of(lesson.walk.expectations, is_about_pictures)) {
+            std::ranges::any_of(lesson.walk.expectations, is_about_images)) {
             continue;
         }
-        const JudgedWalk judged = judge_outcome(failures_of(played, lesson), lesson.walk.status);
-        EXPECT_EQ(judged.outcome, Outcome::passed);
-        for (const Failure& failure : judged.failures) {
-            if (judged.outcome != Outcome::passed) {
+        const EvaluatedWalk evaluated =
+            outcome_of_evaluators(failures_of(played, lesson), lesson.walk.status);
+        EXPECT_EQ(evaluated.outcome, Outcome::passed);
+        for (const Failure& failure : evaluated.failures) {
+            if (evaluated.outcome != Outcome::passed) {
                 ADD_FAILURE() << failure.mark.line << ": " << failure.code << ": " << failure.message;
             }
         }

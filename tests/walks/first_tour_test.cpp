@@ -95,7 +95,7 @@ TEST(FirstTour, BumpsIntoAWallATreeABedAndABench) {
     EXPECT_FALSE(objects_of("ray.enter").empty());
 }
 
-TEST(FirstTour, OpensFourPopUpsAndTakesFivePictures) {
+TEST(FirstTour, OpensFourPopUpsAndTakesFiveImages) {
     EXPECT_GE(objects_of("popup.open").size(), 4U);
     EXPECT_EQ(objects_of("popup.open"), objects_of("popup.close"));
     EXPECT_GE(objects_of("snapshot.take").size(), 5U);
@@ -107,7 +107,7 @@ TEST(FirstTour, AMoverThroughWallsIsCaught) {
     const PenetrationOracle oracle(run.campus.world);
     TickAudit audit(oracle, run.walk.avatar);
     Point foot = std::get<engine::SpawnStep>(run.walk.steps.front()).position;
-    engine::FrameRecord record;
+    engine::TickRecord record;
     for (const engine::Step& step : run.walk.steps) {
         const auto* walk_to = std::get_if<engine::WalkToStep>(&step);
         if (walk_to == nullptr) {
@@ -123,11 +123,11 @@ TEST(FirstTour, AMoverThroughWallsIsCaught) {
         }
         foot = walk_to->target.point;
     }
-    const auto through = [](const std::string& complaint) {
-        return complaint.find("through object") != std::string::npos;
+    const auto through = [](const std::string& diagnostic) {
+        return diagnostic.find("through object") != std::string::npos;
     };
-    EXPECT_GT(std::ranges::count_if(audit.complaints(), through), 0);
-    EXPECT_GT(std::ranges::count_if(audit.complaints(), std::not_fn(through)), 100);
+    EXPECT_GT(std::ranges::count_if(audit.diagnostics(), through), 0);
+    EXPECT_GT(std::ranges::count_if(audit.diagnostics(), std::not_fn(through)), 100);
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ std::atomic<bool>& told() {
 /// A cache that can't be written is no mistake of a campus: nothing but the next start's time depends on it.
 void warn_once(const std::string& reason) {
     if (!told().exchange(true)) {
-        complain_line("warning cache-unwritable: models are imported anew each time: " + reason +
-                      "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
+        diagnostic_line("warning cache-unwritable: models are imported anew each time: " + reason +
+                        "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
     }
 }
 

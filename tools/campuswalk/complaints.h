@@ -8,7 +8,7 @@
 namespace campuswalk::tools {
 
 /// A line each to standard error.
-void complain(const std::vector<scene::Diagnostic>& diagnostics);
-void complain_line(const std::string& line);
+void diagnose(const std::vector<scene::Diagnostic>& diagnostics);
+void diagnostic_line(const std::string& line);
 
 }  // namespace campuswalk::tools

@@ -38,20 +38,19 @@ Lines read_log(const fs::path& file) {
 }
 
 /// Seen before anything is compared.
-void check_pictures(const DiffOptions& options) {
-    if (options.walk && !options.pictures) {
+void check_images(const DiffOptions& options) {
+    if (options.walk && !options.images) {
         throw about("--walk", 0, "bad-value", "it is for pictures: add --pictures DIR");
     }
-    if (!options.pictures) {
+    if (!options.images) {
         return;
     }
     if (!options.walk) {
         throw about("--pictures", 0, "bad-value", "name the walk of these logs, for its campus: --walk FILE");
     }
-    require_pictures(options.backend);
-    if (const std::string why = why_folder_unwritable(*options.pictures); !why.empty()) {
-        throw about(options.pictures->string(), 0, "output-unwritable",
-                    "pictures can't be saved here: " + why);
+    require_images(options.backend);
+    if (const std::string why = why_folder_unwritable(*options.images); !why.empty()) {
+        throw about(options.images->string(), 0, "output-unwritable", "pictures can't be saved here: " + why);
     }
 }
 
@@ -120,7 +119,7 @@ void draw_side(const scene::Campus& campus, const engine::Walk& walk, const Line
         std::printf("%s has no position up to there: no picture\n", side.c_str());
         return;
     }
-    const fs::path file = *options.pictures / (side + ".png");
+    const fs::path file = *options.images / (side + ".png");
     draw_way(campus, walk.avatar, way, side + " \u00b7 line " + std::to_string(at + 1), file,
              options.backend);
     std::printf("%s\n", file.generic_string().c_str());
@@ -129,7 +128,7 @@ void draw_side(const scene::Campus& campus, const engine::Walk& walk, const Line
 }  // namespace
 
 int compare_logs(const DiffOptions& options) {
-    check_pictures(options);
+    check_images(options);
     const Lines a = read_log(options.a);
     const Lines b = read_log(options.b);
     std::optional<LoadedWalk> loaded;

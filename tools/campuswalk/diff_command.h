@@ -10,9 +10,9 @@ namespace campuswalk::tools {
 struct DiffOptions {
     std::filesystem::path a;
     std::filesystem::path b;
-    std::optional<std::filesystem::path> pictures;  ///< folder for a.png and b.png
-    std::optional<std::filesystem::path> walk;      ///< of the logs; for its campus
-    Backend backend = Backend::automatic;           ///< draws the pictures
+    std::optional<std::filesystem::path> images;  ///< folder for a.png and b.png
+    std::optional<std::filesystem::path> walk;    ///< of the logs; for its campus
+    Backend backend = Backend::automatic;         ///< draws the images
 };
 
 /// Prints the first divergence of two logs, both sides with some lines around it. Returns the exit code.

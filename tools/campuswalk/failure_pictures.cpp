@@ -45,17 +45,17 @@ std::string caption_of(std::span<const engine::Failure> failures, engine::Tick t
 }
 
 /// Draws moments of one walk; they are shown in order.
-class FailurePainter {
+class FailureImageRenderer {
 public:
-    FailurePainter(const scene::Campus& campus, const engine::Walk& walk, render::SnapshotPainter& painter,
-                   fs::path output, fs::path folder)
+    FailureImageRenderer(const scene::Campus& campus, const engine::Walk& walk,
+                         render::SnapshotRenderer& snapshot_renderer, fs::path output, fs::path folder)
         : campus_(campus),
           walk_(walk),
-          painter_(painter),
+          snapshot_renderer_(snapshot_renderer),
           output_(std::move(output)),
           folder_(std::move(folder)) {}
 
-    void draw(const engine::FrameRecord& record, const render::WalkTrail& trail, const std::string& caption) {
+    void draw(const engine::TickRecord& record, const render::WalkTrail& trail, const std::string& caption) {
         ++moments_;
         const std::vector<Eigen::Vector3d> path = trail.path();
         render::Shot shot;
@@ -67,27 +67,27 @@ public:
         shot.profile = walk_.avatar;
         shot.open_popups = record.open_popups;
         shot.caption = caption;
-        shot.minimap = false;  // the picture from above says more
-        keep(painter_.draw(shot), "eyes", "from the eyes", record.time);
-        keep(draw_map(campus_, painter_, {record.avatar, walk_.avatar, path, caption}, kWidth, kHeight),
+        shot.minimap = false;  // the image from above says more
+        keep(snapshot_renderer_.draw(shot), "eyes", "from the eyes", record.time);
+        keep(draw_map(campus_, snapshot_renderer_, {record.avatar, walk_.avatar, path, caption}, kWidth,
+                      kHeight),
              "above", "from above", record.time);
     }
 
     const std::vector<engine::Artifact>& artifacts() const { return artifacts_; }
 
 private:
-    void keep(const render::Picture& picture, const std::string& view, const std::string& words,
-              double time) {
+    void keep(const render::Image& image, const std::string& view, const std::string& words, double time) {
         const std::string number = moments_ == 1 ? "" : std::to_string(moments_) + "-";
         const fs::path file = folder_ / ("failure-" + number + view + ".png");
-        render::write_png(picture, output_ / file);
+        render::write_png(image, output_ / file);
         artifacts_.push_back(
             {"failure at " + engine::fixed(time, 2) + " s " + words, file.generic_string(), "image/png"});
     }
 
     const scene::Campus& campus_;
     const engine::Walk& walk_;
-    render::SnapshotPainter& painter_;
+    render::SnapshotRenderer& snapshot_renderer_;
     fs::path output_;
     fs::path folder_;
     std::size_t moments_ = 0;
@@ -98,25 +98,25 @@ private:
 
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures, const fs::path& output,
-                                            const fs::path& folder, render::PainterStore& painters) {
+                                            const fs::path& folder, render::RendererStore& renderers) {
     const std::vector<engine::Tick> moments = moments_of(failures);
     if (moments.empty()) {
         return {};
     }
-    FailurePainter painter(campus, walk, painters.of(campus, walk.light), output, folder);
+    FailureImageRenderer snapshot_renderer(campus, walk, renderers.of(campus, walk.light), output, folder);
     engine::Simulation simulation(campus, walk);
     render::WalkTrail trail;
     auto next = moments.begin();
     while (next != moments.end() && !simulation.finished()) {
-        const engine::FrameRecord& record = simulation.step();
+        const engine::TickRecord& record = simulation.step();
         trail.follow(record.avatar);
         // A failure that the walk's end shows is one of its last tick, whatever comes after that.
         if (record.tick == *next || (simulation.finished() && record.tick < *next)) {
-            painter.draw(record, trail, caption_of(failures, *next, record.time));
+            snapshot_renderer.draw(record, trail, caption_of(failures, *next, record.time));
             ++next;
         }
     }
-    return painter.artifacts();
+    return snapshot_renderer.artifacts();
 }
 
 }  // namespace campuswalk::tools

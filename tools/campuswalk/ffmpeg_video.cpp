@@ -34,7 +34,7 @@ void write_all(int to, const std::vector<std::uint8_t>& bytes, bool& well) {
 }
 
 /// What ffmpeg is told; H.264 halves the colours, so a side that is odd loses its last pixel.
-std::vector<std::string> arguments(const engine::render::Picture& picture, double seconds_a_frame,
+std::vector<std::string> arguments(const engine::render::Image& image, double seconds_a_frame,
                                    const fs::path& file) {
     return {"ffmpeg",
             "-hide_banner",
@@ -46,7 +46,7 @@ std::vector<std::string> arguments(const engine::render::Picture& picture, doubl
             "-pix_fmt",
             "rgba",
             "-video_size",
-            std::to_string(picture.width) + "x" + std::to_string(picture.height),
+            std::to_string(image.width) + "x" + std::to_string(image.height),
             "-framerate",
             engine::fixed(1.0 / seconds_a_frame, 6),
             "-i",
@@ -92,7 +92,7 @@ FfmpegVideo::~FfmpegVideo() {
     }
 }
 
-void FfmpegVideo::start(const engine::render::Picture& picture) {
+void FfmpegVideo::start(const engine::render::Image& image) {
     fs::create_directories(file_.parent_path());
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
@@ -102,7 +102,7 @@ void FfmpegVideo::start(const engine::render::Picture& picture) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    std::vector<std::string> words = arguments(picture, seconds_a_frame_, part_);
+    std::vector<std::string> words = arguments(image, seconds_a_frame_, part_);
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);
     for (std::string& word : words) {
@@ -122,10 +122,10 @@ void FfmpegVideo::start(const engine::render::Picture& picture) {
 
 void FfmpegVideo::add(const engine::render::Frame& frame) {
     if (process_ < 0) {
-        start(frame.picture);
+        start(frame.image);
     }
     bool well = true;
-    write_all(pipe_, frame.picture.rgba, well);
+    write_all(pipe_, frame.image.rgba, well);
     if (!well) {
         wait_for_end();
         fail("ffmpeg ended before the walk did; see what it said");

@@ -26,7 +26,7 @@ public:
     void finish() override;
 
 private:
-    void start(const engine::render::Picture& picture);
+    void start(const engine::render::Image& image);
     /// Closes the pipe and waits. Whether all went well.
     bool wait_for_end();
     [[noreturn]] void fail(const std::string& why) const;

@@ -134,14 +134,14 @@ std::string joined(std::span<const std::string> lines) {
 
 }  // namespace
 
-fs::path kept_file(const fs::path& walk_file, const std::string& project, const std::string& file) {
+fs::path cached_file(const fs::path& walk_file, const std::string& project, const std::string& file) {
     fs::path folder = walk_file;
     folder += "-snapshots";
     return folder / ((project.empty() ? "" : project + "-") + file);
 }
 
 fs::path golden_log_file(const fs::path& walk_file, const std::string& project) {
-    return kept_file(walk_file, project, "log.jsonl");
+    return cached_file(walk_file, project, "log.jsonl");
 }
 
 GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,

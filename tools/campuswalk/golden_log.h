@@ -28,8 +28,8 @@ struct GoldenCheck {
 };
 
 /// `NAME.walk.yaml-snapshots/[PROJECT-]FILE` beside the walk file: where what runs are compared with is kept.
-std::filesystem::path kept_file(const std::filesystem::path& walk_file, const std::string& project,
-                                const std::string& file);
+std::filesystem::path cached_file(const std::filesystem::path& walk_file, const std::string& project,
+                                  const std::string& file);
 
 /// That of the log, `log.jsonl`.
 std::filesystem::path golden_log_file(const std::filesystem::path& walk_file, const std::string& project);

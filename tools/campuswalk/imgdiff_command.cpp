@@ -20,21 +20,20 @@ namespace {
 
 /// What the comparison gave; without one the sizes differ.
 struct Verdict {
-    std::optional<render::PictureComparison> comparison;
+    std::optional<render::ImageComparison> comparison;
     std::string why;  ///< they differ; empty: the same
 };
 
-std::string size_of(const render::Picture& picture) {
-    return std::to_string(picture.width) + "x" + std::to_string(picture.height);
+std::string size_of(const render::Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-Verdict compare(const render::Picture& a, const render::Picture& b,
-                const engine::PictureTolerance& tolerance) {
+Verdict compare(const render::Image& a, const render::Image& b, const engine::ImageTolerance& tolerance) {
     if (a.width != b.width || a.height != b.height) {
         return {std::nullopt, "one has " + size_of(a) + " pixels, the other " + size_of(b)};
     }
     Verdict verdict;
-    verdict.comparison = render::compare_pictures(a, b, tolerance);
+    verdict.comparison = render::compare_images(a, b, tolerance);
     verdict.why = render::why_different(*verdict.comparison, tolerance);
     return verdict;
 }
@@ -50,7 +49,7 @@ void print_text(const ImgdiffOptions& options, const Verdict& verdict) {
                 engine::fixed(verdict.comparison->worst.ssim, 4).c_str());
 }
 
-void print_json(const ImgdiffOptions& options, const render::Picture& a, const Verdict& verdict) {
+void print_json(const ImgdiffOptions& options, const render::Image& a, const Verdict& verdict) {
     nlohmann::ordered_json json = {
         {"a", options.a.generic_string()}, {"b", options.b.generic_string()}, {"same", verdict.why.empty()}};
     if (!verdict.why.empty()) {
@@ -81,10 +80,10 @@ void check_diff_file(const ImgdiffOptions& options) {
 
 }  // namespace
 
-int compare_picture_files(const ImgdiffOptions& options) {
+int compare_image_files(const ImgdiffOptions& options) {
     check_diff_file(options);
-    const render::Picture a = render::read_png(options.a);
-    const render::Picture b = render::read_png(options.b);
+    const render::Image a = render::read_png(options.a);
+    const render::Image b = render::read_png(options.b);
     const Verdict verdict = compare(a, b, options.tolerance);
     if (options.json) {
         print_json(options, a, verdict);

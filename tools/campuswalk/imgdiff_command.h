@@ -10,14 +10,14 @@ namespace campuswalk::tools {
 struct ImgdiffOptions {
     std::filesystem::path a;
     std::filesystem::path b;
-    engine::PictureTolerance tolerance;
+    engine::ImageTolerance tolerance;
     std::optional<std::filesystem::path> diff;  ///< where to draw the difference
     bool json = false;
 };
 
 /// Compares two PNG files and says how they differ. Returns the exit code: kPass when they are the same
 /// within the tolerance, kDifferent when not, or when their sizes differ. A build without rendering can't
-/// read pictures and throws.
-int compare_picture_files(const ImgdiffOptions& options);
+/// read images and throws.
+int compare_image_files(const ImgdiffOptions& options);
 
 }  // namespace campuswalk::tools

@@ -4,7 +4,7 @@
 
 namespace campuswalk::tools {
 
-int compare_picture_files(const ImgdiffOptions&) {
+int compare_image_files(const ImgdiffOptions&) {
     throw std::runtime_error("this build reads no pictures: configure with CAMPUSWALK_RENDER=ON");
 }
 

@@ -62,7 +62,7 @@ const char* name_of(scene::AlphaMode mode) {
 }
 
 /// As config/schema/info.schema.json says.
-Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
+Json json_of(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
     Json json = {{"campuswalk_info", 1},
                  {"file", report.file},
                  {"meshes", report.meshes},
@@ -93,9 +93,9 @@ Json json_of(const ModelReport& report, const std::vector<scene::Oddity>& warnin
                                  {"triangles", n.triangles},
                                  {"bounds", json_of(n.bounds)}});
     }
-    for (const scene::Oddity& w : warnings) {
+    for (const scene::ModelLint& w : warnings) {
         Json& warning = json["warnings"].emplace_back(Json{{"code", w.code}, {"message", w.message}});
-        for (const scene::Oddity::Place& place : w.places) {
+        for (const scene::ModelLint::Place& place : w.places) {
             warning["places"].push_back({{"node", place.node}, {"at", json_of(place.at)}});
         }
     }
@@ -115,7 +115,7 @@ std::string text_of(const scene::GeographicPlace& place) {
            " m, at " + engine::fixed(place.at);
 }
 
-void print_text(const ModelReport& report, const std::vector<scene::Oddity>& warnings) {
+void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
     const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
     std::printf("%s\n", report.file.c_str());
     std::printf("meshes     %zu, placed %zu times\n", report.meshes, report.placements);
@@ -145,7 +145,7 @@ void print_text(const ModelReport& report, const std::vector<scene::Oddity>& war
     }
     print_rest(report.nodes.size(), kMostNodes);
     std::printf("warnings   %zu\n", warnings.size());
-    print_oddities(warnings);
+    print_lints(warnings);
 }
 
 void draw_map(const InfoOptions& options, scene::Model model) {
@@ -155,17 +155,17 @@ void draw_map(const InfoOptions& options, scene::Model model) {
     }
     scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
     campus.models.push_back(std::move(model));
-    CampusPicture picture;
-    picture.plan = true;
-    picture.file = *options.map;
-    picture.backend = options.backend;
-    draw_campus(campus, picture);
+    CampusImage image;
+    image.plan = true;
+    image.file = *options.map;
+    image.backend = options.backend;
+    draw_campus(campus, image);
 }
 
 /// A model that seems to lie on its side, upright: from above it would be a line.
 scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
     const bool lies =
-        std::ranges::any_of(report.warnings, [](const scene::Oddity& odd) { return odd.code == "z-up"; });
+        std::ranges::any_of(report.warnings, [](const scene::ModelLint& odd) { return odd.code == "z-up"; });
     if (!lies || scene.up != scene::UpAxis::y) {
         return model;
     }
@@ -182,13 +182,13 @@ int print_info(const InfoOptions& options) {
         return suggest_campus(options.scene, *options.suggest, options.overwrite);
     }
     if (options.map) {
-        require_pictures(options.backend);
-        require_writable_picture(*options.map);
+        require_images(options.backend);
+        require_writable_image(*options.map);
     }
     scene::ImportedModel imported =
         load_model(options.scene, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported;
     const ModelReport report = scene::report(imported.model);
-    std::vector<scene::Oddity> warnings;
+    std::vector<scene::ModelLint> warnings;
     for (const scene::Diagnostic& repair : imported.warnings) {
         warnings.push_back({repair.code, repair.message});
     }

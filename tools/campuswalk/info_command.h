@@ -13,7 +13,7 @@ struct InfoOptions {
     bool json = false;
     std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
     bool overwrite = false;                        ///< those two
-    std::optional<std::filesystem::path> map;      ///< a picture from above to write
+    std::optional<std::filesystem::path> map;      ///< an image from above to write
     Backend backend = Backend::automatic;          ///< that draws it
 };
 

@@ -33,12 +33,12 @@ void add_commands(Command program, Chosen& chosen) {
 
 int guarded(const Chosen& command) {
     try {
-        use_wanted_instructions();
+        use_simd_target_from_environment();
         const int exit_code = command();
         check_standard_output();
         return exit_code;
     } catch (const scene::InputError& error) {
-        complain(error.diagnostics());
+        diagnose(error.diagnostics());
         return kBadInput;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());

@@ -17,10 +17,10 @@ constexpr double kHeightAbove = 26.0;        // metres: 30 m from edge to edge
 constexpr double kFov = 1.0471975511965976;  // radians
 constexpr double kOverHead = 0.4;            // metres that are left when the rest is cut away
 constexpr double kHighestCeiling = 60.0;     // metres
-constexpr double kArrow = 13.0;              // pixels in a picture 720 high
+constexpr double kArrow = 13.0;              // pixels in an image 720 high
 
 /// Cuts off what is over the avatar's head.
-void open_roof(const scene::Campus& campus, const MapMoment& moment, render::Viewpoint& view) {
+void open_roof(const scene::Campus& campus, const MapState& moment, render::Viewpoint& view) {
     const double tall = moment.avatar.stature * moment.profile.height;
     const Vector3d head = moment.avatar.position + tall * Vector3d::UnitY();
     const Vector3d sky = head + kHighestCeiling * Vector3d::UnitY();
@@ -35,12 +35,13 @@ void open_roof(const scene::Campus& campus, const MapMoment& moment, render::Vie
 
 }  // namespace
 
-render::Picture draw_map(const scene::Campus& campus, render::SnapshotPainter& painter,
-                         const MapMoment& moment, int width, int height) {
-    render::Viewpoint view = render::top(moment.avatar.position, kHeightAbove, kFov, painter.bounds());
+render::Image draw_map(const scene::Campus& campus, render::SnapshotRenderer& snapshot_renderer,
+                       const MapState& moment, int width, int height) {
+    render::Viewpoint view =
+        render::top(moment.avatar.position, kHeightAbove, kFov, snapshot_renderer.bounds());
     open_roof(campus, moment, view);
     const render::Fonts fonts;
-    const render::Canvas canvas(painter.draw_view(view, width, height), fonts);
+    const render::Canvas canvas(snapshot_renderer.draw_view(view, width, height), fonts);
     const double s = canvas.scale();
     render::draw_path(canvas, view, moment.path);
     if (const auto here = render::pixel_of(view, width, height, moment.avatar.position)) {
@@ -51,7 +52,7 @@ render::Picture draw_map(const scene::Campus& campus, render::SnapshotPainter& p
     const render::TextStyle style = {16.0 * s, true, {1, 1, 1, 1}, 0.0, 1};
     const Eigen::Vector2d size = canvas.text_size(moment.caption, style);
     canvas.label(20.0 * s + 0.5 * size.x(), 26.0 * s, moment.caption, style);
-    return canvas.picture();
+    return canvas.image();
 }
 
 }  // namespace campuswalk::tools

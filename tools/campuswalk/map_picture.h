@@ -15,7 +15,7 @@
 namespace campuswalk::tools {
 
 /// A place on a walk, as it shall be drawn from above.
-struct MapMoment {
+struct MapState {
     engine::AvatarState avatar;
     engine::AvatarProfile profile;
     std::span<const Eigen::Vector3d> path;  ///< walked so far
@@ -24,7 +24,8 @@ struct MapMoment {
 
 /// The surroundings from above, north up, with the way walked and where the avatar looks. What is over the
 /// avatar's head is cut away where it stands under something solid.
-engine::render::Picture draw_map(const scene::Campus& campus, engine::render::SnapshotPainter& painter,
-                                 const MapMoment& moment, int width, int height);
+engine::render::Image draw_map(const scene::Campus& campus,
+                               engine::render::SnapshotRenderer& snapshot_renderer, const MapState& moment,
+                               int width, int height);
 
 }  // namespace campuswalk::tools

@@ -7,9 +7,9 @@
 
 namespace campuswalk::tools {
 
-void print_oddities(const std::vector<scene::Oddity>& oddities) {
+void print_lints(const std::vector<scene::ModelLint>& lints) {
     constexpr std::size_t kMost = 5;
-    for (const scene::Oddity& odd : oddities) {
+    for (const scene::ModelLint& odd : lints) {
         std::printf("  %s: %s\n", odd.code.c_str(), odd.message.c_str());
         for (std::size_t p = 0; p < std::min(odd.places.size(), kMost); ++p) {
             std::printf("    '%s' at %s\n", odd.places[p].node.c_str(),

@@ -7,6 +7,6 @@
 namespace campuswalk::tools {
 
 /// Prints a line for each, and below it where it is: five places at most.
-void print_oddities(const std::vector<scene::Oddity>& oddities);
+void print_lints(const std::vector<scene::ModelLint>& lints);
 
 }  // namespace campuswalk::tools

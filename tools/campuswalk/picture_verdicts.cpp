@@ -35,19 +35,19 @@ std::string bytes_of(const fs::path& file) {
     return bytes;
 }
 
-std::string size_of(const render::Picture& picture) {
-    return std::to_string(picture.width) + "x" + std::to_string(picture.height);
+std::string size_of(const render::Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-/// A picture of this run and the one that was kept.
+/// An image of this run and the one that was kept.
 struct Pair {
-    render::Picture actual;
-    std::optional<render::Picture> kept;  ///< none: it can't be read
-    std::string why;                      ///< they differ; empty: they don't
-    std::optional<render::Picture> difference;
+    render::Image actual;
+    std::optional<render::Image> kept;  ///< none: it can't be read
+    std::string why;                    ///< they differ; empty: they don't
+    std::optional<render::Image> difference;
 };
 
-Pair compare(const fs::path& actual, const fs::path& kept, const engine::PictureTolerance& tolerance) {
+Pair compare(const fs::path& actual, const fs::path& kept, const engine::ImageTolerance& tolerance) {
     Pair pair;
     pair.actual = render::read_png(actual);
     try {
@@ -60,7 +60,7 @@ Pair compare(const fs::path& actual, const fs::path& kept, const engine::Picture
         pair.why = "it has " + size_of(pair.actual) + " pixels, the kept one " + size_of(*pair.kept);
         return pair;
     }
-    const auto comparison = render::compare_pictures(*pair.kept, pair.actual, tolerance);
+    const auto comparison = render::compare_images(*pair.kept, pair.actual, tolerance);
     pair.why = render::why_different(comparison, tolerance);
     if (!pair.why.empty()) {
         pair.difference = render::draw_difference(*pair.kept, pair.actual, comparison, tolerance);
@@ -68,11 +68,11 @@ Pair compare(const fs::path& actual, const fs::path& kept, const engine::Picture
     return pair;
 }
 
-class Judgement {
+class Evaluation {
 public:
-    explicit Judgement(const PictureTrial& trial) : trial_(trial) {}
+    explicit Evaluation(const ImageEvaluation& trial) : trial_(trial) {}
 
-    void judge(const ExpectSnapshot& expected) {
+    void evaluator(const ExpectSnapshot& expected) {
         clean_up(expected.name);
         if (trial_.moments.taken(expected.name) == nullptr) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
@@ -80,7 +80,7 @@ public:
             return;
         }
         const fs::path actual = own_file(expected.name, "");
-        const fs::path kept = kept_file(trial_.walk_file, trial_.walk.project, expected.name + ".png");
+        const fs::path kept = cached_file(trial_.walk_file, trial_.walk.project, expected.name + ".png");
         std::error_code error;
         const bool missing = !fs::exists(kept, error);
         if (trial_.update == UpdateSnapshots::all || (missing && trial_.update != UpdateSnapshots::none)) {
@@ -104,7 +104,7 @@ public:
         }
     }
 
-    void judge(const ExpectVisible& expected) {
+    void evaluator(const ExpectVisible& expected) {
         if (trial_.moments.taken(expected.snapshot) == nullptr) {
             fail(expected.mark, engine::code_of(expected), expected.snapshot,
                  "the walk ended before it took the snapshot '" + expected.snapshot + "'");
@@ -125,9 +125,9 @@ public:
     }
 
     template <typename Other>
-    void judge(const Other& /*nothing about pictures*/) {}
+    void evaluator(const Other& /*nothing about images*/) {}
 
-    JudgedPictures take() { return std::move(judged_); }
+    EvaluatedImages take() { return std::move(evaluated_); }
 
 private:
     static std::string wanted(const ExpectVisible& expected) {
@@ -164,15 +164,15 @@ private:
 
     void keep(const fs::path& actual, const fs::path& kept) {
         scene::write_whole_file(kept, bytes_of(actual));
-        judged_.written.push_back(kept);
+        evaluated_.written.push_back(kept);
     }
 
     void fail(const scene::SourceMark& mark, std::string code, const std::string& snapshot,
               std::string message) {
-        const engine::Moment* taken = trial_.moments.taken(snapshot);
-        judged_.failures.push_back({mark, std::move(code), std::move(message),
-                                    engine::scene_of(taken != nullptr ? *taken : trial_.moments.last(),
-                                                     trial_.campus, trial_.walk.avatar)});
+        const engine::StateSnapshot* taken = trial_.moments.taken(snapshot);
+        evaluated_.failures.push_back({mark, std::move(code), std::move(message),
+                                       engine::scene_of(taken != nullptr ? *taken : trial_.moments.last(),
+                                                        trial_.campus, trial_.walk.avatar)});
     }
 
     void show(const std::string& snapshot, const fs::path& actual, const fs::path& kept, const Pair& pair) {
@@ -190,21 +190,21 @@ private:
 
     void tell_of(const std::string& snapshot, const std::string& which) {
         const std::string name = snapshot + which;
-        judged_.artifacts.push_back({name, trial_.folder + "/" + name + ".png", "image/png"});
+        evaluated_.artifacts.push_back({name, trial_.folder + "/" + name + ".png", "image/png"});
     }
 
-    const PictureTrial& trial_;
-    JudgedPictures judged_;
+    const ImageEvaluation& trial_;
+    EvaluatedImages evaluated_;
 };
 
 }  // namespace
 
-JudgedPictures judge_pictures(const PictureTrial& trial) {
-    Judgement judgement(trial);
+EvaluatedImages evaluate_images(const ImageEvaluation& trial) {
+    Evaluation evaluation(trial);
     for (const engine::Expectation& expectation : trial.walk.expectations) {
-        std::visit([&](const auto& expected) { judgement.judge(expected); }, expectation);
+        std::visit([&](const auto& expected) { evaluation.evaluator(expected); }, expectation);
     }
-    return judgement.take();
+    return evaluation.take();
 }
 
 }  // namespace campuswalk::tools

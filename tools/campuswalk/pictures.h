@@ -19,7 +19,7 @@
 #include "tools/campuswalk/sequence_wish.h"
 
 namespace campuswalk::engine::render {
-class PainterStore;
+class RendererStore;
 }
 
 namespace campuswalk::tools {
@@ -35,13 +35,13 @@ public:
     virtual const engine::render::SnapshotSights& sights() const = 0;
 };
 
-/// What draws the pictures of the walks that a process plays. Opens nothing before the first picture.
-std::shared_ptr<engine::render::PainterStore> make_painters(Backend backend);
+/// What draws the images of the walks that a process plays. Opens nothing before the first image.
+std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend);
 
 /// Writes the walk's snapshots to `FOLDER/`. `campus` and `painters` must outlive it.
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
                                                    const std::filesystem::path& folder,
-                                                   engine::render::PainterStore& painters);
+                                                   engine::render::RendererStore& renderers);
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
 std::vector<std::string> files_of(const engine::SnapshotStep& step);
@@ -59,22 +59,22 @@ struct FrameSharing {
     std::function<std::string(std::size_t part)> take;
 };
 
-/// Takes the pictures that are wished for, of them part 0 by itself, and writes what is to be made of them to
+/// Takes the images that are wished for, of them part 0 by itself, and writes what is to be made of them to
 /// `FOLDER/`. `campus` and `painters` must outlive it.
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const std::filesystem::path& folder,
-                                                      const SequenceWish& wish, FrameSharing sharing,
-                                                      engine::render::PainterStore& painters);
+                                                      const SequenceRequest& wish, FrameSharing sharing,
+                                                      engine::render::RendererStore& renderers);
 
 /// Takes those of one part, and hands them over, on a thread of its own.
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
-                                                       const SequenceWish& wish, std::size_t part,
+                                                       const SequenceRequest& wish, std::size_t part,
                                                        std::size_t parts,
                                                        std::function<void(std::string_view frame)> hand_over,
-                                                       engine::render::PainterStore& painters);
+                                                       engine::render::RendererStore& renderers);
 
 /// So many processes, of which this is one, are about to draw at the same time; to be said before the first
-/// picture.
+/// image.
 void share_processors(std::size_t processes);
 
 /// Whether a video can be made: it takes a program of others.
@@ -82,31 +82,31 @@ bool can_make_videos();
 
 /// Draws the moments of a walk's failures, each from the avatar's eyes and from above with the way walked so
 /// far: `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second
-/// moment on. Failures of one tick share their pictures, and later ones than the fourth moment get none. The
+/// moment on. Failures of one tick share their images, and later ones than the fourth moment get none. The
 /// walk is played again up to there. Returns what was written, paths relative to `output`. `campus` must
 /// outlive `painters`. Throws std::runtime_error when it can't be drawn or written.
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures,
                                             const std::filesystem::path& output,
                                             const std::filesystem::path& folder,
-                                            engine::render::PainterStore& painters);
+                                            engine::render::RendererStore& renderers);
 
 /// The end of a way from above, with the way; the avatar looks where it leads. `way` has at least one point.
 void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
               std::span<const Eigen::Vector3d> way, const std::string& caption,
               const std::filesystem::path& file, Backend backend);
 
-/// A picture of a campus that nobody walks in.
-struct CampusPicture {
+/// An image of a campus that nobody walks in.
+struct CampusImage {
     bool plan = false;              ///< from above, all of it; of `camera` only the size counts
     engine::CameraSettings camera;  ///< View::first_person from `avatar`'s place, or one that needs nobody
     engine::AvatarState avatar;
     engine::LightSettings light;
-    engine::PictureChannels channels;  ///< go beside `file`
-    engine::PictureOverlays overlays;  ///< not on a plan
+    engine::ImageChannels channels;  ///< go beside `file`
+    engine::ImageOverlays overlays;  ///< not on a plan
     std::filesystem::path file;
     Backend backend = Backend::automatic;
 };
-void draw_campus(const scene::Campus& campus, const CampusPicture& picture);
+void draw_campus(const scene::Campus& campus, const CampusImage& image);
 
 }  // namespace campuswalk::tools

@@ -9,12 +9,12 @@ bool can_draw() {
     return false;
 }
 
-std::shared_ptr<engine::render::PainterStore> make_painters(Backend) {
+std::shared_ptr<engine::render::RendererStore> make_renderers(Backend) {
     return nullptr;
 }
 
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
-                                                   engine::render::PainterStore&) {
+                                                   engine::render::RendererStore&) {
     assert(false);
     return nullptr;
 }
@@ -26,22 +26,22 @@ std::vector<std::string> files_of(const engine::SnapshotStep&) {
 
 std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
                                             std::span<const engine::Failure>, const std::filesystem::path&,
-                                            const std::filesystem::path&, engine::render::PainterStore&) {
+                                            const std::filesystem::path&, engine::render::RendererStore&) {
     assert(false);
     return {};
 }
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus&, const engine::Walk&,
-                                                      const std::filesystem::path&, const SequenceWish&,
-                                                      FrameSharing, engine::render::PainterStore&) {
+                                                      const std::filesystem::path&, const SequenceRequest&,
+                                                      FrameSharing, engine::render::RendererStore&) {
     assert(false);
     return nullptr;
 }
 
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus&, const engine::Walk&,
-                                                       const SequenceWish&, std::size_t, std::size_t,
+                                                       const SequenceRequest&, std::size_t, std::size_t,
                                                        std::function<void(std::string_view)>,
-                                                       engine::render::PainterStore&) {
+                                                       engine::render::RendererStore&) {
     assert(false);
     return nullptr;
 }
@@ -52,7 +52,7 @@ bool can_make_videos() {
     return false;
 }
 
-JudgedPictures judge_pictures(const PictureTrial&) {
+EvaluatedImages evaluate_images(const ImageEvaluation&) {
     assert(false);
     return {};
 }
@@ -62,7 +62,7 @@ void draw_way(const scene::Campus&, const engine::AvatarProfile&, std::span<cons
     assert(false);
 }
 
-void draw_campus(const scene::Campus&, const CampusPicture&) {
+void draw_campus(const scene::Campus&, const CampusImage&) {
     assert(false);
 }
 

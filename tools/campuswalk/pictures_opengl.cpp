@@ -48,8 +48,8 @@ bool can_draw() {
     return true;
 }
 
-std::shared_ptr<engine::render::PainterStore> make_painters(Backend backend) {
-    return std::make_shared<engine::render::PainterStore>(
+std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend) {
+    return std::make_shared<engine::render::RendererStore>(
         [backend](const scene::Campus& campus) { return settings_for(campus, backend); });
 }
 
@@ -58,11 +58,11 @@ namespace {
 class Taker final : public SnapshotTaker {
 public:
     Taker(const scene::Campus& campus, const std::filesystem::path& folder,
-          engine::render::PainterStore& painters)
-        : taker_(campus, folder, painters) {}
+          engine::render::RendererStore& renderers)
+        : taker_(campus, folder, renderers) {}
 
     void begin(const engine::Walk& walk) override { taker_.begin(walk); }
-    void frame(const engine::FrameRecord& record) override { taker_.frame(record); }
+    void frame(const engine::TickRecord& record) override { taker_.frame(record); }
     void end() override { taker_.end(); }
     const engine::render::SnapshotSights& sights() const override { return taker_.sights(); }
 
@@ -74,8 +74,8 @@ private:
 
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
                                                    const std::filesystem::path& folder,
-                                                   engine::render::PainterStore& painters) {
-    return std::make_unique<Taker>(campus, folder, painters);
+                                                   engine::render::RendererStore& renderers) {
+    return std::make_unique<Taker>(campus, folder, renderers);
 }
 
 std::vector<std::string> files_of(const engine::SnapshotStep& step) {
@@ -90,7 +90,7 @@ void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
               std::span<const Eigen::Vector3d> way, const std::string& caption,
               const std::filesystem::path& file, Backend backend) {
     constexpr double kStep = 0.05;  // metres: less has no direction
-    MapMoment moment;
+    MapState moment;
     moment.avatar.position = way.back();
     moment.profile = avatar;
     moment.path = way;
@@ -102,29 +102,30 @@ void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
             break;
         }
     }
-    engine::render::SnapshotPainter painter(campus, settings_for(campus, backend));
-    engine::render::write_png(draw_map(campus, painter, moment, 1280, 720), file);
+    engine::render::SnapshotRenderer snapshot_renderer(campus, settings_for(campus, backend));
+    engine::render::write_png(draw_map(campus, snapshot_renderer, moment, 1280, 720), file);
 }
 
-void draw_campus(const scene::Campus& campus, const CampusPicture& picture) {
+void draw_campus(const scene::Campus& campus, const CampusImage& image) {
     namespace render = engine::render;
-    SnapshotSettings settings = settings_for(campus, picture.backend);
-    settings.light = render::lit(settings.light, picture.light);
-    render::SnapshotPainter painter(campus, settings);
+    SnapshotSettings settings = settings_for(campus, image.backend);
+    settings.light = render::lit(settings.light, image.light);
+    render::SnapshotRenderer snapshot_renderer(campus, settings);
     render::Shot shot;
-    shot.camera = picture.camera;
-    shot.avatar = picture.avatar;
+    shot.camera = image.camera;
+    shot.avatar = image.avatar;
     shot.nobody = true;
-    shot.overlays = picture.overlays;
-    const int width = picture.camera.width;
-    const int height = picture.camera.height;
-    render::write_png(picture.plan ? painter.draw_plan(width, height) : painter.draw(shot), picture.file);
-    if (picture.channels.any()) {
-        const render::ChannelChoice choice = render::choice_of(picture.channels);
-        render::write_channels(painter, campus,
-                               picture.plan ? painter.draw_plan_channels(width, height, choice)
-                                            : painter.draw_channels(shot, choice),
-                               picture.channels, picture.file.parent_path() / picture.file.stem());
+    shot.overlays = image.overlays;
+    const int width = image.camera.width;
+    const int height = image.camera.height;
+    render::write_png(image.plan ? snapshot_renderer.draw_plan(width, height) : snapshot_renderer.draw(shot),
+                      image.file);
+    if (image.channels.any()) {
+        const render::ChannelChoice choice = render::choice_of(image.channels);
+        render::write_channels(snapshot_renderer, campus,
+                               image.plan ? snapshot_renderer.draw_plan_channels(width, height, choice)
+                                          : snapshot_renderer.draw_channels(shot, choice),
+                               image.channels, image.file.parent_path() / image.file.stem());
     }
 }
 

@@ -14,14 +14,14 @@ scene::InputError refused(const char* message) {
 
 }  // namespace
 
-bool wants_pictures(Backend backend) {
+bool wants_images(Backend backend) {
     if ((backend == Backend::osmesa || backend == Backend::egl) && !can_draw()) {
         throw refused("this build has no rendering: use none");
     }
     return backend != Backend::none && can_draw();
 }
 
-void require_pictures(Backend backend) {
+void require_images(Backend backend) {
     if (backend == Backend::none) {
         throw refused("'none' draws nothing, and a picture is asked for: use auto, osmesa or egl");
     }

@@ -33,17 +33,16 @@ scene::InputError about(const fs::path& what, const char* code, const std::strin
     return scene::InputError(scene::SourceMark{what.string(), 0, 0}, code, message);
 }
 
-bool takes_pictures(const Case& each) {
+bool takes_images(const Case& each) {
     return each.walk && std::ranges::any_of(each.walk->walk.steps, [](const engine::Step& step) {
                return std::holds_alternative<engine::SnapshotStep>(step);
            });
 }
 
-std::ptrdiff_t expectations_about_pictures(const Plan& plan) {
+std::ptrdiff_t expectations_about_images(const Plan& plan) {
     std::ptrdiff_t count = 0;
     for (const Case& each : plan.cases) {
-        count +=
-            each.walk ? std::ranges::count_if(each.walk->walk.expectations, engine::is_about_pictures) : 0;
+        count += each.walk ? std::ranges::count_if(each.walk->walk.expectations, engine::is_about_images) : 0;
     }
     return count;
 }
@@ -71,7 +70,7 @@ public:
         : options_(options), settings_(std::move(settings)), keeps_results_(!settings_.single) {}
 
     int run() {
-        pictures_ = wants_pictures(options_.backend);
+        images_ = wants_images(options_.backend);
         check_sequence();
         read_last_run_if_wanted();
         Plan plan =
@@ -95,7 +94,7 @@ public:
 
 private:
     void check_sequence() const {
-        if (options_.sequence.any() && !pictures_) {
+        if (options_.sequence.any() && !images_) {
             throw about("--every", "bad-value",
                         can_draw() ? "no pictures are drawn with --rendering-backend none"
                                    : "this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
@@ -139,8 +138,8 @@ private:
             const std::ofstream touched(shard.status_file, std::ios::app);
         }
         if (shard.from != "--shard") {
-            complain_line("shard " + std::to_string(shard.index + 1) + " of " + std::to_string(shard.count) +
-                          " (" + shard.from + ")");
+            diagnostic_line("shard " + std::to_string(shard.index + 1) + " of " +
+                            std::to_string(shard.count) + " (" + shard.from + ")");
         }
     }
 
@@ -148,9 +147,9 @@ private:
         if (options_.pass_with_no_tests) {
             return kPass;
         }
-        complain_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
-                                      : "none of the walks found, " + std::to_string(plan.files) +
-                                            ", is selected; see --list");
+        diagnostic_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
+                                        : "none of the walks found, " + std::to_string(plan.files) +
+                                              ", is selected; see --list");
         return kNothingSelected;
     }
 
@@ -167,7 +166,7 @@ private:
         }
         check_targets(targets);
         for (const Case& each : plan.cases) {
-            const bool draws = pictures_ && (takes_pictures(each) || (each.walk && options_.sequence.any()));
+            const bool draws = images_ && (takes_images(each) || (each.walk && options_.sequence.any()));
             if (!draws && options_.records.empty()) {
                 continue;
             }
@@ -205,14 +204,15 @@ private:
     }
 
     int play(Plan plan) {
-        if (!pictures_ && options_.backend == Backend::automatic &&
-            std::ranges::any_of(plan.cases, takes_pictures)) {
-            complain_line("this build has no rendering: snapshots are logged but not drawn");
+        if (!images_ && options_.backend == Backend::automatic &&
+            std::ranges::any_of(plan.cases, takes_images)) {
+            diagnostic_line("this build has no rendering: snapshots are logged but not drawn");
         }
-        if (const std::ptrdiff_t unjudged = pictures_ ? 0 : expectations_about_pictures(plan); unjudged > 0) {
-            complain_line("no pictures are drawn: " + std::to_string(unjudged) +
-                          (unjudged == 1 ? " expectation about them isn't judged"
-                                         : " expectations about them aren't judged"));
+        if (const std::ptrdiff_t not_evaluated = images_ ? 0 : expectations_about_images(plan);
+            not_evaluated > 0) {
+            diagnostic_line("no pictures are drawn: " + std::to_string(not_evaluated) +
+                            (not_evaluated == 1 ? " expectation about them isn't judged"
+                                                : " expectations about them aren't judged"));
         }
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         Reports reports(settings_.reports,
@@ -232,7 +232,7 @@ private:
     SessionSettings session_settings(const Reports& reports, bool events) const {
         SessionSettings session;
         session.play.output = settings_.output;
-        session.play.pictures = pictures_;
+        session.play.images = images_;
         session.backend = options_.backend;
         session.play.log = reports.wants_log();
         session.play.events = events;
@@ -253,7 +253,7 @@ private:
     const RunOptions& options_;
     RunSettings settings_;
     bool keeps_results_;
-    bool pictures_ = false;
+    bool images_ = false;
     bool plays_ = false;
     std::optional<LastRun> last_run_;
 };

@@ -26,7 +26,7 @@ namespace render = engine::render;
 
 namespace {
 
-engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceWish& wish) {
+engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceRequest& wish) {
     engine::CameraSettings camera = walk.camera;
     camera.view = wish.view.value_or(camera.view);
     if (wish.width) {
@@ -49,7 +49,7 @@ std::unique_ptr<render::FrameSink> animation(const std::string& name, const fs::
     return nullptr;
 }
 
-render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceWish& wish,
+render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceRequest& wish,
                                      const render::FrameShare& share) {
     render::SequenceSettings settings;
     settings.every = interval_of(wish);
@@ -58,7 +58,8 @@ render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceWis
     return settings;
 }
 
-std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceWish& wish, const fs::path& folder) {
+std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceRequest& wish,
+                                                         const fs::path& folder) {
     const double every = interval_of(wish);
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
     if (wish.every) {
@@ -106,23 +107,24 @@ private:
 }  // namespace
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
-                                                      const fs::path& folder, const SequenceWish& wish,
-                                                      FrameSharing sharing, render::PainterStore& painters) {
+                                                      const fs::path& folder, const SequenceRequest& wish,
+                                                      FrameSharing sharing,
+                                                      render::RendererStore& renderers) {
     const std::size_t parts = sharing.parts;  // before it is moved from: arguments have no order
-    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, parts}), painters,
+    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, parts}), renderers,
                                                       sinks_of(wish, folder),
                                                       std::make_unique<OtherParts>(std::move(sharing)));
 }
 
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
-                                                       const SequenceWish& wish, std::size_t part,
+                                                       const SequenceRequest& wish, std::size_t part,
                                                        std::size_t parts,
                                                        std::function<void(std::string_view)> hand_over,
-                                                       render::PainterStore& painters) {
+                                                       render::RendererStore& renderers) {
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
     sinks.push_back(std::make_unique<HandedOver>(std::move(hand_over)));
     return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {part, parts}),
-                                                      painters, std::move(sinks));
+                                                      renderers, std::move(sinks));
 }
 
 void share_processors(std::size_t processes) {

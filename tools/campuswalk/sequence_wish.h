@@ -8,11 +8,11 @@
 
 namespace campuswalk::tools {
 
-/// What is to be made of a walk besides its snapshots: pictures at even times, and what is put together from
+/// What is to be made of a walk besides its snapshots: images at even times, and what is put together from
 /// them.
-struct SequenceWish {
+struct SequenceRequest {
     std::optional<double> every;          ///< simulated seconds; frames are kept as files
-    bool contact_sheet = false;           ///< all of them on one picture
+    bool contact_sheet = false;           ///< all of them on one image
     std::vector<std::string> animations;  ///< names of animation_kinds()
     bool video = false;                   ///< by ffmpeg
     std::optional<engine::View> view;     ///< the walk's own camera without
@@ -22,7 +22,7 @@ struct SequenceWish {
 };
 
 /// Between two frames, simulated seconds.
-inline double interval_of(const SequenceWish& wish) {
+inline double interval_of(const SequenceRequest& wish) {
     return wish.every.value_or(0.5);
 }
 

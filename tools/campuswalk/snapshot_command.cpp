@@ -28,23 +28,23 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
         "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
 }
 
-/// Fills in from where the picture is taken.
-void aim(const SnapshotOptions& options, const scene::CampusDescription& campus, CampusPicture& picture) {
-    picture.camera.width = options.width;
-    picture.camera.height = options.height;
+/// Fills in from where the image is taken.
+void aim(const SnapshotOptions& options, const scene::CampusDescription& campus, CampusImage& image) {
+    image.camera.width = options.width;
+    image.camera.height = options.height;
     if (options.camera == "top") {
-        picture.plan = true;
+        image.plan = true;
         return;
     }
     if (!options.camera.starts_with('{')) {
         const scene::Spawn& spawn = spawn_named(campus, options.camera);
-        picture.avatar.position = spawn.position;
-        picture.avatar.yaw = spawn.yaw;
+        image.avatar.position = spawn.position;
+        image.avatar.yaw = spawn.yaw;
         return;
     }
-    picture.camera = config::read_camera_text(options.camera, kAsked, campus, picture.camera);
-    const bool alone = (picture.camera.view == engine::View::fixed && picture.camera.position) ||
-                       (picture.camera.view == engine::View::orbit && picture.camera.around);
+    image.camera = config::read_camera_text(options.camera, kAsked, campus, image.camera);
+    const bool alone = (image.camera.view == engine::View::fixed && image.camera.position) ||
+                       (image.camera.view == engine::View::orbit && image.camera.around);
     if (!alone) {
         throw scene::InputError(
             {kAsked, 1, 1}, "bad-value",
@@ -53,8 +53,8 @@ void aim(const SnapshotOptions& options, const scene::CampusDescription& campus,
     }
 }
 
-engine::PictureOverlays overlays_of(const SnapshotOptions& options) {
-    engine::PictureOverlays overlays = options.overlays;
+engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
+    engine::ImageOverlays overlays = options.overlays;
     const auto named = [&](const char* name) { return std::ranges::count(options.overlay_names, name) > 0; };
     overlays.colliders = named("colliders");
     overlays.compass = named("compass");
@@ -66,21 +66,21 @@ engine::PictureOverlays overlays_of(const SnapshotOptions& options) {
 }  // namespace
 
 int draw_snapshot(const SnapshotOptions& options) {
-    require_pictures(options.backend);
-    require_writable_picture(options.output);
+    require_images(options.backend);
+    require_writable_image(options.output);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
-    CampusPicture picture;
-    aim(options, campus->description, picture);
+    CampusImage image;
+    aim(options, campus->description, image);
     if (!options.light.empty()) {
-        picture.light =
+        image.light =
             config::read_light_text(options.light, "--light", options.campus.parent_path(), search_paths());
     }
-    picture.channels = options.channels;
-    picture.overlays = overlays_of(options);
-    picture.file = options.output;
-    picture.backend = options.backend;
-    draw_campus(*campus, picture);
+    image.channels = options.channels;
+    image.overlays = overlays_of(options);
+    image.file = options.output;
+    image.backend = options.backend;
+    draw_campus(*campus, image);
     return kPass;
 }
 

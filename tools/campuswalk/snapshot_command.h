@@ -15,8 +15,8 @@ struct SnapshotOptions {
     /// "{view: orbit, around: library}".
     std::string camera = "top";
     std::string light;  ///< as in a walk: a profile's name or what differs; empty: day
-    engine::PictureChannels channels;
-    engine::PictureOverlays overlays;
+    engine::ImageChannels channels;
+    engine::ImageOverlays overlays;
     std::vector<std::string> overlay_names;  ///< go into `overlays` too
     std::filesystem::path output;
     int width = 1280;  ///< pixels
@@ -24,7 +24,7 @@ struct SnapshotOptions {
     Backend backend = Backend::automatic;
 };
 
-/// Draws one picture of a campus nobody walks in. Returns the exit code.
+/// Draws one image of a campus nobody walks in. Returns the exit code.
 int draw_snapshot(const SnapshotOptions& options);
 
 }  // namespace campuswalk::tools

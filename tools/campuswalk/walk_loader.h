@@ -25,7 +25,7 @@ struct LoadedWalk {
 class WalkLoader {
 public:
     using Told = std::function<void(const std::vector<scene::Diagnostic>&)>;
-    explicit WalkLoader(Told warn = complain);
+    explicit WalkLoader(Told warn = diagnose);
 
     /// The same as `read`, then `ready`.
     LoadedWalk load_walk(const std::filesystem::path& walk_file);

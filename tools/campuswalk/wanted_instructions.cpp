@@ -9,14 +9,14 @@
 
 namespace campuswalk::tools {
 
-void use_wanted_instructions() {
-    using collision::Instructions;
+void use_simd_target_from_environment() {
+    using collision::SimdTarget;
     const char* wanted = std::getenv("CAMPUSWALK_INSTRUCTIONS");
     if (wanted == nullptr || *wanted == '\0') {
         return;
     }
-    const std::map<std::string, Instructions> known = {
-        {"sse42", Instructions::sse42}, {"avx2", Instructions::avx2}, {"avx512", Instructions::avx512}};
+    const std::map<std::string, SimdTarget> known = {
+        {"sse42", SimdTarget::sse42}, {"avx2", SimdTarget::avx2}, {"avx512", SimdTarget::avx512}};
     const auto found = known.find(wanted);
     const bool usable = found != known.end() && can_run(found->second);
     if (!usable) {
@@ -25,7 +25,7 @@ void use_wanted_instructions() {
         throw scene::InputError({"CAMPUSWALK_INSTRUCTIONS", 0, 0}, "bad-value",
                                 "'" + std::string(wanted) + why);
     }
-    collision::use_instructions(found->second);
+    collision::use_simd_target(found->second);
 }
 
 }  // namespace campuswalk::tools

@@ -52,7 +52,7 @@ std::string why_file_unwritable(const fs::path& file) {
     return why_folder_unwritable(file.parent_path());
 }
 
-void require_writable_picture(const fs::path& file) {
+void require_writable_image(const fs::path& file) {
     if (const std::string why = why_file_unwritable(file); !why.empty()) {
         throw scene::InputError({file.string(), 0, 0}, "output-unwritable",
                                 "the picture can't be written here: " + why);

@@ -13,7 +13,7 @@ std::string why_file_unwritable(const std::filesystem::path& file);
 /// The same for a folder and the files in it.
 std::string why_folder_unwritable(const std::filesystem::path& folder);
 
-/// Throws scene::InputError output-unwritable when a picture can't be written there.
-void require_writable_picture(const std::filesystem::path& file);
+/// Throws scene::InputError output-unwritable when an image can't be written there.
+void require_writable_image(const std::filesystem::path& file);
 
 }  // namespace campuswalk::tools

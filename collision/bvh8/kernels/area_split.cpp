@@ -261,12 +261,12 @@ HWY_AFTER_NAMESPACE();
 namespace campuswalk::collision {
 
 std::size_t split_by_area(std::span<SplitItem> items, std::span<SplitItem> spare, std::size_t least,
-                          Instructions instructions) {
-    switch (instructions) {
-        case Instructions::sse42:
+                          SimdTarget simd_target) {
+    switch (simd_target) {
+        case SimdTarget::sse42:
             return N_SSE4::split_by_area(items, spare, least);
-        case Instructions::avx2:
-        case Instructions::avx512:
+        case SimdTarget::avx2:
+        case SimdTarget::avx512:
             return N_AVX2::split_by_area(items, spare, least);
     }
     return 0;

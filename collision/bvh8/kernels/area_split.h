@@ -14,6 +14,6 @@ namespace campuswalk::collision {
 ///
 /// No operation here depends on the instructions: the same items go to the left with all of them.
 std::size_t split_by_area(std::span<SplitItem> items, std::span<SplitItem> spare, std::size_t least,
-                          Instructions instructions);
+                          SimdTarget simd_target);
 
 }  // namespace campuswalk::collision

@@ -30,7 +30,7 @@ struct NodePair {
     std::uint32_t columns = 0;  ///< bits of b's
 };
 
-HWY_INLINE std::uint32_t all_children(const WideNode& node) {
+HWY_INLINE std::uint32_t all_children(const Bvh8Node& node) {
     return (1U << node.count) - 1U;
 }
 
@@ -45,14 +45,14 @@ HWY_INLINE std::uint64_t whole_rows(std::uint64_t bits) {
 /// A way down two trees, from pairs of nodes to pairs of leaves.
 class Descent {
 public:
-    Descent(const WidePair& pair, std::vector<TrianglePair>& out, QueryCounters& counters)
+    Descent(const Bvh8Pair& pair, std::vector<TrianglePair>& out, QueryCounters& counters)
         : a_(pair.a), b_(pair.b), pose_(pair), leaf_pairs_(pair, pose_, out, counters), counters_(counters) {
         // Of trees that the caches next to a core can't hold, what comes next is fetched ahead.
         constexpr std::size_t kNodesInCache = 2048;
         far_ = a_.nodes.size() + b_.nodes.size() > kNodesInCache;
     }
 
-    static NodePair roots(const WidePair& pair) {
+    static NodePair roots(const Bvh8Pair& pair) {
         return {0, 0, all_children(pair.a.nodes[0]), all_children(pair.b.nodes[0])};
     }
 
@@ -61,7 +61,8 @@ public:
     HWY_INLINE std::uint64_t children(const NodePair& item, Asked& asked) {
         ++counters_.nu;
         counters_.nv += static_cast<std::uint64_t>(std::popcount(item.rows) * std::popcount(item.columns));
-        return children_met(pose_, a_.nodes[item.a], b_.nodes[item.b], item.rows, item.columns, asked);
+        return overlapping_children(pose_, a_.nodes[item.a], b_.nodes[item.b], item.rows, item.columns,
+                                    asked);
     }
 
     /// Those of them that are leaves both.
@@ -83,8 +84,8 @@ public:
     HWY_INLINE NodePair below(const NodePair& item, std::size_t bit) const {
         const std::size_t i = bit / 8;
         const std::size_t j = bit % 8;
-        const WideNode& a = a_.nodes[item.a];
-        const WideNode& b = b_.nodes[item.b];
+        const Bvh8Node& a = a_.nodes[item.a];
+        const Bvh8Node& b = b_.nodes[item.b];
         NodePair next{item.a, item.b, 1U << i, 1U << j};
         if ((a.leaves >> i & 1) == 0) {
             next.a = a.child[i];
@@ -102,15 +103,15 @@ public:
     }
 
 private:
-    const WideLeaf& leaf_a(const NodePair& item, std::size_t bit) const {
+    const Bvh8Leaf& leaf_a(const NodePair& item, std::size_t bit) const {
         return a_.leaves[a_.nodes[item.a].child[bit / 8]];
     }
-    const WideLeaf& leaf_b(const NodePair& item, std::size_t bit) const {
+    const Bvh8Leaf& leaf_b(const NodePair& item, std::size_t bit) const {
         return b_.leaves[b_.nodes[item.b].child[bit % 8]];
     }
 
-    const WideTree& a_;
-    const WideTree& b_;
+    const Bvh8& a_;
+    const Bvh8& b_;
     RelativePose pose_;
     LeafPairs leaf_pairs_;
     QueryCounters& counters_;
@@ -124,7 +125,7 @@ std::size_t first_place(std::uint64_t bits) {
 void find_all(Descent& descent, const NodePair& roots) {
     thread_local std::vector<NodePair> stack;
     stack.assign(1, roots);
-    Meeting asked;
+    ChildOverlaps asked;
     while (!stack.empty()) {
         const NodePair item = stack.back();
         stack.pop_back();
@@ -142,7 +143,7 @@ void find_all(Descent& descent, const NodePair& roots) {
     }
 }
 
-std::size_t deepest(const MeetingDepths& depths, std::uint64_t pairs) {
+std::size_t deepest(const OverlapDepths& depths, std::uint64_t pairs) {
     std::size_t best = first_place(pairs);
     for (std::uint64_t m = pairs & (pairs - 1); m != 0; m &= m - 1) {
         best = depths.of_pair(first_place(m)) > depths.of_pair(best) ? first_place(m) : best;
@@ -153,7 +154,7 @@ std::size_t deepest(const MeetingDepths& depths, std::uint64_t pairs) {
 /// Deep first: boxes that reach far into each other are likely to have triangles that cross. Less than half
 /// of the pairs of nodes are visited that there would be in the order of children.
 void find_first(Descent& descent, const NodePair& item, std::vector<TrianglePair>& out) {
-    MeetingDepths depths;
+    OverlapDepths depths;
     const std::uint64_t met = descent.children(item, depths);
     const std::uint64_t leaves = descent.leaves(item);
     for (std::uint64_t left = met; left != 0 && out.empty();) {
@@ -167,7 +168,7 @@ void find_first(Descent& descent, const NodePair& item, std::vector<TrianglePair
     }
 }
 
-void search(const WidePair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryCounters& counters) {
+void search(const Bvh8Pair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryCounters& counters) {
     Descent descent(pair, out, counters);
     if (wanted == Wanted::all) {
         find_all(descent, Descent::roots(pair));
@@ -183,14 +184,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace campuswalk::collision {
 
-void find_wide_contacts(const WidePair& pair, Wanted wanted, Instructions instructions,
+void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
                         std::vector<TrianglePair>& out, QueryCounters& counters) {
-    switch (instructions) {
-        case Instructions::sse42:
+    switch (simd_target) {
+        case SimdTarget::sse42:
             return N_SSE4::search(pair, wanted, out, counters);
-        case Instructions::avx2:
+        case SimdTarget::avx2:
             return N_AVX2::search(pair, wanted, out, counters);
-        case Instructions::avx512:
+        case SimdTarget::avx512:
             return N_AVX3::search(pair, wanted, out, counters);
     }
 }

@@ -13,11 +13,11 @@ namespace campuswalk::collision {
 
 /// Two meshes on wide trees and where they are. The pose is finite, and `tilt` is how far its matrix is from
 /// a rotation: the greatest entry of |R R^T - 1|, far below 1.
-struct WidePair {
+struct Bvh8Pair {
     const TriangleMesh& mesh_a;
     const TriangleMesh& mesh_b;
-    const WideTree& a;
-    const WideTree& b;
+    const Bvh8& a;
+    const Bvh8& b;
     const Pose& X_a_b;
     double tilt = 0.0;
 };
@@ -26,7 +26,7 @@ enum class Wanted : std::uint8_t { all, first };
 
 /// Adds the overlapping pairs to `out`: all, or those of two leaves that have any. The outer
 /// spheres are known to meet, so that distances are no greater than the meshes. See mesh_contacts.h.
-void find_wide_contacts(const WidePair& pair, Wanted wanted, Instructions instructions,
+void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
                         std::vector<TrianglePair>& out, QueryCounters& counters);
 
 }  // namespace campuswalk::collision

@@ -42,7 +42,7 @@ private:
 };
 
 /// What waits, of one node's children the nearest last.
-class Agenda {
+class TraversalStack {
 public:
     /// Adds one of those that have been added from `first` on.
     HWY_INLINE void add(const Waiting& part, std::size_t first) {
@@ -63,7 +63,7 @@ private:
 /// A ray on its way down.
 class Descent {
 public:
-    Descent(const TriangleMesh& mesh, const WideTree& tree, const Ray& ray, const RayMeeting& meet,
+    Descent(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& meet,
             QueryCounters& counters)
         : mesh_(mesh),
           tree_(tree),
@@ -82,19 +82,19 @@ public:
                 continue;
             }
             do {
-                if (agenda_.depth() == 0) {
+                if (stack_.depth() == 0) {
                     return;
                 }
-                next = agenda_.take();
+                next = stack_.take();
             } while (next.entry() > reach_);
         }
     }
 
 private:
     /// Puts off what the ray meets but for the nearest, if there is one. Most nodes have no more.
-    HWY_INLINE bool open_node(const WideNode& node, Waiting& nearest) {
+    HWY_INLINE bool open_node(const Bvh8Node& node, Waiting& nearest) {
         counters_.nv += node.count;
-        HWY_ALIGN float entry[kWideChildren];
+        HWY_ALIGN float entry[kBvh8Children];
         std::uint32_t met = children_on_ray(course_, node, reach_, entry);
         if (met == 0) {
             return false;
@@ -104,19 +104,19 @@ private:
             return Waiting(entry[i], node.child[i], (node.leaves >> i & 1) != 0);
         };
         nearest = child(met);
-        const std::size_t first = agenda_.depth();
+        const std::size_t first = stack_.depth();
         while ((met &= met - 1) != 0) {
             Waiting other = child(met);
             if (other.before(nearest)) {
                 std::swap(other, nearest);
             }
             fetch(other);
-            agenda_.add(other, first);
+            stack_.add(other, first);
         }
         return true;
     }
 
-    HWY_INLINE void open_leaf(const WideLeaf& leaf) {
+    HWY_INLINE void open_leaf(const Bvh8Leaf& leaf) {
         for (std::uint32_t seen = shear_.triangles_seen(leaf); seen != 0; seen &= seen - 1) {
             const auto slot = static_cast<std::size_t>(std::countr_zero(seen));
             ++counters_.np;
@@ -136,17 +136,17 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    const WideTree& tree_;
-    const RayMeeting& meet_;
+    const Bvh8& tree_;
+    const RayVisitor& meet_;
     QueryCounters& counters_;
     Course course_;
     Shear shear_;
     double limit_ = 1.0;
     float reach_;
-    Agenda agenda_;
+    TraversalStack stack_;
 };
 
-void follow(const TriangleMesh& mesh, const WideTree& tree, const Ray& ray, const RayMeeting& meet,
+void follow(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& meet,
             QueryCounters& counters) {
     Descent(mesh, tree, ray, meet, counters).run();
 }
@@ -158,20 +158,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace campuswalk::collision {
 
-bool fits_wide_rays(const Ray& ray) {
+bool fits_bvh8_rays(const Ray& ray) {
     constexpr double kFarthest = 0x1p60;
     return ray.from != ray.to &&
            std::max(ray.from.cwiseAbs().maxCoeff(), ray.to.cwiseAbs().maxCoeff()) < kFarthest;
 }
 
-void follow_wide_ray(const TriangleMesh& mesh, const WideTree& tree, const Ray& ray,
-                     Instructions instructions, const RayMeeting& meet, QueryCounters& counters) {
-    switch (instructions) {
-        case Instructions::sse42:
+void trace_bvh8_ray(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, SimdTarget simd_target,
+                    const RayVisitor& meet, QueryCounters& counters) {
+    switch (simd_target) {
+        case SimdTarget::sse42:
             return N_SSE4::follow(mesh, tree, ray, meet, counters);
-        case Instructions::avx2:
+        case SimdTarget::avx2:
             return N_AVX2::follow(mesh, tree, ray, meet, counters);
-        case Instructions::avx512:
+        case SimdTarget::avx512:
             return N_AVX3::follow(mesh, tree, ray, meet, counters);
     }
 }

@@ -11,10 +11,10 @@ namespace campuswalk::collision {
 
 /// What a query does with a triangle: `meet(index, corners, limit)` answers the fraction above which nothing
 /// interests it any more. Refers to the function it is made from.
-class RayMeeting {
+class RayVisitor {
 public:
     template <typename Meet>
-    explicit RayMeeting(const Meet& meet)
+    explicit RayVisitor(const Meet& meet)
         : meet_(&meet),
           call_([](const void* to, std::uint32_t index, const Triangle& triangle, double limit) {
               return (*static_cast<const Meet*>(to))(index, triangle, limit);
@@ -31,12 +31,12 @@ private:
 
 /// Whether float32 has room for the ray: it goes somewhere, and neither a product of two of its coordinates
 /// nor one with the inverse of its steepness (2^24 at most) overflows.
-bool fits_wide_rays(const Ray& ray);
+bool fits_bvh8_rays(const Ray& ray);
 
 /// Hands `meet` all triangles that `hit` (ray.h) may see up to the limit, 1 at first, and few others; near
 /// parts of the tree first. Which ones, and their order, is the same with all instructions. Counts as
 /// mesh_query.h says, but for the mesh's sphere. The ray fits.
-void follow_wide_ray(const TriangleMesh& mesh, const WideTree& tree, const Ray& ray,
-                     Instructions instructions, const RayMeeting& meet, QueryCounters& counters);
+void trace_bvh8_ray(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, SimdTarget simd_target,
+                    const RayVisitor& meet, QueryCounters& counters);
 
 }  // namespace campuswalk::collision

@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// Corners of a leaf, by axis.
-using CornerTable = float[3][kLeafCorners];
+/// Vertices of a leaf, by axis.
+using VertexTable = float[3][kLeafVertices];
 
 /// Finds the overlapping triangles of two leaves, up to sixteen a leaf, about the origin of a's.
 ///
@@ -35,16 +35,16 @@ using CornerTable = float[3][kLeafCorners];
 /// in order beyond as much.
 class LeafPairs {
 public:
-    LeafPairs(const WidePair& pair, const RelativePose& pose, std::vector<TrianglePair>& out,
+    LeafPairs(const Bvh8Pair& pair, const RelativePose& pose, std::vector<TrianglePair>& out,
               QueryCounters& counters)
         : pair_(pair), pose_(pose), out_(out), counters_(counters) {}
 
-    void find(const WideLeaf& a, const WideLeaf& b) {
+    void find(const Bvh8Leaf& a, const Bvh8Leaf& b) {
         ++counters_.nu;
         float t[4];
         pose_.offset(a.origin, b.origin, t);
         const float error = pose_.bound(32.0F, a.radius + b.radius + length_of(t));
-        if (!slabs_meet(a, b, t, error)) {
+        if (!slabs_overlap(a, b, t, error)) {
             return;
         }
         const Sight sight(pose_, a, b, t, error);
@@ -58,7 +58,7 @@ private:
     /// Four lanes fetch a corner's coordinates at once and exchange rows and columns; more pick them from
     /// tables, an axis at a time.
     static constexpr bool kByPoint = kLanes == 4;
-    using PointTable = float[kByPoint ? kLeafCorners : 1][4];
+    using PointTable = float[kByPoint ? kLeafVertices : 1][4];
 
     template <class Table>
     static HWY_INLINE Real3 load(const Table& corners, std::size_t c) {
@@ -96,18 +96,18 @@ private:
 
     /// Two leaves, each in its own frame and in the other's.
     struct Sight {
-        const WideLeaf& a;
-        const WideLeaf& b;
+        const Bvh8Leaf& a;
+        const Bvh8Leaf& b;
         float error;
         /// What rounding can have added to the volume of any three edges between the two (see `doubt`).
         float doubt;
-        HWY_ALIGN CornerTable b_in_a;
-        HWY_ALIGN CornerTable a_in_b;
+        HWY_ALIGN VertexTable b_in_a;
+        HWY_ALIGN VertexTable a_in_b;
         /// Corner by corner, where that is how they are fetched.
         HWY_ALIGN PointTable a_points;
         HWY_ALIGN PointTable b_points;
 
-        HWY_INLINE Sight(const RelativePose& pose, const WideLeaf& leaf_a, const WideLeaf& leaf_b,
+        HWY_INLINE Sight(const RelativePose& pose, const Bvh8Leaf& leaf_a, const Bvh8Leaf& leaf_b,
                          const float t[4], float bound)
             : a(leaf_a),
               b(leaf_b),
@@ -188,23 +188,23 @@ private:
     }
 
     /// Whether corners lie neither all beyond `high` nor all before `low` along a direction.
-    static HWY_INLINE bool reaches(const float direction[3], float low, float high, const WideLeaf& leaf) {
+    static HWY_INLINE bool reaches(const float direction[3], float low, float high, const Bvh8Leaf& leaf) {
         const Floats d;
         Real least = along(direction, load(leaf.corner, 0));
         Real most = least;
-        for (std::size_t c = kLanes; c < kLeafCorners; c += kLanes) {
+        for (std::size_t c = kLanes; c < kLeafVertices; c += kLanes) {
             const Real f = along(direction, load(leaf.corner, c));
             least = hn::Min(least, f);
             most = hn::Max(most, f);
         }
         const std::uint32_t some_below = bits_of(d, hn::Le(least, hn::Set(d, high)));
         const std::uint32_t some_above = bits_of(d, hn::Ge(most, hn::Set(d, low)));
-        // No jump: see slabs_meet.
+        // No jump: see slabs_overlap.
         return (static_cast<int>(some_below != 0) & static_cast<int>(some_above != 0)) != 0;
     }
 
     /// Each leaf between two planes at right angles to its mean normal.
-    HWY_INLINE bool slabs_meet(const WideLeaf& a, const WideLeaf& b, const float t[4], float error) const {
+    HWY_INLINE bool slabs_overlap(const Bvh8Leaf& a, const Bvh8Leaf& b, const float t[4], float error) const {
         HWY_ALIGN float a_facing_in_b[4];
         HWY_ALIGN float b_facing_in_a[4];
         turn(pose_.row, a.facing.data(), a_facing_in_b);
@@ -242,13 +242,13 @@ private:
     }
 
     /// The span of each triangle along a line, from those of its corners.
-    static HWY_INLINE void spans(const WideLeaf& leaf, const float corners[16], float margin, float low[16],
+    static HWY_INLINE void spans(const Bvh8Leaf& leaf, const float corners[16], float margin, float low[16],
                                  float high[16]) {
         const Floats d;
         for (std::size_t c = 0; c < leaf.triangles; c += kLanes) {
-            const Real p = pick(d, corners, leaf.corner_of[0].data() + c);
-            const Real q = pick(d, corners, leaf.corner_of[1].data() + c);
-            const Real r = pick(d, corners, leaf.corner_of[2].data() + c);
+            const Real p = pick(d, corners, leaf.vertex_of[0].data() + c);
+            const Real q = pick(d, corners, leaf.vertex_of[1].data() + c);
+            const Real r = pick(d, corners, leaf.vertex_of[2].data() + c);
             hn::Store(hn::Sub(hn::Min(p, hn::Min(q, r)), hn::Set(d, margin)), d, low + c);
             hn::Store(hn::Add(hn::Max(p, hn::Max(q, r)), hn::Set(d, margin)), d, high + c);
         }
@@ -268,20 +268,20 @@ private:
         turn(pose_.column, m_b, n);
         const float line[3] = {m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
                                m[0] * n[1] - m[1] * n[0]};
-        HWY_ALIGN float corners_a[16];
-        HWY_ALIGN float corners_b[16];
+        HWY_ALIGN float vertices_a[16];
+        HWY_ALIGN float vertices_b[16];
         for (std::size_t c = 0; c < s.a.corners; c += kLanes) {
-            hn::Store(along(line, load(s.a.corner, c)), d, corners_a + c);
+            hn::Store(along(line, load(s.a.corner, c)), d, vertices_a + c);
         }
         for (std::size_t c = 0; c < s.b.corners; c += kLanes) {
-            hn::Store(along(line, load(s.b_in_a, c)), d, corners_b + c);
+            hn::Store(along(line, load(s.b_in_a, c)), d, vertices_b + c);
         }
         HWY_ALIGN float low_a[16];
         HWY_ALIGN float high_a[16];
         HWY_ALIGN float low_b[16];
         HWY_ALIGN float high_b[16];
-        spans(s.a, corners_a, 0.0F, low_a, high_a);
-        spans(s.b, corners_b, s.error, low_b, high_b);
+        spans(s.a, vertices_a, 0.0F, low_a, high_a);
+        spans(s.b, vertices_b, s.error, low_b, high_b);
         for (; live != 0; live &= live - 1) {
             const auto at = static_cast<std::size_t>(std::countr_zero(live));
             const Real low = hn::Set(d, low_a[at]);
@@ -395,8 +395,8 @@ private:
             const Bytes low_bits = hn::Set(d8, 15);
             const Bytes i = hn::And(hn::BitCast(d8, hn::ShiftRight<4>(hn::BitCast(d16, at))), low_bits);
             const Bytes j = hn::And(at, low_bits);
-            ArrangedCorners a = of_a.arrange(s.a, i, j);
-            ArrangedCorners b = of_b.arrange(s.b, j, i);
+            ArrangedVertices a = of_a.arrange(s.a, i, j);
+            ArrangedVertices b = of_b.arrange(s.b, j, i);
             // Seen from a lone corner below its plane, the other triangle turns the other way.
             a.turn_over(b.lone_below);
             b.turn_over(a.lone_below);
@@ -457,12 +457,12 @@ private:
     HWY_NOINLINE bool exactly_overlap(const TrianglePair& pair) const {
         const auto& t = pair_.mesh_b.triangles[pair.b];
         const auto corner = [&](std::size_t c) {
-            return b_corner_in_a(pair_.X_a_b, pair_.mesh_b.positions[t[c]]);
+            return b_vertex_in_a(pair_.X_a_b, pair_.mesh_b.positions[t[c]]);
         };
         return overlap(corners(pair_.mesh_a, pair.a), {corner(0), corner(1), corner(2)});
     }
 
-    const WidePair& pair_;
+    const Bvh8Pair& pair_;
     const RelativePose& pose_;
     std::vector<TrianglePair>& out_;
     QueryCounters& counters_;

@@ -29,7 +29,7 @@ struct BoxSlabs {
 inline constexpr std::uint32_t kAllBoxes = (1U << kBoxLanes) - 1U;
 
 /// What is asked of two nodes: which of their children may meet,
-struct Meeting : Fused {
+struct ChildOverlaps : Fused {
     static constexpr bool kDepths = false;
     /// Of two gaps: negative if one is.
     static HWY_INLINE BoxReal join(BoxReal a, BoxReal b) { return hn::Or(a, b); }
@@ -37,13 +37,13 @@ struct Meeting : Fused {
 
 /// and how far they reach into each other, along the axis where it is least, as a share of how thick they
 /// are. That is the same on every instruction set, for it decides which pair is found first.
-struct MeetingDepths : Unfused {
+struct OverlapDepths : Unfused {
     static constexpr bool kDepths = true;
     static HWY_INLINE BoxReal join(BoxReal a, BoxReal b) { return hn::Min(a, b); }
 
     float of_pair(std::size_t bit) const { return of[bit / 8][bit % 8]; }
 
-    HWY_ALIGN float of[kWideChildren][kWideChildren];  ///< by child of a, then of b
+    HWY_ALIGN float of[kBvh8Children][kBvh8Children];  ///< by child of a, then of b
 };
 
 /// Negative where one box is apart from others along one of three axes.
@@ -83,7 +83,7 @@ struct SlabTable {
     }
 };
 
-HWY_INLINE BoxReal3 load_boxes(const std::array<std::array<float, kWideChildren>, 3>& from, std::size_t c) {
+HWY_INLINE BoxReal3 load_boxes(const std::array<std::array<float, kBvh8Children>, 3>& from, std::size_t c) {
     const BoxTag d;
     return {hn::Load(d, from[0].data() + c), hn::Load(d, from[1].data() + c),
             hn::Load(d, from[2].data() + c)};
@@ -118,7 +118,7 @@ struct FrameChange {
     float column[3][3];  ///< its transpose
     float s[3];
 
-    FrameChange(const RelativePose& pose, const WideNode& a, const WideNode& b) {
+    FrameChange(const RelativePose& pose, const Bvh8Node& a, const Bvh8Node& b) {
         const hn::FixedTag<float, 4> d;
         const auto r0 = hn::Load(d, pose.column[0]);
         const auto r1 = hn::Load(d, pose.column[1]);
@@ -160,8 +160,8 @@ struct FrameChange {
 /// 7 u, the frames' own distance from rotations 7 u, the offset's rounding 11 u, the last additions 2 u:
 /// below 48 u L, of which 64 are added to each box.
 template <class Asked>
-HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& a, const WideNode& b,
-                                      std::uint32_t rows, std::uint32_t columns, Asked& asked) {
+HWY_INLINE std::uint64_t overlapping_children(const RelativePose& pose, const Bvh8Node& a, const Bvh8Node& b,
+                                              std::uint32_t rows, std::uint32_t columns, Asked& asked) {
     const BoxTag d;
     const FrameChange<Asked> change(pose, a, b);
     const BoxReal slack = hn::Set(d, pose.bound(64.0F, a.radius + b.radius + length_of(change.s)));
@@ -170,8 +170,8 @@ HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& 
     std::uint32_t near = 0;
     SlabTable a_own;
     SlabTable a_in_b;
-    HWY_ALIGN float a_thickness[kWideChildren];
-    for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
+    HWY_ALIGN float a_thickness[kBvh8Children];
+    for (std::size_t c = 0; c < kBvh8Children; c += kBoxLanes) {
         BoxReal3 center = load_boxes(a.center, c);
         const BoxReal3 half = load_boxes(a.half, c);
         a_own.set(slabs(center, half), c);
@@ -194,7 +194,7 @@ HWY_INLINE std::uint64_t children_met(const RelativePose& pose, const WideNode& 
         return 0;
     }
     std::uint64_t met = 0;
-    for (std::size_t c = 0; c < kWideChildren; c += kBoxLanes) {
+    for (std::size_t c = 0; c < kBvh8Children; c += kBoxLanes) {
         const BoxReal3 center = load_boxes(b.center, c);
         const BoxReal3 half = load_boxes(b.half, c);
         BoxReal3 middle = {hn::Set(d, change.s[0]), hn::Set(d, change.s[1]), hn::Set(d, change.s[2])};

@@ -28,7 +28,7 @@ struct ByteRows {
 };
 
 /// The corners of sixteen triangles, the one alone on its side of a plane first, in cyclic order.
-struct ArrangedCorners {
+struct ArrangedVertices {
     Bytes p, q, r;
     Bytes lone_below;  ///< all bits where the lone corner is below the plane
     Bytes sure;        ///< all bits where no side is in doubt
@@ -52,7 +52,7 @@ class SideTable {
 public:
     /// `corners` are in the frame of `planes`. Distances up to `error` are near zero. Whether the table is
     /// good.
-    HWY_INLINE bool fill(const WideLeaf& planes, const float corners[3][16], std::size_t count, float error) {
+    HWY_INLINE bool fill(const Bvh8Leaf& planes, const float corners[3][16], std::size_t count, float error) {
         const Floats d;
         const ByteTag d8;
         for (std::size_t half = 0; half < 2; ++half) {
@@ -69,16 +69,16 @@ public:
     }
 
     /// For each triangle of the corners' leaf, which of the first `planes` it isn't clear of.
-    HWY_INLINE ByteRows not_clear(const WideLeaf& leaf, std::size_t planes) const {
+    HWY_INLINE ByteRows not_clear(const Bvh8Leaf& leaf, std::size_t planes) const {
         return {not_clear(leaf, planes, 0), not_clear(leaf, planes, 1)};
     }
 
     /// By lane, the corners of a triangle as seen from a plane.
-    HWY_INLINE ArrangedCorners arrange(const WideLeaf& leaf, Bytes triangle, Bytes plane) const {
+    HWY_INLINE ArrangedVertices arrange(const Bvh8Leaf& leaf, Bytes triangle, Bytes plane) const {
         const ByteTag d;
-        const Bytes p = lookup(leaf.corner_of[0].data(), triangle);
-        const Bytes q = lookup(leaf.corner_of[1].data(), triangle);
-        const Bytes r = lookup(leaf.corner_of[2].data(), triangle);
+        const Bytes p = lookup(leaf.vertex_of[0].data(), triangle);
+        const Bytes q = lookup(leaf.vertex_of[1].data(), triangle);
+        const Bytes r = lookup(leaf.vertex_of[2].data(), triangle);
         const Bytes sp = side(below_, p, plane);
         const Bytes sq = side(below_, q, plane);
         const Bytes sr = side(below_, r, plane);
@@ -89,7 +89,7 @@ public:
         const auto choose = [&](Bytes if_p, Bytes if_q, Bytes if_r) {
             return hn::IfVecThenElse(q_alone, if_q, hn::IfVecThenElse(r_alone, if_r, if_p));
         };
-        ArrangedCorners c;
+        ArrangedVertices c;
         c.p = choose(p, q, r);
         c.q = choose(q, r, p);
         c.r = choose(r, p, q);
@@ -107,7 +107,7 @@ private:
     /// Two vectors at a time, so that a corner is fetched once for both.
     static constexpr std::size_t kPlanesAtOnce = 2 * kLanes;
 
-    using Table = std::uint8_t[2][kLeafCorners];
+    using Table = std::uint8_t[2][kLeafVertices];
     using Unsigned = hn::RebindToUnsigned<Floats>;
     using Bits = hn::Vec<Unsigned>;
 
@@ -124,7 +124,7 @@ private:
     /// Planes are moved up by `error`, so that a negative distance is below for certain, and one up to twice
     /// that is in doubt. As unsigned numbers, negative distances are the greatest: the least of all tells
     /// whether any is in doubt.
-    HWY_INLINE Bits fill_planes(const WideLeaf& planes, const float corners[3][16], std::size_t count,
+    HWY_INLINE Bits fill_planes(const Bvh8Leaf& planes, const float corners[3][16], std::size_t count,
                                 float error, std::size_t c, Bits nearest) {
         const Floats d;
         const std::size_t c2 = c + kLanes;
@@ -161,7 +161,7 @@ private:
             record_above(v, above, c);
         };
         // By fours: leaves differ in how many corners they have, and a jump that can't be foreseen costs more
-        // than to see a corner again (see WideLeaf).
+        // than to see a corner again (see Bvh8Leaf).
         for (std::size_t v = 0; v < count; v += 4) {
             see(v);
             see(v + 1);
@@ -177,11 +177,11 @@ private:
         }
     }
 
-    HWY_INLINE Bytes not_clear(const WideLeaf& leaf, std::size_t planes, std::size_t half) const {
+    HWY_INLINE Bytes not_clear(const Bvh8Leaf& leaf, std::size_t planes, std::size_t half) const {
         const ByteTag d;
-        const Bytes p = hn::Load(d, leaf.corner_of[0].data());
-        const Bytes q = hn::Load(d, leaf.corner_of[1].data());
-        const Bytes r = hn::Load(d, leaf.corner_of[2].data());
+        const Bytes p = hn::Load(d, leaf.vertex_of[0].data());
+        const Bytes q = hn::Load(d, leaf.vertex_of[1].data());
+        const Bytes r = hn::Load(d, leaf.vertex_of[2].data());
         const auto all = [&](const std::uint8_t* table) {
             return hn::And(lookup(table, p), hn::And(lookup(table, q), lookup(table, r)));
         };

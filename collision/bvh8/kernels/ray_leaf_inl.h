@@ -28,15 +28,15 @@ public:
 
     /// Bit i: `hit` may see triangle i of the leaf.
     ///
-    /// Rounding, in units u = kFloatUnit. Corners are seen from the point of the ray's line beside the leaf's
-    /// origin, whose place is known to double: a few 2^-53 of the offset. Corners are off by their rounding,
-    /// u r for each coordinate, r the leaf's radius; slopes are no steeper than 1. With p the larger
-    /// coordinate of that point, the difference of places is off by 2 u r + 2 u p, the product by 3 u r,
-    /// their difference by u (2 r + p): below e = 8 u (r + p) for each, where 2^-48 of the offset is added
+    /// Rounding, in units u = kFloatUnit. Vertices are seen from the point of the ray's line beside the
+    /// leaf's origin, whose place is known to double: a few 2^-53 of the offset. Vertices are off by their
+    /// rounding, u r for each coordinate, r the leaf's radius; slopes are no steeper than 1. With p the
+    /// larger coordinate of that point, the difference of places is off by 2 u r + 2 u p, the product by 3 u
+    /// r, their difference by u (2 r + p): below e = 8 u (r + p) for each, where 2^-48 of the offset is added
     /// for what is done in double, here and by `hit`. No sheared coordinate is greater than m = 2 r + p + e.
     /// A triangle's edge u, v or w is a difference of two products of such coordinates: off by 4 e m + 2 e^2
     /// for the coordinates and 4 u m^2 for what is rounded there; 5 of each, and a hair for what underflows.
-    HWY_INLINE std::uint32_t triangles_seen(const WideLeaf& leaf) const {
+    HWY_INLINE std::uint32_t triangles_seen(const Bvh8Leaf& leaf) const {
         const double z = offset(leaf, z_);
         const double x = offset(leaf, x_);
         const double y = offset(leaf, y_);
@@ -48,10 +48,10 @@ public:
         const float m = 2.0F * leaf.radius + p + e;
         const float error = 5.0F * (e * (m + e) + kFloatUnit * m * m) + 0x1p-120F;
 
-        HWY_ALIGN float xs[kLeafCorners];
-        HWY_ALIGN float ys[kLeafCorners];
+        HWY_ALIGN float xs[kLeafVertices];
+        HWY_ALIGN float ys[kLeafVertices];
         const RayTag d;
-        for (std::size_t c = 0; c < kLeafCorners; c += kRayLanes) {
+        for (std::size_t c = 0; c < kLeafVertices; c += kRayLanes) {
             const RayReal along = hn::Load(d, leaf.corner[z_].data() + c);
             const auto sheared = [&](std::size_t axis, float at, double slope) {
                 const RayReal place = hn::Sub(hn::Load(d, leaf.corner[axis].data() + c), hn::Set(d, at));
@@ -63,7 +63,7 @@ public:
         std::uint32_t missed = 0;
         for (std::size_t t = 0; t < kLeafTriangles; t += kRayLanes) {
             const auto of = [&](const float* along, std::size_t corner) {
-                return pick(d, along, leaf.corner_of[corner].data() + t);
+                return pick(d, along, leaf.vertex_of[corner].data() + t);
             };
             const RayReal ax = of(xs, 0), ay = of(ys, 0);
             const RayReal bx = of(xs, 1), by = of(ys, 1);
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    HWY_INLINE double offset(const WideLeaf& leaf, std::size_t axis) const {
+    HWY_INLINE double offset(const Bvh8Leaf& leaf, std::size_t axis) const {
         return from_[static_cast<Eigen::Index>(axis)] - static_cast<double>(leaf.origin[axis]);
     }
 

@@ -68,7 +68,7 @@ struct Course {
 };
 
 /// Adds up the columns of a node's axes, v of each; the fourth entry is 0.
-HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> turned(const WideNode& node, const float v[4]) {
+HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> turned(const Bvh8Node& node, const float v[4]) {
     const hn::FixedTag<float, 4> d;
     const auto part = [&](std::size_t k) {
         return hn::Mul(hn::Load(d, node.axes[k].data()), hn::Set(d, v[k]));
@@ -88,8 +88,8 @@ HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> turned(const WideNode& node, const fl
 ///    last sum 1: 6 u S.
 /// Which is 16 u S; second orders, S's own rounding and what `hit` rounds in double are less than 1, and 24
 /// are added to each box. The smallest float32 is for what underflows.
-HWY_INLINE std::uint32_t children_on_ray(const Course& ray, const WideNode& node, float reach,
-                                         float entry[kWideChildren]) {
+HWY_INLINE std::uint32_t children_on_ray(const Course& ray, const Bvh8Node& node, float reach,
+                                         float entry[kBvh8Children]) {
     HWY_ALIGN float from[4];
     ray.offset(node.origin, from);
     const float size = (std::abs(from[0]) + std::abs(from[1])) + (std::abs(from[2]) + node.radius);
@@ -104,7 +104,7 @@ HWY_INLINE std::uint32_t children_on_ray(const Course& ray, const WideNode& node
     const RayTag d;
     const RayReal slack = hn::Set(d, 24.0F * kFloatUnit * size + 0x1p-120F);
     std::uint32_t met = 0;
-    for (std::size_t c = 0; c < kWideChildren; c += kRayLanes) {
+    for (std::size_t c = 0; c < kBvh8Children; c += kRayLanes) {
         RayReal enter = hn::Zero(d);
         RayReal leave = hn::Set(d, reach);
         for (std::size_t k = 0; k < 3; ++k) {

@@ -20,14 +20,14 @@ namespace HWY_NAMESPACE {
 ///
 /// Bounds below are in units u = kFloatUnit and lengths L = r_a + r_b + |offset|, where r is a part's radius.
 /// Two terms come on top of them:
-/// - `coordinates`: the truth itself (b_corner_in_a) and `offset` are each rounded in double, by at most
+/// - `coordinates`: the truth itself (b_vertex_in_a) and `offset` are each rounded in double, by at most
 ///   4 x 2^-53 times the coordinates' sum along each axis; 2^-49 times that sum is more than both.
 /// - `tilt`: what is brought to b by the transposed matrix instead of the inverse is off by at most the
 /// matrix'
 ///   distance from a rotation times 3 L.
 class RelativePose {
 public:
-    explicit RelativePose(const WidePair& pair) {
+    explicit RelativePose(const Bvh8Pair& pair) {
         for (std::size_t j = 0; j < 3; ++j) {
             for (std::size_t i = 0; i < 3; ++i) {
                 turn_[j][i] = pair.X_a_b.rotation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));

@@ -24,14 +24,14 @@ std::string percent(double ratio) {
 
 }  // namespace
 
-PictureComparison compare_pictures(const Picture& a, const Picture& b, const PictureTolerance& tolerance) {
+ImageComparison compare_images(const Image& a, const Image& b, const ImageTolerance& tolerance) {
     assert(a.width == b.width && a.height == b.height && !a.rgba.empty());
-    PictureComparison comparison;
+    ImageComparison comparison;
     if (a.rgba == b.rgba && tolerance.masks.empty()) {
         comparison.pixels.verdicts.assign(a.rgba.size() / 4, PixelVerdict::same);
         return comparison;
     }
-    const PictureMask mask(a.width, a.height, tolerance.masks);
+    const ImageMask mask(a.width, a.height, tolerance.masks);
     comparison.pixels = pixel_difference(a, b, tolerance.threshold, mask);
     comparison.ratio = static_cast<double>(comparison.pixels.different) /
                        static_cast<double>(comparison.pixels.verdicts.size());
@@ -40,7 +40,7 @@ PictureComparison compare_pictures(const Picture& a, const Picture& b, const Pic
     return comparison;
 }
 
-std::string why_different(const PictureComparison& comparison, const PictureTolerance& tolerance) {
+std::string why_different(const ImageComparison& comparison, const ImageTolerance& tolerance) {
     std::string why;
     const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : "; ") + reason; };
     const std::size_t pixels = comparison.pixels.different;

@@ -11,23 +11,23 @@
 
 namespace campuswalk::engine::render {
 
-/// How two pictures of one size differ, by both rules.
-struct PictureComparison {
+/// How two images of one size differ, by both rules.
+struct ImageComparison {
     PixelDifference pixels;
     double ratio = 0.0;                 ///< of the pixels that differ, of all
     std::vector<TileSimilarity> tiles;  ///< row by row
     TileSimilarity worst;               ///< the first of those least alike
 };
 
-/// Both pictures must have one size, one pixel at least. Symmetric.
-PictureComparison compare_pictures(const Picture& a, const Picture& b, const PictureTolerance& tolerance);
+/// Both images must have one size, one pixel at least. Symmetric.
+ImageComparison compare_images(const Image& a, const Image& b, const ImageTolerance& tolerance);
 
 /// Which rules of the tolerance don't hold, in words; empty when they all do.
-std::string why_different(const PictureComparison& comparison, const PictureTolerance& tolerance);
+std::string why_different(const ImageComparison& comparison, const ImageTolerance& tolerance);
 
-/// A picture for the eye. Grey and pale: the same. Orange: other colours, within the threshold. Yellow:
+/// An image for the eye. Grey and pale: the same. Orange: other colours, within the threshold. Yellow:
 /// smoothed otherwise. Red: different. Hatched: masked. Tiles that aren't alike enough have a magenta frame.
-Picture draw_difference(const Picture& a, const Picture& b, const PictureComparison& comparison,
-                        const PictureTolerance& tolerance);
+Image draw_difference(const Image& a, const Image& b, const ImageComparison& comparison,
+                      const ImageTolerance& tolerance);
 
 }  // namespace campuswalk::engine::render

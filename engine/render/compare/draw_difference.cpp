@@ -14,9 +14,9 @@ constexpr Rgb kYellow = {255, 200, 0};
 constexpr Rgb kMagenta = {200, 0, 200};
 constexpr int kHatch = 8;  ///< pixels from line to line
 
-std::uint8_t pale_grey(const Picture& picture, std::size_t offset) {
+std::uint8_t pale_grey(const Image& image, std::size_t offset) {
     const int brightness =
-        (77 * picture.rgba[offset] + 150 * picture.rgba[offset + 1] + 29 * picture.rgba[offset + 2]) / 256;
+        (77 * image.rgba[offset] + 150 * image.rgba[offset + 1] + 29 * image.rgba[offset + 2]) / 256;
     return static_cast<std::uint8_t>(200 + brightness * 55 / 255);
 }
 
@@ -27,9 +27,9 @@ Rgb close_color(double share) {
             static_cast<std::uint8_t>(255 - 255 * strength)};
 }
 
-class DifferencePicture {
+class DifferenceImage {
 public:
-    DifferencePicture(const Picture& a, const Picture& b) : a_(a), b_(b), drawn_(a) {}
+    DifferenceImage(const Image& a, const Image& b) : a_(a), b_(b), drawn_(a) {}
 
     void pixel(int x, int y, PixelVerdict verdict, double threshold) {
         const std::size_t offset = a_.offset(x, y);
@@ -68,23 +68,23 @@ public:
         }
     }
 
-    Picture take() { return std::move(drawn_); }
+    Image take() { return std::move(drawn_); }
 
 private:
     void put(std::size_t offset, const Rgb& color) {
         std::copy(color.begin(), color.end(), drawn_.rgba.begin() + static_cast<std::ptrdiff_t>(offset));
     }
 
-    const Picture& a_;
-    const Picture& b_;
-    Picture drawn_;
+    const Image& a_;
+    const Image& b_;
+    Image drawn_;
 };
 
 }  // namespace
 
-Picture draw_difference(const Picture& a, const Picture& b, const PictureComparison& comparison,
-                        const PictureTolerance& tolerance) {
-    DifferencePicture drawn(a, b);
+Image draw_difference(const Image& a, const Image& b, const ImageComparison& comparison,
+                      const ImageTolerance& tolerance) {
+    DifferenceImage drawn(a, b);
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             drawn.pixel(x, y, comparison.pixels.verdicts[a.offset(x, y) / 4], tolerance.threshold);

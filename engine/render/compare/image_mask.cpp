@@ -12,7 +12,7 @@ int end_of(int start, int length, int size) {
 
 }  // namespace
 
-PictureMask::PictureMask(int width, int height, std::span<const PixelBox> boxes) : width_(width) {
+ImageMask::ImageMask(int width, int height, std::span<const PixelBox> boxes) : width_(width) {
     if (boxes.empty()) {
         return;
     }

@@ -8,11 +8,11 @@
 
 namespace campuswalk::engine::render {
 
-/// Which pixels of a picture aren't looked at.
-class PictureMask {
+/// Which pixels of an image aren't looked at.
+class ImageMask {
 public:
-    /// Boxes may reach beyond the picture.
-    PictureMask(int width, int height, std::span<const PixelBox> boxes);
+    /// Boxes may reach beyond the image.
+    ImageMask(int width, int height, std::span<const PixelBox> boxes);
 
     bool empty() const { return hidden_.empty(); }
     bool hides(int x, int y) const {

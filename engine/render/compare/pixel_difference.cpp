@@ -29,7 +29,7 @@ double distance_squared(const std::uint8_t* a, const std::uint8_t* b) {
     return 0.5053 * y * y + 0.299 * i * i + 0.1957 * q * q;
 }
 
-/// All four bytes at once: pictures are opaque.
+/// All four bytes at once: images are opaque.
 bool same_color(const std::uint8_t* a, const std::uint8_t* b) {
     std::uint32_t pixel_a = 0;
     std::uint32_t pixel_b = 0;
@@ -38,13 +38,13 @@ bool same_color(const std::uint8_t* a, const std::uint8_t* b) {
     return pixel_a == pixel_b;
 }
 
-bool on_border(const Picture& picture, int x, int y) {
-    return x == 0 || y == 0 || x == picture.width - 1 || y == picture.height - 1;
+bool on_border(const Image& image, int x, int y) {
+    return x == 0 || y == 0 || x == image.width - 1 || y == image.height - 1;
 }
 
 template <typename Visit>
-void each_neighbour(const Picture& picture, int x, int y, const Visit& visit) {
-    if (!on_border(picture, x, y)) {
+void each_neighbour(const Image& image, int x, int y, const Visit& visit) {
+    if (!on_border(image, x, y)) {
         // As below, without a question a neighbour.
         for (int i = -1; i <= 1; ++i) {
             visit(x + i, y - 1);
@@ -56,8 +56,8 @@ void each_neighbour(const Picture& picture, int x, int y, const Visit& visit) {
         }
         return;
     }
-    for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, picture.height - 1); ++ny) {
-        for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, picture.width - 1); ++nx) {
+    for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, image.height - 1); ++ny) {
+        for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, image.width - 1); ++nx) {
             if (nx != x || ny != y) {
                 visit(nx, ny);
             }
@@ -66,11 +66,11 @@ void each_neighbour(const Picture& picture, int x, int y, const Visit& visit) {
 }
 
 /// What lies beyond the border counts as one equal neighbour.
-bool in_even_area(const Picture& picture, int x, int y) {
-    const std::uint8_t* centre = &picture.rgba[picture.offset(x, y)];
-    int equal = on_border(picture, x, y) ? 1 : 0;
-    each_neighbour(picture, x, y, [&](int nx, int ny) {
-        equal += same_color(centre, &picture.rgba[picture.offset(nx, ny)]) ? 1 : 0;
+bool in_even_area(const Image& image, int x, int y) {
+    const std::uint8_t* centre = &image.rgba[image.offset(x, y)];
+    int equal = on_border(image, x, y) ? 1 : 0;
+    each_neighbour(image, x, y, [&](int nx, int ny) {
+        equal += same_color(centre, &image.rgba[image.offset(nx, ny)]) ? 1 : 0;
     });
     return equal >= kEven;
 }
@@ -85,15 +85,15 @@ constexpr std::array<Step, 8> kAround = {
 
 /// is_antialiased(), with what gives the brightness at a place.
 template <typename LumaAt>
-bool antialiased(const Picture& picture, const Picture& other, int x, int y, const LumaAt& luma_at) {
+bool antialiased(const Image& image, const Image& other, int x, int y, const LumaAt& luma_at) {
     const double centre = luma_at(x, y);
-    const bool border = on_border(picture, x, y);
+    const bool border = on_border(image, x, y);
     std::array<double, 8> relative{};  // to the pixel in the middle; 0 for what lies beyond the border
     int beyond = 0;
     for (std::size_t i = 0; i < kAround.size(); ++i) {
         const int nx = x + kAround[i].x;
         const int ny = y + kAround[i].y;
-        if (border && (nx < 0 || ny < 0 || nx >= picture.width || ny >= picture.height)) {
+        if (border && (nx < 0 || ny < 0 || nx >= image.width || ny >= image.height)) {
             ++beyond;
         } else {
             relative[i] = luma_at(nx, ny) - centre;
@@ -114,18 +114,18 @@ bool antialiased(const Picture& picture, const Picture& other, int x, int y, con
     const auto even_in_both = [&](double extreme) {
         const Step& way = kAround[static_cast<std::size_t>(
             std::find(relative.begin(), relative.end(), extreme) - relative.begin())];
-        return in_even_area(picture, x + way.x, y + way.y) && in_even_area(other, x + way.x, y + way.y);
+        return in_even_area(image, x + way.x, y + way.y) && in_even_area(other, x + way.x, y + way.y);
     };
     return even_in_both(darkest) || even_in_both(brightest);
 }
 
-/// The brightness of a picture's row and of those above and below: in one that differs much, each pixel's is
+/// The brightness of an image's row and of those above and below: in one that differs much, each pixel's is
 /// asked for nine times.
 class NearLumas {
 public:
-    explicit NearLumas(const Picture& picture) : picture_(picture) {
+    explicit NearLumas(const Image& image) : image_(image) {
         for (std::vector<double>& row : rows_) {
-            row.resize(static_cast<std::size_t>(picture.width));
+            row.resize(static_cast<std::size_t>(image.width));
         }
     }
 
@@ -140,7 +140,7 @@ public:
         }
         for (int i = next ? 1 : -1; i <= 1; ++i) {
             const int place = i + 1;
-            if (y + i >= 0 && y + i < picture_.height) {
+            if (y + i >= 0 && y + i < image_.height) {
                 fill(rows_[static_cast<std::size_t>(place)], y + i);
             }
         }
@@ -154,22 +154,22 @@ public:
 
 private:
     void fill(std::vector<double>& row, int y) const {
-        const std::uint8_t* rgba = &picture_.rgba[picture_.offset(0, y)];
+        const std::uint8_t* rgba = &image_.rgba[image_.offset(0, y)];
         for (double& value : row) {
             value = luma(rgba);
             rgba += 4;
         }
     }
 
-    const Picture& picture_;
+    const Image& image_;
     int middle_ = -2;
     std::array<std::vector<double>, 3> rows_;
 };
 
-/// Judges the pixels of two pictures, best row by row.
-class PixelJudge {
+/// Judges the pixels of two images, best row by row.
+class PixelComparer {
 public:
-    PixelJudge(const Picture& a, const Picture& b, double largest_square)
+    PixelComparer(const Image& a, const Image& b, double largest_square)
         : a_(a), b_(b), largest_square_(largest_square), lumas_a_(a), lumas_b_(b) {}
 
     PixelVerdict verdict(int x, int y) {
@@ -188,8 +188,8 @@ public:
     }
 
 private:
-    const Picture& a_;
-    const Picture& b_;
+    const Image& a_;
+    const Image& b_;
     double largest_square_;
     NearLumas lumas_a_;
     NearLumas lumas_b_;
@@ -201,19 +201,18 @@ double color_distance(const std::uint8_t* rgb_a, const std::uint8_t* rgb_b) {
     return std::sqrt(distance_squared(rgb_a, rgb_b) / kLargestSquare);
 }
 
-bool is_antialiased(const Picture& picture, const Picture& other, int x, int y) {
-    return antialiased(picture, other, x, y,
-                       [&](int nx, int ny) { return luma(&picture.rgba[picture.offset(nx, ny)]); });
+bool is_antialiased(const Image& image, const Image& other, int x, int y) {
+    return antialiased(image, other, x, y,
+                       [&](int nx, int ny) { return luma(&image.rgba[image.offset(nx, ny)]); });
 }
 
-PixelDifference pixel_difference(const Picture& a, const Picture& b, double threshold,
-                                 const PictureMask& mask) {
+PixelDifference pixel_difference(const Image& a, const Image& b, double threshold, const ImageMask& mask) {
     const double largest_square = kLargestSquare * threshold * threshold;
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(a.width);
     PixelDifference difference;
     difference.verdicts.assign(a.rgba.size() / 4, PixelVerdict::same);
     for_row_bands(a.height, [&](int first, int end) {
-        PixelJudge judge(a, b, largest_square);
+        PixelComparer evaluator(a, b, largest_square);
         for (int y = first; y < end; ++y) {
             const std::size_t row = a.offset(0, y);
             if (mask.empty() && std::memcmp(&a.rgba[row], &b.rgba[row], row_bytes) == 0) {
@@ -221,7 +220,7 @@ PixelDifference pixel_difference(const Picture& a, const Picture& b, double thre
             }
             for (int x = 0; x < a.width; ++x) {
                 difference.verdicts[a.offset(x, y) / 4] =
-                    mask.hides(x, y) ? PixelVerdict::masked : judge.verdict(x, y);
+                    mask.hides(x, y) ? PixelVerdict::masked : evaluator.verdict(x, y);
             }
         }
     });

@@ -30,12 +30,11 @@ double color_distance(const std::uint8_t* rgb_a, const std::uint8_t* rgb_b);
 
 /// Whether a pixel is one that smoothing put between two even areas of different brightness: its darkest and
 /// its brightest neighbour aren't equal to it, it has two equals at most, and one of those two neighbours
-/// lies in an even area in both pictures (Vyšniauskas, Anti-aliased pixel and intensity slope detector,
+/// lies in an even area in both images (Vyšniauskas, Anti-aliased pixel and intensity slope detector,
 /// 2009).
-bool is_antialiased(const Picture& picture, const Picture& other, int x, int y);
+bool is_antialiased(const Image& image, const Image& other, int x, int y);
 
-/// Which pixels of two pictures of one size differ by more than `threshold`. Symmetric.
-PixelDifference pixel_difference(const Picture& a, const Picture& b, double threshold,
-                                 const PictureMask& mask);
+/// Which pixels of two images of one size differ by more than `threshold`. Symmetric.
+PixelDifference pixel_difference(const Image& a, const Image& b, double threshold, const ImageMask& mask);
 
 }  // namespace campuswalk::engine::render

@@ -50,14 +50,14 @@ double ssim(const Sums& window) {
     const double squared_means = mean_a * mean_a + mean_b * mean_b;
     const double variances = window.squares / n - squared_means;
     const double covariance = window.products / n - mean_a * mean_b;
-    // For equal pictures each left factor is its right one to the last bit.
+    // For equal images each left factor is its right one to the last bit.
     return (2 * mean_a * mean_b + kC1) * (2 * covariance + kC2) / ((squared_means + kC1) * (variances + kC2));
 }
 
 /// The sums of all blocks, row by row; those at the right and lower border may be smaller.
 class Blocks {
 public:
-    Blocks(const Picture& a, const Picture& b, const PictureMask& mask)
+    Blocks(const Image& a, const Image& b, const ImageMask& mask)
         : columns_(blocks_along(a.width)), rows_(blocks_along(a.height)) {
         sums_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
         for_row_bands(rows_, [&](int first, int end) {
@@ -88,7 +88,7 @@ private:
                static_cast<std::size_t>(column);
     }
 
-    void add_row(const Picture& a, const Picture& b, const PictureMask& mask, int y) {
+    void add_row(const Image& a, const Image& b, const ImageMask& mask, int y) {
         const std::uint8_t* from_a = &a.rgba[a.offset(0, y)];
         const std::uint8_t* from_b = &b.rgba[b.offset(0, y)];
         for (int column = 0; column < columns_; ++column) {
@@ -127,13 +127,13 @@ struct Windows {
     int rows = 0;
 };
 
-double tile_ssim(const Blocks& blocks, const Windows& windows, const Picture& picture, int column, int row) {
+double tile_ssim(const Blocks& blocks, const Windows& windows, const Image& image, int column, int row) {
     double lost = 0.0;
     double weight = 0.0;
     for (int y = row; y < std::min(row + kTileWindows, windows.rows); ++y) {
         for (int x = column; x < std::min(column + kTileWindows, windows.columns); ++x) {
             const Sums sums = blocks.window(x, y);
-            weight += whole(x, picture.width) * whole(y, picture.height);
+            weight += whole(x, image.width) * whole(y, image.height);
             lost += sums.pixels > 0 ? sums.pixels * (1.0 - ssim(sums)) : 0.0;
         }
     }
@@ -142,7 +142,7 @@ double tile_ssim(const Blocks& blocks, const Windows& windows, const Picture& pi
 
 }  // namespace
 
-std::vector<TileSimilarity> tile_similarities(const Picture& a, const Picture& b, const PictureMask& mask) {
+std::vector<TileSimilarity> tile_similarities(const Image& a, const Image& b, const ImageMask& mask) {
     const Blocks blocks(a, b, mask);
     const Windows windows{std::max(1, blocks.columns() - 1), std::max(1, blocks.rows() - 1)};
     std::vector<TileSimilarity> tiles;

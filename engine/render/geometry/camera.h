@@ -38,7 +38,7 @@ Viewpoint looking_at(const Eigen::Vector3d& position, const Eigen::Vector3d& tar
 /// Turned by yaw and pitch, and so far back from `centre` that it is `distance` metres before the camera.
 Viewpoint orbiting(const Eigen::Vector3d& centre, double distance, double yaw, double pitch, double fov);
 
-/// Likewise around the middle of `box`, from where all of it is seen, with a margin, in a picture of width /
+/// Likewise around the middle of `box`, from where all of it is seen, with a margin, in an image of width /
 /// height = `aspect`.
 Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double pitch, double fov);
 
@@ -53,7 +53,7 @@ Viewpoint third_person(const AvatarState& avatar, const AvatarProfile& profile, 
 /// what a perspective camera `height_above` metres over `ground` would see at the height of `ground`.
 Viewpoint top(const Eigen::Vector3d& ground, double height_above, double fov, const scene::Bounds& campus);
 
-/// The whole campus from above, fitted into a picture of width / height = `aspect` with a margin.
+/// The whole campus from above, fitted into an image of width / height = `aspect` with a margin.
 Viewpoint plan(const scene::Bounds& campus, double aspect);
 
 /// Maps world points (homogeneous) to clip space: depth 1 at the near plane falling to 0 at the far one,
@@ -61,7 +61,7 @@ Viewpoint plan(const scene::Bounds& campus, double aspect);
 Eigen::Matrix4d clip_from_world(const Viewpoint& view, double aspect);
 
 /// Pixel coordinates of a world point (x right, y down, from the upper left corner), none when it is behind
-/// the camera. May lie outside of the picture.
+/// the camera. May lie outside of the image.
 std::optional<Eigen::Vector2d> pixel_of(const Viewpoint& view, int width, int height,
                                         const Eigen::Vector3d& point);
 

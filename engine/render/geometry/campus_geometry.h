@@ -49,7 +49,7 @@ struct Batch {
     Eigen::AlignedBox3d bounds;  ///< of all instances, metres from CampusGeometry::origin
 };
 
-/// A see-through triangle, kept apart because such triangles are sorted for every picture.
+/// A see-through triangle, kept apart because such triangles are sorted for every image.
 struct BlendTriangle {
     std::size_t material = 0;
     std::array<std::uint32_t, 3> corners = {0, 0, 0};

@@ -9,7 +9,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Measured on llvmpipe with 30 to 2,000 trees of 12 to 500 triangles: a picture costs the same either way
+// Measured on llvmpipe with 30 to 2,000 trees of 12 to 500 triangles: an image costs the same either way
 // (what is drawn is what counts), but for small things, whose calls add up; and 75 bytes a triangle needn't
 // be kept.
 constexpr std::size_t kPlacements = 8;

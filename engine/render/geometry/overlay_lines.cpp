@@ -218,7 +218,7 @@ void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayL
     }
 }
 
-std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const PictureOverlays& overlays,
+std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const ImageOverlays& overlays,
                                        std::span<const Vector3d> path, std::span<const Vector3d> contacts) {
     std::vector<OverlayLine> lines;
     add_objects(campus, overlays.colliders, overlays.triggers, lines);

@@ -28,7 +28,7 @@ void add_outline(const collision::Shape& shape, const collision::Pose& X_world_s
 void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayLine>& lines);
 
 /// All lines that `overlays` asks for. `path` and `contacts` are the foot point's places.
-std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const PictureOverlays& overlays,
+std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const ImageOverlays& overlays,
                                        std::span<const Eigen::Vector3d> path,
                                        std::span<const Eigen::Vector3d> contacts);
 

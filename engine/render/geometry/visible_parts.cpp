@@ -9,7 +9,7 @@ constexpr std::uint32_t kAcross = 1;
 constexpr std::uint32_t kUpOrDown = 4;
 
 /// For each pixel the length of the shortest way to one of another owner, in two sweeps (Rosenfeld and
-/// Pfaltz, "Sequential Operations in Digital Picture Processing", 1966).
+/// Pfaltz, "Sequential Operations in Digital Image Processing", 1966).
 std::vector<std::uint32_t> depths_inside(std::span<const std::uint32_t> owners, std::size_t width) {
     const std::size_t height = owners.size() / width;
     std::vector<std::uint32_t> depths(owners.size());

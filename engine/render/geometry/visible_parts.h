@@ -9,12 +9,12 @@
 
 namespace campuswalk::engine::render {
 
-/// What a picture shows of one owner.
+/// What an image shows of one owner.
 struct VisiblePart {
     std::uint32_t owner = 0;
     std::size_t pixels = 0;
     /// The pixel that is deepest inside: the farthest from whatever isn't the owner's, and from the edges of
-    /// the picture. A step across counts a quarter of one up or down, because names are wide.
+    /// the image. A step across counts a quarter of one up or down, because names are wide.
     Eigen::Vector2d deepest = Eigen::Vector2d::Zero();
 };
 

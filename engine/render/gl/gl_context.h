@@ -33,7 +33,7 @@ enum class RenderingBackend {
 std::unique_ptr<GlContext> make_gl_context(RenderingBackend backend);
 
 /// Software rendering through Mesa's libOSMesa, which is opened here, not linked: programs that draw no
-/// picture pay nothing for it. Throws RenderError when the library is missing or too old.
+/// image pay nothing for it. Throws RenderError when the library is missing or too old.
 std::unique_ptr<GlContext> make_osmesa_context();
 
 /// Through libEGL, opened likewise, without a window system: Mesa's surfaceless platform, where there is none

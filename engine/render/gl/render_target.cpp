@@ -63,7 +63,7 @@ GLuint RenderTarget::attach_color(int samples) const {
     return buffer;
 }
 
-// A texture: it is read while the picture is being drawn.
+// A texture: it is read while the image is being drawn.
 GLuint RenderTarget::attach_depth() const {
     GLuint texture = 0;
     gl_.GenTextures(1, &texture);
@@ -102,25 +102,25 @@ void RenderTarget::bind_depth() const {
     gl_.BindTexture(samples_ > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, depth_);
 }
 
-Picture RenderTarget::finish() const {
+Image RenderTarget::finish() const {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     if (samples_ > 0) {
         gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
         gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_framebuffer_);
     }
-    Picture picture;
-    picture.width = width_;
-    picture.height = height_;
+    Image image;
+    image.width = width_;
+    image.height = height_;
     const std::size_t row = 4 * static_cast<std::size_t>(width_);
-    picture.rgba.resize(row * static_cast<std::size_t>(height_));
+    image.rgba.resize(row * static_cast<std::size_t>(height_));
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-    flip_rows(picture.rgba, row);
-    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) {
-        picture.rgba[i] = 255;
+    gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    flip_rows(image.rgba, row);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        image.rgba[i] = 255;
     }
-    return picture;
+    return image;
 }
 
 }  // namespace campuswalk::engine::render

@@ -7,8 +7,8 @@
 
 namespace campuswalk::engine::render {
 
-/// Where a picture is drawn: colour (sRGB) and depth (float) with several samples a pixel, and the plain
-/// picture that they are averaged into.
+/// Where an image is drawn: colour (sRGB) and depth (float) with several samples a pixel, and the plain
+/// image that they are averaged into.
 class RenderTarget {
 public:
     /// Throws RenderError when the driver can't do the size or the number of samples.
@@ -17,7 +17,7 @@ public:
     RenderTarget& operator=(const RenderTarget&) = delete;
     ~RenderTarget();
 
-    /// Throws RenderError, naming what is possible, when the driver has no picture `scale` times this size.
+    /// Throws RenderError, naming what is possible, when the driver has no image `scale` times this size.
     static void check_size(const GlFunctions& gl, int width, int height, int scale = 1);
 
     int width() const { return width_; }
@@ -31,7 +31,7 @@ public:
     /// target is.
     void bind_depth() const;
     /// Averages the samples and fetches the pixels.
-    Picture finish() const;
+    Image finish() const;
 
 private:
     GLuint attach_color(int samples) const;

@@ -27,7 +27,7 @@ struct Channels {
     std::vector<float> depth;
     /// The shading normal's side that faces the camera, world frame: 128 + 127 times x, y, z as red, green,
     /// blue; black is nothing.
-    Picture normals;
+    Image normals;
 };
 
 }  // namespace campuswalk::engine::render

@@ -55,20 +55,20 @@ constexpr std::uint16_t kSixth = 171;        // of 1024: nor is less than a sixt
 constexpr int kReach = 12;                   // pixels along an edge in which its ends are looked for
 constexpr double kSoftestPixel = 0.6;        // how much of a single pixel that stands out is given up
 
-// The picture's brightness with its last pixels going on beyond its rim, so that no step asks where it is.
+// The image's brightness with its last pixels going on beyond its rim, so that no step asks where it is.
 class Brightness {
 public:
     static constexpr int kRim = kReach + 1;
 
-    explicit Brightness(const Picture& picture) : stride_(picture.width + 2 * kRim) {
-        luma_.resize(static_cast<std::size_t>(stride_ * (picture.height + 2 * kRim)));
-        for (int y = 0; y < picture.height; ++y) {
-            fill_row(picture, y);
+    explicit Brightness(const Image& image) : stride_(image.width + 2 * kRim) {
+        luma_.resize(static_cast<std::size_t>(stride_ * (image.height + 2 * kRim)));
+        for (int y = 0; y < image.height; ++y) {
+            fill_row(image, y);
         }
         for (int i = 1; i <= kRim; ++i) {
             std::copy_n(row(0) - kRim, stride_, luma_.begin() + (row(-i) - kRim - luma_.data()));
-            std::copy_n(row(picture.height - 1) - kRim, stride_,
-                        luma_.begin() + (row(picture.height - 1 + i) - kRim - luma_.data()));
+            std::copy_n(row(image.height - 1) - kRim, stride_,
+                        luma_.begin() + (row(image.height - 1 + i) - kRim - luma_.data()));
         }
     }
 
@@ -77,15 +77,15 @@ public:
     const std::uint8_t* row(int y) const { return luma_.data() + (y + kRim) * stride_ + kRim; }
 
 private:
-    void fill_row(const Picture& picture, int y) {
-        const std::uint8_t* rgba = &picture.rgba[picture.offset(0, y)];
+    void fill_row(const Image& image, int y) {
+        const std::uint8_t* rgba = &image.rgba[image.offset(0, y)];
         std::uint8_t* to = luma_.data() + (row(y) - luma_.data());
-        const int width = picture.width;
+        const int width = image.width;
         for (int x = 0; x < width; ++x, rgba += 4) {
             to[x] = static_cast<std::uint8_t>((54 * rgba[0] + 183 * rgba[1] + 19 * rgba[2]) >> 8);
         }
         std::fill_n(to - kRim, kRim, to[0]);
-        std::fill_n(to + picture.width, kRim, to[picture.width - 1]);
+        std::fill_n(to + image.width, kRim, to[image.width - 1]);
     }
 
     std::ptrdiff_t stride_;
@@ -114,12 +114,12 @@ void mark_edges(const std::uint8_t* above, const std::uint8_t* row, const std::u
     }
 }
 
-class EdgeSmoother {
+class FxaaFilter {
 public:
-    explicit EdgeSmoother(const Picture& picture) : in_(picture), out_(picture), luma_(picture) {}
+    explicit FxaaFilter(const Image& image) : in_(image), out_(image), luma_(image) {}
 
-    Picture smooth() {
-        // Each pixel is worked out from the picture as it was.
+    Image smooth() {
+        // Each pixel is worked out from the image as it was.
         for_row_bands(in_.height, [this](int first, int end) { smooth_rows(first, end); });
         return std::move(out_);
     }
@@ -208,8 +208,8 @@ private:
         }
     }
 
-    const Picture& in_;
-    Picture out_;
+    const Image& in_;
+    Image out_;
     Brightness luma_;
     const std::array<std::uint16_t, 256>& linear_ = linear_by_srgb();
     const std::vector<std::uint8_t>& srgb_ = srgb_by_sum();
@@ -217,16 +217,16 @@ private:
 
 }  // namespace
 
-Picture halved(const Picture& picture) {
-    assert(picture.width % 2 == 0 && picture.height % 2 == 0);
+Image halved(const Image& image) {
+    assert(image.width % 2 == 0 && image.height % 2 == 0);
     const std::array<std::uint16_t, 256>& linear = linear_by_srgb();
     const std::vector<std::uint8_t>& srgb = srgb_by_sum();
-    Picture half{picture.width / 2, picture.height / 2, {}};
-    half.rgba.resize(picture.rgba.size() / 4);
-    const std::size_t row = picture.offset(0, 1);
+    Image half{image.width / 2, image.height / 2, {}};
+    half.rgba.resize(image.rgba.size() / 4);
+    const std::size_t row = image.offset(0, 1);
     for (int y = 0; y < half.height; ++y) {
         for (int x = 0; x < half.width; ++x) {
-            const std::uint8_t* from = &picture.rgba[picture.offset(2 * x, 2 * y)];
+            const std::uint8_t* from = &image.rgba[image.offset(2 * x, 2 * y)];
             std::uint8_t* to = &half.rgba[half.offset(x, y)];
             for (std::size_t i = 0; i < 3; ++i) {
                 to[i] = srgb[static_cast<std::size_t>(linear[from[i]] + linear[from[i + 4]] +
@@ -238,8 +238,8 @@ Picture halved(const Picture& picture) {
     return half;
 }
 
-Picture with_smooth_edges(const Picture& picture) {
-    return EdgeSmoother(picture).smooth();
+Image with_smooth_edges(const Image& image) {
+    return FxaaFilter(image).smooth();
 }
 
 }  // namespace campuswalk::engine::render

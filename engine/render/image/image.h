@@ -7,8 +7,8 @@
 
 namespace campuswalk::engine::render {
 
-/// A finished, opaque picture: 8-bit sRGB, rows from top to bottom, 4 bytes a pixel (R, G, B, 255).
-struct Picture {
+/// A finished, opaque image: 8-bit sRGB, rows from top to bottom, 4 bytes a pixel (R, G, B, 255).
+struct Image {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
     std::vector<std::uint8_t> rgba;

@@ -7,16 +7,16 @@
 
 namespace campuswalk::engine::render {
 
-std::vector<std::uint8_t> encode_png(const Picture& picture) {
+std::vector<std::uint8_t> encode_png(const Image& image) {
     PixelCompressor compressor;
-    PngFile file(picture.width, picture.height);
-    file.chunk("IDAT", {compressor.compress(picture)});
+    PngFile file(image.width, image.height);
+    file.chunk("IDAT", {compressor.compress(image)});
     file.end();
     return file.take();
 }
 
-void write_png(const Picture& picture, const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = encode_png(picture);
+void write_png(const Image& image, const std::filesystem::path& file) {
+    const std::vector<std::uint8_t> bytes = encode_png(image);
     scene::write_whole_file(file, std::as_bytes(std::span(bytes)));
 }
 

@@ -63,12 +63,12 @@ void PixelCompressor::Free::operator()(libdeflate_compressor* compressor) const 
     libdeflate_free_compressor(compressor);
 }
 
-std::span<const std::uint8_t> PixelCompressor::compress(const Picture& picture) {
-    const auto width = static_cast<std::size_t>(picture.width);
+std::span<const std::uint8_t> PixelCompressor::compress(const Image& image) {
+    const auto width = static_cast<std::size_t>(image.width);
     const std::size_t row = 1 + 3 * width;
-    rows_.resize(row * static_cast<std::size_t>(picture.height));
-    for (int y = 0; y < picture.height; ++y) {
-        filter_row(&picture.rgba[picture.offset(0, y)], width, &rows_[row * static_cast<std::size_t>(y)]);
+    rows_.resize(row * static_cast<std::size_t>(image.height));
+    for (int y = 0; y < image.height; ++y) {
+        filter_row(&image.rgba[image.offset(0, y)], width, &rows_[row * static_cast<std::size_t>(y)]);
     }
     compressed_.resize(libdeflate_zlib_compress_bound(compressor_.get(), rows_.size()));
     const std::size_t size = libdeflate_zlib_compress(compressor_.get(), rows_.data(), rows_.size(),

@@ -14,7 +14,7 @@ struct libdeflate_compressor;
 
 namespace campuswalk::engine::render {
 
-/// Puts a PNG file of 8-bit RGB together in memory, chunk by chunk: a picture or, with the chunks of
+/// Puts a PNG file of 8-bit RGB together in memory, chunk by chunk: an image or, with the chunks of
 /// animations, several of one size. (libspng writes neither those nor as fast as libdeflate compresses.)
 class PngFile {
 public:
@@ -35,13 +35,13 @@ private:
 /// Four bytes as PNG has its numbers, the highest first.
 std::array<std::uint8_t, 4> png_number(std::uint32_t value);
 
-/// Compresses pictures as PNG files have them. Keeps its memory from one to the next.
+/// Compresses images as PNG files have them. Keeps its memory from one to the next.
 class PixelCompressor {
 public:
     PixelCompressor();
 
     /// Valid until the next call.
-    std::span<const std::uint8_t> compress(const Picture& picture);
+    std::span<const std::uint8_t> compress(const Image& image);
 
 private:
     struct Free {

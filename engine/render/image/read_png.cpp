@@ -37,7 +37,7 @@ public:
         check_signature();
     }
 
-    Picture read() {
+    Image read() {
         check(decoder_ ? 0 : SPNG_EMEM);
         check(spng_set_png_file(decoder_.get(), stream_.get()));
         check(spng_set_image_limits(decoder_.get(), kLongestSide, kLongestSide));
@@ -48,15 +48,15 @@ public:
             refuse("bad-picture", "the picture has " + std::to_string(header.width) + "x" +
                                       std::to_string(header.height) + " pixels, which is too large");
         }
-        Picture picture;
-        picture.width = static_cast<int>(header.width);
-        picture.height = static_cast<int>(header.height);
-        picture.rgba.resize(std::size_t{4} * header.width * header.height);
-        check(spng_decode_image(decoder_.get(), picture.rgba.data(), picture.rgba.size(), SPNG_FMT_RGBA8,
+        Image image;
+        image.width = static_cast<int>(header.width);
+        image.height = static_cast<int>(header.height);
+        image.rgba.resize(std::size_t{4} * header.width * header.height);
+        check(spng_decode_image(decoder_.get(), image.rgba.data(), image.rgba.size(), SPNG_FMT_RGBA8,
                                 SPNG_DECODE_TRNS));
         // The checksums of what follows the pixels.
         check(spng_decode_chunks(decoder_.get()));
-        return picture;
+        return image;
     }
 
 private:
@@ -95,26 +95,26 @@ private:
 };
 
 /// Over white, in sRGB as browsers do it.
-void make_opaque(Picture& picture) {
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-        const int alpha = picture.rgba[i + 3];
+void make_opaque(Image& image) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const int alpha = image.rgba[i + 3];
         if (alpha == 255) {
             continue;
         }
         for (std::size_t c = i; c < i + 3; ++c) {
-            picture.rgba[c] =
-                static_cast<std::uint8_t>((picture.rgba[c] * alpha + 255 * (255 - alpha) + 127) / 255);
+            image.rgba[c] =
+                static_cast<std::uint8_t>((image.rgba[c] * alpha + 255 * (255 - alpha) + 127) / 255);
         }
-        picture.rgba[i + 3] = 255;
+        image.rgba[i + 3] = 255;
     }
 }
 
 }  // namespace
 
-Picture read_png(const std::filesystem::path& file) {
-    Picture picture = PngReader(file).read();
-    make_opaque(picture);
-    return picture;
+Image read_png(const std::filesystem::path& file) {
+    Image image = PngReader(file).read();
+    make_opaque(image);
+    return image;
 }
 
 }  // namespace campuswalk::engine::render

@@ -6,9 +6,9 @@
 
 namespace campuswalk::engine::render {
 
-/// The picture in a PNG file of any kind: 16 bits are rounded to 8, palettes and greys become colours, and
-/// what is transparent shows white. Throws scene::InputError (missing-file, unreadable-file, bad-picture)
+/// The image in a PNG file of any kind: 16 bits are rounded to 8, palettes and greys become colours, and
+/// what is transparent shows white. Throws scene::InputError (missing-file, unreadable-file, bad-image)
 /// that names the file.
-Picture read_png(const std::filesystem::path& file);
+Image read_png(const std::filesystem::path& file);
 
 }  // namespace campuswalk::engine::render

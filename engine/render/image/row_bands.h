@@ -12,7 +12,7 @@ namespace campuswalk::engine::render {
 /// the same by any number of bands. `work` must not throw.
 template <typename Work>
 void for_row_bands(int rows, const Work& work) {
-    // Whoever is free takes the next band: halves would be unequal, as most pictures have sky above.
+    // Whoever is free takes the next band: halves would be unequal, as most images have sky above.
     constexpr int kRows = 32;
     constexpr int kMostThreads = 8;
     std::atomic<int> next = 0;

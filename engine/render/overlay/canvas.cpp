@@ -12,15 +12,15 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 
 // Cairo keeps a pixel as one native 32-bit number, alpha highest.
-cairo_surface_t* to_surface(const Picture& picture) {
-    cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height);
+cairo_surface_t* to_surface(const Image& image) {
+    cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height);
     cairo_surface_flush(surface);
     unsigned char* data = cairo_image_surface_get_data(surface);
     const int stride = cairo_image_surface_get_stride(surface);
-    for (int y = 0; y < picture.height; ++y) {
-        const std::uint8_t* from = &picture.rgba[picture.offset(0, y)];
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* from = &image.rgba[image.offset(0, y)];
         unsigned char* to = data + static_cast<std::ptrdiff_t>(y) * stride;
-        for (int x = 0; x < picture.width; ++x, from += 4, to += 4) {
+        for (int x = 0; x < image.width; ++x, from += 4, to += 4) {
             const std::uint32_t value = 0xFF000000U | (std::uint32_t{from[0]} << 16U) |
                                         (std::uint32_t{from[1]} << 8U) | std::uint32_t{from[2]};
             std::memcpy(to, &value, 4);
@@ -44,11 +44,11 @@ void Canvas::Release::operator()(_PangoLayout* layout) const {
     g_object_unref(layout);
 }
 
-Canvas::Canvas(const Picture& picture, const Fonts& fonts)
-    : width_(picture.width),
-      height_(picture.height),
+Canvas::Canvas(const Image& image, const Fonts& fonts)
+    : width_(image.width),
+      height_(image.height),
       fonts_(fonts),
-      surface_(to_surface(picture)),
+      surface_(to_surface(image)),
       cairo_(cairo_create(surface_.get())) {}
 
 double Canvas::scale() const {
@@ -68,8 +68,8 @@ void Canvas::rounded_rectangle(double x, double y, double width, double height, 
     cairo_close_path(cairo());
 }
 
-void Canvas::paint_picture(const Picture& picture, double scale, const Eigen::Vector2d& offset) const {
-    const std::unique_ptr<_cairo_surface, Release> surface(to_surface(picture));
+void Canvas::render_image(const Image& image, double scale, const Eigen::Vector2d& offset) const {
+    const std::unique_ptr<_cairo_surface, Release> surface(to_surface(image));
     cairo_save(cairo());
     cairo_translate(cairo(), offset.x(), offset.y());
     cairo_scale(cairo(), scale, scale);
@@ -133,17 +133,17 @@ void Canvas::label(double x, double y, const std::string& text, const TextStyle&
     cairo_fill(cairo());
 }
 
-Picture Canvas::picture() const {
+Image Canvas::image() const {
     cairo_surface_flush(surface_.get());
     const unsigned char* data = cairo_image_surface_get_data(surface_.get());
     const int stride = cairo_image_surface_get_stride(surface_.get());
-    Picture picture;
-    picture.width = width_;
-    picture.height = height_;
-    picture.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    Image image;
+    image.width = width_;
+    image.height = height_;
+    image.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     for (int y = 0; y < height_; ++y) {
         const unsigned char* from = data + static_cast<std::ptrdiff_t>(y) * stride;
-        std::uint8_t* to = &picture.rgba[picture.offset(0, y)];
+        std::uint8_t* to = &image.rgba[image.offset(0, y)];
         for (int x = 0; x < width_; ++x, from += 4, to += 4) {
             std::uint32_t value = 0;
             std::memcpy(&value, from, 4);
@@ -153,7 +153,7 @@ Picture Canvas::picture() const {
             to[3] = 255;
         }
     }
-    return picture;
+    return image;
 }
 
 }  // namespace campuswalk::engine::render

@@ -24,7 +24,7 @@ struct Ink {
     double alpha = 1.0;
 };
 
-/// The fonts that pictures are lettered with: fixed files, not what the machine's font settings say, so that
+/// The fonts that images are lettered with: fixed files, not what the machine's font settings say, so that
 /// the same text gives the same pixels everywhere. Grey antialiasing, no hinting.
 class Fonts {
 public:
@@ -32,7 +32,7 @@ public:
     static std::span<const std::filesystem::path> usual_folders();
 
     /// Throws RenderError when a file isn't in any of the folders: boxes instead of letters would be another
-    /// picture than elsewhere.
+    /// image than elsewhere.
     explicit Fonts(std::span<const std::filesystem::path> folders = usual_folders());
 
     struct Release {
@@ -53,21 +53,21 @@ struct TextStyle {
     int max_lines = 0;   ///< more are cut with an ellipsis; 0 = no limit
 };
 
-/// A picture to draw lines and letters on with cairo: take the pixels over, draw, give them back.
+/// An image to draw lines and letters on with cairo: take the pixels over, draw, give them back.
 class Canvas {
 public:
-    Canvas(const Picture& picture, const Fonts& fonts);
+    Canvas(const Image& image, const Fonts& fonts);
 
     int width() const { return width_; }
     int height() const { return height_; }
-    /// Sizes are made for pictures 720 pixels high; others multiply them by this.
+    /// Sizes are made for images 720 pixels high; others multiply them by this.
     double scale() const;
     _cairo* cairo() const { return cairo_.get(); }
 
     void set_ink(const Ink& ink) const;
     void rounded_rectangle(double x, double y, double width, double height, double radius) const;
-    /// Paints `picture` so that its pixel p lands on scale * p + offset; only inside the current clip.
-    void paint_picture(const Picture& picture, double scale, const Eigen::Vector2d& offset) const;
+    /// Paints `image` so that its pixel p lands on scale * p + offset; only inside the current clip.
+    void render_image(const Image& image, double scale, const Eigen::Vector2d& offset) const;
 
     /// Width and height in pixels of the text as set.
     Eigen::Vector2d text_size(const std::string& text, const TextStyle& style) const;
@@ -76,7 +76,7 @@ public:
     /// Draws one line centred on (x, y) with a dark rim, readable on any ground.
     void label(double x, double y, const std::string& text, const TextStyle& style) const;
 
-    Picture picture() const;
+    Image image() const;
 
 private:
     struct Release {

@@ -17,7 +17,7 @@ constexpr Ink kBright = {1.0, 1.0, 1.0, 1.0};
 constexpr Ink kBody = {0.90, 0.92, 0.95, 1.0};
 constexpr Ink kShade = {0.0, 0.0, 0.0, 0.10};
 
-// Pixels in a picture 720 high.
+// Pixels in an image 720 high.
 constexpr double kWidth = 440.0;
 constexpr double kMargin = 40.0;
 constexpr double kTop = 64.0;
@@ -27,7 +27,7 @@ constexpr double kTitleSize = 25.0;
 constexpr double kBodySize = 15.5;
 constexpr double kSmallSize = 14.5;
 constexpr double kLabelColumn = 0.31;   // share of the text's width
-constexpr double kHighestShare = 0.80;  // of the picture's height, for a window in full
+constexpr double kHighestShare = 0.80;  // of the image's height, for a window in full
 
 struct Row {
     std::string label;
@@ -46,9 +46,9 @@ std::vector<Row> rows_of(const InfoWindow& window) {
 }
 
 // Lays one window out and draws it; the same code measures, so that frame and content can't disagree.
-class WindowPainter {
+class WindowRenderer {
 public:
-    WindowPainter(const Canvas& canvas, const InfoWindow& window, bool in_full)
+    WindowRenderer(const Canvas& canvas, const InfoWindow& window, bool in_full)
         : canvas_(canvas), window_(window), in_full_(in_full), s_(canvas.scale()) {
         width_ = std::min(kWidth * s_, 0.62 * canvas.width());
         inner_ = width_ - 2.0 * kPadding * s_;
@@ -60,7 +60,7 @@ public:
 
     void draw(double x, double y) const {
         const double h = height();
-        for (int i = 4; i >= 1; --i) {  // a soft shade lifts the window off the picture
+        for (int i = 4; i >= 1; --i) {  // a soft shade lifts the window off the image
             canvas_.set_ink(kShade);
             canvas_.rounded_rectangle(x - i * s_, y - (i - 2) * s_, width_ + 2.0 * i * s_, h + 2.0 * i * s_,
                                       (12.0 + i) * s_);
@@ -219,8 +219,9 @@ std::vector<WindowFrame> draw_info_windows(const Canvas& canvas, std::span<const
     double right = canvas.width() - kMargin * s;
     std::size_t drawn = 0;
     for (const InfoWindow& window : windows.first(std::min(windows.size(), max_windows))) {
-        const WindowPainter painter(canvas, window, drawn == 0);
-        const WindowFrame frame = {right - painter.width(), y, painter.width(), painter.height()};
+        const WindowRenderer snapshot_renderer(canvas, window, drawn == 0);
+        const WindowFrame frame = {right - snapshot_renderer.width(), y, snapshot_renderer.width(),
+                                   snapshot_renderer.height()};
         // Always the first; a later one only if a "+n more" still fits under it.
         if (drawn > 0 && frame.y + frame.height + 50.0 * s > canvas.height()) {
             break;
@@ -228,7 +229,7 @@ std::vector<WindowFrame> draw_info_windows(const Canvas& canvas, std::span<const
         if (window.anchor && drawn == 0) {
             draw_leader(canvas, frame, *window.anchor);
         }
-        painter.draw(frame.x, frame.y);
+        snapshot_renderer.draw(frame.x, frame.y);
         frames.push_back(frame);
         y += frame.height + kGap * s;
         ++drawn;

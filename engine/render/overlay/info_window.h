@@ -20,7 +20,7 @@ struct InfoWindow {
     std::string text;
     int floors = 0;  ///< 0 = not said
     std::optional<Eigen::Vector2d>
-        anchor;  ///< where the building is in the picture, pixels: a line leads there
+        anchor;  ///< where the building is in the image, pixels: a line leads there
 };
 
 /// As it has opened: `title` and `text` with their variables filled in. The id stands in for no title.

@@ -15,7 +15,7 @@ constexpr Ink kLine = {1.0, 1.0, 1.0, 0.95};
 constexpr Ink kRim = {0.05, 0.07, 0.09, 0.70};
 constexpr Ink kPathColor = {1.0, 0.80, 0.16, 0.95};
 constexpr Ink kArrow = {0.93, 0.23, 0.16, 1.0};
-constexpr double kEdge = 26.0;  // pixels from the picture's border, in a picture 720 high
+constexpr double kEdge = 26.0;  // pixels from the image's border, in an image 720 high
 
 void stroke_twice(const Canvas& canvas, const Ink& ink, double width, double rim) {
     cairo_t* cr = canvas.cairo();
@@ -34,7 +34,7 @@ bool overlap(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
 }
 
 // Where a text of twice `half` can stand at `at` without covering another: on it, else a line below or above,
-// then beside. None when all that is taken or out of the picture: better no name than an unreadable one.
+// then beside. None when all that is taken or out of the image: better no name than an unreadable one.
 std::optional<Eigen::Vector4d> free_place(const Canvas& canvas, const Eigen::Vector2d& at,
                                           const Eigen::Vector2d& half,
                                           std::span<const Eigen::Vector4d> taken) {
@@ -139,7 +139,7 @@ void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame>
         right = std::min(right, window.x);
     }
     if (right < 0.5 * canvas.width()) {
-        return;  // no room beside the windows of a small picture
+        return;  // no room beside the windows of a small image
     }
     const double x = right - kEdge * s - radius;
     const double y = kEdge * s + radius;

@@ -18,7 +18,7 @@ struct MapLabel {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// A name to write at a place in the picture.
+/// A name to write at a place in the image.
 struct PixelLabel {
     std::string text;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
@@ -27,7 +27,7 @@ struct PixelLabel {
 /// The longest "round" length (1, 2 or 5 times a power of ten, metres) not above `metres`.
 double round_length(double metres);
 
-/// What makes a top view a map; `view` is the orthographic view that the canvas' picture was drawn with.
+/// What makes a top view a map; `view` is the orthographic view that the canvas' image was drawn with.
 void draw_scale_bar(const Canvas& canvas, const Viewpoint& view);
 void draw_north_arrow(const Canvas& canvas);
 /// Names at their places, moved a little where they would cover each other.

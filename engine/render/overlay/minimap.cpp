@@ -7,7 +7,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Pixels in a picture 720 high.
+// Pixels in an image 720 high.
 constexpr double kCircle = 88.0;
 constexpr double kMargin = 26.0;
 constexpr double kFullTurn = 6.283185307179586;
@@ -15,7 +15,7 @@ constexpr double kFullTurn = 6.283185307179586;
 }  // namespace
 
 void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarState& avatar) {
-    if (canvas.height() < kSmallestMinimapPicture) {
+    if (canvas.height() < kSmallestMinimapImage) {
         return;
     }
     const double s = canvas.scale();
@@ -37,7 +37,7 @@ void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarStat
     cairo_fill(cr);
     const double metres_per_plan_pixel = minimap.view.height / minimap.plan.height;
     const double scale = circle / minimap.radius * metres_per_plan_pixel;
-    canvas.paint_picture(minimap.plan, scale, centre - scale * *here);
+    canvas.render_image(minimap.plan, scale, centre - scale * *here);
     cairo_restore(cr);
 
     canvas.set_ink({1, 1, 1, 0.92});

@@ -10,15 +10,15 @@
 namespace campuswalk::engine::render {
 
 /// A round map, north up, in the lower left corner: the surroundings of the avatar and where it looks. The
-/// map is cut from one picture of the campus that is drawn once.
+/// map is cut from one image of the campus that is drawn once.
 struct Minimap {
-    Picture plan;
+    Image plan;
     Viewpoint view;        ///< that `plan` was drawn with; orthographic
     double radius = 70.0;  ///< metres that the circle shows around the avatar
 };
 
 /// The smallest canvas height that still has room for it, pixels.
-constexpr int kSmallestMinimapPicture = 240;
+constexpr int kSmallestMinimapImage = 240;
 
 void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarState& avatar);
 

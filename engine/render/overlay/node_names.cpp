@@ -69,7 +69,7 @@ NodeNames name_nodes(const scene::Campus& campus) {
     const auto buildings = settle(std::move(of_buildings), nodes);
     const auto objects = settle(std::move(of_objects), nodes);
 
-    std::vector<PictureName> owners(nodes + 1);
+    std::vector<ImageName> owners(nodes + 1);
     for (std::size_t n = 1; n <= nodes; ++n) {
         owners[n] = {buildings[n], objects[n]};
         if (!buildings[n] && objects[n]) {
@@ -79,10 +79,10 @@ NodeNames name_nodes(const scene::Campus& campus) {
     NodeNames result;
     result.names = owners;
     // none is less than any index, so the nameless come first.
-    const auto rank = [](const PictureName& name) { return std::tie(name.building, name.object); };
+    const auto rank = [](const ImageName& name) { return std::tie(name.building, name.object); };
     std::ranges::sort(result.names, {}, rank);
     result.names.erase(std::unique(result.names.begin(), result.names.end()), result.names.end());
-    for (const PictureName& owner : owners) {
+    for (const ImageName& owner : owners) {
         const auto found = std::ranges::lower_bound(result.names, rank(owner), {}, rank);
         result.name_of_node.push_back(static_cast<std::uint32_t>(found - result.names.begin()));
     }

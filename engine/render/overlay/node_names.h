@@ -8,12 +8,12 @@
 
 namespace campuswalk::engine::render {
 
-/// Who a pixel of an id picture belongs to.
-struct PictureName {
+/// Who a pixel of an id image belongs to.
+struct ImageName {
     std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
     std::optional<std::size_t> object;    ///< index into Campus::objects
 
-    bool operator==(const PictureName&) const = default;
+    bool operator==(const ImageName&) const = default;
 };
 
 /// The names of a campus' nodes. Of the buildings and of the objects that take a node, each with its subtree,
@@ -21,7 +21,7 @@ struct PictureName {
 /// Of equals the first in the file; what is only a trigger, and so nothing to see, last of all. A node that
 /// no building names belongs to its object's.
 struct NodeNames {
-    std::vector<PictureName> names;           ///< [0] is nobody's; ordered by building, then object
+    std::vector<ImageName> names;             ///< [0] is nobody's; ordered by building, then object
     std::vector<std::uint32_t> name_of_node;  ///< by the node's number in Channels::nodes; [0] is 0
 };
 

@@ -6,7 +6,8 @@
 
 namespace campuswalk::engine::render {
 
-OcclusionPass::OcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque, const ShaderProgram& masked)
+AmbientOcclusionPass::AmbientOcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque,
+                                           const ShaderProgram& masked)
     : gl_(gl),
       opaque_(opaque),
       masked_(masked),
@@ -17,35 +18,35 @@ OcclusionPass::OcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque,
     gl.GenVertexArrays(1, &no_vertices_);
 }
 
-OcclusionPass::~OcclusionPass() {
+AmbientOcclusionPass::~AmbientOcclusionPass() {
     free_layers();
 }
 
-void OcclusionPass::fit(int width, int height) {
-    if (width == picture_width_ && height == picture_height_) {
+void AmbientOcclusionPass::fit(int width, int height) {
+    if (width == image_width_ && height == image_height_) {
         return;
     }
     free_layers();
-    picture_width_ = width;
-    picture_height_ = height;
+    image_width_ = width;
+    image_height_ = height;
     width_ = (width + 1) / 2;
     height_ = (height + 1) / 2;
     depth_ = make_layer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
     raw_ = make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0);
     half_smooth_ = make_layer(GL_RG16F, GL_COLOR_ATTACHMENT0);
-    // Every pixel of the picture is a blend of four of its texels: bytes are read in half the time of floats.
+    // Every pixel of the image is a blend of four of its texels: bytes are read in half the time of floats.
     smooth_ = make_layer(GL_R8, GL_COLOR_ATTACHMENT0);
 }
 
 // GL ignores the number 0, which is what layers have before the first fit.
-void OcclusionPass::free_layers() const {
+void AmbientOcclusionPass::free_layers() const {
     for (const Layer& layer : {depth_, raw_, half_smooth_, smooth_}) {
         gl_.DeleteFramebuffers(1, &layer.framebuffer);
         gl_.DeleteTextures(1, &layer.texture);
     }
 }
 
-OcclusionPass::Layer OcclusionPass::make_layer(GLenum format, GLenum attachment) const {
+AmbientOcclusionPass::Layer AmbientOcclusionPass::make_layer(GLenum format, GLenum attachment) const {
     const bool depth = attachment == GL_DEPTH_ATTACHMENT;
     Layer layer;
     gl_.GenTextures(1, &layer.texture);
@@ -68,14 +69,15 @@ OcclusionPass::Layer OcclusionPass::make_layer(GLenum format, GLenum attachment)
     return layer;
 }
 
-void OcclusionPass::fill(const Layer& layer) const {
+void AmbientOcclusionPass::fill(const Layer& layer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
     gl_.BindVertexArray(no_vertices_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void OcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, std::size_t figure_indices,
-                         const Viewpoint& view, const Eigen::Matrix4d& clip_campus, double radius) const {
+void AmbientOcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, std::size_t figure_indices,
+                                const Viewpoint& view, const Eigen::Matrix4d& clip_campus,
+                                double radius) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, depth_.framebuffer);
     gl_.Viewport(0, 0, width_, height_);
     gl_.Enable(GL_DEPTH_TEST);
@@ -96,7 +98,7 @@ void OcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, std::si
     gl_.BindTexture(GL_TEXTURE_2D, depth_.texture);
     const Eigen::Vector2d size(width_, height_);
     const double tangent = std::tan(0.5 * view.fov);
-    const Eigen::Vector2d half(tangent * picture_width_ / picture_height_, tangent);
+    const Eigen::Vector2d half(tangent * image_width_ / image_height_, tangent);
     occlusion_.use();
     occlusion_.set("depth_map", 0);
     occlusion_.set("map_size", size);
@@ -111,13 +113,13 @@ void OcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, std::si
     gl_.Enable(GL_DEPTH_TEST);
 }
 
-void OcclusionPass::leave_open() const {
+void AmbientOcclusionPass::leave_open() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_.framebuffer);
     gl_.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
-void OcclusionPass::blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const {
+void AmbientOcclusionPass::blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const {
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, from.texture);
     blur_.use();
@@ -127,7 +129,7 @@ void OcclusionPass::blur(const Layer& from, const Layer& to, const Eigen::Vector
     fill(to);
 }
 
-void OcclusionPass::bind(const ShaderProgram& surface) const {
+void AmbientOcclusionPass::bind(const ShaderProgram& surface) const {
     gl_.ActiveTexture(GL_TEXTURE3);
     gl_.BindTexture(GL_TEXTURE_2D, smooth_.texture);
     surface.set("occlusion_map", 3);

@@ -9,17 +9,17 @@
 
 namespace campuswalk::engine::render {
 
-/// Contact shading: a map, half as wide and high as the picture, of how much ambient light reaches each place
+/// Contact shading: a map, half as wide and high as the image, of how much ambient light reaches each place
 /// (1 all of it). Only for perspective cameras.
-class OcclusionPass {
+class AmbientOcclusionPass {
 public:
     /// The arguments must outlive this.
-    OcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque, const ShaderProgram& masked);
-    OcclusionPass(const OcclusionPass&) = delete;
-    OcclusionPass& operator=(const OcclusionPass&) = delete;
-    ~OcclusionPass();
+    AmbientOcclusionPass(const GlFunctions& gl, const ShaderProgram& opaque, const ShaderProgram& masked);
+    AmbientOcclusionPass(const AmbientOcclusionPass&) = delete;
+    AmbientOcclusionPass& operator=(const AmbientOcclusionPass&) = delete;
+    ~AmbientOcclusionPass();
 
-    /// Makes the map fit pictures of `width` x `height` pixels; before `draw` or `leave_open`.
+    /// Makes the map fit images of `width` x `height` pixels; before `draw` or `leave_open`.
     void fit(int width, int height);
 
     /// Draws the map for what `view` sees; `radius` in metres. `figure` (null for none) counts too.
@@ -27,7 +27,7 @@ public:
               const Viewpoint& view, const Eigen::Matrix4d& clip_campus, double radius) const;
 
     /// Makes the map say that all light reaches everything. A plain white texture would do, but of another
-    /// format: the driver compiles every shader again for that, which takes longer than drawing a picture.
+    /// format: the driver compiles every shader again for that, which takes longer than drawing an image.
     void leave_open() const;
 
     /// Sets the surface shader's uniforms; binds the map to texture unit 3.
@@ -48,8 +48,8 @@ private:
     const ShaderProgram& masked_;
     ShaderProgram occlusion_;
     ShaderProgram blur_;
-    int picture_width_ = 0;
-    int picture_height_ = 0;
+    int image_width_ = 0;
+    int image_height_ = 0;
     int width_ = 0;
     int height_ = 0;
     Layer depth_;

@@ -13,7 +13,7 @@ namespace {
 constexpr GLint kNodeUnit = 4;
 constexpr std::size_t kNodeColumns = 4096;  // every driver has textures as wide
 
-// The framebuffer of one picture: a buffer for each channel that is wanted, and the depth test's own.
+// The framebuffer of one image: a buffer for each channel that is wanted, and the depth test's own.
 class ChannelBuffers {
 public:
     ChannelBuffers(const GlFunctions& gl, int width, int height, const ChannelChoice& choice)
@@ -95,7 +95,7 @@ ProgramChoice always(const ShaderProgram& program) {
     return [&program](const scene::Material&) -> const ShaderProgram& { return program; };
 }
 
-Picture opaque_picture(int width, int height, std::vector<std::uint8_t> rgba) {
+Image opaque_image(int width, int height, std::vector<std::uint8_t> rgba) {
     for (std::size_t i = 3; i < rgba.size(); i += 4) {
         rgba[i] = 255;
     }
@@ -193,7 +193,7 @@ Channels ChannelPass::draw(const ChannelScene& scene, const Viewpoint& view,
     }
     if (choice.normals) {
         channels.normals =
-            opaque_picture(width, height, buffers.read<std::uint8_t>(2, GL_RGBA, GL_UNSIGNED_BYTE, 4));
+            opaque_image(width, height, buffers.read<std::uint8_t>(2, GL_RGBA, GL_UNSIGNED_BYTE, 4));
     }
     return channels;
 }

@@ -14,7 +14,7 @@ constexpr double kWider = 1.0;    // pixels
 // Nearer than this nothing is asked: it is drawn.
 constexpr double kLeastDistance = 1.0;
 
-/// Where a box is in a picture: pixels, and the depth of its nearest corner.
+/// Where a box is in an image: pixels, and the depth of its nearest corner.
 struct Footprint {
     Eigen::AlignedBox2d pixels;
     double nearest = 0.0;

@@ -8,7 +8,7 @@
 
 namespace campuswalk::engine::render {
 
-/// The farthest depth in each tile of a picture that is being drawn: what is farther than that in every tile
+/// The farthest depth in each tile of an image that is being drawn: what is farther than that in every tile
 /// it would touch can't be seen any more. Depths are reversed: 1 near, 0 at infinity, as clip_from_world has
 /// them.
 struct DepthTiles {
@@ -21,7 +21,7 @@ struct DepthTiles {
 
     bool empty() const { return farthest.empty(); }
 
-    /// True only when no pixel of the `width` x `height` picture that `clip_campus` (a perspective) makes
+    /// True only when no pixel of the `width` x `height` image that `clip_campus` (a perspective) makes
     /// would change if something within the box were drawn.
     bool hide(const Eigen::AlignedBox3d& box, const Eigen::Matrix4d& clip_campus, int width,
               int height) const;

@@ -71,8 +71,8 @@ private:
     std::map<const scene::Texture*, GLuint> numbers_;
 };
 
-void bind_picture(const GlFunctions& gl, const ShaderProgram& surface, const char* uniform, GLint unit,
-                  GLuint texture) {
+void bind_image(const GlFunctions& gl, const ShaderProgram& surface, const char* uniform, GLint unit,
+                GLuint texture) {
     gl.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
     gl.BindTexture(GL_TEXTURE_2D, texture);
     surface.set(uniform, unit);
@@ -95,10 +95,10 @@ GpuCampus::GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry)
     mesh_.upload_instances(geometry.instances);
     TextureUploads uploads(gl, white_);
     for (const SurfaceMaterial& surface : geometry.materials) {
-        pictures_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
-                             uploads.colors(surface, &scene::Material::emissive_texture),
-                             uploads.numbers(surface, &scene::Material::normal_texture),
-                             uploads.numbers(surface, &scene::Material::metallic_roughness_texture)});
+        images_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
+                           uploads.colors(surface, &scene::Material::emissive_texture),
+                           uploads.numbers(surface, &scene::Material::normal_texture),
+                           uploads.numbers(surface, &scene::Material::metallic_roughness_texture)});
     }
 }
 
@@ -119,7 +119,7 @@ void GpuCampus::draw_depth(const ShaderProgram& opaque, const ShaderProgram& mas
                 continue;
             }
             if (cutouts) {
-                gl_.BindTexture(GL_TEXTURE_2D, pictures_[batch.material].color);
+                gl_.BindTexture(GL_TEXTURE_2D, images_[batch.material].color);
                 program.set("base_color", Eigen::Vector4d(1, 1, 1, material.base_color[3]));
                 program.set("alpha_cutoff", material.alpha_cutoff);
             }
@@ -138,33 +138,33 @@ void GpuCampus::set_plain_material(const ShaderProgram& surface) const {
 
 void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index, bool both_sides) const {
     const scene::Material& material = geometry_.materials[index].material;
-    const Pictures& pictures = pictures_[index];
+    const Images& images = images_[index];
     const SurfaceKind kind = kind_of(material);
     if (kind.glow_map) {
-        bind_picture(gl_, surface, "glow_map", kGlowUnit, pictures.glow);
+        bind_image(gl_, surface, "glow_map", kGlowUnit, images.glow);
     }
     if (kind.normal_map) {
-        bind_picture(gl_, surface, "normal_map", kNormalUnit, pictures.normal);
+        bind_image(gl_, surface, "normal_map", kNormalUnit, images.normal);
         surface.set("normal_scale", material.normal_scale);
     }
     if (kind.shiny) {
-        bind_picture(gl_, surface, "metal_map", kMetalUnit, pictures.metal);
+        bind_image(gl_, surface, "metal_map", kMetalUnit, images.metal);
         surface.set("metal_rough", Eigen::Vector2d(material.metallic, material.roughness));
     }
     gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, pictures.color);
+    gl_.BindTexture(GL_TEXTURE_2D, images.color);
     surface.set("base_color", Eigen::Vector4d(material.base_color[0], material.base_color[1],
                                               material.base_color[2], material.base_color[3]));
     surface.set("emissive",
                 Eigen::Vector3d(material.emissive[0], material.emissive[1], material.emissive[2]));
     surface.set("alpha_cutoff", material.alpha_cutoff);
-    // Translucent all over is glass or water far more often than not; a picture with holes is not.
+    // Translucent all over is glass or water far more often than not; an image with holes is not.
     surface.set("glossy", material.base_color[3] < 1.0F ? 1.0 : 0.0);
     set_culling(gl_, both_sides);
 }
 
 void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
-                           const Eigen::Vector3d& eye, DrawnDepth* depth) const {
+                           const Eigen::Vector3d& eye, HierarchicalZ* depth) const {
     std::vector<std::pair<double, const Batch*>> order;
     for (const Batch& batch : geometry_.batches) {
         if (geometry_.materials[batch.material].material.alpha_mode == mode &&

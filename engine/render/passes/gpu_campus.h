@@ -30,7 +30,7 @@ public:
     /// is asked for each material that is drawn, and must have set what isn't the material's. `depth`, null
     /// for none, leaves out what is hidden.
     void draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
-                    const Eigen::Vector3d& eye, DrawnDepth* depth = nullptr) const;
+                    const Eigen::Vector3d& eye, HierarchicalZ* depth = nullptr) const;
 
     /// See-through triangles, the farthest from `eye` first.
     void draw_blend(const ProgramChoice& program_of, const Frustum& frustum,
@@ -41,7 +41,7 @@ public:
 
 private:
     /// The textures of one material.
-    struct Pictures {
+    struct Images {
         GLuint color = 0;
         GLuint glow = 0;
         GLuint normal = 0;
@@ -55,7 +55,7 @@ private:
     GpuMesh mesh_;
     GpuMesh blend_mesh_;
     GLuint white_ = 0;
-    std::vector<Pictures> pictures_;  // one a material
+    std::vector<Images> images_;  // one a material
 };
 
 }  // namespace campuswalk::engine::render

@@ -11,7 +11,7 @@ constexpr std::size_t kFirstLook = std::size_t{3} * 15000;  // indices
 
 }  // namespace
 
-DrawnDepth::DrawnDepth(const GlFunctions& gl, int samples)
+HierarchicalZ::HierarchicalZ(const GlFunctions& gl, int samples)
     : gl_(gl),
       farthest_(gl, "farthest depth", {shaders::kVersion, shaders::kScreenChunk, shaders::kScreenVertex},
                 {shaders::kVersion, samples > 1 ? shaders::kDefineMultisampled : std::string_view(),
@@ -19,22 +19,22 @@ DrawnDepth::DrawnDepth(const GlFunctions& gl, int samples)
     gl.GenVertexArrays(1, &no_vertices_);
 }
 
-DrawnDepth::~DrawnDepth() {
+HierarchicalZ::~HierarchicalZ() {
     free_tiles();
 }
 
-void DrawnDepth::free_tiles() {
+void HierarchicalZ::free_tiles() {
     gl_.DeleteFramebuffers(1, &framebuffer_);
     gl_.DeleteTextures(1, &texture_);
 }
 
-void DrawnDepth::fit(int width, int height) {
-    if (width == picture_width_ && height == picture_height_) {
+void HierarchicalZ::fit(int width, int height) {
+    if (width == image_width_ && height == image_height_) {
         return;
     }
     free_tiles();
-    picture_width_ = width;
-    picture_height_ = height;
+    image_width_ = width;
+    image_height_ = height;
     columns_ = (width + DepthTiles::kTileWidth - 1) / DepthTiles::kTileWidth;
     rows_ = (height + DepthTiles::kTileHeight - 1) / DepthTiles::kTileHeight;
     gl_.GenTextures(1, &texture_);
@@ -46,7 +46,7 @@ void DrawnDepth::fit(int width, int height) {
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
 }
 
-void DrawnDepth::begin(const RenderTarget& target, const Eigen::Matrix4d& clip_campus) {
+void HierarchicalZ::begin(const RenderTarget& target, const Eigen::Matrix4d& clip_campus) {
     fit(target.width(), target.height());
     target.resume();
     target_ = &target;
@@ -56,11 +56,11 @@ void DrawnDepth::begin(const RenderTarget& target, const Eigen::Matrix4d& clip_c
     next_look_ = kFirstLook;
 }
 
-bool DrawnDepth::hides(const Eigen::AlignedBox3d& box) const {
+bool HierarchicalZ::hides(const Eigen::AlignedBox3d& box) const {
     return !tiles_.empty() && tiles_.hide(box, clip_campus_, target_->width(), target_->height());
 }
 
-bool DrawnDepth::drawn(std::size_t indices) {
+bool HierarchicalZ::drawn(std::size_t indices) {
     drawn_ += indices;
     if (drawn_ < next_look_) {
         return false;
@@ -71,7 +71,7 @@ bool DrawnDepth::drawn(std::size_t indices) {
     return true;
 }
 
-void DrawnDepth::look() {
+void HierarchicalZ::look() {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.Viewport(0, 0, columns_, rows_);
     gl_.Disable(GL_DEPTH_TEST);

@@ -12,18 +12,18 @@
 
 namespace campuswalk::engine::render {
 
-/// Looks at the depth of a picture between what is near and what is far, so that the far things that can't be
-/// seen any more are left out. The picture's pixels are the same with and without: what is left out would
+/// Looks at the depth of an image between what is near and what is far, so that the far things that can't be
+/// seen any more are left out. The image's pixels are the same with and without: what is left out would
 /// fail every depth test.
-class DrawnDepth {
+class HierarchicalZ {
 public:
     /// `samples` a pixel, those of the targets.
-    DrawnDepth(const GlFunctions& gl, int samples);
-    DrawnDepth(const DrawnDepth&) = delete;
-    DrawnDepth& operator=(const DrawnDepth&) = delete;
-    ~DrawnDepth();
+    HierarchicalZ(const GlFunctions& gl, int samples);
+    HierarchicalZ(const HierarchicalZ&) = delete;
+    HierarchicalZ& operator=(const HierarchicalZ&) = delete;
+    ~HierarchicalZ();
 
-    /// A new picture, a perspective that `clip_campus` makes: nothing is hidden yet. `target` must live as
+    /// A new image, a perspective that `clip_campus` makes: nothing is hidden yet. `target` must live as
     /// long as it is drawn.
     void begin(const RenderTarget& target, const Eigen::Matrix4d& clip_campus);
 
@@ -46,8 +46,8 @@ private:
     DepthTiles tiles_;
     std::size_t drawn_ = 0;      ///< indices since the last look
     std::size_t next_look_ = 0;  ///< after so many
-    int picture_width_ = 0;      ///< that the tiles fit
-    int picture_height_ = 0;
+    int image_width_ = 0;        ///< that the tiles fit
+    int image_height_ = 0;
     int columns_ = 0;
     int rows_ = 0;
     GLuint texture_ = 0;

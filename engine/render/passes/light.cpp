@@ -41,7 +41,7 @@ RenderSettings lit(const RenderSettings& base, const LightSettings& light) {
     replace(settings.glow, light.glow);
     replace(settings.fog_distance, light.fog_distance);
     replace(settings.shadows, light.shadows);
-    replace(settings.occlusion_radius, light.contact_shading);
+    replace(settings.ambient_occlusion_radius, light.ambient_occlusion);
     if (light.anti_aliasing) {
         smooth_by(*light.anti_aliasing, settings);
     }

@@ -10,7 +10,7 @@ namespace campuswalk::engine::render {
 namespace {
 
 constexpr double kHiddenShare = 0.16;  // of a line's colour, behind something
-constexpr double kHalfWidth = 0.25;    // pixels, in a picture 720 high: drawn four times around its place
+constexpr double kHalfWidth = 0.25;    // pixels, in an image 720 high: drawn four times around its place
 constexpr double kReferenceHeight = 720.0;
 
 struct LineVertex {

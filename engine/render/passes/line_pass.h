@@ -10,13 +10,13 @@
 
 namespace campuswalk::engine::render {
 
-/// Draws lines into a finished picture: plainly where they can be seen, faintly where something hides them.
+/// Draws lines into a finished image: plainly where they can be seen, faintly where something hides them.
 /// Lives as long as its context.
 class LinePass {
 public:
     explicit LinePass(const GlFunctions& gl);
 
-    /// `clip_campus` is for places counted from `origin` (world); the picture's target must be bound.
+    /// `clip_campus` is for places counted from `origin` (world); the image's target must be bound.
     void draw(std::span<const OverlayLine> lines, const Eigen::Matrix4d& clip_campus,
               const Eigen::Vector3d& origin, int width, int height) const;
 

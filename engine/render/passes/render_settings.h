@@ -4,7 +4,7 @@
 
 namespace campuswalk::engine::render {
 
-/// Light, air and cost of a picture. Colours are linear; 1 is what a white sheet sends back when it is drawn
+/// Light, air and cost of an image. Colours are linear; 1 is what a white sheet sends back when it is drawn
 /// as pure white without the tone curve.
 struct RenderSettings {
     /// Towards the sun, unit length. From the south-west, 43° high: two visible sides of a box differ in
@@ -32,20 +32,20 @@ struct RenderSettings {
 
     /// Shadow texels a side. 4096 over a campus of 300 m is 7 cm, the width of a pole's shadow.
     int shadow_size = 4096;
-    /// Texels a side of the finer map around the camera, drawn for every picture.
+    /// Texels a side of the finer map around the camera, drawn for every image.
     int near_shadow_size = 1024;
     double near_shadow_radius = 16.0;  ///< metres around the camera: 3 cm texels, where blur would be seen
     bool shadows = true;
 
     /// Samples a pixel: 1 or 4. llvmpipe has no other number; 4 costs about three times 1.
     int samples = 4;
-    bool fxaa = false;      ///< edges smoothed in the finished picture
+    bool fxaa = false;      ///< edges smoothed in the finished image
     int supersampling = 1;  ///< 2: drawn twice as wide and high, then averaged
     /// Ambient light is dimmed in corners and under things closer than this, metres; 0 = nowhere.
-    double occlusion_radius = 0.9;
-    /// What is behind other things is left out as soon as that is known. Pictures are the same either way.
+    double ambient_occlusion_radius = 0.9;
+    /// What is behind other things is left out as soon as that is known. Images are the same either way.
     bool leave_out_hidden = true;
-    /// A mesh that is placed very often is kept once. Pictures are the same but for rounding.
+    /// A mesh that is placed very often is kept once. Images are the same but for rounding.
     bool instancing = true;
     /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.
     double cell_size = 20.0;

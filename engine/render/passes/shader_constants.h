@@ -9,7 +9,7 @@
 
 namespace campuswalk::engine::render {
 
-/// Declarations of GLSL constants, to go before the shaders that use them. What is the same for all pictures
+/// Declarations of GLSL constants, to go before the shaders that use them. What is the same for all images
 /// of a renderer is a constant, not a uniform: llvmpipe 22.3 reads each number of a uniform once for each of
 /// a group's eight pixels, 27 instructions, and had spent half of a surface's time on that.
 class ShaderConstants {

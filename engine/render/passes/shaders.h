@@ -6,7 +6,7 @@ namespace campuswalk::engine::render::shaders {
 
 // GLSL 3.30 sources. A program is `version` + chunks + its own source. llvmpipe runs both sides of every
 // branch and reads uniforms again for every pixel, so there are few branches here, what a renderer knows
-// beforehand is a constant (ShaderConstants), and what a picture or a material adds comes to surfaces through
+// beforehand is a constant (ShaderConstants), and what an image or a material adds comes to surfaces through
 // their vertex shader as a flat value. Positions are in the campus frame (metres from
 // CampusGeometry::origin).
 
@@ -21,7 +21,7 @@ extern const std::string_view kSrgbChunk;
 /// in the sun; `near_start` is ShadowMaps::near_start.
 extern const std::string_view kShadowChunk;
 
-/// vec4 screen_corner(): the vertices 0 to 2 make a triangle over the whole picture, at the far plane.
+/// vec4 screen_corner(): the vertices 0 to 2 make a triangle over the whole image, at the far plane.
 extern const std::string_view kScreenChunk;
 
 /// vec3 placed(vec3 position), vec3 turned(vec3 normal): where and how an instance has a vertex; uint
@@ -44,10 +44,10 @@ extern const std::string_view kChannelVertex;
 extern const std::string_view kChannelFragment;
 extern const std::string_view kLineVertex;
 extern const std::string_view kLineFragment;
-extern const std::string_view kScreenVertex;  ///< for passes over a whole picture
+extern const std::string_view kScreenVertex;  ///< for passes over a whole image
 extern const std::string_view kOcclusionFragment;
 extern const std::string_view kBlurFragment;
-/// The farthest depth in each tile of a picture; of all samples after the define.
+/// The farthest depth in each tile of an image; of all samples after the define.
 extern const std::string_view kFarthestFragment;
 extern const std::string_view kDefineMultisampled;
 

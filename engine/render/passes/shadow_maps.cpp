@@ -108,7 +108,7 @@ void ShadowMaps::draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& fo
 void ShadowMaps::aim_near(const Eigen::Vector3d& centre) {
     const double radius = settings_.near_shadow_radius;
     const Eigen::Vector3d in_sun = R_sun_campus_ * centre;
-    // In whole texels, so that edges don't crawl from one picture to the next.
+    // In whole texels, so that edges don't crawl from one image to the next.
     const double texel = 2.0 * radius / near_.size;
     Eigen::Vector3d low = lowest_;
     Eigen::Vector3d high = highest_;

@@ -3,14 +3,14 @@
 #include <Eigen/Core>
 
 #include "engine/render/gl/gl_functions.h"
-#include "engine/render/passes/render_settings.h"
-#include "engine/render/passes/shader_constants.h"
 #include "engine/render/gl/shader_program.h"
 #include "engine/render/passes/gpu_campus.h"
+#include "engine/render/passes/render_settings.h"
+#include "engine/render/passes/shader_constants.h"
 
 namespace campuswalk::engine::render {
 
-/// One depth picture seen from the sun, a square within the texture of both.
+/// One depth image seen from the sun, a square within the texture of both.
 struct ShadowMap {
     int left = 0;  ///< texels, of its place in the texture
     int size = 0;  ///< texels a side

@@ -52,9 +52,9 @@ std::array<GifColorType, kColors> palette() {
     return colors;
 }
 
-void dither_row(const Picture& picture, int y, std::vector<GifPixelType>& row) {
-    const std::uint8_t* pixel = &picture.rgba[picture.offset(0, y)];
-    for (int x = 0; x < picture.width; ++x, pixel += 4) {
+void dither_row(const Image& image, int y, std::vector<GifPixelType>& row) {
+    const std::uint8_t* pixel = &image.rgba[image.offset(0, y)];
+    for (int x = 0; x < image.width; ++x, pixel += 4) {
         const int threshold = bayer(x, y);
         const int red = level(pixel[0], kLevels[0], threshold);
         const int green = level(pixel[1], kLevels[1], threshold);
@@ -95,7 +95,7 @@ void AnimatedGif::check(int status) const {
     }
 }
 
-void AnimatedGif::begin(const Picture& picture) {
+void AnimatedGif::begin(const Image& image) {
     output_ = std::unique_ptr<Output>(new Output{scene::WholeFile(file_), nullptr});
     int error = 0;
     gif_.reset(EGifOpen(output_.get(), write, &error));
@@ -104,7 +104,7 @@ void AnimatedGif::begin(const Picture& picture) {
     const std::array<GifColorType, kColors> colors = palette();
     const std::unique_ptr<ColorMapObject, void (*)(ColorMapObject*)> map(
         GifMakeMapObject(kColors, colors.data()), GifFreeMapObject);
-    check(EGifPutScreenDesc(gif_.get(), picture.width, picture.height, 8, 0, map.get()));
+    check(EGifPutScreenDesc(gif_.get(), image.width, image.height, 8, 0, map.get()));
     const std::array<GifByteType, 3> for_ever = {1, 0, 0};
     check(EGifPutExtensionLeader(gif_.get(), APPLICATION_EXT_FUNC_CODE));
     check(EGifPutExtensionBlock(gif_.get(), 11, "NETSCAPE2.0"));
@@ -113,19 +113,19 @@ void AnimatedGif::begin(const Picture& picture) {
 }
 
 void AnimatedGif::add(const Frame& frame) {
-    const Picture picture = scaled_down(frame.picture, kAnimationWidth);
+    const Image image = scaled_down(frame.image, kAnimationWidth);
     if (!gif_) {
-        begin(picture);
+        begin(image);
     }
     const std::array<GifByteType, 4> control = {0, static_cast<GifByteType>(hundredths_ & 0xFF),
                                                 static_cast<GifByteType>(hundredths_ >> 8), 0};
     check(EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, static_cast<int>(control.size()),
                            control.data()));
-    check(EGifPutImageDesc(gif_.get(), 0, 0, picture.width, picture.height, false, nullptr));
-    std::vector<GifPixelType> row(static_cast<std::size_t>(picture.width));
-    for (int y = 0; y < picture.height; ++y) {
-        dither_row(picture, y, row);
-        check(EGifPutLine(gif_.get(), row.data(), picture.width));
+    check(EGifPutImageDesc(gif_.get(), 0, 0, image.width, image.height, false, nullptr));
+    std::vector<GifPixelType> row(static_cast<std::size_t>(image.width));
+    for (int y = 0; y < image.height; ++y) {
+        dither_row(image, y, row);
+        check(EGifPutLine(gif_.get(), row.data(), image.width));
     }
 }
 

@@ -30,7 +30,7 @@ private:
     };
     static int write(GifFileType* gif, const unsigned char* data, int size);
     void check(int status) const;
-    void begin(const Picture& picture);
+    void begin(const Image& image);
 
     struct Close {
         void operator()(GifFileType* gif) const;

@@ -16,18 +16,18 @@ AnimatedPng::AnimatedPng(std::filesystem::path file, double seconds_a_frame)
           static_cast<std::uint16_t>(std::clamp(std::round(1000.0 * seconds_a_frame), 1.0, 65535.0))) {}
 
 void AnimatedPng::add(const Frame& frame) {
-    const Picture picture = scaled_down(frame.picture, kAnimationWidth);
+    const Image image = scaled_down(frame.image, kAnimationWidth);
     const bool first = !png_;
     if (first) {
         written_ = std::make_unique<scene::WholeFile>(file_);
-        png_ = std::make_unique<PngFile>(picture.width, picture.height);
+        png_ = std::make_unique<PngFile>(image.width, image.height);
         const std::vector<std::uint8_t> start = png_->take();
         written_->write(std::as_bytes(std::span(start)));
         count_at_ = start.size();
         put_count(0);  // nobody knows it yet
     }
-    put_control(picture);
-    const std::span<const std::uint8_t> pixels = compressor_.compress(picture);
+    put_control(image);
+    const std::span<const std::uint8_t> pixels = compressor_.compress(image);
     if (first) {
         png_->chunk("IDAT", {pixels});
     } else {
@@ -42,13 +42,13 @@ void AnimatedPng::put_count(std::uint32_t frames) {
     png_->chunk("acTL", {png_number(frames), png_number(0)});
 }
 
-void AnimatedPng::put_control(const Picture& picture) {
+void AnimatedPng::put_control(const Image& image) {
     const std::array<std::uint8_t, 2> delay = {static_cast<std::uint8_t>(milliseconds_ >> 8U),
                                                static_cast<std::uint8_t>(milliseconds_ & 0xFFU)};
     const std::array<std::uint8_t, 2> a_thousand = {1000 >> 8, 1000 & 0xFF};
     const std::array<std::uint8_t, 2> leave_and_replace = {0, 0};
-    png_->chunk("fcTL", {png_number(sequence_++), png_number(static_cast<std::uint32_t>(picture.width)),
-                         png_number(static_cast<std::uint32_t>(picture.height)), png_number(0), png_number(0),
+    png_->chunk("fcTL", {png_number(sequence_++), png_number(static_cast<std::uint32_t>(image.width)),
+                         png_number(static_cast<std::uint32_t>(image.height)), png_number(0), png_number(0),
                          delay, a_thousand, leave_and_replace});
 }
 

@@ -26,7 +26,7 @@ public:
 
 private:
     void put_count(std::uint32_t frames);
-    void put_control(const Picture& picture);
+    void put_control(const Image& image);
 
     std::filesystem::path file_;
     std::uint16_t milliseconds_;

@@ -20,16 +20,16 @@ constexpr std::uint8_t kPaper = 0x24;
 constexpr double kTextSize = 12.0;
 
 /// About as many columns as give a sheet of a screen's shape.
-int columns_for(std::size_t frames, const Picture& thumbnail) {
+int columns_for(std::size_t frames, const Image& thumbnail) {
     const double shape = 1.6 * thumbnail.height / thumbnail.width;
     const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(frames) * shape)));
     return std::clamp(columns, 1, std::min(kMostColumns, static_cast<int>(frames)));
 }
 
-void copy_into(Picture& sheet, const Picture& picture, int left, int top) {
-    for (int y = 0; y < picture.height; ++y) {
-        const auto* row = &picture.rgba[picture.offset(0, y)];
-        std::copy(row, row + std::ptrdiff_t{4} * picture.width, &sheet.rgba[sheet.offset(left, top + y)]);
+void copy_into(Image& sheet, const Image& image, int left, int top) {
+    for (int y = 0; y < image.height; ++y) {
+        const auto* row = &image.rgba[image.offset(0, y)];
+        std::copy(row, row + std::ptrdiff_t{4} * image.width, &sheet.rgba[sheet.offset(left, top + y)]);
     }
 }
 
@@ -41,7 +41,7 @@ void ContactSheet::add(const Frame& frame) {
     if (frame.number % every_ != 0) {
         return;
     }
-    frames_.push_back({scaled_down(frame.picture, kThumbnail), frame.number, frame.time});
+    frames_.push_back({scaled_down(frame.image, kThumbnail), frame.number, frame.time});
     if (frames_.size() > kMostFrames) {
         every_ *= 2;
         std::erase_if(frames_, [this](const Frame& kept) { return kept.number % every_ != 0; });
@@ -54,11 +54,11 @@ void ContactSheet::finish() {
     }
 }
 
-Picture ContactSheet::sheet() const {
-    const Picture& first = frames_.front().picture;
+Image ContactSheet::sheet() const {
+    const Image& first = frames_.front().image;
     const int columns = columns_for(frames_.size(), first);
     const int rows = (static_cast<int>(frames_.size()) + columns - 1) / columns;
-    Picture sheet;
+    Image sheet;
     sheet.width = columns * (first.width + kGap) + kGap;
     sheet.height = rows * (first.height + kGap) + kGap;
     sheet.rgba.assign(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height),
@@ -73,7 +73,7 @@ Picture ContactSheet::sheet() const {
         return kGap + static_cast<int>(i) / columns * (first.height + kGap);
     };
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-        copy_into(sheet, frames_[i].picture, left(i), top(i));
+        copy_into(sheet, frames_[i].image, left(i), top(i));
     }
     const Fonts fonts;
     const Canvas canvas(sheet, fonts);
@@ -83,7 +83,7 @@ Picture ContactSheet::sheet() const {
         const Eigen::Vector2d size = canvas.text_size(text, style);
         canvas.label(left(i) + 6 + 0.5 * size.x(), top(i) + first.height - 4 - 0.5 * size.y(), text, style);
     }
-    return canvas.picture();
+    return canvas.image();
 }
 
 }  // namespace campuswalk::engine::render

@@ -7,7 +7,7 @@
 
 namespace campuswalk::engine::render {
 
-/// All frames, made small, on one picture, row by row, each with its time. Of more than `kMostFrames` every
+/// All frames, made small, on one image, row by row, each with its time. Of more than `kMostFrames` every
 /// second, third, … is shown.
 class ContactSheet final : public FrameSink {
 public:
@@ -19,7 +19,7 @@ public:
     void finish() override;
 
 private:
-    Picture sheet() const;
+    Image sheet() const;
 
     std::filesystem::path file_;
     std::size_t every_ = 1;      ///< frame that is kept

@@ -17,12 +17,12 @@ struct Head {
 }  // namespace
 
 std::string to_bytes(const Frame& frame) {
-    const Picture& picture = frame.picture;
-    const Head head = {frame.number, frame.time, picture.width, picture.height};
-    std::string bytes(sizeof(head) + picture.rgba.size(), '\0');
+    const Image& image = frame.image;
+    const Head head = {frame.number, frame.time, image.width, image.height};
+    std::string bytes(sizeof(head) + image.rgba.size(), '\0');
     std::memcpy(bytes.data(), &head, sizeof(head));
-    if (!picture.rgba.empty()) {
-        std::memcpy(bytes.data() + sizeof(head), picture.rgba.data(), picture.rgba.size());
+    if (!image.rgba.empty()) {
+        std::memcpy(bytes.data() + sizeof(head), image.rgba.data(), image.rgba.size());
     }
     return bytes;
 }
@@ -34,10 +34,10 @@ Frame frame_from_bytes(std::string_view bytes) {
         bytes.remove_prefix(sizeof(head));
     }
     Frame frame{{head.width, head.height, {}}, head.number, head.time};
-    if (head.width < 1 || head.height < 1 || frame.picture.offset(0, head.height) != bytes.size()) {
+    if (head.width < 1 || head.height < 1 || frame.image.offset(0, head.height) != bytes.size()) {
         throw std::runtime_error("a process that draws frames sent what isn't one");
     }
-    frame.picture.rgba.assign(bytes.begin(), bytes.end());
+    frame.image.rgba.assign(bytes.begin(), bytes.end());
     return frame;
 }
 

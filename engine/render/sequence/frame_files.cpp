@@ -41,7 +41,7 @@ FrameFiles::FrameFiles(fs::path folder) : folder_(std::move(folder)) {
 void FrameFiles::add(const Frame& frame) {
     std::array<char, 32> number{};
     std::snprintf(number.data(), number.size(), "%05zu.png", frame.number + 1);
-    write_png(frame.picture, folder_ / (std::string(kStart) + number.data()));
+    write_png(frame.image, folder_ / (std::string(kStart) + number.data()));
 }
 
 }  // namespace campuswalk::engine::render

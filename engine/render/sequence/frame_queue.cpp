@@ -5,7 +5,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr std::size_t kMostWaiting = 4;  // pictures of one's own
+constexpr std::size_t kMostWaiting = 4;  // images of one's own
 
 }  // namespace
 

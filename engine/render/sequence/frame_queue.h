@@ -15,7 +15,7 @@
 
 namespace campuswalk::engine::render {
 
-/// Hands frames to sinks on a thread of its own, so that pictures are compressed while the next one is drawn,
+/// Hands frames to sinks on a thread of its own, so that images are compressed while the next one is drawn,
 /// and those that others draw are waited for. A few wait at most: who draws faster than can be written is
 /// held up.
 class FrameQueue {

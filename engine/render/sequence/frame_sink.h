@@ -6,9 +6,9 @@
 
 namespace campuswalk::engine::render {
 
-/// A picture of a sequence. All of one have the same size.
+/// An image of a sequence. All of one have the same size.
 struct Frame {
-    Picture picture;
+    Image image;
     std::size_t number = 0;  ///< from 0
     double time = 0.0;       ///< seconds of the walk
 };

@@ -44,11 +44,11 @@ std::array<int, 2> covered(int index, int count, int size) {
     return {from, std::max(to, from + 1)};
 }
 
-void mean(const Picture& picture, const std::array<int, 2>& columns, const std::array<int, 2>& rows,
+void mean(const Image& image, const std::array<int, 2>& columns, const std::array<int, 2>& rows,
           std::uint8_t* out) {
     std::array<float, 3> sums = {0, 0, 0};
     for (int y = rows[0]; y < rows[1]; ++y) {
-        const std::uint8_t* pixel = &picture.rgba[picture.offset(columns[0], y)];
+        const std::uint8_t* pixel = &image.rgba[image.offset(columns[0], y)];
         for (int x = columns[0]; x < columns[1]; ++x, pixel += 4) {
             for (std::size_t c = 0; c < 3; ++c) {
                 sums[c] += linear_table()[pixel[c]];
@@ -64,19 +64,19 @@ void mean(const Picture& picture, const std::array<int, 2>& columns, const std::
 
 }  // namespace
 
-Picture scaled_down(const Picture& picture, int width) {
-    if (picture.width <= width) {
-        return picture;
+Image scaled_down(const Image& image, int width) {
+    if (image.width <= width) {
+        return image;
     }
-    Picture small;
+    Image small;
     small.width = width;
-    small.height = std::max(
-        1, static_cast<int>((std::int64_t{picture.height} * width + picture.width / 2) / picture.width));
+    small.height =
+        std::max(1, static_cast<int>((std::int64_t{image.height} * width + image.width / 2) / image.width));
     small.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(small.height));
     for (int y = 0; y < small.height; ++y) {
-        const std::array<int, 2> rows = covered(y, small.height, picture.height);
+        const std::array<int, 2> rows = covered(y, small.height, image.height);
         for (int x = 0; x < width; ++x) {
-            mean(picture, covered(x, width, picture.width), rows, &small.rgba[small.offset(x, y)]);
+            mean(image, covered(x, width, image.width), rows, &small.rgba[small.offset(x, y)]);
         }
     }
     return small;

@@ -4,8 +4,8 @@
 
 namespace campuswalk::engine::render {
 
-/// The picture made smaller to `width` pixels, its height in proportion and 1 at least: each pixel is the
+/// The image made smaller to `width` pixels, its height in proportion and 1 at least: each pixel is the
 /// mean of those that it covers, in linear light. One that isn't wider stays as it is.
-Picture scaled_down(const Picture& picture, int width);
+Image scaled_down(const Image& image, int width);
 
 }  // namespace campuswalk::engine::render

@@ -11,11 +11,11 @@ constexpr double kRounding = 1e-9;  ///< of a time, in times of `every`
 }  // namespace
 
 SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
-                                   PainterStore& painters, std::vector<std::unique_ptr<FrameSink>> sinks,
+                                   RendererStore& renderers, std::vector<std::unique_ptr<FrameSink>> sinks,
                                    std::unique_ptr<FrameSource> others)
     : campus_(campus),
       settings_(std::move(settings)),
-      painters_(painters),
+      renderers_(renderers),
       others_(std::move(others)),
       queue_(std::move(sinks), others_.get(), settings_.share.parts) {}
 
@@ -23,15 +23,15 @@ void SequenceObserver::begin(const Walk& walk) {
     shots_.begin(walk);
 }
 
-void SequenceObserver::frame(const FrameRecord& record) {
+void SequenceObserver::frame(const TickRecord& record) {
     shots_.follow(record.avatar);
     if (!is_due(record.time)) {
         return;
     }
     const std::size_t number = taken_++;
     if (settings_.share.has(number)) {
-        SnapshotPainter& painter = painters_.of(campus_, shots_.light());
-        queue_.add({painter.draw(shots_.shot(record, settings_.camera)), number, record.time});
+        SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, shots_.light());
+        queue_.add({snapshot_renderer.draw(shots_.shot(record, settings_.camera)), number, record.time});
     } else if (others_) {
         queue_.add_of_others(number);
     }

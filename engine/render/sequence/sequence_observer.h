@@ -24,13 +24,13 @@ class SequenceObserver final : public Observer {
 public:
     /// `others` draw what isn't in the share; without them the sinks get the share alone. `campus` and
     /// `painters` must outlive it.
-    SequenceObserver(const scene::Campus& campus, SequenceSettings settings, PainterStore& painters,
+    SequenceObserver(const scene::Campus& campus, SequenceSettings settings, RendererStore& renderers,
                      std::vector<std::unique_ptr<FrameSink>> sinks,
                      std::unique_ptr<FrameSource> others = nullptr);
 
     void begin(const Walk& walk) override;
     /// Throws RenderError when the machine can't draw, and what a sink or the others threw at a frame before.
-    void frame(const FrameRecord& record) override;
+    void frame(const TickRecord& record) override;
     void end() override;
 
 private:
@@ -38,7 +38,7 @@ private:
 
     const scene::Campus& campus_;
     SequenceSettings settings_;
-    PainterStore& painters_;
+    RendererStore& renderers_;
     WalkShots shots_;
     std::unique_ptr<FrameSource> others_;
     std::size_t taken_ = 0;  ///< by whomever

@@ -25,17 +25,17 @@ std::string hex_of(const std::array<std::uint8_t, 3>& color) {
     return text.data();
 }
 
-Picture colored(const IdPicture& ids) {
-    Picture picture{ids.width, ids.height, {}};
-    picture.rgba.reserve(4 * ids.ids.size());
+Image colored(const IdImage& ids) {
+    Image image{ids.width, ids.height, {}};
+    image.rgba.reserve(4 * ids.ids.size());
     for (const std::uint32_t id : ids.ids) {
         const std::array<std::uint8_t, 3> color = id_color(id);
-        picture.rgba.insert(picture.rgba.end(), {color[0], color[1], color[2], 255});
+        image.rgba.insert(image.rgba.end(), {color[0], color[1], color[2], 255});
     }
-    return picture;
+    return image;
 }
 
-std::string names_json(const scene::Campus& campus, const IdPicture& ids) {
+std::string names_json(const scene::Campus& campus, const IdImage& ids) {
     std::vector<std::size_t> pixels(ids.names.size(), 0);
     for (const std::uint32_t id : ids.ids) {
         ++pixels[id];
@@ -49,7 +49,7 @@ std::string names_json(const scene::Campus& campus, const IdPicture& ids) {
         entry["id"] = id;
         entry["color"] = hex_of(id_color(id));
         entry["pixels"] = pixels[id];
-        const PictureName& name = ids.names[id];
+        const ImageName& name = ids.names[id];
         if (name.building) {
             entry["building"] = campus.description.buildings[*name.building].id;
         }
@@ -67,11 +67,11 @@ std::string names_json(const scene::Campus& campus, const IdPicture& ids) {
 
 }  // namespace
 
-ChannelChoice choice_of(const PictureChannels& channels) {
+ChannelChoice choice_of(const ImageChannels& channels) {
     return {.nodes = channels.ids, .depth = channels.depth, .normals = channels.normals};
 }
 
-std::vector<std::string> channel_endings(const PictureChannels& channels) {
+std::vector<std::string> channel_endings(const ImageChannels& channels) {
     std::vector<std::string> endings;
     if (channels.depth) {
         endings.emplace_back("-depth.png");
@@ -103,8 +103,9 @@ std::array<std::uint8_t, 3> id_color(std::uint32_t id) {
             static_cast<std::uint8_t>(color & 255U)};
 }
 
-std::vector<std::filesystem::path> write_channels(SnapshotPainter& painter, const scene::Campus& campus,
-                                                  const Channels& channels, const PictureChannels& wanted,
+std::vector<std::filesystem::path> write_channels(SnapshotRenderer& snapshot_renderer,
+                                                  const scene::Campus& campus, const Channels& channels,
+                                                  const ImageChannels& wanted,
                                                   const std::filesystem::path& base) {
     std::vector<std::filesystem::path> files;
     for (const std::string& ending : channel_endings(wanted)) {
@@ -116,7 +117,7 @@ std::vector<std::filesystem::path> write_channels(SnapshotPainter& painter, cons
         scene::write_whole_file(*file++, std::as_bytes(std::span(png)));
     }
     if (wanted.ids) {
-        const IdPicture ids = painter.ids_of(channels);
+        const IdImage ids = snapshot_renderer.ids_of(channels);
         write_png(colored(ids), *file++);
         scene::write_whole_file(*file++, names_json(campus, ids));
     }

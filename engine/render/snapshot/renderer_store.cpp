@@ -6,20 +6,20 @@
 
 namespace campuswalk::engine::render {
 
-SnapshotPainter& PainterStore::of(const scene::Campus& campus, const LightSettings& light) {
+SnapshotRenderer& RendererStore::of(const scene::Campus& campus, const LightSettings& light) {
     constexpr std::size_t kMost = 4;
     const auto found = std::ranges::find_if(
-        kept_, [&](const Kept& kept) { return kept.campus == &campus && kept.light == light; });
-    if (found != kept_.end()) {
-        return *found->painter;
+        cached_, [&](const CachedPiece& kept) { return kept.campus == &campus && kept.light == light; });
+    if (found != cached_.end()) {
+        return *found->snapshot_renderer;
     }
-    if (kept_.size() >= kMost) {
-        kept_.clear();
+    if (cached_.size() >= kMost) {
+        cached_.clear();
     }
     SnapshotSettings settings = settings_of_(campus);
     settings.light = lit(settings.light, light);
-    kept_.push_back({&campus, light, std::make_unique<SnapshotPainter>(campus, std::move(settings))});
-    return *kept_.back().painter;
+    cached_.push_back({&campus, light, std::make_unique<SnapshotRenderer>(campus, std::move(settings))});
+    return *cached_.back().snapshot_renderer;
 }
 
 }  // namespace campuswalk::engine::render

@@ -18,7 +18,7 @@ void SnapshotObserver::begin(const Walk& walk) {
     contacts_.clear();
 }
 
-void SnapshotObserver::frame(const FrameRecord& record) {
+void SnapshotObserver::frame(const TickRecord& record) {
     shots_.follow(record.avatar);
     for (const Event& event : record.events) {
         if (event.kind == EventKind::collision_enter) {
@@ -30,26 +30,27 @@ void SnapshotObserver::frame(const FrameRecord& record) {
     }
 }
 
-void SnapshotObserver::take(const SnapshotStep& step, const FrameRecord& record) {
+void SnapshotObserver::take(const SnapshotStep& step, const TickRecord& record) {
     Shot shot = shots_.shot(record, step.camera);
     shot.overlays = step.overlays;
     shot.contacts = contacts_;
-    SnapshotPainter& painter = painters_.of(campus_, shots_.light());
+    SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, shots_.light());
     const std::filesystem::path file = folder_ / (step.name + ".png");
-    write_png(painter.draw(shot), file);
+    write_png(snapshot_renderer.draw(shot), file);
     files_.push_back(file);
     if (step.channels.any()) {
-        const Channels channels = painter.draw_channels(shot, choice_of(step.channels));
-        std::ranges::move(write_channels(painter, campus_, channels, step.channels, folder_ / step.name),
-                          std::back_inserter(files_));
+        const Channels channels = snapshot_renderer.draw_channels(shot, choice_of(step.channels));
+        std::ranges::move(
+            write_channels(snapshot_renderer, campus_, channels, step.channels, folder_ / step.name),
+            std::back_inserter(files_));
     }
     if (const auto wanted = sights_.find(step.name); wanted != sights_.end()) {
-        wanted->second = sight_of(painter, shot);
+        wanted->second = sight_of(snapshot_renderer, shot);
     }
 }
 
-SnapshotSight SnapshotObserver::sight_of(SnapshotPainter& painter, const Shot& shot) const {
-    const IdPicture ids = painter.draw_ids(shot);
+SnapshotSight SnapshotObserver::sight_of(SnapshotRenderer& snapshot_renderer, const Shot& shot) const {
+    const IdImage ids = snapshot_renderer.draw_ids(shot);
     std::vector<std::size_t> pixels_of_name(ids.names.size(), 0);
     for (const std::uint32_t id : ids.ids) {
         ++pixels_of_name[id];

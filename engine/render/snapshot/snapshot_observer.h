@@ -18,26 +18,26 @@ namespace campuswalk::engine::render {
 class SnapshotObserver final : public Observer {
 public:
     /// `campus` and `painters` must outlive the observer.
-    SnapshotObserver(const scene::Campus& campus, std::filesystem::path folder, PainterStore& painters)
-        : campus_(campus), folder_(std::move(folder)), painters_(painters) {}
+    SnapshotObserver(const scene::Campus& campus, std::filesystem::path folder, RendererStore& renderers)
+        : campus_(campus), folder_(std::move(folder)), renderers_(renderers) {}
 
     void begin(const Walk& walk) override;
     /// Throws RenderError when the machine can't draw, std::runtime_error naming a file that can't be
     /// written.
-    void frame(const FrameRecord& record) override;
+    void frame(const TickRecord& record) override;
 
-    /// The pictures written since construction, in order.
+    /// The images written since construction, in order.
     const std::vector<std::filesystem::path>& files() const { return files_; }
     /// What is to be seen in those that an ExpectVisible names.
     const SnapshotSights& sights() const { return sights_; }
 
 private:
-    void take(const SnapshotStep& step, const FrameRecord& record);
-    SnapshotSight sight_of(SnapshotPainter& painter, const Shot& shot) const;
+    void take(const SnapshotStep& step, const TickRecord& record);
+    SnapshotSight sight_of(SnapshotRenderer& snapshot_renderer, const Shot& shot) const;
 
     const scene::Campus& campus_;
     std::filesystem::path folder_;
-    PainterStore& painters_;
+    RendererStore& renderers_;
     WalkShots shots_;
     std::vector<Eigen::Vector3d> contacts_;  // where the avatar touched something
     std::vector<std::filesystem::path> files_;

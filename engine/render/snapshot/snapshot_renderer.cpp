@@ -12,7 +12,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Closer to the head than this the figure would fill the picture.
+// Closer to the head than this the figure would fill the image.
 constexpr double kFigureFrom = 0.9;
 
 constexpr double kBehind = 4.0;          // metres: a person and what is around it
@@ -21,8 +21,8 @@ constexpr double kOrbitDistance = 10.0;  // metres, around a point
 constexpr double kOrbitYaw = -0.5235987755982988;
 constexpr double kOrbitPitch = -0.4363323129985824;
 
-constexpr double kSteep = 0.999;          // sine of a look that has no heading but the picture's upper edge
-constexpr double kLabelledShare = 0.002;  // of the picture: a building that shows less has no label
+constexpr double kSteep = 0.999;          // sine of a look that has no heading but the image's upper edge
+constexpr double kLabelledShare = 0.002;  // of the image: a building that shows less has no label
 
 constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
 
@@ -36,42 +36,42 @@ bool is_from_avatar(View view) {
 
 }  // namespace
 
-SnapshotPainter::SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings)
+SnapshotRenderer::SnapshotRenderer(const scene::Campus& campus, SnapshotSettings settings)
     : campus_(campus),
       settings_(std::move(settings)),
       renderer_(campus.models, settings_.light, make_gl_context(settings_.backend)),
       building_bounds_(building_bounds(campus)) {}
 
-Picture SnapshotPainter::draw(const Shot& shot) {
+Image SnapshotRenderer::draw(const Shot& shot) {
     const Viewpoint view = viewpoint(shot);
     const std::vector<OverlayLine> lines = overlay_lines(campus_, shot.overlays, shot.path, shot.contacts);
-    const Picture picture =
+    const Image image =
         renderer_.draw(view, shot.camera.width, shot.camera.height, figure(shot, view), lines);
-    return draw_over(picture, shot, view);
+    return draw_over(image, shot, view);
 }
 
-Channels SnapshotPainter::draw_channels(const Shot& shot, const ChannelChoice& choice) {
+Channels SnapshotRenderer::draw_channels(const Shot& shot, const ChannelChoice& choice) {
     const Viewpoint view = viewpoint(shot);
     return renderer_.draw_channels(view, shot.camera.width, shot.camera.height, choice, figure(shot, view));
 }
 
-IdPicture SnapshotPainter::draw_ids(const Shot& shot) {
+IdImage SnapshotRenderer::draw_ids(const Shot& shot) {
     return ids_of(draw_channels(shot, {.nodes = true}));
 }
 
-IdPicture SnapshotPainter::ids_of(const Channels& channels) {
+IdImage SnapshotRenderer::ids_of(const Channels& channels) {
     if (!node_names_) {
         node_names_ = name_nodes(campus_);
     }
-    IdPicture picture{channels.width, channels.height, {}, node_names_->names};
-    picture.ids.reserve(channels.nodes.size());
+    IdImage image{channels.width, channels.height, {}, node_names_->names};
+    image.ids.reserve(channels.nodes.size());
     for (const std::uint32_t node : channels.nodes) {
-        picture.ids.push_back(node_names_->name_of_node[node]);
+        image.ids.push_back(node_names_->name_of_node[node]);
     }
-    return picture;
+    return image;
 }
 
-std::optional<Figure> SnapshotPainter::figure(const Shot& shot, const Viewpoint& view) {
+std::optional<Figure> SnapshotRenderer::figure(const Shot& shot, const Viewpoint& view) {
     const View from = shot.camera.view;
     if (shot.nobody || from == View::first_person || from == View::top) {
         return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<Figure> SnapshotPainter::figure(const Shot& shot, const Viewpoint&
     return Figure{shot.avatar, shot.profile, shot.stride};
 }
 
-Picture SnapshotPainter::draw_plan(int width, int height) {
+Image SnapshotRenderer::draw_plan(int width, int height) {
     const Viewpoint view = plan(renderer_.bounds(), static_cast<double>(width) / height);
     const Canvas canvas(renderer_.draw(view, width, height), fonts_);
     if (settings_.labels) {
@@ -90,19 +90,19 @@ Picture SnapshotPainter::draw_plan(int width, int height) {
     }
     draw_scale_bar(canvas, view);
     draw_north_arrow(canvas);
-    return canvas.picture();
+    return canvas.image();
 }
 
-Channels SnapshotPainter::draw_plan_channels(int width, int height, const ChannelChoice& choice) {
+Channels SnapshotRenderer::draw_plan_channels(int width, int height, const ChannelChoice& choice) {
     const Viewpoint view = plan(renderer_.bounds(), static_cast<double>(width) / height);
     return renderer_.draw_channels(view, width, height, choice);
 }
 
-Picture SnapshotPainter::draw_view(const Viewpoint& view, int width, int height) {
+Image SnapshotRenderer::draw_view(const Viewpoint& view, int width, int height) {
     return renderer_.draw(view, width, height);
 }
 
-Viewpoint SnapshotPainter::viewpoint(const Shot& shot) const {
+Viewpoint SnapshotRenderer::viewpoint(const Shot& shot) const {
     const CameraSettings& camera = shot.camera;
     switch (camera.view) {
         case View::third_person:
@@ -120,7 +120,7 @@ Viewpoint SnapshotPainter::viewpoint(const Shot& shot) const {
     return first_person(shot.avatar, shot.profile, camera.fov);
 }
 
-Viewpoint SnapshotPainter::orbit_view(const Shot& shot) const {
+Viewpoint SnapshotRenderer::orbit_view(const Shot& shot) const {
     const CameraSettings& camera = shot.camera;
     const double yaw = camera.yaw.value_or(kOrbitYaw);
     const double pitch = camera.pitch.value_or(kOrbitPitch);
@@ -137,7 +137,7 @@ Viewpoint SnapshotPainter::orbit_view(const Shot& shot) const {
     return orbiting(centre, camera.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
 }
 
-Viewpoint SnapshotPainter::fixed_view(const Shot& shot) const {
+Viewpoint SnapshotRenderer::fixed_view(const Shot& shot) const {
     const CameraSettings& camera = shot.camera;
     const Eigen::Vector3d position = camera.position.value_or(eyes_of(shot));
     if (camera.look_at) {
@@ -146,7 +146,7 @@ Viewpoint SnapshotPainter::fixed_view(const Shot& shot) const {
     return looking(position, camera.yaw.value_or(0.0), camera.pitch.value_or(0.0), camera.fov);
 }
 
-Eigen::Vector3d SnapshotPainter::point_of(const CameraTarget& target) const {
+Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {
     if (!target.building) {
         return target.point;
     }
@@ -154,8 +154,8 @@ Eigen::Vector3d SnapshotPainter::point_of(const CameraTarget& target) const {
     return box.empty() ? target.point : Eigen::Vector3d(0.5 * (box.min + box.max));
 }
 
-Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view) {
-    const Canvas canvas(picture, fonts_);
+Image SnapshotRenderer::draw_over(const Image& image, const Shot& shot, const Viewpoint& view) {
+    const Canvas canvas(image, fonts_);
     if (shot.camera.view == View::top) {
         draw_path(canvas, view, shot.path);
         if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), shot.avatar.position)) {
@@ -183,10 +183,10 @@ Picture SnapshotPainter::draw_over(const Picture& picture, const Shot& shot, con
         const Eigen::Vector2d size = canvas.text_size(shot.caption, style);
         canvas.label(20.0 * s + 0.5 * size.x(), 24.0 * s, shot.caption, style);
     }
-    return canvas.picture();
+    return canvas.image();
 }
 
-std::vector<InfoWindow> SnapshotPainter::windows(const Shot& shot, const Viewpoint& view) const {
+std::vector<InfoWindow> SnapshotRenderer::windows(const Shot& shot, const Viewpoint& view) const {
     std::vector<InfoWindow> all;
     for (auto i = shot.open_popups.rbegin(); i != shot.open_popups.rend(); ++i) {
         all.push_back(info_window_of(campus_.description.buildings[i->building], *i));
@@ -195,8 +195,8 @@ std::vector<InfoWindow> SnapshotPainter::windows(const Shot& shot, const Viewpoi
     return all;
 }
 
-std::optional<Eigen::Vector2d> SnapshotPainter::anchor(std::size_t building, const Shot& shot,
-                                                       const Viewpoint& view) const {
+std::optional<Eigen::Vector2d> SnapshotRenderer::anchor(std::size_t building, const Shot& shot,
+                                                        const Viewpoint& view) const {
     const scene::Bounds& box = building_bounds_[building];
     const auto inside =
         (view.position.array() > box.min.array()) && (view.position.array() < box.max.array());
@@ -209,13 +209,13 @@ std::optional<Eigen::Vector2d> SnapshotPainter::anchor(std::size_t building, con
     return pixel_of(view, shot.camera.width, shot.camera.height, point);
 }
 
-std::string SnapshotPainter::title_of(std::size_t index) const {
+std::string SnapshotRenderer::title_of(std::size_t index) const {
     const scene::Building& building = campus_.description.buildings[index];
     const std::string title = popup_title(building, {});
     return title.empty() ? building.id : title;
 }
 
-std::vector<MapLabel> SnapshotPainter::labels() const {
+std::vector<MapLabel> SnapshotRenderer::labels() const {
     std::vector<MapLabel> all;
     for (std::size_t i = 0; i < building_bounds_.size(); ++i) {
         const scene::Bounds& box = building_bounds_[i];
@@ -227,8 +227,8 @@ std::vector<MapLabel> SnapshotPainter::labels() const {
 }
 
 // On what is seen of each building, as near to its middle as can be, the one that shows most first.
-std::vector<PixelLabel> SnapshotPainter::labels_in(const Shot& shot) {
-    const IdPicture ids = draw_ids(shot);
+std::vector<PixelLabel> SnapshotRenderer::labels_in(const Shot& shot) {
+    const IdImage ids = draw_ids(shot);
     const auto buildings = static_cast<std::uint32_t>(campus_.description.buildings.size());
     std::vector<std::uint32_t> owners;
     owners.reserve(ids.ids.size());
@@ -247,7 +247,7 @@ std::vector<PixelLabel> SnapshotPainter::labels_in(const Shot& shot) {
     return labels;
 }
 
-const Minimap& SnapshotPainter::minimap() {
+const Minimap& SnapshotRenderer::minimap() {
     if (!minimap_) {
         const scene::Bounds& bounds = renderer_.bounds();
         const double across = std::max(1.0, bounds.max.x() - bounds.min.x());

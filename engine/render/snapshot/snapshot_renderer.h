@@ -10,13 +10,13 @@
 
 #include "engine/record/tick_record.h"
 #include "engine/render/geometry/camera.h"
-#include "engine/render/passes/render_settings.h"
 #include "engine/render/image/image.h"
 #include "engine/render/overlay/canvas.h"
 #include "engine/render/overlay/info_window.h"
 #include "engine/render/overlay/map_marks.h"
 #include "engine/render/overlay/minimap.h"
 #include "engine/render/overlay/node_names.h"
+#include "engine/render/passes/render_settings.h"
 #include "engine/render/renderer.h"
 #include "engine/script/walk.h"
 #include "scene/campus/campus.h"
@@ -28,14 +28,14 @@ struct SnapshotSettings {
     RenderSettings light;  ///< a walk's own light goes on top
     RenderingBackend backend = RenderingBackend::automatic;
     double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
-    /// Of the plan that it is cut from, pixels a metre: twice what a picture 720 high shows.
+    /// Of the plan that it is cut from, pixels a metre: twice what an image 720 high shows.
     double minimap_detail = 2.5;
     std::size_t max_windows = 3;  ///< pop-ups shown at once; more would hide the campus
     bool labels = true;           ///< building titles on plans
     FreeDistance free_distance;   ///< keeps the third-person camera out of walls; without it, it isn't
 };
 
-/// One picture to take of a walk.
+/// One image to take of a walk.
 struct Shot {
     CameraSettings camera;
     AvatarState avatar;
@@ -44,7 +44,7 @@ struct Shot {
     double stride = 0.0;  ///< phase of the avatar's step, radians
     std::span<const OpenPopup> open_popups;  ///< oldest first
     std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in View::top
-    PictureOverlays overlays;
+    ImageOverlays overlays;
     std::span<const Eigen::Vector3d> contacts;  ///< where the foot point was, for the overlay
     std::string caption;                        ///< in the upper left corner, if any
     bool minimap = true;                        ///< in views from the avatar
@@ -52,33 +52,33 @@ struct Shot {
 
 /// Which building and which object each pixel of a shot shows, as Channels says; nothing drawn over it
 /// counts.
-struct IdPicture {
+struct IdImage {
     int width = 0;                   ///< pixels
     int height = 0;                  ///< pixels
     std::vector<std::uint32_t> ids;  ///< indices into `names`, rows from top to bottom
-    /// The same for all pictures of a campus, whatever they show. [0] is nobody's: sky, avatar, and whatever
+    /// The same for all images of a campus, whatever they show. [0] is nobody's: sky, avatar, and whatever
     /// no building and no object takes.
-    std::vector<PictureName> names;
+    std::vector<ImageName> names;
 };
 
-/// Draws finished snapshots of one campus: the picture, and over it windows, minimap and map marks. Holds the
-/// GL context; make it when the first picture is needed. Throws RenderError when the machine can't draw.
-class SnapshotPainter {
+/// Draws finished snapshots of one campus: the image, and over it windows, minimap and map marks. Holds the
+/// GL context; make it when the first image is needed. Throws RenderError when the machine can't draw.
+class SnapshotRenderer {
 public:
     /// `campus` must outlive the painter.
-    SnapshotPainter(const scene::Campus& campus, SnapshotSettings settings);
+    SnapshotRenderer(const scene::Campus& campus, SnapshotSettings settings);
 
-    Picture draw(const Shot& shot);
-    /// The same picture in numbers, and who owns its pixels.
+    Image draw(const Shot& shot);
+    /// The same image in numbers, and who owns its pixels.
     Channels draw_channels(const Shot& shot, const ChannelChoice& choice);
-    IdPicture draw_ids(const Shot& shot);
+    IdImage draw_ids(const Shot& shot);
     /// What Channels::nodes of this campus means.
-    IdPicture ids_of(const Channels& channels);
+    IdImage ids_of(const Channels& channels);
     /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
-    Picture draw_plan(int width, int height);
+    Image draw_plan(int width, int height);
     Channels draw_plan_channels(int width, int height, const ChannelChoice& choice);
     /// From any viewpoint, nothing drawn over it.
-    Picture draw_view(const Viewpoint& view, int width, int height);
+    Image draw_view(const Viewpoint& view, int width, int height);
 
     const scene::Bounds& bounds() const { return renderer_.bounds(); }
 
@@ -88,7 +88,7 @@ private:
     Viewpoint fixed_view(const Shot& shot) const;
     Eigen::Vector3d point_of(const CameraTarget& target) const;
     static std::optional<Figure> figure(const Shot& shot, const Viewpoint& view);
-    Picture draw_over(const Picture& picture, const Shot& shot, const Viewpoint& view);
+    Image draw_over(const Image& image, const Shot& shot, const Viewpoint& view);
     std::vector<InfoWindow> windows(const Shot& shot, const Viewpoint& view) const;
     std::optional<Eigen::Vector2d> anchor(std::size_t building, const Shot& shot,
                                           const Viewpoint& view) const;
@@ -103,7 +103,7 @@ private:
     Renderer renderer_;
     std::vector<scene::Bounds> building_bounds_;  // one a building, empty for one without nodes
     std::optional<Minimap> minimap_;
-    std::optional<NodeNames> node_names_;  // none before the first id picture
+    std::optional<NodeNames> node_names_;  // none before the first id image
 };
 
 }  // namespace campuswalk::engine::render

@@ -9,7 +9,7 @@ namespace campuswalk::engine::render {
 
 /// Of which buildings something is to be seen in a snapshot.
 struct SnapshotSight {
-    std::size_t pixels = 0;                ///< of the whole picture
+    std::size_t pixels = 0;                ///< of the whole image
     std::vector<std::size_t> of_building;  ///< pixels, by index into CampusDescription::buildings
 };
 

@@ -8,7 +8,7 @@ void WalkShots::begin(const Walk& walk) {
     trail_.clear();
 }
 
-Shot WalkShots::shot(const FrameRecord& record, const CameraSettings& camera) {
+Shot WalkShots::shot(const TickRecord& record, const CameraSettings& camera) {
     path_ = trail_.path();
     Shot shot;
     shot.camera = camera;

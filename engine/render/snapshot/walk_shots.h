@@ -9,17 +9,17 @@
 
 namespace campuswalk::engine::render {
 
-/// Follows a walk, and has what all pictures of it show alike: the avatar in its step, its way, the windows
+/// Follows a walk, and has what all images of it show alike: the avatar in its step, its way, the windows
 /// that are open.
 class WalkShots {
 public:
     void begin(const Walk& walk);
-    /// Every tick, whether a picture is taken or not.
+    /// Every tick, whether an image is taken or not.
     void follow(const AvatarState& avatar) { trail_.follow(avatar); }
 
     const LightSettings& light() const { return light_; }
     /// Refers to this and to `record`: draw it before either changes.
-    Shot shot(const FrameRecord& record, const CameraSettings& camera);
+    Shot shot(const TickRecord& record, const CameraSettings& camera);
 
 private:
     AvatarProfile profile_;

@@ -86,34 +86,34 @@ RawMesh AssimpSource::mesh(std::size_t number) {
     return mesh;
 }
 
-std::optional<DecodedImage> AssimpSource::picture(const TextureReference& reference, std::string& reason) {
+std::optional<DecodedImage> AssimpSource::load_image(const TextureReference& reference, std::string& reason) {
     const aiTexture* embedded = read_.scene->GetEmbeddedTexture(reference.uri.c_str());
     if (embedded == nullptr) {
-        return read_picture(folder_, reference.uri, reason);
+        return read_image(folder_, reference.uri, reason);
     }
     if (embedded->mHeight > 0) {
         return from_texels(*embedded);
     }
-    return decode_picture({reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth},
-                          reason);
+    return decode_image_bytes({reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth},
+                              reason);
 }
 
 void AssimpSource::add_warnings(DiagnosticList& warnings) {
     if (read_.files->dropped_uvs()) {
         warnings.warning(
             file_.mark, "repaired-uvs",
-            file_.file + ": its faces name texture coordinates and it has none; they are left out");
+            file_.file + ": faces refer to texture coordinates, but the file has none; they are ignored");
     }
     if (!read_.files->geographic().refused.empty()) {
         warnings.warning(file_.mark, "bad-geography",
                          file_.file + ": its geographic_location " + read_.files->geographic().refused +
-                             "; it is taken as unknown");
+                             "; the location is ignored");
     }
     for (const std::string& name : read_.files->refused()) {
         if (name.ends_with(".mtl")) {
             warnings.warning(file_.mark, "missing-materials",
                              file_.file + ": the material file '" + name +
-                                 "' is not there; its materials are drawn plain");
+                                 "' was not found; its materials are drawn in a plain colour");
             return;
         }
     }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "scene/model/scene_file.h"
+#include "scene/import/assimp/read_scene.h"
 #include "scene/import/source/image_files.h"
 #include "scene/import/source/model_source.h"
-#include "scene/import/assimp/read_scene.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 
@@ -16,7 +16,7 @@ public:
     NodeTree nodes() override;
     const std::vector<SourceMaterial>& materials() override { return materials_; }
     RawMesh mesh(std::size_t number) override;
-    std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
+    std::optional<DecodedImage> load_image(const TextureReference& reference, std::string& reason) override;
     bool flat_normals() const override { return false; }
     std::optional<GeographicPlace> geographic() const override;
     void add_warnings(DiagnosticList& warnings) override;

@@ -14,12 +14,12 @@ constexpr float kLeastOpacity = 0.02F;
 constexpr float kBlack = 0.01F;
 
 /// A colour component as a finite number in 0..1.
-float tidy(float value) {
+float sanitize(float value) {
     return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
 }
 
 float linear_from_srgb(float value) {
-    const float v = tidy(value);
+    const float v = sanitize(value);
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
 
@@ -27,10 +27,10 @@ bool is_repeating(aiTextureMapMode mode) {
     return mode != aiTextureMapMode_Clamp && mode != aiTextureMapMode_Decal;
 }
 
-/// The first of the types that the material has becomes its `use`. The first picture of all says by which
+/// The first of the types that the material has becomes its `use`. The first image of all says by which
 /// texture coordinates they lie; these formats know no others in practice.
-void add_picture(const aiMaterial& source, std::initializer_list<aiTextureType> types,
-                 std::optional<TextureIndex> Material::*use, SourceMaterial& out) {
+void add_image(const aiMaterial& source, std::initializer_list<aiTextureType> types,
+               std::optional<TextureIndex> Material::*use, SourceMaterial& out) {
     for (const aiTextureType type : types) {
         aiString path;
         unsigned int channel = 0;
@@ -38,11 +38,11 @@ void add_picture(const aiMaterial& source, std::initializer_list<aiTextureType> 
         if (source.GetTexture(type, 0, &path, nullptr, &channel, nullptr, nullptr, modes) ==
                 aiReturn_SUCCESS &&
             path.length > 0) {
-            if (out.pictures.empty()) {
+            if (out.images.empty()) {
                 out.uv_channel = channel;
             }
             const bool repeat = is_repeating(modes[0]) && is_repeating(modes[1]);
-            out.pictures.push_back({use, {path.C_Str(), repeat}});
+            out.images.push_back({use, {path.C_Str(), repeat}});
             return;
         }
     }
@@ -51,7 +51,7 @@ void add_picture(const aiMaterial& source, std::initializer_list<aiTextureType> 
 /// Diffuse colours of older formats are display values, and often black when a texture is there to replace
 /// them.
 void convert_color(const aiMaterial& source, const aiColor4D& diffuse, SourceMaterial& out) {
-    const bool textured = !out.pictures.empty();
+    const bool textured = !out.images.empty();
     const bool black = std::max({diffuse.r, diffuse.g, diffuse.b}) < kBlack;
     auto& color = out.material.base_color;
     if (!(textured && black)) {
@@ -74,8 +74,7 @@ SourceMaterial convert_material(const aiMaterial& source) {
     if (source.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS) {
         material.name = name.C_Str();
     }
-    add_picture(source, {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}, &Material::base_color_texture,
-                out);
+    add_image(source, {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}, &Material::base_color_texture, out);
 
     aiColor4D diffuse(1, 1, 1, 1);
     source.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse);
@@ -86,12 +85,12 @@ SourceMaterial convert_material(const aiMaterial& source) {
                          linear_from_srgb(emissive.b)};
     material.double_sided = true;
     out.cut_out_by_texture = material.alpha_mode == AlphaMode::opaque;
-    const std::size_t pictures = out.pictures.size();
-    add_picture(source, {aiTextureType_EMISSIVE}, &Material::emissive_texture, out);
-    if (out.pictures.size() > pictures && std::ranges::max(material.emissive) < kBlack) {
-        material.emissive = {1, 1, 1};  // black beside a picture stands for the picture
+    const std::size_t images = out.images.size();
+    add_image(source, {aiTextureType_EMISSIVE}, &Material::emissive_texture, out);
+    if (out.images.size() > images && std::ranges::max(material.emissive) < kBlack) {
+        material.emissive = {1, 1, 1};  // black beside an image stands for the image
     }
-    add_picture(source, {aiTextureType_NORMALS}, &Material::normal_texture, out);
+    add_image(source, {aiTextureType_NORMALS}, &Material::normal_texture, out);
     return out;
 }
 

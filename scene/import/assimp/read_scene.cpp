@@ -41,9 +41,9 @@ FaceCheck check_faces(const aiScene& scene) {
         words.pop_back();
     }
     if (words.find("OBJ-file is too small") != std::string::npos) {
-        throw InputError(file.mark, "empty-mesh", "'" + file.file + "' has no triangle");
+        throw InputError(file.mark, "empty-mesh", "'" + file.file + "' has no triangles");
     }
-    std::string message = "'" + file.file + "' is not a model that can be read: " + words;
+    std::string message = "'" + file.file + "' can't be read as a model: " + words;
     for (const std::string& name : read.files->refused()) {
         if (words.find(name) == std::string::npos) {
             message += "; '" + name + "' is missing or outside the scene's folder";
@@ -56,7 +56,7 @@ FaceCheck check_faces(const aiScene& scene) {
 
 void read_scene(const SceneFile& file, const SceneFolder& folder, ReadScene& out, ColladaNames names) {
     configure(out.importer, names);
-    out.files = new LockedFiles(folder, file.metres_per_unit * file.scale);
+    out.files = new ConfinedFiles(folder, file.metres_per_unit * file.scale);
     out.importer.SetIOHandler(out.files);
     try {
         out.scene = out.importer.ReadFile(file.path.filename().string(), 0);
@@ -65,7 +65,7 @@ void read_scene(const SceneFile& file, const SceneFolder& folder, ReadScene& out
         }
         const FaceCheck faces = check_faces(*out.scene);
         if (!faces.indices_in_range) {
-            throw_bad_model(file, out, "a face uses a vertex that is not there");
+            throw_bad_model(file, out, "a face refers to a vertex that does not exist");
         }
         if (faces.has_polygons) {
             out.scene = out.importer.ApplyPostProcessing(aiProcess_Triangulate);
@@ -76,7 +76,7 @@ void read_scene(const SceneFile& file, const SceneFolder& folder, ReadScene& out
         throw_bad_model(file, out, error.what());
     }
     if (out.scene == nullptr || out.scene->mRootNode == nullptr) {
-        throw_bad_model(file, out, "nothing is in it");
+        throw_bad_model(file, out, "it is empty");
     }
 }
 

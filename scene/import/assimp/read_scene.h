@@ -3,8 +3,8 @@
 #include <assimp/Importer.hpp>
 
 #include "scene/base/diagnostic.h"
-#include "scene/model/scene_file.h"
 #include "scene/import/source/confined_files.h"
+#include "scene/model/scene_file.h"
 
 struct aiScene;
 
@@ -13,7 +13,7 @@ namespace campuswalk::scene {
 /// A file as assimp sees it, alive as long as `importer`.
 struct ReadScene {
     Assimp::Importer importer;
-    LockedFiles* files = nullptr;  ///< owned by the importer
+    ConfinedFiles* files = nullptr;  ///< owned by the importer
     const aiScene* scene = nullptr;
 };
 

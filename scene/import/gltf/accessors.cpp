@@ -94,7 +94,7 @@ Run run_in(const Item& item, Bytes view, std::size_t stride, std::size_t count, 
     if (count > 0) {
         const std::size_t room = offset > view.size() ? 0 : view.size() - offset;
         if (size > room || (count - 1) > (room - size) / step) {
-            item.fail("reaches past the end of its buffer view");
+            item.fail("extends past the end of its buffer view");
         }
     }
     return {view.data() + offset, step};
@@ -124,10 +124,10 @@ Accessors::Layout Accessors::layout_of(const Item& item) const {
     const auto* shape = std::ranges::find(kShapes, type, &Shape::name);
     const bool known = (component >= 5120 && component <= 5123) || component == 5125 || component == 5126;
     if (shape == kShapes.end() || !known) {
-        item.fail("has a type or componentType that a mesh can't have");
+        item.fail("has a type or componentType that is not valid for a mesh");
     }
     if (layout.count > kMostElements) {
-        item.fail("has a count of " + std::to_string(layout.count) + ", which is too large");
+        item.fail("has an implausible count of " + std::to_string(layout.count));
     }
     layout.components = shape->components;
     layout.component = static_cast<Component>(component);
@@ -175,7 +175,7 @@ void Accessors::read_sparse(const Item& sparse, const Layout& layout, std::span<
     const auto index_type = static_cast<Component>(indices->needed_whole("componentType"));
     if (index_type != Component::unsigned_byte && index_type != Component::unsigned_short &&
         index_type != Component::unsigned_int) {
-        indices->fail("has a componentType that indices can't have");
+        indices->fail("has a componentType that is not valid for indices");
     }
     const auto index_bytes = buffers_.view(indices->needed_whole("bufferView"));
     const auto value_bytes = buffers_.view(values->needed_whole("bufferView"));
@@ -189,7 +189,7 @@ void Accessors::read_sparse(const Item& sparse, const Layout& layout, std::span<
         const auto element =
             component_at<std::uint32_t>(index_run.first + i * index_run.stride, index_type, false);
         if (element >= layout.count) {
-            indices->fail("names an element that its accessor doesn't have");
+            indices->fail("refers to an element that its accessor does not have");
         }
         for (std::size_t k = 0; k < layout.components; ++k) {
             out[element * layout.components + k] = component_at<T>(
@@ -206,7 +206,7 @@ std::vector<float> Accessors::floats(std::size_t index, int components) {
     const Item item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
     if (layout.components != static_cast<std::size_t>(components)) {
-        item.fail("has the type " + item.text("type") + ", which its use can't have");
+        item.fail("has the type " + item.text("type") + ", which is not valid here");
     }
     std::vector<float> result(layout.count * layout.components);
     read<float>(item, layout, result);
@@ -257,7 +257,7 @@ std::vector<std::uint32_t> Accessors::whole_numbers(std::size_t index) {
     const Item item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
     if (layout.components != 1 || layout.component == Component::single) {
-        item.fail("has a type that indices can't have");
+        item.fail("has a type that is not valid for indices");
     }
     std::vector<std::uint32_t> result(layout.count);
     read<std::uint32_t>(item, layout, result);

@@ -1,9 +1,9 @@
 #include "scene/import/gltf/buffers.h"
 
-#include "scene/import/source/confined_files.h"
 #include "scene/import/gltf/base64.h"
 #include "scene/import/gltf/fault.h"
 #include "scene/import/gltf/meshopt.h"
+#include "scene/import/source/confined_files.h"
 
 namespace campuswalk::scene::gltf {
 
@@ -16,7 +16,7 @@ std::optional<std::vector<std::uint8_t>> Buffers::data_of_uri(const std::string&
     auto bytes = at == std::string::npos ? std::nullopt
                                          : decode_base64(std::string_view(uri).substr(at + kBase64.size()));
     if (!bytes) {
-        throw Fault("a data URI in it is not base64; export it again");
+        throw Fault("a data URI is not valid base64; re-export the file");
     }
     return bytes;
 }
@@ -28,7 +28,7 @@ std::vector<std::uint8_t> Buffers::fetch(const Item& buffer, const std::string& 
     const auto path = folder_.find_file(uri);
     auto bytes = path ? read_bytes(*path) : std::nullopt;
     if (!bytes) {
-        buffer.fail("names '" + uri + "', which is missing or outside the scene's folder");
+        buffer.fail("refers to '" + uri + "', which is missing or outside the scene's folder");
     }
     return std::move(*bytes);
 }
@@ -50,7 +50,7 @@ std::optional<Bytes> Buffers::buffer(std::size_t index) {
     }
     if (whole.size() < length) {
         item.fail("has " + std::to_string(whole.size()) + " bytes instead of " + std::to_string(length) +
-                  "; export or copy it again");
+                  "; re-export or copy it again");
     }
     return whole.first(length);
 }
@@ -60,7 +60,7 @@ Bytes Buffers::slice(std::size_t buffer, const Item& where, Bytes whole) const {
     const std::size_t offset = where.whole("byteOffset").value_or(0);
     const std::size_t length = where.needed_whole("byteLength");
     if (offset > whole.size() || length > whole.size() - offset) {
-        where.fail("reaches past the end of buffers/" + std::to_string(buffer));
+        where.fail("extends past the end of buffers/" + std::to_string(buffer));
     }
     return whole.subspan(offset, length);
 }

@@ -26,13 +26,13 @@ std::uint32_t word_at(Bytes bytes, std::size_t at) {
 /// Takes the next chunk off `rest`.
 Bytes next_chunk(Bytes& rest, std::uint32_t& type) {
     if (rest.size() < kChunkHeader) {
-        throw Fault("it ends in the middle of a GLB chunk's header; export or copy it again");
+        throw Fault("it ends inside a GLB chunk header; re-export or copy the file again");
     }
     const std::uint32_t length = word_at(rest, 0);
     type = word_at(rest, 4);
     rest = rest.subspan(kChunkHeader);
     if (length > rest.size()) {
-        throw Fault("it ends in the middle of a GLB chunk; export or copy it again");
+        throw Fault("it ends inside a GLB chunk; re-export or copy the file again");
     }
     const Bytes chunk = rest.first(length);
     rest = rest.subspan(length);
@@ -41,22 +41,22 @@ Bytes next_chunk(Bytes& rest, std::uint32_t& type) {
 
 void split_glb(Bytes file, Container& out) {
     if (file.size() < kFileHeader) {
-        throw Fault("it ends in the middle of the GLB header; export or copy it again");
+        throw Fault("it ends inside the GLB header; re-export or copy the file again");
     }
     if (word_at(file, 4) != kVersion) {
-        throw Fault("it is GLB of version " + std::to_string(word_at(file, 4)) +
-                    ", only 2 is read; convert it to glTF 2.0");
+        throw Fault("it is GLB version " + std::to_string(word_at(file, 4)) +
+                    "; only version 2 is supported: convert it to glTF 2.0");
     }
     const std::uint32_t length = word_at(file, 8);
     if (length > file.size() || length < kFileHeader) {
-        throw Fault("it should have " + std::to_string(length) + " bytes and has " +
-                    std::to_string(file.size()) + "; export or copy it again");
+        throw Fault("its header declares " + std::to_string(length) + " bytes, but the file has " +
+                    std::to_string(file.size()) + "; re-export or copy it again");
     }
     Bytes rest = file.subspan(kFileHeader, length - kFileHeader);
     std::uint32_t type = 0;
     out.json = next_chunk(rest, type);
     if (type != kJsonChunk) {
-        throw Fault("its first GLB chunk is not JSON; export it again");
+        throw Fault("its first GLB chunk is not JSON; re-export it");
     }
     while (!rest.empty() && !out.binary) {
         const Bytes chunk = next_chunk(rest, type);

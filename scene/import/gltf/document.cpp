@@ -38,7 +38,7 @@ Item::Item(const Json& object, std::string place) : object_(&object), place_(std
 }
 
 void Item::fail(const std::string& what) const {
-    throw Fault((place_.empty() ? "its JSON text" : place_) + " " + what);
+    throw Fault((place_.empty() ? "its JSON" : place_) + " " + what);
 }
 
 const Json* Item::find(const char* key) const {
@@ -74,7 +74,7 @@ std::string Item::text(const char* key) const {
         return {};
     }
     if (!value->is_string()) {
-        fail("has '" + std::string(key) + "', which must be a text");
+        fail("has '" + std::string(key) + "', which must be a string");
     }
     return value->get<std::string>();
 }
@@ -94,7 +94,7 @@ std::optional<std::size_t> Item::whole(const char* key) const {
     }
     const auto number = to_whole(*value);
     if (!number) {
-        fail("has '" + std::string(key) + "', which must be a whole number from 0 on");
+        fail("has '" + std::string(key) + "', which must be a non-negative integer");
     }
     return number;
 }
@@ -155,7 +155,7 @@ std::vector<std::size_t> Item::wholes(const char* key) const {
         for (const Json& element : *value) {
             const auto number = value->is_array() ? to_whole(element) : std::nullopt;
             if (!number) {
-                fail("has '" + std::string(key) + "', which must be an array of whole numbers from 0 on");
+                fail("has '" + std::string(key) + "', which must be an array of non-negative integers");
             }
             result.push_back(*number);
         }
@@ -168,7 +168,7 @@ std::vector<std::string> Item::texts(const char* key) const {
     if (const Json* value = find(key)) {
         for (const Json& element : *value) {
             if (!value->is_array() || !element.is_string()) {
-                fail("has '" + std::string(key) + "', which must be an array of texts");
+                fail("has '" + std::string(key) + "', which must be an array of strings");
             }
             result.push_back(element.get<std::string>());
         }
@@ -189,10 +189,10 @@ Document::Document(Bytes json) {
         json_ = std::make_unique<Json>(Json::parse(json.begin(), json.end()));
     } catch (const Json::parse_error& error) {
         // Its words end in what it read last, perhaps half a character: the place is enough.
-        throw Fault("its JSON text can't be understood at byte " + std::to_string(error.byte));
+        throw Fault("its JSON can't be parsed at byte " + std::to_string(error.byte));
     } catch (const Json::out_of_range& error) {
         const std::string_view words = error.what();  // they end in the number, in quotes
-        throw Fault("its JSON text has a number that is too large: " +
+        throw Fault("its JSON contains a number out of range: " +
                     std::string(words.substr(std::min(words.find('\''), words.size()))));
     }
     root();
@@ -218,7 +218,7 @@ std::size_t Document::size(const char* array) const {
 Item Document::item(const char* array, std::size_t index) const {
     const std::string place = std::string(array) + "/" + std::to_string(index);
     if (index >= size(array)) {
-        throw Fault(place + " is used and isn't there");
+        throw Fault(place + " is referenced but does not exist");
     }
     return {(*json_)[array][index], place};
 }

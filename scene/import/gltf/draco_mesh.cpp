@@ -22,7 +22,7 @@ namespace {
 const draco::PointAttribute& attribute_of(const Item& compression, const draco::Mesh& mesh, std::size_t id) {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
     if (attribute == nullptr) {
-        compression.fail("names the attribute " + std::to_string(id) + ", which its data doesn't have");
+        compression.fail("names the attribute " + std::to_string(id) + ", which its data does not contain");
     }
     return *attribute;
 }
@@ -36,7 +36,8 @@ void for_each_point(const Item& compression, const draco::Mesh& mesh, std::size_
         const draco::AttributeValueIndex value = attribute.mapped_index(point);
         if (value.value() >= attribute.size() ||
             !attribute.ConvertValue<float>(value, static_cast<std::int8_t>(Components), values.data())) {
-            compression.fail("holds an attribute that can't be read as numbers; export it without Draco");
+            compression.fail(
+                "contains an attribute that can't be decoded to numbers; export it without Draco");
         }
         take(values);
     }
@@ -75,8 +76,8 @@ void unpack_draco(const Item& compression, Bytes packed, const DracoAttributes& 
     draco::Decoder decoder;
     const auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok()) {
-        compression.fail("can't be unpacked (" + decoded.status().error_msg_string() +
-                         "); export it again or without Draco");
+        compression.fail("can't be decoded (" + decoded.status().error_msg_string() +
+                         "); re-export it, or export without Draco");
     }
     const draco::Mesh& mesh = *decoded.value();
     out.triangles.reserve(mesh.num_faces());

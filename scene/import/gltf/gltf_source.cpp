@@ -2,11 +2,11 @@
 
 #include <charconv>
 
-#include "scene/import/source/file_frame.h"
 #include "scene/import/gltf/extensions.h"
 #include "scene/import/gltf/fault.h"
 #include "scene/import/gltf/node_graph.h"
 #include "scene/import/gltf/relative_to_center.h"
+#include "scene/import/source/file_frame.h"
 #include "scene/import/source/image_files.h"
 
 namespace campuswalk::scene::gltf {
@@ -35,7 +35,7 @@ auto GltfSource::reading(const Call& call) const {
         return call();
     } catch (const Fault& fault) {
         throw InputError(file_.mark, "bad-model",
-                         "'" + file_.file + "' is not a model that can be read: " + fault.what());
+                         "'" + file_.file + "' can't be read as a model: " + fault.what());
     }
 }
 
@@ -76,26 +76,26 @@ RawMesh GltfSource::mesh(std::size_t number) {
     return reading([&] { return parts_->primitives->read(number); });
 }
 
-std::optional<DecodedImage> GltfSource::embedded_picture(std::size_t image, std::string& reason) {
+std::optional<DecodedImage> GltfSource::embedded_image(std::size_t image, std::string& reason) {
     const Item item = parts_->document.item("images", image);
     if (const auto data = Buffers::data_of_uri(item.text("uri"))) {
-        return decode_picture(*data, reason);
+        return decode_image_bytes(*data, reason);
     }
     const auto bytes = parts_->buffers.view(item.needed_whole("bufferView"));
     if (!bytes) {
-        reason = "has no data in the file; export it again";
+        reason = "has no data in the file; re-export it";
         return std::nullopt;
     }
-    return decode_picture(*bytes, reason);
+    return decode_image_bytes(*bytes, reason);
 }
 
-std::optional<DecodedImage> GltfSource::picture(const TextureReference& reference, std::string& reason) {
+std::optional<DecodedImage> GltfSource::load_image(const TextureReference& reference, std::string& reason) {
     if (!reference.uri.starts_with('*')) {
-        return read_picture(parts_->folder, reference.uri, reason);
+        return read_image(parts_->folder, reference.uri, reason);
     }
     std::size_t image = 0;
     std::from_chars(reference.uri.data() + 1, reference.uri.data() + reference.uri.size(), image);
-    return reading([&] { return embedded_picture(image, reason); });
+    return reading([&] { return embedded_image(image, reason); });
 }
 
 std::vector<FileRequest> GltfSource::requests() const {
@@ -108,38 +108,41 @@ void GltfSource::add_warnings(DiagnosticList& warnings) {
     };
     const GraphNotes& notes = parts_->notes;
     if (notes.scenes_left_out > 0) {
-        warn("unsupported-feature", std::to_string(notes.scenes_left_out + 1) +
-                                        " scenes: only the default one is read; export one scene a file");
+        warn("unsupported-feature",
+             std::to_string(notes.scenes_left_out + 1) +
+                 " scenes: only the default scene is imported; export one file per scene");
     }
     if (notes.meshes_left_out > 0 && notes.scenes_left_out == 0) {
         warn("unplaced-mesh",
-             "meshes that its scene doesn't place, left out: " + std::to_string(notes.meshes_left_out));
+             "meshes not placed by the scene, ignored: " + std::to_string(notes.meshes_left_out));
     }
     if (notes.meshes_placed > 0) {
         warn("unplaced-mesh",
-             "meshes without a node, put at the origin: " + std::to_string(notes.meshes_placed));
+             "meshes without a node, placed at the origin: " + std::to_string(notes.meshes_placed));
     }
     if (notes.skinned > 0) {
         warn("unsupported-feature", "skins: " + std::to_string(notes.skinned) +
-                                        " nodes with bones are taken in the pose they were modelled in; "
+                                        " skinned nodes are imported in their bind pose; "
                                         "apply the pose before export");
     }
     if (parts_->primitives->morphed() > 0) {
-        warn("unsupported-feature", "morph targets: shapes are taken without them; apply them before export");
+        warn("unsupported-feature",
+             "morph targets are ignored: the base shape is imported; apply them before export");
     }
     if (parts_->primitives->without_data() > 0) {
-        warn("missing-data", "arrays of meshes that the file has no data for, read as 0: " +
+        warn("missing-data", "mesh arrays without data in the file, read as zeros: " +
                                  std::to_string(parts_->primitives->without_data()));
     }
     for (const GltfMaterial& material : parts_->materials) {
         for (const std::string& key : material.left_out) {
-            warn("unsupported-feature", "material '" + material.source.material.name + "': " + key +
-                                            " lies by other texture coordinates than its first picture; "
-                                            "drawn without it");
+            warn("unsupported-feature",
+                 "material '" + material.source.material.name + "': " + key +
+                     " uses a different set of texture coordinates than its first texture; "
+                     "drawn without it");
         }
     }
     for (const std::string& name : unread_extensions(parts_->document)) {
-        warn("unsupported-feature", name + ": ignored, what it adds is missing; export without it");
+        warn("unsupported-feature", name + ": ignored, so what it adds is missing; export without it");
     }
 }
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "scene/model/scene_file.h"
 #include "scene/import/source/model_source.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene::gltf {
 
@@ -18,7 +18,7 @@ public:
     NodeTree nodes() override;
     const std::vector<SourceMaterial>& materials() override { return materials_; }
     RawMesh mesh(std::size_t number) override;
-    std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) override;
+    std::optional<DecodedImage> load_image(const TextureReference& reference, std::string& reason) override;
     bool flat_normals() const override { return true; }
     std::optional<GeographicPlace> geographic() const override;
     void add_warnings(DiagnosticList& warnings) override;
@@ -28,7 +28,7 @@ private:
     struct Parts;
     template <typename Call>
     auto reading(const Call& call) const;
-    std::optional<DecodedImage> embedded_picture(std::size_t image, std::string& reason);
+    std::optional<DecodedImage> embedded_image(std::size_t image, std::string& reason);
 
     const SceneFile& file_;
     std::unique_ptr<Parts> parts_;

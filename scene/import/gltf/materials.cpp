@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kClampToEdge = 33071;
 
 /// A colour component as a finite number in 0..1.
-float tidy(float value) {
+float sanitize(float value) {
     return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
 }
 
@@ -25,7 +25,7 @@ std::optional<Item> extension_of(const Item& item, const char* name) {
 }
 
 /// The image of a texture. WebP is taken before what stands in for it; for KTX2 and DDS, which aren't read,
-/// what stands in is taken, and without any the reader of pictures says so.
+/// what stands in is taken, and without any the reader of images says so.
 std::optional<std::size_t> image_of(const Item& texture) {
     if (const auto webp = extension_of(texture, "EXT_texture_webp")) {
         if (const auto source = webp->whole("source")) {
@@ -52,7 +52,7 @@ bool repeats(const Document& document, const Item& texture) {
     return item.whole("wrapS") != kClampToEdge && item.whole("wrapT") != kClampToEdge;
 }
 
-/// Scaled, then turned anticlockwise as seen on the picture (v runs down), then moved.
+/// Scaled, then turned anticlockwise as seen on the image (v runs down), then moved.
 void read_transform(const Item& transform, TextureLayout& out) {
     const auto offset = transform.numbers("offset", 2).value_or(std::vector<float>{0, 0});
     const auto scale = transform.numbers("scale", 2).value_or(std::vector<float>{1, 1});
@@ -75,9 +75,9 @@ TextureLayout read_layout(const Item& info) {
     return layout;
 }
 
-/// The picture that `holder` names under `key`, if any: its first one says how all of a material's lie.
-std::optional<Item> read_picture(const Document& document, const Item& holder, const char* key,
-                                 std::optional<TextureIndex> Material::*use, GltfMaterial& out) {
+/// The image that `holder` names under `key`, if any: its first one says how all of a material's lie.
+std::optional<Item> read_image(const Document& document, const Item& holder, const char* key,
+                               std::optional<TextureIndex> Material::*use, GltfMaterial& out) {
     auto info = holder.object(key);
     if (!info) {
         return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<Item> read_picture(const Document& document, const Item& holder, c
         return std::nullopt;
     }
     const TextureLayout layout = read_layout(*info);
-    if (out.source.pictures.empty()) {
+    if (out.source.images.empty()) {
         out.layout = layout;
         out.source.uv_channel = layout.channel;
     } else if (!(layout == out.layout)) {
@@ -97,24 +97,24 @@ std::optional<Item> read_picture(const Document& document, const Item& holder, c
     }
     const std::string uri = document.item("images", *image).text("uri");
     const bool embedded = uri.empty() || uri.starts_with("data:");
-    out.source.pictures.push_back(
+    out.source.images.push_back(
         {use, {embedded ? "*" + std::to_string(*image) : uri, repeats(document, texture)}});
     return info;
 }
 
-/// One of the two ways to name colour and picture: `holder`'s keys.
+/// One of the two ways to name colour and image: `holder`'s keys.
 void read_color(const Document& document, const Item& holder, const char* factor, const char* texture,
                 GltfMaterial& out) {
     if (const auto color = holder.numbers(factor, 4)) {
-        out.source.material.base_color = {tidy((*color)[0]), tidy((*color)[1]), tidy((*color)[2]),
-                                          tidy((*color)[3])};
+        out.source.material.base_color = {sanitize((*color)[0]), sanitize((*color)[1]), sanitize((*color)[2]),
+                                          sanitize((*color)[3])};
     }
-    read_picture(document, holder, texture, &Material::base_color_texture, out);
+    read_image(document, holder, texture, &Material::base_color_texture, out);
 }
 
 /// Where the surface glows, and how brightly: KHR_materials_emissive_strength may take it over 1.
 void read_glow(const Document& document, const Item& item, GltfMaterial& out) {
-    constexpr double kBrightest = 100.0;  // already white on any picture
+    constexpr double kBrightest = 100.0;  // already white on any image
     double strength = 1.0;
     if (const auto extension = extension_of(item, "KHR_materials_emissive_strength")) {
         strength = extension->number("emissiveStrength", 1.0);
@@ -122,20 +122,20 @@ void read_glow(const Document& document, const Item& item, GltfMaterial& out) {
     if (const auto factor = item.numbers("emissiveFactor", 3)) {
         for (std::size_t i = 0; i < 3; ++i) {
             out.source.material.emissive[i] =
-                tidy((*factor)[i]) *
+                sanitize((*factor)[i]) *
                 static_cast<float>(std::isfinite(strength) ? std::clamp(strength, 0.0, kBrightest) : 1.0);
         }
     }
     const bool named = item.has("emissiveTexture");
-    if (named && !read_picture(document, item, "emissiveTexture", &Material::emissive_texture, out)) {
+    if (named && !read_image(document, item, "emissiveTexture", &Material::emissive_texture, out)) {
         out.source.material.emissive = {0, 0, 0};  // it would say where: not all over
     }
 }
 
 void read_metal(const Document& document, const Item& pbr, GltfMaterial& out) {
-    out.source.material.metallic = tidy(static_cast<float>(pbr.number("metallicFactor", 1.0)));
-    out.source.material.roughness = tidy(static_cast<float>(pbr.number("roughnessFactor", 1.0)));
-    read_picture(document, pbr, "metallicRoughnessTexture", &Material::metallic_roughness_texture, out);
+    out.source.material.metallic = sanitize(static_cast<float>(pbr.number("metallicFactor", 1.0)));
+    out.source.material.roughness = sanitize(static_cast<float>(pbr.number("roughnessFactor", 1.0)));
+    read_image(document, pbr, "metallicRoughnessTexture", &Material::metallic_roughness_texture, out);
 }
 
 GltfMaterial read_material(const Document& document, const Item& item) {
@@ -150,13 +150,13 @@ GltfMaterial read_material(const Document& document, const Item& item) {
         read_color(document, *pbr, "baseColorFactor", "baseColorTexture", out);
         read_metal(document, *pbr, out);
     }
-    if (const auto normal = read_picture(document, item, "normalTexture", &Material::normal_texture, out)) {
+    if (const auto normal = read_image(document, item, "normalTexture", &Material::normal_texture, out)) {
         const auto scale = static_cast<float>(normal->number("scale", 1.0));
         material.normal_scale = std::isfinite(scale) ? scale : 1.0F;
     }
     read_glow(document, item, out);
     material.alpha_mode = to_alpha_mode(item.text("alphaMode"));
-    material.alpha_cutoff = tidy(static_cast<float>(item.number("alphaCutoff", 0.5)));
+    material.alpha_cutoff = sanitize(static_cast<float>(item.number("alphaCutoff", 0.5)));
     material.double_sided = item.flag("doubleSided");
     material.unlit = extension_of(item, "KHR_materials_unlit").has_value();
     return out;

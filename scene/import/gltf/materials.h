@@ -10,7 +10,7 @@
 
 namespace campuswalk::scene::gltf {
 
-/// How a picture lies on a surface: by which texture coordinates, and what KHR_texture_transform makes of
+/// How an image lies on a surface: by which texture coordinates, and what KHR_texture_transform makes of
 /// them: uv' = linear * uv + offset.
 struct TextureLayout {
     unsigned int channel = 0;
@@ -22,11 +22,11 @@ struct TextureLayout {
 
 struct GltfMaterial {
     SourceMaterial source;
-    TextureLayout layout;               ///< of its first picture
-    std::vector<std::string> left_out;  ///< keys of pictures that lie otherwise than the first
+    TextureLayout layout;               ///< of its first image
+    std::vector<std::string> left_out;  ///< keys of images that lie otherwise than the first
 };
 
-/// All of a file's materials and, last, glTF's default one. Pictures inside the file are called `*N`, N being
+/// All of a file's materials and, last, glTF's default one. Images inside the file are called `*N`, N being
 /// the number in `images`.
 std::vector<GltfMaterial> read_materials(const Document& document);
 

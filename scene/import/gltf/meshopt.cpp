@@ -25,16 +25,16 @@ Layout layout_of(const Item& compression, std::size_t packed) {
     layout.mode = compression.text("mode");
     layout.filter = compression.has("filter") ? compression.text("filter") : "NONE";
     if (layout.mode != "ATTRIBUTES" && layout.mode != "TRIANGLES" && layout.mode != "INDICES") {
-        compression.fail("has the mode '" + layout.mode + "', which isn't read");
+        compression.fail("has the mode '" + layout.mode + "', which is not supported");
     }
     const bool vertices = layout.mode == "ATTRIBUTES";
     const bool stride_fits = vertices ? layout.stride % 4 == 0 && layout.stride <= kMostStride
                                       : layout.stride == 2 || layout.stride == 4;
     if (layout.stride == 0 || !stride_fits || (layout.mode == "TRIANGLES" && layout.count % 3 != 0)) {
-        compression.fail("has a byteStride or count that its mode can't have");
+        compression.fail("has a byteStride or count that is not valid for its mode");
     }
     if (layout.count > (packed + 1) * kMostGain) {
-        compression.fail("has a count that its bytes can't hold");
+        compression.fail("has a count larger than its bytes can hold");
     }
     return layout;
 }
@@ -51,7 +51,7 @@ void apply_filter(const Item& compression, const Layout& layout, std::vector<std
     } else if (layout.filter == "EXPONENTIAL") {
         meshopt_decodeFilterExp(bytes.data(), layout.count, stride);
     } else {
-        compression.fail("has the filter '" + layout.filter + "', which isn't read for its stride");
+        compression.fail("has the filter '" + layout.filter + "', which is not supported for its stride");
     }
 }
 
@@ -72,7 +72,7 @@ std::vector<std::uint8_t> unpack_meshopt(const Item& compression, Bytes packed) 
                                               packed.size());
     }
     if (failure != 0) {
-        compression.fail("is damaged or packed by a newer codec; export it without compression");
+        compression.fail("is damaged or was encoded by a newer codec; export it without compression");
     }
     apply_filter(compression, layout, bytes);
     return bytes;

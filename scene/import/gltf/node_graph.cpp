@@ -48,7 +48,7 @@ Eigen::Matrix4d local_transform(const Item& node) {
     if (const auto matrix = node.numbers("matrix", 16)) {
         const Eigen::Map<const Eigen::Matrix4f> m(matrix->data());
         if (m.row(3) != Eigen::RowVector4f(0, 0, 0, 1)) {
-            node.fail("has a 'matrix' that is no affine one; export it again");
+            node.fail("has a 'matrix' that is not affine; re-export it");
         }
         Eigen::Matrix4d X_parent_node = m.cast<double>();
         const std::vector<double> written = *node.exact_numbers("matrix", 16);
@@ -203,7 +203,7 @@ void GraphReader::draw_node(int self, const Item& item) {
         return;
     }
     if (*mesh >= drawn_.size()) {
-        item.fail("names a mesh that isn't there");
+        item.fail("refers to a mesh that does not exist");
     }
     notes_.skinned += item.has("skin") ? 1U : 0U;
     const auto extensions = item.object("extensions");
@@ -222,7 +222,7 @@ void GraphReader::draw_node(int self, const Item& item) {
 void GraphReader::add_node(const Visit& visit, std::vector<Visit>& pending) {
     const Item item = document_.item("nodes", visit.node);
     if (reached_[visit.node]) {
-        item.fail("hangs in two places or in a loop; export it again");
+        item.fail("has two parents or is its own ancestor; re-export it");
     }
     reached_[visit.node] = true;
     std::string name = item.text("name");

@@ -108,7 +108,7 @@ void Primitives::read_attributes(const Item& primitive, const Item& attributes, 
 void Primitives::read_triangles(const Item& primitive, RawMesh& out) {
     const std::size_t mode_number = primitive.whole("mode").value_or(4);
     if (mode_number > 6) {
-        primitive.fail("has the mode " + std::to_string(mode_number) + ", which there isn't");
+        primitive.fail("has the mode " + std::to_string(mode_number) + ", which does not exist");
     }
     const auto mode = static_cast<Mode>(mode_number);
     const auto indices_at = primitive.whole("indices");
@@ -155,7 +155,7 @@ RawMesh Primitives::read(std::size_t number) {
     }
     out.material = primitive.whole("material").value_or(materials_.size() - 1);
     if (out.material >= materials_.size()) {
-        primitive.fail("names a material that isn't there");
+        primitive.fail("refers to a material that does not exist");
     }
     const auto attributes = primitive.object("attributes");
     if (!attributes) {

@@ -25,7 +25,7 @@ namespace campuswalk::scene {
 namespace {
 
 [[noreturn]] void cannot_start(int error) {
-    throw std::runtime_error("the import's helper can't be started: " +
+    throw std::runtime_error("the import process can't be started: " +
                              std::generic_category().message(error));
 }
 
@@ -186,25 +186,25 @@ std::string in_megabytes(std::uint64_t bytes) {
 /// Why there is no answer, in words; empty when there should be one.
 std::string trouble_of(const Ending& ending, const ImportLimits& limits) {
     if (ending.out_of_time) {
-        return "its import was ended after " + std::to_string(limits.cpu + limits.waiting) +
-               " s; export it again, or simplify or split it";
+        return "its import was stopped after " + std::to_string(limits.cpu + limits.waiting) +
+               " s; re-export, simplify or split it";
     }
     if (ending.signal == SIGXCPU || (ending.signal == SIGKILL && ending.cpu_seconds >= limits.cpu)) {
-        return "its import was ended after " + std::to_string(limits.cpu) +
-               " s of CPU: it is damaged, or too large; export it again, or simplify or split it";
+        return "its import was stopped after " + std::to_string(limits.cpu) +
+               " s of CPU time: it is damaged or too large; re-export, simplify or split it";
     }
     if (ending.signal == SIGXFSZ) {
-        return "it becomes larger than " + in_megabytes(limits.answer) + "; simplify or split it";
+        return "the imported model exceeds " + in_megabytes(limits.answer) + "; simplify or split it";
     }
     if (ending.signal == SIGKILL) {
-        return "its import was killed, perhaps for want of memory; simplify or split it";
+        return "its import was killed, probably because it ran out of memory; simplify or split it";
     }
     if (ending.signal != 0) {
         return "its reader crashed (signal " + std::to_string(ending.signal) +
-               "), the file is damaged or of a kind it can't take; convert it to glTF";
+               "); the file is damaged or uses unsupported features: convert it to glTF";
     }
     if (ending.exit_code != 0) {
-        return "its import ended without a model (exit code " + std::to_string(ending.exit_code) +
+        return "its import ended without producing a model (exit code " + std::to_string(ending.exit_code) +
                ", perhaps more than " + in_megabytes(limits.memory) + " of memory); simplify or split it";
     }
     return {};
@@ -224,14 +224,14 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
         refuse(trouble);
     }
     if (!answer.seal()) {
-        refuse("its import left something running; the file is not to be trusted");
+        refuse("its import left a process running; do not trust this file");
     }
     try {
         const auto mapping = std::make_shared<const Mapping>(answer);
         return read_answer(mapping->bytes(), mapping);
     } catch (const DamagedFile& damage) {
-        refuse(std::string("its import gave what is no model (") + damage.what() +
-               "); the file is not to be trusted");
+        refuse(std::string("its import returned invalid data (") + damage.what() +
+               "); do not trust this file");
     }
     return {};
 }

@@ -18,7 +18,7 @@ bool is_error(const Diagnostic& diagnostic) {
 }  // namespace
 
 std::vector<std::byte> write_request(const ImportRequest& request) {
-    SealedWriter out(kRequest);
+    ArchiveWriter out(kRequest);
     const SceneFile& file = request.file;
     out.put_text(file.mark.file);
     out.put(std::int32_t{file.mark.line});
@@ -41,7 +41,7 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
 }
 
 ImportRequest read_request(std::span<const std::byte> bytes) {
-    SealedReader in(bytes, kRequest);
+    ArchiveReader in(bytes, kRequest);
     ImportRequest request;
     SceneFile& file = request.file;
     file.mark.file = in.take_text();

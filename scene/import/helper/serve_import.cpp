@@ -39,7 +39,7 @@ bool write_all(int to, std::span<const std::byte> bytes) {
 }
 
 bool write_all(int to, const ImportedModel& answer) {
-    SealedWriter file = lay_out_model(answer);
+    ArchiveWriter file = lay_out_model(answer);
     for (const std::span<const std::byte> part : file.seal()) {
         if (!write_all(to, part)) {
             return false;

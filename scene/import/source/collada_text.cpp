@@ -45,10 +45,10 @@ ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
     const pugi::xml_node altitude = location.child("altitude");
     const auto height = altitude ? number_of(altitude.child_value()) : 0.0;
     if (!longitude || !latitude || !height) {
-        return {std::nullopt, "lacks a latitude or a longitude, or one is no number"};
+        return {std::nullopt, "lacks a numeric latitude or longitude"};
     }
     if (std::abs(*latitude) > kMostLatitude || std::abs(*longitude) > kMostLongitude) {
-        return {std::nullopt, "is not on the Earth: latitudes end at 90 degrees, longitudes at 180"};
+        return {std::nullopt, "is out of range: latitude is at most 90 degrees, longitude at most 180"};
     }
     return {GeographicPlace{*latitude, *longitude, *height, Eigen::Vector3d::Zero()}, ""};
 }

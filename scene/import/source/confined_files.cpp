@@ -65,7 +65,7 @@ std::optional<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path&
     return bytes;
 }
 
-bool LockedFiles::Exists(const char* name) const {
+bool ConfinedFiles::Exists(const char* name) const {
     return folder_.find_file(name).has_value();
 }
 
@@ -88,7 +88,7 @@ Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
 }  // namespace
 
 /// Text made such that assimp can read it; nullptr when the file can't be read.
-Assimp::IOStream* LockedFiles::open_collada(const std::filesystem::path& path) {
+Assimp::IOStream* ConfinedFiles::open_collada(const std::filesystem::path& path) {
     auto text = read_bytes(path);
     if (!text) {
         return nullptr;
@@ -101,7 +101,7 @@ Assimp::IOStream* LockedFiles::open_collada(const std::filesystem::path& path) {
 }
 
 /// Assimp opens it more than once.
-Assimp::IOStream* LockedFiles::open_obj(const std::filesystem::path& path) {
+Assimp::IOStream* ConfinedFiles::open_obj(const std::filesystem::path& path) {
     if (!obj_) {
         obj_ = read_bytes(path).value_or(std::vector<std::uint8_t>());
         origin_ = move_vertices_near(*obj_, metres_per_unit_);
@@ -113,7 +113,7 @@ Assimp::IOStream* LockedFiles::open_obj(const std::filesystem::path& path) {
     return obj_->empty() ? open_as_it_is(path) : new Assimp::MemoryIOStream(obj_->data(), obj_->size());
 }
 
-Assimp::IOStream* LockedFiles::Open(const char* name, const char* mode) {
+Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
     Assimp::IOStream* stream = !path                          ? nullptr
@@ -126,7 +126,7 @@ Assimp::IOStream* LockedFiles::Open(const char* name, const char* mode) {
     return stream;
 }
 
-void LockedFiles::Close(Assimp::IOStream* stream) {
+void ConfinedFiles::Close(Assimp::IOStream* stream) {
     delete stream;
 }
 

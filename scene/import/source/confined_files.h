@@ -19,10 +19,10 @@ std::optional<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path&
 
 /// What assimp sees of the disk: the scene's folder and nothing else, read only. Names are relative to that
 /// folder, so its messages carry no path of this machine.
-class LockedFiles final : public Assimp::IOSystem {
+class ConfinedFiles final : public Assimp::IOSystem {
 public:
     /// `metres_per_unit` of the scene: see obj_text.h.
-    explicit LockedFiles(SceneFolder folder, double metres_per_unit = 1.0)
+    explicit ConfinedFiles(SceneFolder folder, double metres_per_unit = 1.0)
         : folder_(std::move(folder)), metres_per_unit_(metres_per_unit) {}
 
     bool Exists(const char* name) const override;

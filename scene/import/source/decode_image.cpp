@@ -62,7 +62,7 @@ std::optional<DecodedImage> decode_image(std::span<const std::uint8_t> bytes, st
     if (!pixels) {
         const char* words = stbi_failure_reason();
         // It has no words for some files that end early.
-        reason = words != nullptr && *words != '\0' ? words : "damaged or of an unknown format";
+        reason = words != nullptr && *words != '\0' ? words : "damaged or in an unknown format";
         return std::nullopt;
     }
     const std::size_t size =

@@ -8,7 +8,7 @@
 
 namespace campuswalk::scene {
 
-/// Pixels of a decoded picture: 8-bit RGBA, rows from top to bottom.
+/// Pixels of a decoded image: 8-bit RGBA, rows from top to bottom.
 struct DecodedImage {
     int width = 0;
     int height = 0;

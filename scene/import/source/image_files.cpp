@@ -4,7 +4,7 @@
 
 namespace campuswalk::scene {
 
-std::optional<DecodedImage> decode_picture(std::span<const std::uint8_t> bytes, std::string& reason) {
+std::optional<DecodedImage> decode_image_bytes(std::span<const std::uint8_t> bytes, std::string& reason) {
     auto image = decode_image(bytes, reason);
     if (!image) {
         reason = "cannot be decoded (" + reason + "); use PNG, JPEG or WebP";
@@ -12,12 +12,12 @@ std::optional<DecodedImage> decode_picture(std::span<const std::uint8_t> bytes, 
     return image;
 }
 
-std::optional<DecodedImage> read_picture(const SceneFolder& folder, const std::string& uri,
-                                         std::string& reason) {
-    const auto path = folder.find_picture(uri);
+std::optional<DecodedImage> read_image(const SceneFolder& folder, const std::string& uri,
+                                       std::string& reason) {
+    const auto path = folder.find_image(uri);
     if (!path) {
         reason =
-            "is missing, or lies outside the folders a scene may read (its own and below, or textures/, "
+            "is missing or outside the folders a scene may read (its own and below, or textures/, "
             "materials/, images/, maps/ beside it)";
         return std::nullopt;
     }
@@ -26,7 +26,7 @@ std::optional<DecodedImage> read_picture(const SceneFolder& folder, const std::s
         reason = "cannot be read";
         return std::nullopt;
     }
-    return decode_picture(*bytes, reason);
+    return decode_image_bytes(*bytes, reason);
 }
 
 }  // namespace campuswalk::scene

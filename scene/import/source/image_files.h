@@ -10,11 +10,11 @@
 
 namespace campuswalk::scene {
 
-/// Decodes a picture that a model names; on failure `reason` says what to do.
-std::optional<DecodedImage> decode_picture(std::span<const std::uint8_t> bytes, std::string& reason);
+/// Decodes an image that a model names; on failure `reason` says what to do.
+std::optional<DecodedImage> decode_image_bytes(std::span<const std::uint8_t> bytes, std::string& reason);
 
 /// Likewise one in a file of its own.
-std::optional<DecodedImage> read_picture(const SceneFolder& folder, const std::string& uri,
-                                         std::string& reason);
+std::optional<DecodedImage> read_image(const SceneFolder& folder, const std::string& uri,
+                                       std::string& reason);
 
 }  // namespace campuswalk::scene

@@ -13,23 +13,23 @@
 
 namespace campuswalk::scene {
 
-/// A picture as a material names it: a path, or `*N` for the N-th that is embedded in the file.
+/// An image as a material names it: a path, or `*N` for the N-th that is embedded in the file.
 struct TextureReference {
     std::string uri;
     bool repeat = true;
 };
 
-/// A picture that a material names, and what of it the picture is: `&Material::normal_texture`.
-struct SourcePicture {
+/// An image that a material names, and what of it the image is: `&Material::normal_texture`.
+struct SourceImage {
     std::optional<TextureIndex> Material::*use = nullptr;
     TextureReference reference;
 };
 
 struct SourceMaterial {
-    Material material;                    ///< without its textures, which are loaded apart
-    std::vector<SourcePicture> pictures;  ///< at most one for each use
-    unsigned int uv_channel = 0;          ///< the texture coordinates that all of them lie by
-    bool cut_out_by_texture = false;      ///< no alpha mode in the file: a texture with holes makes it `mask`
+    Material material;                ///< without its textures, which are loaded apart
+    std::vector<SourceImage> images;  ///< at most one for each use
+    unsigned int uv_channel = 0;      ///< the texture coordinates that all of them lie by
+    bool cut_out_by_texture = false;  ///< no alpha mode in the file: a texture with holes makes it `mask`
 };
 
 /// The hierarchy, parents first, in the order of the document: `mesh_numbers[i]` are the reader's numbers of
@@ -54,7 +54,8 @@ public:
     /// Where the file says it is on the Earth, asked for after the nodes.
     virtual std::optional<GeographicPlace> geographic() const = 0;
     /// nullopt when it is missing or can't be decoded, with the reason.
-    virtual std::optional<DecodedImage> picture(const TextureReference& reference, std::string& reason) = 0;
+    virtual std::optional<DecodedImage> load_image(const TextureReference& reference,
+                                                   std::string& reason) = 0;
     /// How surfaces without normals are shaded: flat as glTF demands, else creased.
     virtual bool flat_normals() const = 0;
     /// What was passed over or made up, asked for after all else.

@@ -37,12 +37,12 @@ public:
     VertexSource(const RawMesh& source, bool flat_normals) : source_(source) {
         if (source.normals.empty()) {
             generated_ =
-                corner_normals(source.positions, source.triangles, flat_normals ? kFlat : kCreaseCosine);
+                vertex_normals(source.positions, source.triangles, flat_normals ? kFlat : kCreaseCosine);
         }
     }
 
     /// Appends the vertex of corner `corner` (3 a triangle) to the tidied mesh.
-    void append(std::size_t corner, TidiedMesh& out) const {
+    void append(std::size_t corner, SanitizedMesh& out) const {
         const std::uint32_t vertex = source_.triangles[corner / 3][corner % 3];
         out.mesh.positions.push_back(source_.positions[vertex]);
         out.mesh.normals.push_back(normal(corner, vertex, out.repaired_normals));
@@ -83,7 +83,7 @@ private:
 };
 
 /// Every corner makes a vertex; equal ones are joined.
-void append_welded(const VertexSource& vertices, std::size_t corners, TidiedMesh& out) {
+void append_welded(const VertexSource& vertices, std::size_t corners, SanitizedMesh& out) {
     WeldTable<9> welded(corners);
     Mesh& mesh = out.mesh;
     for (std::size_t corner = 0; corner < corners; ++corner) {
@@ -115,7 +115,7 @@ void append_welded(const VertexSource& vertices, std::size_t corners, TidiedMesh
 }
 
 /// The file's own sharing of vertices is kept; only those that no triangle uses are dropped.
-void append_indexed(const VertexSource& vertices, const RawMesh& source, TidiedMesh& out) {
+void append_indexed(const VertexSource& vertices, const RawMesh& source, SanitizedMesh& out) {
     const std::size_t vertex_count = source.positions.size();
     std::vector<std::uint32_t> number(vertex_count, kUnused);
     out.mesh.positions.reserve(vertex_count);
@@ -156,7 +156,7 @@ void normalize(std::vector<Eigen::Vector3f>& normals) {
 }
 
 /// Most meshes of large files need no repair: nothing is copied. False, with nothing done, for others.
-bool take_whole(RawMesh& source, TidiedMesh& out) {
+bool take_whole(RawMesh& source, SanitizedMesh& out) {
     const bool finite_uvs = std::ranges::all_of(source.uvs, [](const auto& uv) { return uv.allFinite(); });
     if (!finite_uvs || !have_directions(source.normals) || !all_vertices_used(source)) {
         return false;
@@ -172,8 +172,8 @@ bool take_whole(RawMesh& source, TidiedMesh& out) {
 
 }  // namespace
 
-TidiedMesh tidy_mesh(RawMesh source, bool flat_normals) {
-    TidiedMesh out;
+SanitizedMesh sanitize_mesh(RawMesh source, bool flat_normals) {
+    SanitizedMesh out;
     out.mesh.name = source.name;
     if (!indices_in_range(source)) {
         out.index_out_of_range = true;
@@ -183,13 +183,13 @@ TidiedMesh tidy_mesh(RawMesh source, bool flat_normals) {
         out.position_not_finite = true;
         return out;
     }
-    const bool every_corner_its_own = source.positions.size() >= source.triangles.size() * 3;
-    if (!source.normals.empty() && !every_corner_its_own && take_whole(source, out)) {
+    const bool every_vertex_its_own = source.positions.size() >= source.triangles.size() * 3;
+    if (!source.normals.empty() && !every_vertex_its_own && take_whole(source, out)) {
         return out;
     }
     const VertexSource vertices(source, flat_normals);
     out.mesh.triangles.resize(source.triangles.size());
-    if (source.normals.empty() || every_corner_its_own) {
+    if (source.normals.empty() || every_vertex_its_own) {
         append_welded(vertices, source.triangles.size() * 3, out);
     } else {
         append_indexed(vertices, source, out);

@@ -24,7 +24,7 @@ struct RawMesh {
     std::size_t points_and_lines = 0;  ///< what was in it beside triangles, and is dropped
 };
 
-struct TidiedMesh {
+struct SanitizedMesh {
     Mesh mesh;  ///< no vertex that no triangle uses; its material isn't set
     bool index_out_of_range = false;
     bool position_not_finite = false;
@@ -35,7 +35,7 @@ struct TidiedMesh {
 /// Checks a mesh and makes it whole: unit normals (made where there are none, flat as glTF demands or
 /// creased), and vertices that are equal to the bit joined when every corner came with its own. When one of
 /// the two errors is set the mesh is empty.
-TidiedMesh tidy_mesh(RawMesh source, bool flat_normals);
+SanitizedMesh sanitize_mesh(RawMesh source, bool flat_normals);
 
 /// Swaps the winding of every triangle.
 void flip_winding(Mesh& mesh);

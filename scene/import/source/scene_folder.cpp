@@ -10,10 +10,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kPictureSiblings = {"textures", "materials", "images", "maps"};
+constexpr std::array<std::string_view, 4> kImageSiblings = {"textures", "materials", "images", "maps"};
 
-// Where exporters put pictures that a scene names without a folder, nearest first.
-constexpr std::array<std::string_view, 6> kPictureFolders = {
+// Where exporters put images that a scene names without a folder, nearest first.
+constexpr std::array<std::string_view, 6> kImageFolders = {
     "", "textures/", "images/", "../textures/", "../materials/textures/", "../images/"};
 
 int hex_digit(char c) {
@@ -67,7 +67,7 @@ SceneFolder::SceneFolder(const fs::path& scene_file) {
     folder_ = fs::canonical(folder, ignored);
 }
 
-bool SceneFolder::may_read(const fs::path& resolved, bool picture) const {
+bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
     if (folder_.empty()) {
         return false;
     }
@@ -82,28 +82,28 @@ bool SceneFolder::may_read(const fs::path& resolved, bool picture) const {
         return true;
     }
     const fs::path parent = folder_.parent_path();
-    if (!picture || !below(resolved, parent)) {
+    if (!image || !below(resolved, parent)) {
         return false;
     }
     const std::string sibling = lower_case(resolved.lexically_relative(parent).begin()->string());
-    return std::ranges::find(kPictureSiblings, sibling) != kPictureSiblings.end();
+    return std::ranges::find(kImageSiblings, sibling) != kImageSiblings.end();
 }
 
-std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool picture) const {
+std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool image) const {
     const fs::path path(relative);
     if (relative.empty() || path.is_absolute() || relative.find('\0') != std::string::npos) {
         return std::nullopt;
     }
     std::error_code error;
     const fs::path resolved = fs::canonical(folder_ / path, error);
-    if (error || !may_read(resolved, picture) || !fs::is_regular_file(resolved, error)) {
+    if (error || !may_read(resolved, image) || !fs::is_regular_file(resolved, error)) {
         return std::nullopt;
     }
     return resolved;
 }
 
-void SceneFolder::keep_request(std::string_view uri, bool picture) const {
-    FileRequest request{std::string(uri), picture};
+void SceneFolder::keep_request(std::string_view uri, bool image) const {
+    FileRequest request{std::string(uri), image};
     if (std::ranges::find(*requests_, request) == requests_->end()) {
         requests_->push_back(std::move(request));
     }
@@ -118,7 +118,7 @@ std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
     return try_path(percent_decoded(path), false);
 }
 
-std::optional<fs::path> SceneFolder::find_picture(std::string_view uri) const {
+std::optional<fs::path> SceneFolder::find_image(std::string_view uri) const {
     keep_request(uri, true);
     const std::string path = tidy_path(uri);
     for (const std::string& name : {path, percent_decoded(path)}) {
@@ -126,7 +126,7 @@ std::optional<fs::path> SceneFolder::find_picture(std::string_view uri) const {
             return found;
         }
         const std::string bare = name.substr(name.find_last_of('/') + 1);
-        for (const std::string_view folder : kPictureFolders) {
+        for (const std::string_view folder : kImageFolders) {
             if (bare.empty()) {
                 break;
             }

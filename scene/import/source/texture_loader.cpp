@@ -7,7 +7,7 @@ std::optional<TextureIndex> TextureLoader::load(const TextureReference& referenc
     if (const auto found = loaded_.find(key); found != loaded_.end()) {
         return found->second;
     }
-    auto image = source_.picture(reference, reason);
+    auto image = source_.load_image(reference, reason);
     if (!image) {
         return std::nullopt;
     }

@@ -16,7 +16,7 @@ class TextureLoader {
 public:
     explicit TextureLoader(ModelSource& source) : source_(source) {}
 
-    /// nullopt when the picture is missing or can't be decoded, with the reason in `reason`.
+    /// nullopt when the image is missing or can't be decoded, with the reason in `reason`.
     std::optional<TextureIndex> load(const TextureReference& reference, std::string& reason);
 
     const Texture& texture(TextureIndex index) const { return textures_[index_of(index)]; }
@@ -28,7 +28,7 @@ private:
     std::map<std::pair<std::string, bool>, TextureIndex> loaded_;  // by uri and wrap mode
 };
 
-/// Whether the picture has holes: pixels that are clear and pixels that are solid.
+/// Whether the image has holes: pixels that are clear and pixels that are solid.
 bool has_cut_outs(const Texture& texture);
 
 }  // namespace campuswalk::scene

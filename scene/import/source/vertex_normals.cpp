@@ -24,7 +24,7 @@ Eigen::Vector3d unit_or_up(const Eigen::Vector3d& v) {
 
 /// The triangles around each position: `faces[first[p] .. first[p + 1])`.
 struct FacesAround {
-    std::vector<std::uint32_t> position_of_corner;
+    std::vector<std::uint32_t> position_of_vertex;
     std::vector<std::uint32_t> first;
     std::vector<std::uint32_t> faces;
 };
@@ -34,20 +34,20 @@ FacesAround faces_around(std::span<const Eigen::Vector3f> positions, Triangles t
     WeldTable<3> welded(positions.size());
     for (const auto& triangle : triangles) {
         for (const std::uint32_t vertex : triangle) {
-            around.position_of_corner.push_back(welded.number_of(bits_of(positions[vertex])));
+            around.position_of_vertex.push_back(welded.number_of(bits_of(positions[vertex])));
         }
     }
     around.first.assign(welded.size() + 1, 0);
-    for (const std::uint32_t position : around.position_of_corner) {
+    for (const std::uint32_t position : around.position_of_vertex) {
         ++around.first[position + 1];
     }
     for (std::size_t i = 1; i < around.first.size(); ++i) {
         around.first[i] += around.first[i - 1];
     }
-    around.faces.resize(around.position_of_corner.size());
+    around.faces.resize(around.position_of_vertex.size());
     std::vector<std::uint32_t> next = around.first;
-    for (std::size_t corner = 0; corner < around.position_of_corner.size(); ++corner) {
-        around.faces[next[around.position_of_corner[corner]]++] = static_cast<std::uint32_t>(corner / 3);
+    for (std::size_t corner = 0; corner < around.position_of_vertex.size(); ++corner) {
+        around.faces[next[around.position_of_vertex[corner]]++] = static_cast<std::uint32_t>(corner / 3);
     }
     return around;
 }
@@ -58,7 +58,7 @@ Eigen::Vector3f face_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b, 
     return unit_or_up(area_vector(a, b, c)).cast<float>();
 }
 
-std::vector<Eigen::Vector3f> corner_normals(std::span<const Eigen::Vector3f> positions, Triangles triangles,
+std::vector<Eigen::Vector3f> vertex_normals(std::span<const Eigen::Vector3f> positions, Triangles triangles,
                                             double crease_cosine) {
     std::vector<Eigen::Vector3d> areas(triangles.size());
     std::vector<Eigen::Vector3d> normals(triangles.size());
@@ -77,7 +77,7 @@ std::vector<Eigen::Vector3f> corner_normals(std::span<const Eigen::Vector3f> pos
     const FacesAround around = faces_around(positions, triangles);
     for (std::size_t corner = 0; corner < result.size(); ++corner) {
         const std::size_t face = corner / 3;
-        const std::uint32_t position = around.position_of_corner[corner];
+        const std::uint32_t position = around.position_of_vertex[corner];
         const std::size_t begin = around.first[position];
         const std::size_t end = around.first[position + 1];
         Eigen::Vector3d sum = areas[face];

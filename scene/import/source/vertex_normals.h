@@ -13,7 +13,7 @@ namespace campuswalk::scene {
 /// Faces that meet at a position and whose normals differ by at most the crease angle are smoothed together,
 /// weighted by area; a corner with a sharper edge keeps its own. `crease_cosine` 1 gives flat shading.
 /// A triangle without an area gets +Y.
-std::vector<Eigen::Vector3f> corner_normals(std::span<const Eigen::Vector3f> positions,
+std::vector<Eigen::Vector3f> vertex_normals(std::span<const Eigen::Vector3f> positions,
                                             std::span<const std::array<std::uint32_t, 3>> triangles,
                                             double crease_cosine);
 

@@ -26,11 +26,11 @@ TriangleMesh mesh_of_many() {
     return mesh;
 }
 
-class WideTreeCheck : public testing::Test {
+class Bvh8Check : public testing::Test {
 protected:
     /// Of the tree as `spoil` leaves it; empty if it is found to be whole.
-    std::string fault(const std::function<void(WideTree&)>& spoil) const {
-        WideTree tree = tree_;
+    std::string fault(const std::function<void(Bvh8&)>& spoil) const {
+        Bvh8 tree = tree_;
         spoil(tree);
         const char* found = fault_of(tree, kTriangles);
         return found == nullptr ? "" : found;
@@ -44,35 +44,34 @@ protected:
         return n;
     }
 
-    const WideTree tree_ = build_wide_tree(mesh_of_many());
+    const Bvh8 tree_ = build_bvh8(mesh_of_many());
 };
 
-TEST_F(WideTreeCheck, FindsNothingWrongWithWhatWasBuilt) {
-    EXPECT_EQ(fault([](WideTree&) {}), "");
+TEST_F(Bvh8Check, FindsNothingWrongWithWhatWasBuilt) {
+    EXPECT_EQ(fault([](Bvh8&) {}), "");
     TriangleMesh one;
     one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     one.triangles = {{0, 1, 2}};
-    EXPECT_EQ(fault_of(build_wide_tree(one), 1), nullptr);
+    EXPECT_EQ(fault_of(build_bvh8(one), 1), nullptr);
 }
 
-TEST_F(WideTreeCheck, FindsNodesThatMakeNoTree) {
+TEST_F(Bvh8Check, FindsNodesThatMakeNoTree) {
     ASSERT_EQ(tree_.nodes[0].leaves & 1, 0);
     const std::size_t low = node_above_leaf();
     const auto last_node = static_cast<std::uint32_t>(tree_.nodes.size());
     const auto last_leaf = static_cast<std::uint32_t>(tree_.leaves.size());
     const std::string kNoTree = "the tree's nodes don't make a tree";
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes.clear(); }), "the tree has no root");
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].child[0] = 0; }), kNoTree) << "a circle";
-    EXPECT_EQ(fault([&](WideTree& t) { t.nodes[0].child[0] = last_node; }), kNoTree);
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].child[0] = t.nodes[0].child[1]; }), kNoTree)
-        << "two parents";
-    EXPECT_EQ(fault([&](WideTree& t) { t.nodes[low].child[0] = last_leaf; }), kNoTree);
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].count = 0; }), kNoTree);
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].count = 9; }), kNoTree);
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes[0].leaves ^= 1; }), kNoTree);
-    EXPECT_EQ(fault([](WideTree& t) { t.nodes.emplace_back().count = 1; }), kNoTree) << "in no tree";
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves.push_back(t.leaves[0]); }), kNoTree) << "in no tree";
-    EXPECT_EQ(fault([](WideTree& t) {
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes.clear(); }), "the tree has no root");
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].child[0] = 0; }), kNoTree) << "a circle";
+    EXPECT_EQ(fault([&](Bvh8& t) { t.nodes[0].child[0] = last_node; }), kNoTree);
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].child[0] = t.nodes[0].child[1]; }), kNoTree) << "two parents";
+    EXPECT_EQ(fault([&](Bvh8& t) { t.nodes[low].child[0] = last_leaf; }), kNoTree);
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].count = 0; }), kNoTree);
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].count = 9; }), kNoTree);
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].leaves ^= 1; }), kNoTree);
+    EXPECT_EQ(fault([](Bvh8& t) { t.nodes.emplace_back().count = 1; }), kNoTree) << "in no tree";
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves.push_back(t.leaves[0]); }), kNoTree) << "in no tree";
+    EXPECT_EQ(fault([](Bvh8& t) {
                   t.nodes[1].count = 1;
                   t.nodes[1].leaves |= 2;
               }),
@@ -81,12 +80,12 @@ TEST_F(WideTreeCheck, FindsNodesThatMakeNoTree) {
 }
 
 /// Queries' agendas have room for 64 levels.
-TEST_F(WideTreeCheck, FindsATreeThatIsTooDeep) {
+TEST_F(Bvh8Check, FindsATreeThatIsTooDeep) {
     const auto chain = [&](std::uint32_t levels) {
-        WideTree tree;
+        Bvh8 tree;
         tree.leaves = {tree_.leaves[0]};
         for (std::uint32_t n = 0; n < levels; ++n) {
-            WideNode& node = tree.nodes.emplace_back();
+            Bvh8Node& node = tree.nodes.emplace_back();
             node.count = 1;
             node.child[0] = n + 1;
         }
@@ -98,21 +97,20 @@ TEST_F(WideTreeCheck, FindsATreeThatIsTooDeep) {
     EXPECT_NE(fault_of(chain(66), kTriangles), nullptr);
 }
 
-TEST_F(WideTreeCheck, FindsLeavesWithWhatIsNotThere) {
+TEST_F(Bvh8Check, FindsLeavesWithWhatIsNotThere) {
     const std::string kForeign = "a leaf of the tree has what isn't in the mesh";
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangle[0] = kTriangles; }), kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangle[15] = kTriangles; }), kForeign)
-        << "an unused slot";
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].corner_of[1][15] = 16; }), kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].corners = 17; }), kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangles = 17; }), kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].triangles = 0; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle[0] = kTriangles; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle[15] = kTriangles; }), kForeign) << "an unused slot";
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertex_of[1][15] = 16; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].corners = 17; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangles = 17; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangles = 0; }), kForeign);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].corner[2][15] = kNan; }), kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.leaves[3].origin[0] = -std::numeric_limits<float>::infinity(); }),
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].corner[2][15] = kNan; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].origin[0] = -std::numeric_limits<float>::infinity(); }),
               kForeign);
-    EXPECT_EQ(fault([](WideTree& t) { t.reach = kNan; }), "the tree is nowhere");
-    EXPECT_EQ(fault([](WideTree& t) { t.outer.radius = kNan; }), "the tree is nowhere");
+    EXPECT_EQ(fault([](Bvh8& t) { t.reach = kNan; }), "the tree is nowhere");
+    EXPECT_EQ(fault([](Bvh8& t) { t.outer.radius = kNan; }), "the tree is nowhere");
 }
 
 }  // namespace

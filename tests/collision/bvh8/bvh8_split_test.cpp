@@ -32,9 +32,9 @@ std::vector<SplitItem> crowd(Dice& dice, int count) {
     return items;
 }
 
-std::size_t split(std::vector<SplitItem>& items, Instructions instructions) {
+std::size_t split(std::vector<SplitItem>& items, SimdTarget simd_target) {
     std::vector<SplitItem> spare(items.size());
-    return split(items, spare, instructions);
+    return split(items, spare, simd_target);
 }
 
 std::vector<std::uint32_t> triangles(const std::vector<SplitItem>& items) {
@@ -59,53 +59,53 @@ void expect_parted(const std::vector<SplitItem>& items, std::size_t left) {
     }
 }
 
-TEST(WideTreeSplit, IsTheSameWithAllInstructions) {
+TEST(Bvh8Split, IsTheSameWithAllInstructions) {
     Dice dice(450);
     for (int i = 0; i < 300; ++i) {
         SCOPED_TRACE(i);
         const std::vector<SplitItem> items = crowd(dice, 2 + dice.below(i < 250 ? 60 : 3000));
         std::vector<SplitItem> expected = items;
-        const std::size_t left = split(expected, Instructions::sse42);
+        const std::size_t left = split(expected, SimdTarget::sse42);
         expect_parted(expected, left);
-        for (const Instructions instructions : {Instructions::avx2, Instructions::avx512}) {
-            if (!can_run(instructions)) {
+        for (const SimdTarget simd_target : {SimdTarget::avx2, SimdTarget::avx512}) {
+            if (!can_run(simd_target)) {
                 continue;
             }
             std::vector<SplitItem> actual = items;
-            EXPECT_EQ(split(actual, instructions), left);
+            EXPECT_EQ(split(actual, simd_target), left);
             EXPECT_EQ(triangles(actual), triangles(expected));
         }
     }
 }
 
-TEST(WideTreeSplit, PartsWhatLiesApart) {
+TEST(Bvh8Split, PartsWhatLiesApart) {
     std::vector<SplitItem> items;
     for (std::uint32_t i = 0; i < 40; ++i) {
         items.push_back(item(i, Vec3(0.1 * i, i % 3 == 0 ? 5.0 : -5.0, 0.0), Vec3(0.1, 0.1, 0.1)));
     }
-    const std::size_t left = split(items, usual_instructions());
+    const std::size_t left = split(items, default_simd_target());
     EXPECT_EQ(left, 26U);
     expect_parted(items, left);
     EXPECT_LT(items[left - 1].center(1), 0.0F);
     EXPECT_GT(items[left].center(1), 0.0F);
 }
 
-TEST(WideTreeSplit, HalvesWhatLiesAtOnePlace) {
+TEST(Bvh8Split, HalvesWhatLiesAtOnePlace) {
     std::vector<SplitItem> items;
     for (std::uint32_t i = 0; i < 101; ++i) {
         items.push_back(item(i, Vec3(1, 2, 3), Vec3(1, 1, 1)));
     }
-    EXPECT_EQ(split(items, usual_instructions()), 50U);
+    EXPECT_EQ(split(items, default_simd_target()), 50U);
     expect_parted(items, 50);
 }
 
-TEST(WideTreeSplit, HalvesWhereFewLieFarAway) {
+TEST(Bvh8Split, HalvesWhereFewLieFarAway) {
     std::vector<SplitItem> items;
     for (std::uint32_t i = 0; i < 100; ++i) {
         const double x = i == 40 ? 1e6 : 0.01 * (i * 37 % 100);
         items.push_back(item(i, Vec3(x, 0.0, 0.0), Vec3(0.1, 0.1, 0.1)));
     }
-    const std::size_t left = split(items, usual_instructions());
+    const std::size_t left = split(items, default_simd_target());
     EXPECT_EQ(left, 50U) << "one in a hundred is less than a sixteenth";
     expect_parted(items, left);
     float most = items[0].center(0);

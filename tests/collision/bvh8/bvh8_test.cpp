@@ -22,7 +22,7 @@ Vec3 point(const std::array<float, N>& o) {
 /// Walks a tree and checks what queries rely on.
 class Inspector {
 public:
-    Inspector(const TriangleMesh& mesh, const WideTree& tree)
+    Inspector(const TriangleMesh& mesh, const Bvh8& tree)
         : mesh_(mesh), tree_(tree), seen_(mesh.triangles.size()) {}
 
     void inspect() {
@@ -37,11 +37,11 @@ private:
     /// Triangles below a node.
     std::vector<std::uint32_t> inspect_node(std::uint32_t index, std::size_t depth = 1) {
         deepest_ = std::max(deepest_, depth);
-        const WideNode& node = tree_.nodes[index];
-        constexpr decltype(WideNode::axes) kStraight = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+        const Bvh8Node& node = tree_.nodes[index];
+        constexpr decltype(Bvh8Node::axes) kStraight = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
         EXPECT_EQ(node.turned, node.axes != kStraight);
         EXPECT_GE(node.count, 1);
-        EXPECT_LE(node.count, kWideChildren);
+        EXPECT_LE(node.count, kBvh8Children);
         std::vector<std::uint32_t> all;
         for (std::size_t i = 0; i < node.count; ++i) {
             const bool leaf = (node.leaves >> i & 1) != 0;
@@ -53,7 +53,7 @@ private:
         return all;
     }
 
-    void expect_held(const WideNode& node, std::size_t child, const std::vector<std::uint32_t>& triangles) {
+    void expect_held(const Bvh8Node& node, std::size_t child, const std::vector<std::uint32_t>& triangles) {
         for (const std::uint32_t t : triangles) {
             const Triangle corners = collision::corners(mesh_, t);
             for (const Vec3& p : {corners.a, corners.b, corners.c}) {
@@ -69,10 +69,10 @@ private:
         }
     }
 
-    std::vector<std::uint32_t> inspect_leaf(const WideLeaf& leaf) {
+    std::vector<std::uint32_t> inspect_leaf(const Bvh8Leaf& leaf) {
         EXPECT_GE(leaf.triangles, 1);
         EXPECT_LE(leaf.triangles, kLeafTriangles);
-        EXPECT_LE(leaf.corners, kLeafCorners);
+        EXPECT_LE(leaf.corners, kLeafVertices);
         std::vector<std::uint32_t> all;
         for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
             const std::uint32_t t = leaf.triangle[slot];
@@ -91,8 +91,8 @@ private:
         return all;
     }
 
-    void expect_corner(const WideLeaf& leaf, std::size_t slot, std::size_t c, const Vec3& position) {
-        const std::size_t at = leaf.corner_of[c][slot];
+    void expect_corner(const Bvh8Leaf& leaf, std::size_t slot, std::size_t c, const Vec3& position) {
+        const std::size_t at = leaf.vertex_of[c][slot];
         ASSERT_LT(at, leaf.corners);
         const Vec3 stored(leaf.corner[0][at], leaf.corner[1][at], leaf.corner[2][at]);
         const Vec3 local = position - point(leaf.origin);
@@ -107,46 +107,46 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    const WideTree& tree_;
+    const Bvh8& tree_;
     std::vector<int> seen_;
     std::size_t deepest_ = 0;
 };
 
-TEST(WideTree, HoldsEveryTriangleOnce) {
+TEST(Bvh8, HoldsEveryTriangleOnce) {
     Dice dice(430);
     for (int i = 0; i < support::repeats(40); ++i) {
         SCOPED_TRACE(i);
         const TriangleMesh mesh = support::random_mesh(dice, 1 + dice.below(400), dice.between(0.5, 40.0));
-        Inspector(mesh, build_wide_tree(mesh)).inspect();
+        Inspector(mesh, build_bvh8(mesh)).inspect();
     }
     for (const TriangleMesh& mesh : {support::needles(dice, 200), support::ball(40),
                                      support::lattice_soup(dice, 300, Vec3(450000, 60, -448000))}) {
-        Inspector(mesh, build_wide_tree(mesh)).inspect();
+        Inspector(mesh, build_bvh8(mesh)).inspect();
     }
 }
 
-TEST(WideTree, IsFullWhereTrianglesShareCorners) {
+TEST(Bvh8, IsFullWhereTrianglesShareCorners) {
     const TriangleMesh mesh = support::ball(60);
-    const WideTree tree = build_wide_tree(mesh);
+    const Bvh8 tree = build_bvh8(mesh);
     EXPECT_GT(mesh.triangles.size(), 9 * tree.leaves.size());
     EXPECT_LT(tree.nodes.size(), tree.leaves.size() / 3);
 }
 
-TEST(WideTree, StaysShallowWhereTrianglesCannotBeParted) {
+TEST(Bvh8, StaysShallowWhereTrianglesCannotBeParted) {
     TriangleMesh same;
     same.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     same.triangles.assign(20000, {0, 1, 2});
-    const WideTree tree = build_wide_tree(same);
+    const Bvh8 tree = build_bvh8(same);
     Inspector inspector(same, tree);
     inspector.inspect();
     EXPECT_LE(inspector.deepest(), 8U);
 }
 
-TEST(WideTree, IsTheSameEachTime) {
+TEST(Bvh8, IsTheSameEachTime) {
     Dice dice(431);
     const TriangleMesh mesh = support::random_mesh(dice, 500, 5.0);
-    const WideTree one = build_wide_tree(mesh);
-    const WideTree two = build_wide_tree(mesh);
+    const Bvh8 one = build_bvh8(mesh);
+    const Bvh8 two = build_bvh8(mesh);
     ASSERT_EQ(one.leaves.size(), two.leaves.size());
     for (std::size_t i = 0; i < one.leaves.size(); ++i) {
         EXPECT_EQ(one.leaves[i].triangle, two.leaves[i].triangle);

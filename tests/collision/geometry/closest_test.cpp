@@ -12,9 +12,9 @@
 namespace campuswalk::collision {
 namespace {
 
-using support::corners_of;
 using support::Dice;
 using support::Line;
+using support::vertices_of;
 
 constexpr double kRounding = 1e-9;
 
@@ -63,9 +63,9 @@ TEST(ClosestOnTriangle, IsAsNearAsThePlainFormulaSays) {
         const Vec3 p = dice.in_cube(3.0);
         Feature feature{};
         const Vec3 q = closest_on_triangle(t, p, feature);
-        const double exact = support::distance(Line{p, p}, corners_of(t));
+        const double exact = support::distance(Line{p, p}, vertices_of(t));
         ASSERT_NEAR((p - q).norm(), exact, kRounding) << i;
-        ASSERT_LT(support::distance(Line{q, q}, corners_of(t)), kRounding) << i;
+        ASSERT_LT(support::distance(Line{q, q}, vertices_of(t)), kRounding) << i;
     }
 }
 
@@ -113,8 +113,8 @@ TEST(ClosestSegmentAndTriangle, AreAsNearAsThePlainFormulaSays) {
         const Segment s = random_segment(dice);
         const Triangle t = support::random_triangle(dice, dice.in_cube(1.0));
         const Closest c = closest(s, t);
-        ASSERT_NEAR(c.distance, support::distance(line_of(s), corners_of(t)), kRounding) << i;
-        expect_consistent(c, s, support::distance(Line{c.on_shape, c.on_shape}, corners_of(t)));
+        ASSERT_NEAR(c.distance, support::distance(line_of(s), vertices_of(t)), kRounding) << i;
+        expect_consistent(c, s, support::distance(Line{c.on_shape, c.on_shape}, vertices_of(t)));
         piercing += c.distance == 0.0 ? 1 : 0;
     }
     EXPECT_GT(piercing, 200);

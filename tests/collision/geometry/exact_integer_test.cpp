@@ -18,7 +18,7 @@ Exact_integer power_of_two(std::size_t exponent) {
 }
 
 template <std::size_t kDigits>
-Exact_integer value(const WholeNumber<kDigits>& x) {
+Exact_integer value(const ExactInteger<kDigits>& x) {
     Exact_integer sum = x.negative() ? Exact_integer(-power_of_two(32 * kDigits)) : Exact_integer(0);
     for (std::size_t i = 0; i < kDigits; ++i) {
         sum += power_of_two(32 * i) * x.digits[i];
@@ -28,8 +28,8 @@ Exact_integer value(const WholeNumber<kDigits>& x) {
 
 /// Many digits without a bit or full of them, where carries run far.
 template <std::size_t kDigits>
-WholeNumber<kDigits> random_number(Dice& dice) {
-    WholeNumber<kDigits> x;
+ExactInteger<kDigits> random_number(Dice& dice) {
+    ExactInteger<kDigits> x;
     for (std::uint32_t& digit : x.digits) {
         const auto any = static_cast<std::uint32_t>(dice.between(0.0, 4294967296.0));
         digit = dice.chance(0.3) ? 0U : dice.chance(0.4) ? ~0U : dice.chance(0.2) ? 1U << (any % 32) : any;
@@ -46,7 +46,7 @@ void multiply_all_kinds(Dice& dice) {
     }
 }
 
-TEST(WholeNumber, ProductsAreExact) {
+TEST(ExactInteger, ProductsAreExact) {
     Dice dice(1);
     multiply_all_kinds<1, 1>(dice);
     multiply_all_kinds<2, 2>(dice);
@@ -55,7 +55,7 @@ TEST(WholeNumber, ProductsAreExact) {
     multiply_all_kinds<5, 7>(dice);
 }
 
-TEST(WholeNumber, DifferencesThatFitAreExact) {
+TEST(ExactInteger, DifferencesThatFitAreExact) {
     Dice dice(2);
     const Exact_integer limit = power_of_two(127);
     int fitting = 0;
@@ -71,17 +71,17 @@ TEST(WholeNumber, DifferencesThatFitAreExact) {
     EXPECT_GT(fitting, support::repeats(2000));
 }
 
-TEST(WholeNumber, SignsAreThoseOfTheValue) {
+TEST(ExactInteger, SignsAreThoseOfTheValue) {
     Dice dice(3);
     for (int i = 0; i < support::repeats(2000); ++i) {
         const auto x = random_number<3>(dice);
         const Exact_integer exact = value(x);
         ASSERT_EQ(sign(x), exact < 0 ? -1 : exact > 0 ? 1 : 0) << i;
     }
-    EXPECT_EQ(sign(WholeNumber<3>()), 0);
+    EXPECT_EQ(sign(ExactInteger<3>()), 0);
 }
 
-TEST(WholeNumber, ShiftsBy0To200) {
+TEST(ExactInteger, ShiftsBy0To200) {
     for (int shift = 0; shift <= 200; ++shift) {
         for (const std::uint64_t magnitude : {std::uint64_t{1}, (std::uint64_t{1} << 53) - 1}) {
             const Exact_integer exact = power_of_two(static_cast<std::size_t>(shift)) * magnitude;

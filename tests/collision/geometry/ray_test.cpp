@@ -13,9 +13,9 @@
 namespace campuswalk::collision {
 namespace {
 
-using support::corners_of;
 using support::Dice;
 using support::Line;
+using support::vertices_of;
 
 std::optional<double> hit_any(const Ray& ray, const Shape& shape) {
     return std::visit(
@@ -37,7 +37,7 @@ TEST(RayOnTriangle, HitsWhereThePlainFormulaSays) {
         const Triangle t{dice.in_cube(1.0), dice.in_cube(1.0), dice.in_cube(1.0)};
         const Ray ray{dice.in_cube(2.0), dice.in_cube(2.0)};
         const auto ours = hit(ray, t);
-        const auto plain = support::first_meeting(Line{ray.from, ray.to}, corners_of(t));
+        const auto plain = support::first_meeting(Line{ray.from, ray.to}, vertices_of(t));
         ASSERT_EQ(ours.has_value(), plain.has_value()) << i;
         if (ours) {
             ASSERT_NEAR(*ours, *plain, 1e-9) << i;

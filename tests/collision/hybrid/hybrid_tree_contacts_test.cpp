@@ -45,9 +45,9 @@ std::vector<TrianglePair> loop_contacts(const TriangleMesh& a, const TriangleMes
         const Triangle first = corners(a, i);
         for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
             const auto& v = b.triangles[j];
-            const Triangle second{b_corner_in_a(X_a_b, b.positions[v[0]]),
-                                  b_corner_in_a(X_a_b, b.positions[v[1]]),
-                                  b_corner_in_a(X_a_b, b.positions[v[2]])};
+            const Triangle second{b_vertex_in_a(X_a_b, b.positions[v[0]]),
+                                  b_vertex_in_a(X_a_b, b.positions[v[1]]),
+                                  b_vertex_in_a(X_a_b, b.positions[v[2]])};
             if (overlap(first, second)) {
                 pairs.push_back({i, j});
             }
@@ -275,7 +275,7 @@ TEST(HybridContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
         const Body b(support::random_mesh(dice, 20, 2.0));
         TriangleMesh touching;  // each with a corner at a corner of b, as far as float32 allows
         for (const auto& p : b.mesh.positions) {
-            const Vec3 at = b_corner_in_a(X, p);
+            const Vec3 at = b_vertex_in_a(X, p);
             support::add_triangle(touching, at, at + dice.in_cube(1.0), at + dice.in_cube(1.0));
         }
         found += expect_exact(Body(touching), b, X);

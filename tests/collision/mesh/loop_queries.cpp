@@ -74,9 +74,9 @@ std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segme
     return first;
 }
 
-std::vector<Instructions> instructions_here() {
-    std::vector<Instructions> here;
-    for (const Instructions i : {Instructions::sse42, Instructions::avx2, Instructions::avx512}) {
+std::vector<SimdTarget> supported_simd_targets() {
+    std::vector<SimdTarget> here;
+    for (const SimdTarget i : {SimdTarget::sse42, SimdTarget::avx2, SimdTarget::avx512}) {
         if (can_run(i)) {
             here.push_back(i);
         }

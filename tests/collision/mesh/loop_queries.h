@@ -17,7 +17,7 @@ std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segme
                                   const Vec3& move);
 
 /// Those that this machine has, the least first.
-std::vector<Instructions> instructions_here();
+std::vector<SimdTarget> supported_simd_targets();
 
 /// One mesh on both layouts.
 struct BothLayouts {

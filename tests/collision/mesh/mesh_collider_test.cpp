@@ -23,26 +23,26 @@ TEST(MeshCollider, HoldsTheMeshAndOneTree) {
     const MeshCollider wide(box());
     EXPECT_EQ(wide.layout(), Layout::wide);
     EXPECT_EQ(wide.mesh().triangles.size(), 12U);
-    EXPECT_FALSE(wide.wide_tree().leaves.empty());
+    EXPECT_FALSE(wide.bvh8().leaves.empty());
     EXPECT_THROW(wide.paper_tree(), std::bad_variant_access);
     const MeshCollider paper(box(), Layout::paper);
     EXPECT_EQ(paper.layout(), Layout::paper);
     EXPECT_EQ(paper.mesh().triangles.size(), 12U);
     EXPECT_EQ(paper.paper_tree().order.size(), 12U);
-    EXPECT_THROW(paper.wide_tree(), std::bad_variant_access);
+    EXPECT_THROW(paper.bvh8(), std::bad_variant_access);
 }
 
 TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
     const MeshCollider built(box());
-    const MeshCollider taken(box(), built.wide_tree());
+    const MeshCollider taken(box(), built.bvh8());
     EXPECT_EQ(taken.layout(), Layout::wide);
-    EXPECT_EQ(taken.wide_tree().leaves.size(), built.wide_tree().leaves.size());
-    WideTree foreign = built.wide_tree();
+    EXPECT_EQ(taken.bvh8().leaves.size(), built.bvh8().leaves.size());
+    Bvh8 foreign = built.bvh8();
     foreign.leaves[0].triangle[3] = 12;
     EXPECT_THROW(MeshCollider(box(), foreign), std::invalid_argument);
     TriangleMesh spoilt = box();
     spoilt.triangles[7][1] = static_cast<std::uint32_t>(spoilt.positions.size());
-    EXPECT_THROW(MeshCollider(spoilt, built.wide_tree()), std::invalid_argument);
+    EXPECT_THROW(MeshCollider(spoilt, built.bvh8()), std::invalid_argument);
 }
 
 TEST(MeshCollider, FindsClosedPartsOnce) {

@@ -30,15 +30,15 @@ std::size_t expect_exact(const MeshCollider& a, const MeshCollider& b, const Pos
     const std::vector<TrianglePair> expected = support::loop_contacts(a.mesh(), b.mesh(), X_a_b);
     std::vector<TrianglePair> in_order;
     std::optional<TrianglePair> found_first;
-    for (const Instructions instructions : instructions_here()) {
-        SCOPED_TRACE(static_cast<int>(instructions));
+    for (const SimdTarget simd_target : supported_simd_targets()) {
+        SCOPED_TRACE(static_cast<int>(simd_target));
         std::vector<TrianglePair> pairs{{77, 77}};
         QueryCounters counters;
-        all_contacts(a, b, X_a_b, pairs, counters, instructions);
-        const auto first = first_contact(a, b, X_a_b, counters, instructions);
+        all_contacts(a, b, X_a_b, pairs, counters, simd_target);
+        const auto first = first_contact(a, b, X_a_b, counters, simd_target);
         EXPECT_EQ(first.has_value(), !expected.empty());
         EXPECT_TRUE(!first || std::binary_search(expected.begin(), expected.end(), *first));
-        if (instructions == Instructions::sse42) {
+        if (simd_target == SimdTarget::sse42) {
             in_order = pairs;
             found_first = first;
         }
@@ -177,7 +177,7 @@ TEST(MeshContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
         const MeshCollider b(support::random_mesh(dice, 20, 2.0));
         TriangleMesh touching;  // each with a corner, or nothing but a corner, at a corner of b's
         for (const auto& p : b.mesh().positions) {
-            const Vec3 at = b_corner_in_a(X, p);
+            const Vec3 at = b_vertex_in_a(X, p);
             const double size = dice.chance(0.3) ? 0.0 : 1.0;
             support::add_triangle(touching, at, at + dice.in_cube(size), at + dice.in_cube(size));
         }
@@ -213,7 +213,7 @@ TEST(MeshContacts, OfPointsThatRoundingBringsTogetherAreSeen) {
         Pose X{support::random_pose(dice, 0.0).rotation, Vec3::Zero()};
         const Eigen::Vector3f from = dice.in_cube(1000.0).cast<float>();
         const Eigen::Vector3f to = (kFar + dice.in_cube(100.0)).cast<float>();
-        X.translation = to.cast<double>() - b_corner_in_a(X, from);
+        X.translation = to.cast<double>() - b_vertex_in_a(X, from);
         TriangleMesh point;
         point.positions.assign(3, from);
         point.triangles = {{0, 1, 2}};

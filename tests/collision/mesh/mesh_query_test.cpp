@@ -17,10 +17,10 @@
 namespace campuswalk::collision {
 namespace {
 
-using support::corners_of;
 using support::Dice;
 using support::Line;
 using support::repeats;
+using support::vertices_of;
 
 Segment random_segment(Dice& dice) {
     const Vec3 a = dice.in_cube(4.0);
@@ -67,7 +67,7 @@ TEST(TrianglesNear, AreThoseThePlainFormulaFinds) {
             triangles_near(*both.each()[static_cast<std::size_t>(i % 2)], segment, radius, near, counters);
             for (std::uint32_t t = 0; t < both.mesh().triangles.size(); ++t) {
                 const double distance =
-                    support::distance(Line{segment.a, segment.b}, corners_of(corners(both.mesh(), t)));
+                    support::distance(Line{segment.a, segment.b}, vertices_of(corners(both.mesh(), t)));
                 if (std::abs(distance - radius) > 1e-9) {
                     ASSERT_EQ(std::binary_search(near.begin(), near.end(), t), distance < radius) << t;
                 }
@@ -93,14 +93,14 @@ TEST(TrianglesNear, TouchingExactlyCounts) {
 
 /// All three queries of a ray; answers their work.
 QueryCounters expect_hits(const MeshCollider& mesh, const Ray& ray, const std::vector<MeshHit>& expected,
-                          Instructions instructions) {
+                          SimdTarget simd_target) {
     QueryCounters counters;
     std::vector<MeshHit> all{{0.5, 12345}};
-    all_on_ray(mesh, ray, all, counters, instructions);
+    all_on_ray(mesh, ray, all, counters, simd_target);
     EXPECT_EQ(all, expected);
-    EXPECT_EQ(first_on_ray(mesh, ray, counters, instructions),
+    EXPECT_EQ(first_on_ray(mesh, ray, counters, simd_target),
               expected.empty() ? std::nullopt : std::optional(expected.front()));
-    EXPECT_EQ(any_on_ray(mesh, ray, counters, instructions), !expected.empty());
+    EXPECT_EQ(any_on_ray(mesh, ray, counters, simd_target), !expected.empty());
     EXPECT_EQ(counters.nu, 3U);
     return counters;
 }
@@ -110,12 +110,12 @@ std::size_t expect_hits_of_the_loop(const BothLayouts& both, const Ray& ray) {
     const std::vector<MeshHit> expected = loop_all_on_ray(both.mesh(), ray);
     {
         SCOPED_TRACE("paper");
-        expect_hits(both.paper, ray, expected, Instructions::sse42);
+        expect_hits(both.paper, ray, expected, SimdTarget::sse42);
     }
     std::optional<QueryCounters> work;
-    for (const Instructions instructions : instructions_here()) {
-        SCOPED_TRACE(static_cast<int>(instructions));
-        const QueryCounters counters = expect_hits(both.wide, ray, expected, instructions);
+    for (const SimdTarget simd_target : supported_simd_targets()) {
+        SCOPED_TRACE(static_cast<int>(simd_target));
+        const QueryCounters counters = expect_hits(both.wide, ray, expected, simd_target);
         work = work.value_or(counters);
         EXPECT_EQ(counters.nv, work->nv);
         EXPECT_EQ(counters.np, work->np);
@@ -181,7 +181,7 @@ TEST(OnRay, IsWhereThePlainFormulaSays) {
             double plain = 2.0;
             for (std::size_t t = 0; t < both.mesh().triangles.size(); ++t) {
                 const auto f =
-                    support::first_meeting(Line{ray.from, ray.to}, corners_of(corners(both.mesh(), t)));
+                    support::first_meeting(Line{ray.from, ray.to}, vertices_of(corners(both.mesh(), t)));
                 plain = std::min(plain, f.value_or(2.0));
             }
             QueryCounters counters;
@@ -273,8 +273,8 @@ TEST(OnRay, OfABallAreThoseOfTheLoop) {
         p = (turn * p.cast<double>()).cast<float>();
     }
     const BothLayouts both(ball);
-    const auto& nodes = both.wide.wide_tree().nodes;
-    EXPECT_GT(std::count_if(nodes.begin(), nodes.end(), [](const WideNode& n) { return n.turned; }), 10);
+    const auto& nodes = both.wide.bvh8().nodes;
+    EXPECT_GT(std::count_if(nodes.begin(), nodes.end(), [](const Bvh8Node& n) { return n.turned; }), 10);
     std::size_t hits = 0;
     QueryCounters work;
     for (int i = 0; i < repeats(300); ++i) {

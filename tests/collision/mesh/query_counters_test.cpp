@@ -112,7 +112,7 @@ TEST(QueryCounters, WithinReachOfAllEveryNodeAndTriangleIsTested) {
 
     const MeshCollider wide(tiled_floor());
     std::size_t boxes = 1;  // and the sphere of all
-    for (const WideNode& node : wide.wide_tree().nodes) {
+    for (const Bvh8Node& node : wide.bvh8().nodes) {
         boxes += node.count;
     }
     const QueryCounters on_wide = count_near(wide, {{0, 0, 0}, {0, 2, 0}}, 500.0);

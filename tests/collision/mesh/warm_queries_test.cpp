@@ -120,14 +120,14 @@ INSTANTIATE_TEST_SUITE_P(BothLayouts, WarmQueries, ::testing::Values(Layout::wid
 
 struct ContactKind {
     Layout layout = Layout::wide;
-    Instructions instructions = Instructions::sse42;
+    SimdTarget simd_target = SimdTarget::sse42;
     const char* name = "";
 };
 
 class WarmContacts : public ::testing::TestWithParam<ContactKind> {
 protected:
     void SetUp() override {
-        if (!can_run(GetParam().instructions)) {
+        if (!can_run(GetParam().simd_target)) {
             GTEST_SKIP() << "this machine has no " << GetParam().name;
         }
     }
@@ -140,16 +140,15 @@ protected:
 TEST_P(WarmContacts, All) {
     std::vector<TrianglePair> out;
     const Pose X = crossing_pose();
-    expect_nothing_when_warm([&] { all_contacts(a_, b_, X, out, counters_, GetParam().instructions); });
+    expect_nothing_when_warm([&] { all_contacts(a_, b_, X, out, counters_, GetParam().simd_target); });
     EXPECT_GT(out.size(), 200U);
     std::vector<TrianglePair> fresh;
-    EXPECT_GT(allocations_of([&] { all_contacts(a_, b_, X, fresh, counters_, GetParam().instructions); }),
-              0U);
+    EXPECT_GT(allocations_of([&] { all_contacts(a_, b_, X, fresh, counters_, GetParam().simd_target); }), 0U);
 }
 
 TEST_P(WarmContacts, First) {
     expect_nothing_when_warm(
-        [&] { EXPECT_TRUE(first_contact(a_, b_, crossing_pose(), counters_, GetParam().instructions)); });
+        [&] { EXPECT_TRUE(first_contact(a_, b_, crossing_pose(), counters_, GetParam().simd_target)); });
 }
 
 /// A body that goes through another, and once more.
@@ -159,17 +158,17 @@ TEST_P(WarmContacts, OfABodyThatMoves) {
         Pose X = crossing_pose();
         for (int i = 0; i < 4; ++i) {
             X.translation.x() = 0.5 * i - 1.0;
-            all_contacts(a_, b_, X, out, counters_, GetParam().instructions);
+            all_contacts(a_, b_, X, out, counters_, GetParam().simd_target);
         }
     };
     expect_nothing_when_warm(pass);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryKernel, WarmContacts,
-                         ::testing::Values(ContactKind{Layout::wide, Instructions::sse42, "sse42"},
-                                           ContactKind{Layout::wide, Instructions::avx2, "avx2"},
-                                           ContactKind{Layout::wide, Instructions::avx512, "avx512"},
-                                           ContactKind{Layout::paper, Instructions::sse42, "paper"}),
+                         ::testing::Values(ContactKind{Layout::wide, SimdTarget::sse42, "sse42"},
+                                           ContactKind{Layout::wide, SimdTarget::avx2, "avx2"},
+                                           ContactKind{Layout::wide, SimdTarget::avx512, "avx512"},
+                                           ContactKind{Layout::paper, SimdTarget::sse42, "paper"}),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

@@ -23,25 +23,25 @@ double distance_to(const Triangle& t, const Vec3& p) {
     return support::distance(support::Line{p, p}, {t.a, t.b, t.c});
 }
 
-TEST(BallRest, OnALevelFaceIsARadiusAboveIt) {
+TEST(SphereRest, OnALevelFaceIsARadiusAboveIt) {
     const Triangle t{{0, 2, 0}, {0, 2, 5}, {5, 2, 0}};
-    const auto rest = ball_rest(t, face_normal(t), 1.0, 1.0, 0.3);
+    const auto rest = sphere_rest(t, face_normal(t), 1.0, 1.0, 0.3);
     ASSERT_TRUE(rest);
     EXPECT_NEAR(rest->height, 2.3, 1e-15);
     EXPECT_EQ(rest->on, Vec3(1, 2, 1));
-    EXPECT_FALSE(ball_rest(t, face_normal(t), -0.31, 1.0, 0.3)) << "it passes beside";
+    EXPECT_FALSE(sphere_rest(t, face_normal(t), -0.31, 1.0, 0.3)) << "it passes beside";
 }
 
-TEST(BallRest, OnTheUpperEdgeOfAnUprightFace) {
+TEST(SphereRest, OnTheUpperEdgeOfAnUprightFace) {
     const Triangle t{{0, 0, -1}, {0, 1, 0}, {0, 1, -2}};
-    const auto rest = ball_rest(t, face_normal(t), 0.3, -1.0, 0.5);
+    const auto rest = sphere_rest(t, face_normal(t), 0.3, -1.0, 0.5);
     ASSERT_TRUE(rest);
     EXPECT_NEAR(rest->height, 1.4, 1e-15);
     EXPECT_TRUE(rest->on.isApprox(Vec3(0, 1, -1)));
 }
 
 /// Just there the ball touches, a little lower it overlaps, and higher up it never does again.
-TEST(BallRest, IsTheHighestTouchOfRandomTriangles) {
+TEST(SphereRest, IsTheHighestTouchOfRandomTriangles) {
     Dice dice(1);
     int found = 0;
     for (int i = 0; i < support::repeats(20000); ++i) {
@@ -50,7 +50,7 @@ TEST(BallRest, IsTheHighestTouchOfRandomTriangles) {
         const double x = dice.between(-1.2, 1.2);
         const double z = dice.between(-1.2, 1.2);
         SCOPED_TRACE(i);
-        const auto rest = ball_rest(t, face_normal(t), x, z, radius);
+        const auto rest = sphere_rest(t, face_normal(t), x, z, radius);
         const double top = std::max({t.a.y(), t.b.y(), t.c.y()});
         if (rest) {
             ++found;

@@ -43,21 +43,21 @@ struct Look {
     }
 };
 
-TEST(Neighbourhood, ASurveyMissesNothingThatMayBeMet) {
+TEST(ContactCache, ASurveyMissesNothingThatMayBeMet) {
     const MoverSettings body;
     int met = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(20)); ++seed) {
         Dice dice(seed);
         const auto world = support::make_soup(dice);
-        Neighbourhood around(*world, body, {});
+        ContactCache around(*world, body, {});
         QueryCounters counters;
         for (int i = 0; i < 100; ++i) {
             const Look look(dice);
             around.cover(look.box(body), counters);
             around.survey(look.foot, look.sideways, look.up, look.down, look.reach);
-            const std::set<Neighbourhood::Index> near(around.near().begin(), around.near().end());
+            const std::set<ContactCache::Index> near(around.near().begin(), around.near().end());
             const Vec3 place = look.somewhere(dice);
-            for (Neighbourhood::Index k = 0; k < around.pieces().size(); ++k) {
+            for (ContactCache::Index k = 0; k < around.pieces().size(); ++k) {
                 const Obstacle& o = around.piece(k).obstacle;
                 const double distance = closest(body.core(place), o).distance;
                 if (distance <= body.radius + look.reach) {
@@ -71,18 +71,18 @@ TEST(Neighbourhood, ASurveyMissesNothingThatMayBeMet) {
     EXPECT_GT(met, support::repeats(1000));
 }
 
-TEST(Neighbourhood, ItHoldsEveryTriangleOfWhatItCovers) {
+TEST(ContactCache, ItHoldsEveryTriangleOfWhatItCovers) {
     const MoverSettings body;
     Dice dice(7);
     const auto world = support::make_random_village(dice);
-    Neighbourhood around(*world, body, {});
+    ContactCache around(*world, body, {});
     QueryCounters counters;
     for (int i = 0; i < 50; ++i) {
         const Look look(dice);
         const Aabb box = look.box(body);
         around.cover(box, counters);
         std::set<Name> held;
-        for (const Neighbourhood::Piece& piece : around.pieces()) {
+        for (const ContactCache::Piece& piece : around.pieces()) {
             held.emplace(piece.obstacle.object, piece.obstacle.triangle);
         }
         std::vector<Obstacle> expected;
@@ -95,13 +95,13 @@ TEST(Neighbourhood, ItHoldsEveryTriangleOfWhatItCovers) {
 }
 
 /// What lies beyond is added to what is there already: nothing is lost by that, and nothing twice there.
-TEST(Neighbourhood, ItHoldsEveryTriangleOnceOnALongWay) {
+TEST(ContactCache, ItHoldsEveryTriangleOnceOnALongWay) {
     const MoverSettings body;
     int held_in_all = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
-        Neighbourhood around(*world, body, {});
+        ContactCache around(*world, body, {});
         QueryCounters counters;
         Vec3 foot(dice.between(-3, 3), dice.between(0, 1), dice.between(-3, 3));
         Vec3 step = Vec3::Zero();
@@ -114,7 +114,7 @@ TEST(Neighbourhood, ItHoldsEveryTriangleOnceOnALongWay) {
             foot += step;
             around.cover({foot - Vec3(0.5, 0.3, 0.5), foot + Vec3(0.5, 2.1, 0.5)}, counters);
             std::set<Name> held;
-            for (const Neighbourhood::Piece& piece : around.pieces()) {
+            for (const ContactCache::Piece& piece : around.pieces()) {
                 ASSERT_TRUE(held.emplace(piece.obstacle.object, piece.obstacle.triangle).second)
                     << "seed " << seed << ", step " << i;
             }
@@ -132,7 +132,7 @@ TEST(Neighbourhood, ItHoldsEveryTriangleOnceOnALongWay) {
 }
 
 /// A mover that has just been made knows nothing from earlier ticks.
-TEST(Neighbourhood, WhatIsKeptNeverChangesAMove) {
+TEST(ContactCache, WhatIsKeptNeverChangesAMove) {
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);

@@ -93,7 +93,7 @@ TEST(OverlapSpan, OfATriangleIsWhereThePlainGapIsClosed) {
         TriangleMesh mesh;
         const Triangle t = support::random_triangle(dice, dice.in_cube(1.0));
         support::add_triangle(mesh, t.a, t.b, t.c);
-        const support::Corners rounded = support::corners_of(corners(mesh, 0));
+        const support::Vertices rounded = support::vertices_of(corners(mesh, 0));
         const ObjectId id = add_object(world, mesh);
         const Vec3 from = dice.in_cube(2.0);
         const Vec3 move = dice.in_cube(2.0) - from;

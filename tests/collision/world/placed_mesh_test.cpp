@@ -36,12 +36,12 @@ public:
 
     const World& world() const { return world_; }
     const Pose& pose() const { return X_; }
-    const std::vector<support::Corners>& triangles() const { return triangles_; }
+    const std::vector<support::Vertices>& triangles() const { return triangles_; }
 
 private:
     Pose X_;
     World world_{std::make_unique<LinearBroadPhase>()};
-    std::vector<support::Corners> triangles_;
+    std::vector<support::Vertices> triangles_;
 };
 
 TEST(ClosestOfAPlacedMesh, IsThatOfTheLoop) {
@@ -54,7 +54,7 @@ TEST(ClosestOfAPlacedMesh, IsThatOfTheLoop) {
             const Segment segment{mesh.pose() * local.a, mesh.pose() * local.b};
             constexpr double kReach = 1.5;
             double plain = kReach;
-            for (const support::Corners& t : mesh.triangles()) {
+            for (const support::Vertices& t : mesh.triangles()) {
                 plain = std::min(plain, support::distance(Line{segment.a, segment.b}, t));
             }
             std::vector<Obstacle> obstacles;
@@ -74,7 +74,7 @@ TEST(ClosestOfAPlacedMesh, IsThatOfTheLoop) {
 /// The first contact of a moving capsule with all triangles, by halving a convex function's interval.
 double plain_sweep(const PlacedMesh& mesh, const Segment& segment, double radius, const Vec3& move) {
     double first = 2.0;
-    for (const support::Corners& t : mesh.triangles()) {
+    for (const support::Vertices& t : mesh.triangles()) {
         if (support::distance(Line{segment.a, segment.b}, t) > radius + move.norm()) {
             continue;  // it can't come that far
         }
@@ -112,7 +112,7 @@ TEST(SweepOfAPlacedMesh, IsThatOfTheLoop) {
             ASSERT_LE(ours, plain + 1e-9) << m << ' ' << i << ": never beyond the contact";
             if (ours < plain - 1e-6) {  // a graze: it stopped where the gap is all but closed
                 double gap = 1.0;
-                for (const support::Corners& t : mesh.triangles()) {
+                for (const support::Vertices& t : mesh.triangles()) {
                     const Line moved{segment.a + ours * move, segment.b + ours * move};
                     gap = std::min(gap, support::distance(moved, t) - radius);
                 }

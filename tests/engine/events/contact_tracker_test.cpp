@@ -28,7 +28,7 @@ using Transitions = std::vector<Transition>;
 constexpr ObjectId kA{3};
 constexpr ObjectId kB{5};
 
-Transitions update(ContactTracker& tracker, Tick tick, const std::vector<Sighting>& seen) {
+Transitions update(ContactTracker& tracker, Tick tick, const std::vector<ObjectOverlap>& seen) {
     Transitions out;
     tracker.update(tick, seen, out);
     return out;
@@ -94,7 +94,7 @@ public:
     explicit Automaton(Tick stay_ticks) : stay_ticks_(stay_ticks) {}
 
     /// What one object's sighting (null: not seen) must bring.
-    Transitions expected(ObjectId object, Tick tick, const Sighting* s) {
+    Transitions expected(ObjectId object, Tick tick, const ObjectOverlap* s) {
         const bool now = s != nullptr && s->present;
         if (!inside_) {
             if (now) {
@@ -122,7 +122,7 @@ private:
     Tick since_ = 0;
 };
 
-Sighting random_sighting(support::Dice& dice, ObjectId object) {
+ObjectOverlap random_sighting(support::Dice& dice, ObjectId object) {
     const double enter = 0.1 * dice.below(11);
     const double exit = dice.chance(0.2) ? enter : enter + (1.0 - enter) * dice.between(0.0, 1.0);
     const bool present = dice.chance(0.6);
@@ -137,16 +137,16 @@ TEST(ContactTracker, AgreesWithAnAutomatonAnObjectOnRandomSightings) {
         ContactTracker tracker(stay_ticks);
         std::vector<Automaton> automata(kObjects, Automaton(stay_ticks));
         for (Tick tick = 0; tick < 150; ++tick) {
-            std::vector<Sighting> seen;
+            std::vector<ObjectOverlap> seen;
             Transitions expected;
             for (std::uint32_t i = 0; i < kObjects; ++i) {
                 const bool sighted = dice.chance(0.7);
-                const Sighting sighting = random_sighting(dice, ObjectId{i});
+                const ObjectOverlap overlap = random_sighting(dice, ObjectId{i});
                 if (sighted) {
-                    seen.push_back(sighting);
+                    seen.push_back(overlap);
                 }
                 for (const Transition& t :
-                     automata[i].expected(ObjectId{i}, tick, sighted ? &sighting : nullptr)) {
+                     automata[i].expected(ObjectId{i}, tick, sighted ? &overlap : nullptr)) {
                     expected.push_back(t);
                 }
             }

@@ -7,9 +7,9 @@ namespace {
 
 using collision::ObjectId;
 
-std::vector<ObjectId> objects(const GazeMemory& memory) {
+std::vector<ObjectId> objects(const GazeTracker& memory) {
     std::vector<ObjectId> ids;
-    for (const GazeMemory::Look& look : memory.looks()) {
+    for (const GazeTracker::Look& look : memory.looks()) {
         ids.push_back(look.object);
     }
     return ids;
@@ -19,8 +19,8 @@ using Ids = std::vector<ObjectId>;
 constexpr ObjectId kLibrary{3};
 constexpr ObjectId kColumn{7};
 
-TEST(GazeMemory, HoldsWhatPassesBehindAColumn) {
-    GazeMemory memory(3);
+TEST(GazeTracker, HoldsWhatPassesBehindAColumn) {
+    GazeTracker memory(3);
     memory.meet(0, kLibrary, 9.0);
     memory.advance(0);
     memory.meet(1, kColumn, 2.0);
@@ -33,8 +33,8 @@ TEST(GazeMemory, HoldsWhatPassesBehindAColumn) {
     EXPECT_EQ(memory.distance(kColumn), 2.0) << "as far away as it was";
 }
 
-TEST(GazeMemory, EndsALookInTheTickOfItsHold) {
-    GazeMemory memory(3);
+TEST(GazeTracker, EndsALookInTheTickOfItsHold) {
+    GazeTracker memory(3);
     memory.meet(10, kLibrary, 9.0);
     for (const Tick tick : {10, 11, 12}) {
         memory.advance(tick);
@@ -45,9 +45,9 @@ TEST(GazeMemory, EndsALookInTheTickOfItsHold) {
     EXPECT_EQ(memory.distance(kLibrary), 0.0);
 }
 
-TEST(GazeMemory, WithoutAHoldForgetsInTheNextTick) {
+TEST(GazeTracker, WithoutAHoldForgetsInTheNextTick) {
     for (const Tick hold : {0, 1}) {
-        GazeMemory memory(hold);
+        GazeTracker memory(hold);
         memory.meet(5, kLibrary, 9.0);
         memory.advance(5);
         EXPECT_EQ(objects(memory), Ids({kLibrary}));
@@ -56,8 +56,8 @@ TEST(GazeMemory, WithoutAHoldForgetsInTheNextTick) {
     }
 }
 
-TEST(GazeMemory, ForgetsWhatItIsTold) {
-    GazeMemory memory(100);
+TEST(GazeTracker, ForgetsWhatItIsTold) {
+    GazeTracker memory(100);
     memory.meet(0, kColumn, 1.0);
     memory.meet(0, kLibrary, 2.0);
     memory.forget(kColumn);

@@ -23,18 +23,18 @@ scene::Campus block_campus() {
 
 std::optional<Failure> inside_at(double x, double tolerance = 1e-4) {
     const scene::Campus campus = block_campus();
-    OneJudge judge(ExpectNoPenetration{kMark, tolerance}, campus);
-    Frames(judge).tick({}, {0, 0.001, 0}).tick({}, {x, 0.001, 0}).tick({}, {0, 0.001, 0});
-    return judge.failure();
+    OneEvaluator evaluator(ExpectNoPenetration{kMark, tolerance}, campus);
+    Frames(evaluator).tick({}, {0, 0.001, 0}).tick({}, {x, 0.001, 0}).tick({}, {0, 0.001, 0});
+    return evaluator.failure();
 }
 
-TEST(NoPenetrationJudge, PassesBesideThings) {
+TEST(NoPenetrationEvaluator, PassesBesideThings) {
     EXPECT_FALSE(inside_at(1.69));
     EXPECT_FALSE(inside_at(1.70005)) << "by less than is allowed";
     EXPECT_FALSE(inside_at(1.75, 0.06));
 }
 
-TEST(NoPenetrationJudge, FailsWithTheDeepest) {
+TEST(NoPenetrationEvaluator, FailsWithTheDeepest) {
     expect_failure(inside_at(1.75), 7, "no_penetration",
                    "the body was 50.00 mm inside block at 0.100 s, expected at most 0.10 mm");
     EXPECT_EQ(inside_at(1.75)->scene.tick, 1);
@@ -42,45 +42,45 @@ TEST(NoPenetrationJudge, FailsWithTheDeepest) {
                    "the body was 300.00 mm inside block at 0.100 s, expected at most 200.00 mm");
 }
 
-TEST(NoPenetrationJudge, SeesWhoIsDeepInsideAMesh) {
+TEST(NoPenetrationEvaluator, SeesWhoIsDeepInsideAMesh) {
     scene::Campus campus = empty_campus();
     collision::TriangleMesh mesh;
     support::add_box(mesh, {-5, -5, -5}, {5, 5, 5});
     add_object(campus, "hill", std::make_shared<const collision::MeshCollider>(std::move(mesh)),
                Eigen::Vector3d::Zero());
-    OneJudge judge(ExpectNoPenetration{kMark, 1e-4}, campus);
-    Frames(judge).tick({}, {0, -1, 0});
-    expect_failure(judge.failure(), 7, "no_penetration",
+    OneEvaluator evaluator(ExpectNoPenetration{kMark, 1e-4}, campus);
+    Frames(evaluator).tick({}, {0, -1, 0});
+    expect_failure(evaluator.failure(), 7, "no_penetration",
                    "the body was 300.00 mm inside hill at 0.000 s, expected at most 0.10 mm");
 }
 
-TEST(NoPenetrationJudge, DoesNotMindWhatIsDisabled) {
+TEST(NoPenetrationEvaluator, DoesNotMindWhatIsDisabled) {
     const scene::Campus campus = block_campus();
-    OneJudge judge(ExpectNoPenetration{kMark, 1e-4}, campus);
+    OneEvaluator evaluator(ExpectNoPenetration{kMark, 1e-4}, campus);
     const std::vector<bool> disabled = {false, true};
-    FrameRecord record;
+    TickRecord record;
     record.avatar.position = {3, 0.001, 0};
     record.disabled = &disabled;
-    judge.see(record);
-    EXPECT_FALSE(judge.failure());
+    evaluator.see(record);
+    EXPECT_FALSE(evaluator.failure());
 }
 
 // ---- grounded -------------------------------------------------------------------------------------------
 
 /// One tick of four in the air; the walk's closing frame shows its last tick once more.
 std::optional<Failure> hop(double ratio) {
-    OneJudge judge(ExpectGrounded{kMark, ratio});
-    FrameRecord record;
+    OneEvaluator evaluator(ExpectGrounded{kMark, ratio});
+    TickRecord record;
     for (const Tick tick : {0, 1, 2, 3, 3}) {
         record.tick = tick;
         record.time = 0.1 * static_cast<double>(tick);
         record.avatar.grounded = tick != 3;
-        judge.see(record);
+        evaluator.see(record);
     }
-    return judge.failure();
+    return evaluator.failure();
 }
 
-TEST(GroundedJudge, CountsTicksOffTheGround) {
+TEST(GroundedEvaluator, CountsTicksOffTheGround) {
     EXPECT_FALSE(hop(0.75));
     expect_failure(hop(0.76), 7, "grounded",
                    "the avatar was off the ground in 1 of 4 ticks, first at 0.300 s, expected at most 24.0 % "
@@ -94,40 +94,40 @@ TEST(GroundedJudge, CountsTicksOffTheGround) {
 
 template <typename Expected>
 std::optional<Failure> bumped(const Expected& expected) {
-    OneJudge judge(expected);
-    Frames(judge)
+    OneEvaluator evaluator(expected);
+    Frames(evaluator)
         .tick({"collision.enter lamp"})
         .with({made_event("avatar.stuck me", {{"by", std::string("bench/1")}})}, {0, 0, 0})
         .with({made_event("avatar.blocked goal", {{"by", std::string("wall")}})}, {0, 0, 0});
-    return judge.failure();
+    return evaluator.failure();
 }
 
-TEST(BlockedByJudge, KnowsWhatWasInTheWay) {
+TEST(BlockedByEvaluator, KnowsWhatWasInTheWay) {
     EXPECT_FALSE(bumped(ExpectBlockedBy{kMark, {kMark, "wall"}}));
     EXPECT_FALSE(bumped(ExpectBlockedBy{kMark, {kMark, "bench/*"}})) << "stuck is blocked too";
     expect_failure(bumped(ExpectBlockedBy{kMark, {kMark, "lamp"}}), 7, "blocked_by",
                    "the avatar was never blocked by 'lamp', but blocked by wall at 0.200 s");
 }
 
-TEST(BlockedByJudge, SaysWhenNothingWas) {
-    OneJudge judge(ExpectBlockedBy{kMark, {kMark, "lamp"}});
-    Frames(judge).tick({"collision.enter lamp", "avatar.arrive goal"});
-    expect_failure(judge.failure(), 7, "blocked_by", "the avatar was never blocked by 'lamp'");
+TEST(BlockedByEvaluator, SaysWhenNothingWas) {
+    OneEvaluator evaluator(ExpectBlockedBy{kMark, {kMark, "lamp"}});
+    Frames(evaluator).tick({"collision.enter lamp", "avatar.arrive goal"});
+    expect_failure(evaluator.failure(), 7, "blocked_by", "the avatar was never blocked by 'lamp'");
 }
 
-TEST(StuckJudge, WantsItToHappen) {
+TEST(StuckEvaluator, WantsItToHappen) {
     EXPECT_FALSE(bumped(ExpectStuck{kMark, {kMark, "*"}}));
     EXPECT_FALSE(bumped(ExpectStuck{kMark, {kMark, "bench/?"}}));
     expect_failure(bumped(ExpectStuck{kMark, {kMark, "wall"}}), 7, "stuck",
                    "the avatar was never stuck by 'wall', but stuck by bench/1 at 0.100 s");
-    OneJudge judge(ExpectStuck{kMark, {kMark, "*"}});
-    Frames(judge).tick({"avatar.blocked goal"});
-    expect_failure(judge.failure(), 7, "stuck", "the avatar was never stuck");
+    OneEvaluator evaluator(ExpectStuck{kMark, {kMark, "*"}});
+    Frames(evaluator).tick({"avatar.blocked goal"});
+    expect_failure(evaluator.failure(), 7, "stuck", "the avatar was never stuck");
 }
 
-TEST(StuckJudge, IsByNothingThatCouldBeNamed) {
-    OneJudge anything(ExpectStuck{kMark, {kMark, "*"}});
-    OneJudge lamp(ExpectStuck{kMark, {kMark, "lamp"}});
+TEST(StuckEvaluator, IsByNothingThatCouldBeNamed) {
+    OneEvaluator anything(ExpectStuck{kMark, {kMark, "*"}});
+    OneEvaluator lamp(ExpectStuck{kMark, {kMark, "lamp"}});
     Frames(anything).tick({"avatar.stuck me"});
     Frames(lamp).tick({"avatar.stuck me"});
     EXPECT_FALSE(anything.failure());
@@ -136,13 +136,13 @@ TEST(StuckJudge, IsByNothingThatCouldBeNamed) {
 
 // ---- fell -----------------------------------------------------------------------------------------------
 
-TEST(FellJudge, WantsItToHappen) {
-    OneJudge judge(ExpectFell{kMark});
-    Frames frames(judge);
+TEST(FellEvaluator, WantsItToHappen) {
+    OneEvaluator evaluator(ExpectFell{kMark});
+    Frames frames(evaluator);
     frames.tick({"avatar.landed me"});
-    expect_failure(judge.failure(), 7, "fell", "the avatar did not fall off the world");
+    expect_failure(evaluator.failure(), 7, "fell", "the avatar did not fall off the world");
     frames.tick({"avatar.fell me"});
-    EXPECT_FALSE(judge.failure());
+    EXPECT_FALSE(evaluator.failure());
 }
 
 }  // namespace

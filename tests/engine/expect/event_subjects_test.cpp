@@ -12,7 +12,7 @@ namespace {
 
 using collision::Detection;
 
-scene::Campus campus_of_each_strategy() {
+scene::Campus campus_of_each_mode() {
     scene::Campus campus = level_campus();
     add_building(campus, "hall");
     add_building(campus, "shed");
@@ -30,7 +30,7 @@ Walk walk_of_each_step() {
 }
 
 std::vector<std::string> names(const std::string& words) {
-    const scene::Campus campus = campus_of_each_strategy();
+    const scene::Campus campus = campus_of_each_mode();
     const Walk walk = walk_of_each_step();
     std::vector<std::string> found = EventSubjects(campus, walk).names(pattern(words));
     std::ranges::sort(found);
@@ -39,7 +39,7 @@ std::vector<std::string> names(const std::string& words) {
 }
 
 bool can_happen(const std::string& words) {
-    const scene::Campus campus = campus_of_each_strategy();
+    const scene::Campus campus = campus_of_each_mode();
     const Walk walk = walk_of_each_step();
     return EventSubjects(campus, walk).can_happen(pattern(words));
 }
@@ -68,7 +68,7 @@ TEST(EventSubjects, OfTheAvatarAreTheStepsLabels) {
 }
 
 TEST(EventSubjects, OfWhatTheBodyDoesAreThereIfTheWalkDoesIt) {
-    const scene::Campus campus = campus_of_each_strategy();
+    const scene::Campus campus = campus_of_each_mode();
     const Walk walk = walk_of({spawn_at({0, 0, 9}), jump_up(2.0), be_tall(1.0), be_tall(1.8),
                                follow({{1, 0, 1}, {2, 0, 2}}), disable("hall/*"), enable("hall/door")});
     const EventSubjects subjects(campus, walk);

@@ -15,27 +15,27 @@ const SourceMark kMark = {"a.walk.yaml", 7, 5};
 
 // ---- at the end -----------------------------------------------------------------------------------------
 
-TEST(Jury, GivesItsVerdictsInTheOrderOfTheFile) {
+TEST(ExpectationSet, GivesItsVerdictsInTheOrderOfTheFile) {
     Walk walk;
     walk.expectations = {expect_reaches({"far", {50, 0, 0}, false}, 0.5), ExpectLog{kMark},
                          expect_never("popup.open"), expect_count("popup.open", 1),
                          expect_sequence({"popup.open b"})};
     const scene::Campus campus = empty_campus();
-    Jury jury(campus, walk);
-    Frames(jury).tick({"popup.open a"});
-    const std::vector<Failure> failures = jury.verdicts();
+    ExpectationSet expectation_set(campus, walk);
+    Frames(expectation_set).tick({"popup.open a"});
+    const std::vector<Failure> failures = expectation_set.verdicts();
     ASSERT_EQ(failures.size(), 3U) << "the log is for others to judge";
     EXPECT_EQ(failures[0].code, "reaches");
     EXPECT_EQ(failures[1].code, "never");
     EXPECT_EQ(failures[2].code, "sequence");
 }
 
-TEST(Jury, IsContentWithoutExpectations) {
+TEST(ExpectationSet, IsContentWithoutExpectations) {
     const Walk walk;
     const scene::Campus campus = empty_campus();
-    Jury jury(campus, walk);
-    Frames(jury).tick({"popup.open a"});
-    EXPECT_TRUE(jury.verdicts().empty());
+    ExpectationSet expectation_set(campus, walk);
+    Frames(expectation_set).tick({"popup.open a"});
+    EXPECT_TRUE(expectation_set.verdicts().empty());
 }
 
 // ---- of a walk that was stopped -------------------------------------------------------------------------
@@ -45,18 +45,18 @@ std::string when_stopped(const Expectation& expectation) {
     Walk walk;
     walk.expectations = {expectation};
     const scene::Campus campus = empty_campus();
-    Jury jury(campus, walk);
-    Frames(jury)
+    ExpectationSet expectation_set(campus, walk);
+    Frames(expectation_set)
         .tick({"walk.start me"})
         .after_metres(3)
         .in_the_air(true)
         .tick({"popup.open a", "avatar.stuck me"});
-    const Jury::StoppedVerdicts verdicts = jury.verdicts_when_stopped();
-    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), jury.verdicts().size());
+    const ExpectationSet::StoppedVerdicts verdicts = expectation_set.verdicts_when_stopped();
+    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), expectation_set.verdicts().size());
     return !verdicts.failures.empty() ? "fails" : !verdicts.undecided.empty() ? "open" : "holds";
 }
 
-TEST(StoppedJury, FailsWhatNothingCouldMend) {
+TEST(StoppedExpectationSet, FailsWhatNothingCouldMend) {
     for (const Expectation& lost : std::vector<Expectation>{
              expect_never("popup.open"), expect_count("popup.open", 0), expect_count("popup.open", {}, {}, 0),
              ExpectWithin{kMark, pattern("walk.start"), pattern("avatar.fell"), 0.05},
@@ -68,7 +68,7 @@ TEST(StoppedJury, FailsWhatNothingCouldMend) {
     }
 }
 
-TEST(StoppedJury, LeavesOpenWhatMightHaveCome) {
+TEST(StoppedExpectationSet, LeavesOpenWhatMightHaveCome) {
     int place = 0;
     for (const Expectation& open : std::vector<Expectation>{
              expect_sequence({"popup.open", "popup.close"}), expect_count("popup.open", 2),
@@ -88,7 +88,7 @@ TEST(StoppedJury, LeavesOpenWhatMightHaveCome) {
     }
 }
 
-TEST(StoppedJury, IsContentWithWhatHolds) {
+TEST(StoppedExpectationSet, IsContentWithWhatHolds) {
     for (const Expectation& held : std::vector<Expectation>{
              expect_never("avatar.fell"), expect_count("popup.open", 1), expect_sequence({"popup.open"}),
              ExpectNot{kMark, ExpectFell{kMark}}, ExpectNoPenetration{kMark}}) {
@@ -99,13 +99,13 @@ TEST(StoppedJury, IsContentWithWhatHolds) {
 // ---- not ------------------------------------------------------------------------------------------------
 
 TEST(Not, FailsWhereWhatItNamesIsMet) {
-    OneJudge judge(ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}});
-    Frames frames(judge);
+    OneEvaluator evaluator(ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}});
+    Frames frames(evaluator);
     frames.tick({"avatar.arrive goal"});
-    EXPECT_FALSE(judge.failure());
+    EXPECT_FALSE(evaluator.failure());
     frames.tick({"avatar.stuck me"}).tick({});
-    expect_failure(judge.failure(), 7, "not-stuck", "not expected, but the avatar was stuck at 0.100 s");
-    EXPECT_EQ(judge.failure()->scene.tick, 1);
+    expect_failure(evaluator.failure(), 7, "not-stuck", "not expected, but the avatar was stuck at 0.100 s");
+    EXPECT_EQ(evaluator.failure()->scene.tick, 1);
 }
 
 TEST(Not, SaysWhatHappenedOfEveryExpectation) {
@@ -132,15 +132,15 @@ TEST(Not, SaysWhatHappenedOfEveryExpectation) {
     ASSERT_EQ(met.size(), std::variant_size_v<PlainExpectation>);
     for (std::size_t i = 0; i < met.size(); ++i) {
         EXPECT_EQ(met[i].first.index(), i) << "each once";
-        OneJudge judge(ExpectNot{kMark, met[i].first});
+        OneEvaluator evaluator(ExpectNot{kMark, met[i].first});
         std::vector<Event> events = {made_event("popup.open a")};
         if (i >= 12) {
             events = {made_event("avatar.stuck me", {{"by", std::string("wall")}}),
                       made_event("avatar.fell me")};
         }
-        Frames(judge).tick({"walk.start me"}).with(std::move(events));
-        ASSERT_TRUE(judge.failure()) << met[i].second;
-        EXPECT_EQ(judge.failure()->message, "not expected, but " + met[i].second);
+        Frames(evaluator).tick({"walk.start me"}).with(std::move(events));
+        ASSERT_TRUE(evaluator.failure()) << met[i].second;
+        EXPECT_EQ(evaluator.failure()->message, "not expected, but " + met[i].second);
     }
 }
 

@@ -22,7 +22,7 @@ scene::Campus yard() {
 }
 
 FailureScene scene_at(const Eigen::Vector3d& position) {
-    Moment moment;
+    StateSnapshot moment;
     moment.avatar.position = position;
     return scene_of(moment, yard(), {});
 }
@@ -43,19 +43,19 @@ TEST(FailureScene, NamesNothingThatIsFarAway) {
 TEST(FailureScene, NamesTheNearestBuilding) {
     EXPECT_EQ(scene_at({0, 0, 9}).building, "hall") << "29 m against 31 m";
     EXPECT_EQ(scene_at({0, 0, 11}).building, "lab");
-    Moment moment;
+    StateSnapshot moment;
     moment.building = 1;
     EXPECT_EQ(scene_of(moment, yard(), {}).building, "lab") << "whose window is open goes first";
     EXPECT_EQ(scene_of({}, level_campus(), {}).building, "");
 }
 
 TEST(FailureScene, TellsTheLastEventsAsTheLogDoes) {
-    Chronicle chronicle;
-    Frames(chronicle)
+    StateHistory history;
+    Frames(history)
         .tick({"walk.start me", "trigger.enter a"})
         .tick({})
         .tick({"popup.open a", "popup.close a", "trigger.exit a", "avatar.arrive goal"});
-    const FailureScene scene = scene_of(chronicle.now(), yard(), {});
+    const FailureScene scene = scene_of(history.now(), yard(), {});
     EXPECT_EQ(scene.last_events,
               std::vector<std::string>(
                   {"000000    0.000000 trigger.enter    a", "000002    0.200000 popup.open       a",

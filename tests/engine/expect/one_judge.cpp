@@ -19,14 +19,14 @@ const scene::Campus& nowhere() {
 
 }  // namespace
 
-OneJudge::OneJudge(Expectation expected) : OneJudge(std::move(expected), nowhere()) {}
+OneEvaluator::OneEvaluator(Expectation expected) : OneEvaluator(std::move(expected), nowhere()) {}
 
-OneJudge::OneJudge(Expectation expected, const scene::Campus& campus)
-    : expected_(std::move(expected)), judge_(Judge::of(expected_, campus, avatar_)) {}
+OneEvaluator::OneEvaluator(Expectation expected, const scene::Campus& campus)
+    : expected_(std::move(expected)), evaluator_(Evaluator::of(expected_, campus, avatar_)) {}
 
-void OneJudge::see(const FrameRecord& record) {
-    chronicle_.see(record);
-    judge_->see(record, chronicle_.now());
+void OneEvaluator::see(const TickRecord& record) {
+    history_.see(record);
+    evaluator_->see(record, history_.now());
 }
 
 Event made_event(const std::string& words, std::vector<Field> fields) {
@@ -48,7 +48,7 @@ Frames& Frames::with(std::vector<Event> events, const Eigen::Vector3d& position)
     for (Event& event : events) {
         event.tick = tick_;
     }
-    FrameRecord record;
+    TickRecord record;
     record.tick = tick_;
     record.time = static_cast<double>(tick_) / 10.0;
     record.avatar.position = position;

@@ -10,34 +10,35 @@
 namespace campuswalk::engine {
 
 /// Holds one expectation against frames made by hand.
-class OneJudge {
+class OneEvaluator {
 public:
     /// An avatar with the default profile; the campus must outlive the judge.
-    explicit OneJudge(Expectation expected);
-    OneJudge(Expectation expected, const scene::Campus& campus);
+    explicit OneEvaluator(Expectation expected);
+    OneEvaluator(Expectation expected, const scene::Campus& campus);
 
-    void see(const FrameRecord& record);
+    void see(const TickRecord& record);
 
     /// As at the walk's end.
-    std::optional<Failure> failure() const { return judge_->failure(true, chronicle_.now()); }
+    std::optional<Failure> failure() const { return evaluator_->failure(true, history_.now()); }
     /// As in a step: more may come.
-    std::optional<Failure> failure_so_far() const { return judge_->failure(false, chronicle_.now()); }
+    std::optional<Failure> failure_so_far() const { return evaluator_->failure(false, history_.now()); }
 
 private:
     Expectation expected_;
     AvatarProfile avatar_;
-    std::optional<Judge> judge_;
-    Chronicle chronicle_;
+    std::optional<Evaluator> evaluator_;
+    StateHistory history_;
 };
 
 /// "KIND OBJECT" as an event with fields.
 Event made_event(const std::string& words, std::vector<Field> fields = {});
 
-/// Frames, a tenth of a second apart, for a judge or a jury.
+/// Frames, a tenth of a second apart, for a judge or a expectation set.
 class Frames {
 public:
-    template <typename Judge>
-    explicit Frames(Judge& judge) : see_([&judge](const FrameRecord& record) { judge.see(record); }) {}
+    template <typename Evaluator>
+    explicit Frames(Evaluator& evaluator)
+        : see_([&evaluator](const TickRecord& record) { evaluator.see(record); }) {}
 
     Frames& tick(const std::vector<std::string>& told_events,
                  const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
@@ -47,7 +48,7 @@ public:
     Frames& after_metres(double distance);
 
 private:
-    std::function<void(const FrameRecord&)> see_;
+    std::function<void(const TickRecord&)> see_;
     Tick tick_ = 0;
     bool grounded_ = true;
     double distance_ = 0.0;

@@ -12,26 +12,26 @@ using Eigen::Vector3d;
 
 // ---- reaches --------------------------------------------------------------------------------------------
 
-TEST(ReachesJudge, PassesWhenSomeTickEndedNearEnough) {
+TEST(ReachesEvaluator, PassesWhenSomeTickEndedNearEnough) {
     const ExpectReaches expected = expect_reaches({"square", {3, 0, 4}, true}, 5.0, 11);
-    OneJudge judge(expected);
-    Frames(judge).tick({}, {100, 0, 0}).tick({}, {0, 0, 0}).tick({}, {-100, 0, 0});
-    EXPECT_FALSE(judge.failure()) << "5 m away is within 5 m";
+    OneEvaluator evaluator(expected);
+    Frames(evaluator).tick({}, {100, 0, 0}).tick({}, {0, 0, 0}).tick({}, {-100, 0, 0});
+    EXPECT_FALSE(evaluator.failure()) << "5 m away is within 5 m";
 }
 
-TEST(ReachesJudge, FailsWithTheNearest) {
+TEST(ReachesEvaluator, FailsWithTheNearest) {
     const ExpectReaches expected = expect_reaches({"square", {3, 0, 4}, true}, 1.0, 11);
-    OneJudge judge(expected);
-    Frames(judge).tick({}, {100, 0, 0}).tick({}, {0, 0, 0}).tick({}, {0, 0, 0}).tick({}, {-100, 0, 0});
-    expect_failure(judge.failure(), 11, "reaches",
+    OneEvaluator evaluator(expected);
+    Frames(evaluator).tick({}, {100, 0, 0}).tick({}, {0, 0, 0}).tick({}, {0, 0, 0}).tick({}, {-100, 0, 0});
+    expect_failure(evaluator.failure(), 11, "reaches",
                    "square was not reached: the avatar came within 5.000 m at 0.100 s, expected 1.000 m");
 }
 
-TEST(ReachesJudge, CountsHeightOnlyWhenTheTargetHasOne) {
+TEST(ReachesEvaluator, CountsHeightOnlyWhenTheTargetHasOne) {
     const ExpectReaches with_height = expect_reaches({"roof", {0, 12, 0}, true}, 0.5, 11);
     const ExpectReaches without = expect_reaches({"0,0", {0, 0, 0}, false}, 0.5, 11);
-    OneJudge strict(with_height);
-    OneJudge lenient(without);
+    OneEvaluator strict(with_height);
+    OneEvaluator lenient(without);
     Frames(strict).tick({}, {0, 8, 0});
     Frames(lenient).tick({}, {0, 8, 0});
     EXPECT_FALSE(lenient.failure());
@@ -39,11 +39,11 @@ TEST(ReachesJudge, CountsHeightOnlyWhenTheTargetHasOne) {
                    "roof was not reached: the avatar came within 4.000 m at 0.000 s, expected 0.500 m");
 }
 
-TEST(ReachesJudge, TellsOfTheNearestTick) {
-    OneJudge judge(expect_reaches({"square", {3, 0, 4}, true}, 1.0, 11));
-    Frames(judge).tick({}, {100, 0, 0}).tick({}, {0, 0, 0}).tick({}, {-100, 0, 0});
-    EXPECT_EQ(judge.failure()->scene.tick, 1);
-    EXPECT_EQ(judge.failure()->scene.position, Vector3d(0, 0, 0));
+TEST(ReachesEvaluator, TellsOfTheNearestTick) {
+    OneEvaluator evaluator(expect_reaches({"square", {3, 0, 4}, true}, 1.0, 11));
+    Frames(evaluator).tick({}, {100, 0, 0}).tick({}, {0, 0, 0}).tick({}, {-100, 0, 0});
+    EXPECT_EQ(evaluator.failure()->scene.tick, 1);
+    EXPECT_EQ(evaluator.failure()->scene.position, Vector3d(0, 0, 0));
 }
 
 // ---- near -----------------------------------------------------------------------------------------------
@@ -52,50 +52,50 @@ ExpectNear near_bench(const std::optional<EventPattern>& at = std::nullopt) {
     return {{"a.walk.yaml", 14, 5}, {"bench", {3, 0, 4}, true}, 1.0, at};
 }
 
-TEST(NearJudge, LooksAtTheEnd) {
-    OneJudge passes(near_bench());
+TEST(NearEvaluator, LooksAtTheEnd) {
+    OneEvaluator passes(near_bench());
     Frames(passes).tick({}, {100, 0, 0}).tick({}, {3, 0, 5});
     EXPECT_FALSE(passes.failure());
-    OneJudge fails(near_bench());
+    OneEvaluator fails(near_bench());
     Frames(fails).tick({}, {3, 0, 4}).tick({}, {0, 0, 0});
     expect_failure(fails.failure(), 14, "near",
                    "the avatar was 5.000 m from bench at 0.100 s, expected within 1.000 m");
 }
 
-TEST(NearJudge, LooksAtEachEvent) {
-    OneJudge judge(near_bench(pattern("avatar.stuck")));
-    Frames frames(judge);
+TEST(NearEvaluator, LooksAtEachEvent) {
+    OneEvaluator evaluator(near_bench(pattern("avatar.stuck")));
+    Frames frames(evaluator);
     frames.tick({"avatar.stuck me"}, {3, 0, 4}).tick({}, {50, 0, 0});
-    EXPECT_FALSE(judge.failure()) << "where it is otherwise doesn't matter";
+    EXPECT_FALSE(evaluator.failure()) << "where it is otherwise doesn't matter";
     frames.tick({"avatar.stuck me"}, {0, 0, 0}).tick({"avatar.stuck me"}, {9, 9, 9});
     expect_failure(
-        judge.failure(), 14, "near",
+        evaluator.failure(), 14, "near",
         "the avatar was 5.000 m from bench at avatar.stuck me at 0.200 s, expected within 1.000 m");
 }
 
-TEST(NearJudge, KnowsWhereInTheTickAContactCame) {
-    OneJudge judge(near_bench(pattern("trigger.enter door")));
-    Frames(judge).with({made_event("trigger.enter door", {{"pos", Vector3d(3, 0, 4)}})}, {50, 0, 0});
-    EXPECT_FALSE(judge.failure());
+TEST(NearEvaluator, KnowsWhereInTheTickAContactCame) {
+    OneEvaluator evaluator(near_bench(pattern("trigger.enter door")));
+    Frames(evaluator).with({made_event("trigger.enter door", {{"pos", Vector3d(3, 0, 4)}})}, {50, 0, 0});
+    EXPECT_FALSE(evaluator.failure());
 }
 
-TEST(NearJudge, FailsWhenTheEventNeverCame) {
+TEST(NearEvaluator, FailsWhenTheEventNeverCame) {
     ExpectNear expected = near_bench(pattern("avatar.stuck"));
     expected.at->mark = {"a.walk.yaml", 15, 9};
-    OneJudge judge(expected);
-    Frames(judge).tick({}, {3, 0, 4});
-    expect_failure(judge.failure(), 15, "near", "'avatar.stuck' never came, so nothing was near bench");
+    OneEvaluator evaluator(expected);
+    Frames(evaluator).tick({}, {3, 0, 4});
+    expect_failure(evaluator.failure(), 15, "near", "'avatar.stuck' never came, so nothing was near bench");
 }
 
 // ---- duration and distance ------------------------------------------------------------------------------
 
 std::optional<Failure> after_half_a_second(const Limits<double>& limits) {
-    OneJudge judge(ExpectDuration{{"a.walk.yaml", 16, 5}, limits});
-    Frames(judge).tick({}).tick({}).tick({}).tick({}).tick({}).tick({});
-    return judge.failure();
+    OneEvaluator evaluator(ExpectDuration{{"a.walk.yaml", 16, 5}, limits});
+    Frames(evaluator).tick({}).tick({}).tick({}).tick({}).tick({}).tick({});
+    return evaluator.failure();
 }
 
-TEST(DurationJudge, HoldsTheWalksTimeAgainstLimits) {
+TEST(DurationEvaluator, HoldsTheWalksTimeAgainstLimits) {
     EXPECT_FALSE(after_half_a_second({0.5, {}, {}}));
     EXPECT_FALSE(after_half_a_second({{}, 0.5, 0.5}));
     expect_failure(after_half_a_second({0.501, {}, {}}), 16, "duration",
@@ -107,12 +107,12 @@ TEST(DurationJudge, HoldsTheWalksTimeAgainstLimits) {
 }
 
 std::optional<Failure> after_twelve_metres(const Limits<double>& limits) {
-    OneJudge judge(ExpectDistance{{"a.walk.yaml", 17, 5}, limits});
-    Frames(judge).tick({}).after_metres(12.3454).tick({});
-    return judge.failure();
+    OneEvaluator evaluator(ExpectDistance{{"a.walk.yaml", 17, 5}, limits});
+    Frames(evaluator).tick({}).after_metres(12.3454).tick({});
+    return evaluator.failure();
 }
 
-TEST(DistanceJudge, HoldsTheWayAgainstLimits) {
+TEST(DistanceEvaluator, HoldsTheWayAgainstLimits) {
     EXPECT_FALSE(after_twelve_metres({12.345, {}, {}})) << "as the log has it";
     EXPECT_FALSE(after_twelve_metres({{}, 12.3454, 12.3454}));
     expect_failure(after_twelve_metres({12.346, {}, {}}), 17, "distance",

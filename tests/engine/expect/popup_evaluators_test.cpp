@@ -22,50 +22,51 @@ ExpectPopup of_library() {
     return expected;
 }
 
-std::optional<Failure> judged(const ExpectPopup& expected) {
-    OneJudge judge(expected);
-    Frames(judge)
+std::optional<Failure> evaluated(const ExpectPopup& expected) {
+    OneEvaluator evaluator(expected);
+    Frames(evaluator)
         .tick({"popup.close library"})
         .with({opened("library", "Main Library", "Open 08-22."), opened("hall", "Hall", "Books.")}, {0, 0, 0})
         .with({opened("library", "Main Library", "Closed.")}, {0, 0, 0});
-    return judge.failure();
+    return evaluator.failure();
 }
 
-TEST(PopupJudge, PassesWhenTheWindowOpens) {
-    EXPECT_FALSE(judged(of_library()));
+TEST(PopupEvaluator, PassesWhenTheWindowOpens) {
+    EXPECT_FALSE(evaluated(of_library()));
     ExpectPopup expected = of_library();
     expected.title = "Main*";
     expected.body = "*22.";
     expected.times = {1, {}, {}};
-    EXPECT_FALSE(judged(expected));
+    EXPECT_FALSE(evaluated(expected));
 }
 
-TEST(PopupJudge, FailsWhenItNeverDoes) {
+TEST(PopupEvaluator, FailsWhenItNeverDoes) {
     ExpectPopup expected = of_library();
     expected.building.glob = "lab*";
-    expect_failure(judged(expected), 8, "popup", "the pop-up of 'lab*' opened 0 times, expected at least 1");
+    expect_failure(evaluated(expected), 8, "popup",
+                   "the pop-up of 'lab*' opened 0 times, expected at least 1");
 }
 
-TEST(PopupJudge, FailsWhenItSaysSomethingElse) {
+TEST(PopupEvaluator, FailsWhenItSaysSomethingElse) {
     ExpectPopup expected = of_library();
     expected.title = "Small*";
     expected.body = "Open*";
-    expect_failure(judged(expected), 8, "popup",
+    expect_failure(evaluated(expected), 8, "popup",
                    "the pop-up of 'library' with the title 'Small*' with the body 'Open*' opened 0 times, "
                    "expected at least 1; that of library at 0.200 s had the title 'Main Library' and the "
                    "body 'Closed.'");
 }
 
-TEST(PopupJudge, CountsTimes) {
+TEST(PopupEvaluator, CountsTimes) {
     ExpectPopup expected = of_library();
     expected.times = {{}, 3, {}};
-    expect_failure(judged(expected), 8, "popup",
+    expect_failure(evaluated(expected), 8, "popup",
                    "the pop-up of 'library' opened 2 times, expected at least 3");
     expected.times = {0, {}, {}};
-    expect_failure(judged(expected), 8, "popup",
+    expect_failure(evaluated(expected), 8, "popup",
                    "the pop-up of 'library' opened 2 times, expected exactly 0");
     expected.times = {{}, {}, 2};
-    EXPECT_FALSE(judged(expected));
+    EXPECT_FALSE(evaluated(expected));
 }
 
 // ---- visits ---------------------------------------------------------------------------------------------
@@ -87,12 +88,14 @@ std::optional<Failure> visited(const std::vector<std::string>& globs, double rat
     for (const std::string& glob : globs) {
         expected.buildings.push_back({{}, glob});
     }
-    OneJudge judge(expected, campus);
-    Frames(judge).tick({"popup.open hall"}).tick({"popup.close hall", "popup.open hall", "popup.open lab"});
-    return judge.failure();
+    OneEvaluator evaluator(expected, campus);
+    Frames(evaluator)
+        .tick({"popup.open hall"})
+        .tick({"popup.close hall", "popup.open hall", "popup.open lab"});
+    return evaluator.failure();
 }
 
-TEST(VisitsJudge, WantsEachBuilding) {
+TEST(VisitsEvaluator, WantsEachBuilding) {
     EXPECT_FALSE(visited({"hall"}));
     EXPECT_FALSE(visited({"lab", "h*"}));
     expect_failure(visited({"hall", "l*"}), 9, "visits",
@@ -101,7 +104,7 @@ TEST(VisitsJudge, WantsEachBuilding) {
                    "0 of 1 building was visited, expected 1; not visited: library");
 }
 
-TEST(VisitsJudge, WantsAShareOfThem) {
+TEST(VisitsEvaluator, WantsAShareOfThem) {
     EXPECT_FALSE(visited({"*"}, 0.66)) << "of those that have a pop-up";
     expect_failure(visited({"*"}, 0.67), 9, "visits",
                    "2 of 3 buildings were visited, expected 3; not visited: library");

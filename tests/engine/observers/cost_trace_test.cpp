@@ -62,18 +62,18 @@ TEST(CostTrace, NestsStagesInTicksOneAfterTheOther) {
     const Json trace = Json::parse(all.text);
     const std::vector<Json> ticks = slices(trace, "tick", 1);
     const std::vector<Json> moves = slices(trace, "move", 1);
-    const std::vector<Json> senses = slices(trace, "sense", 1);
+    const std::vector<Json> contact_detector = slices(trace, "sense", 1);
     ASSERT_EQ(ticks.size(), static_cast<std::size_t>(all.summary.ticks) + 1);
     ASSERT_EQ(moves.size(), ticks.size());
-    ASSERT_EQ(senses.size(), ticks.size());
+    ASSERT_EQ(contact_detector.size(), ticks.size());
     const auto begin = [](const Json& slice) { return slice.at("ts").get<double>(); };
     const auto end = [&](const Json& slice) { return begin(slice) + slice.at("dur").get<double>(); };
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         EXPECT_EQ(ticks[i].at("args").at("tick"), i);
         EXPECT_EQ(begin(ticks[i]), i == 0 ? 0.0 : end(ticks[i - 1]));
         EXPECT_EQ(begin(moves[i]), begin(ticks[i]));
-        EXPECT_EQ(begin(senses[i]), end(moves[i]));
-        EXPECT_EQ(end(senses[i]) + 1.0, end(ticks[i]));
+        EXPECT_EQ(begin(contact_detector[i]), end(moves[i]));
+        EXPECT_EQ(end(contact_detector[i]) + 1.0, end(ticks[i]));
     }
 }
 

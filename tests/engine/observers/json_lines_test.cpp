@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 std::vector<std::string> lines_of(const std::vector<Event>& events, double time = 0.0) {
     std::vector<std::string> lines;
     JsonLines json([&](std::string_view line) { lines.emplace_back(line); });
-    FrameRecord record;
+    TickRecord record;
     record.time = time;
     record.events = events;
     json.frame(record);

@@ -41,7 +41,7 @@ TEST(TextLog, PrintsTheSpecifiedLinesToTheByte) {
                {"dist", Decimal{61.204, 3}},
                {"hash", std::string("9f2c41d07be8a31c")}})};
     for (const Event& e : events) {
-        FrameRecord record;
+        TickRecord record;
         record.tick = e.tick;
         record.time = static_cast<double>(e.tick) / 60.0;
         record.events = {&e, 1};
@@ -86,7 +86,7 @@ TEST(TextLog, SaysWhatTheWalkRanWith) {
 TEST(TextLog, IsSilentWhenNothingHappened) {
     int lines = 0;
     TextLog log([&](std::string_view) { ++lines; });
-    log.frame(FrameRecord{});
+    log.frame(TickRecord{});
     log.end();
     EXPECT_EQ(lines, 0);
 }

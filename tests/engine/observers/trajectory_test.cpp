@@ -59,7 +59,7 @@ TEST(Trajectory, IsALineATick) {
 TEST(Trajectory, TurnsItsQuaternionsAsTheEyesTurn) {
     support::Dice dice(3);
     for (int i = 0; i < 200; ++i) {
-        FrameRecord record;
+        TickRecord record;
         record.avatar.position = dice.in_cube(100.0);
         record.avatar.yaw = dice.between(-2.0 * kPi, 2.0 * kPi);
         record.avatar.pitch = dice.between(-1.5, 1.5);

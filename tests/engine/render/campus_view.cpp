@@ -28,8 +28,8 @@ Viewpoint demo_view(const std::string& name) {
     return views.at(name);
 }
 
-Picture draw_demo(const std::vector<scene::Model>& models, const Viewpoint& view,
-                  const RenderSettings& settings) {
+Image draw_demo(const std::vector<scene::Model>& models, const Viewpoint& view,
+                const RenderSettings& settings) {
     return Renderer(models, settings).draw(view, 1280, 720);
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/render/geometry/camera.h"
-#include "engine/render/passes/render_settings.h"
 #include "engine/render/image/image.h"
+#include "engine/render/passes/render_settings.h"
 #include "scene/model/model.h"
 
 namespace campuswalk::engine::render::test {
@@ -17,7 +17,7 @@ std::vector<scene::Model> demo_models();
 Viewpoint demo_view(const std::string& name);
 
 /// 1280 x 720, as users get it.
-Picture draw_demo(const std::vector<scene::Model>& models, const Viewpoint& view,
-                  const RenderSettings& settings = {});
+Image draw_demo(const std::vector<scene::Model>& models, const Viewpoint& view,
+                const RenderSettings& settings = {});
 
 }  // namespace campuswalk::engine::render::test

@@ -26,31 +26,31 @@ std::string color_name(const std::array<std::uint8_t, 3>& rgb) {
     return even ? "grey" : "mixed";
 }
 
-std::string color_name(const Picture& picture, double x, double y) {
+std::string color_name(const Image& image, double x, double y) {
     const auto column = static_cast<int>(std::floor(x));
     const auto row = static_cast<int>(std::floor(y));
-    if (column < 0 || row < 0 || column >= picture.width || row >= picture.height) {
+    if (column < 0 || row < 0 || column >= image.width || row >= image.height) {
         return "outside";
     }
-    return color_name(picture.pixel(column, row));
+    return color_name(image.pixel(column, row));
 }
 
-double brightness(const Picture& picture, int x, int y) {
-    const auto [r, g, b] = picture.pixel(x, y);
+double brightness(const Image& image, int x, int y) {
+    const auto [r, g, b] = image.pixel(x, y);
     return (r + g + b) / 3.0;
 }
 
-double mean_brightness(const Picture& picture, int left, int top, int right, int bottom) {
+double mean_brightness(const Image& image, int left, int top, int right, int bottom) {
     double sum = 0.0;
     for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) {
-            sum += brightness(picture, x, y);
+            sum += brightness(image, x, y);
         }
     }
     return sum / ((right - left) * (bottom - top));
 }
 
-std::size_t differing_pixels(const Picture& a, const Picture& b) {
+std::size_t differing_pixels(const Image& a, const Image& b) {
     std::size_t count = 0;
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
@@ -60,13 +60,13 @@ std::size_t differing_pixels(const Picture& a, const Picture& b) {
     return count;
 }
 
-Picture plain_picture(int width, int height, const std::array<std::uint8_t, 3>& rgb) {
-    Picture picture{width, height, {}};
-    picture.rgba.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-        std::copy(rgb.begin(), rgb.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+Image plain_image(int width, int height, const std::array<std::uint8_t, 3>& rgb) {
+    Image image{width, height, {}};
+    image.rgba.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        std::copy(rgb.begin(), rgb.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    return picture;
+    return image;
 }
 
 }  // namespace campuswalk::engine::render::test

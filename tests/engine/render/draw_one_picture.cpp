@@ -6,7 +6,7 @@
 #include "engine/render/renderer.h"
 #include "tests/engine/render/small_scenes.h"
 
-// draw_one_picture FILE.png osmesa|egl
+// draw_one_image FILE.png osmesa|egl
 int main(int argc, char** argv) {
     using namespace campuswalk::engine::render;
     if (argc != 3) {

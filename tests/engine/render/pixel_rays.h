@@ -18,7 +18,7 @@ struct PixelHit {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the triangle, towards the camera
 };
 
-/// The rays of a picture, each tried on every triangle of the model in double precision: what channels are
+/// The rays of an image, each tried on every triangle of the model in double precision: what channels are
 /// held against. Shares nothing with the renderer but Viewpoint. Textures are read at the nearest texel.
 class PixelRays {
 public:
@@ -28,7 +28,7 @@ public:
         return hits_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                      static_cast<std::size_t>(x)];
     }
-    /// Whether the pixel isn't on the picture's rim and the eight around it show the same node.
+    /// Whether the pixel isn't on the image's rim and the eight around it show the same node.
     bool amid_its_like(int x, int y) const;
     /// The largest difference of depth to the four pixels beside.
     double depth_change(int x, int y) const;

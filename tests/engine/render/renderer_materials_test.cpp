@@ -13,7 +13,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-Picture drawn(const scene::Model& model) {
+Image drawn(const scene::Model& model) {
     Renderer renderer(std::span(&model, 1), quick_settings());
     return renderer.draw(ahead(), kWidth, kHeight);
 }
@@ -23,21 +23,21 @@ constexpr double kAway = -1.6;
 constexpr int kReach = 12;
 
 TEST(Materials, TextureOriginIsTheUpperLeftCorner) {
-    const Picture picture =
+    const Image image =
         drawn(SceneBuilder().paint({1, 1, 1, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45 - kReach), "red");
-    EXPECT_EQ(color_name(picture, 80 + kReach, 45 - kReach), "green");
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45 + kReach), "blue");
-    EXPECT_EQ(color_name(picture, 80 + kReach, 45 + kReach), "yellow");
+    EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "red");
+    EXPECT_EQ(color_name(image, 80 + kReach, 45 - kReach), "green");
+    EXPECT_EQ(color_name(image, 80 - kReach, 45 + kReach), "blue");
+    EXPECT_EQ(color_name(image, 80 + kReach, 45 + kReach), "yellow");
 }
 
 TEST(Materials, BaseColorMultipliesTheTexture) {
     // Red paint lets through only the red of the blocks.
-    const Picture picture =
+    const Image image =
         drawn(SceneBuilder().paint({1, 0, 0, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45 - kReach), "red");
-    EXPECT_EQ(color_name(picture, 80 + kReach, 45 + kReach), "red");
-    EXPECT_LT(brightness(picture, 80 + kReach, 45 - kReach), 30.0) << "green paint under red";
+    EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "red");
+    EXPECT_EQ(color_name(image, 80 + kReach, 45 + kReach), "red");
+    EXPECT_LT(brightness(image, 80 + kReach, 45 - kReach), 30.0) << "green paint under red";
 }
 
 TEST(Materials, TextureColorsAreSrgb) {
@@ -63,8 +63,8 @@ TEST(Materials, TextureColorsAreSrgb) {
                                    .upright({0.5, 0, kAway}, 1.0)
                                    .model();
     Renderer renderer(std::span(&model, 1), settings);
-    const Picture picture = renderer.draw(ahead(), kWidth, kHeight);
-    const double ratio = brightness(picture, 70, 45) / brightness(picture, 90, 45);
+    const Image image = renderer.draw(ahead(), kWidth, kHeight);
+    const double ratio = brightness(image, 70, 45) / brightness(image, 90, 45);
     EXPECT_NEAR(ratio, 128.0 / 255.0, 0.03);
 }
 
@@ -89,25 +89,25 @@ TEST(Materials, FineTexturesAreAsBrightAsTheirLight) {
 }
 
 TEST(Materials, MaskCutsHolesAndKeepsTheRest) {
-    const Picture picture = drawn(SceneBuilder()
-                                      .paint(kBlue)
-                                      .upright({0, 0, -6}, 8.0)
-                                      .paint(kRed, half_clear())
-                                      .alpha(scene::AlphaMode::mask)
-                                      .upright({0, 0, kAway}, 1.0)
-                                      .model());
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45), "blue") << "through the hole";
-    EXPECT_EQ(color_name(picture, 80 + kReach, 45), "red");
+    const Image image = drawn(SceneBuilder()
+                                  .paint(kBlue)
+                                  .upright({0, 0, -6}, 8.0)
+                                  .paint(kRed, half_clear())
+                                  .alpha(scene::AlphaMode::mask)
+                                  .upright({0, 0, kAway}, 1.0)
+                                  .model());
+    EXPECT_EQ(color_name(image, 80 - kReach, 45), "blue") << "through the hole";
+    EXPECT_EQ(color_name(image, 80 + kReach, 45), "red");
 }
 
 TEST(Materials, OpaqueIgnoresAlpha) {
-    const Picture picture = drawn(SceneBuilder()
-                                      .paint(kBlue)
-                                      .upright({0, 0, -6}, 8.0)
-                                      .paint(kRed, half_clear())
-                                      .upright({0, 0, kAway}, 1.0)
-                                      .model());
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45), "red");
+    const Image image = drawn(SceneBuilder()
+                                  .paint(kBlue)
+                                  .upright({0, 0, -6}, 8.0)
+                                  .paint(kRed, half_clear())
+                                  .upright({0, 0, kAway}, 1.0)
+                                  .model());
+    EXPECT_EQ(color_name(image, 80 - kReach, 45), "red");
 }
 
 TEST(Materials, BlendShowsWhatIsBehindInEitherOrderOfTheFile) {
@@ -116,15 +116,15 @@ TEST(Materials, BlendShowsWhatIsBehindInEitherOrderOfTheFile) {
             .alpha(scene::AlphaMode::blend)
             .upright({0, 0, z}, 1.0);
     };
-    const auto picture_of = [&](bool near_first) {
+    const auto image_of = [&](bool near_first) {
         SceneBuilder scene;
         scene.paint(kGrey).upright({0, 0, -6}, 8.0);
         pane(scene, near_first ? kAway : kAway - 0.5, near_first ? kRed : kBlue);
         pane(scene, near_first ? kAway - 0.5 : kAway, near_first ? kBlue : kRed);
         return drawn(scene.model());
     };
-    const Picture near_first = picture_of(true);
-    const Picture far_first = picture_of(false);
+    const Image near_first = image_of(true);
+    const Image far_first = image_of(false);
     const auto [r, g, b] = near_first.pixel(80, 45);
     EXPECT_GT(r, b) << "the nearer pane counts more";
     EXPECT_GT(b, g) << "but the farther one shows through";
@@ -132,7 +132,7 @@ TEST(Materials, BlendShowsWhatIsBehindInEitherOrderOfTheFile) {
 }
 
 TEST(Materials, BackFacesAreDrawnOnlyWhenDoubleSided) {
-    const auto picture_from_behind = [](bool both_sides) {
+    const auto image_from_behind = [](bool both_sides) {
         Eigen::Matrix4d turned = Eigen::Matrix4d::Identity();
         turned.topLeftCorner<3, 3>() =
             Eigen::AngleAxisd(3.141592653589793, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -144,20 +144,20 @@ TEST(Materials, BackFacesAreDrawnOnlyWhenDoubleSided) {
         }
         return drawn(scene.placed(turned).upright({0, 0, 0}, 1.0).model());
     };
-    EXPECT_EQ(color_name(picture_from_behind(false), 80, 45), "blue");
-    EXPECT_EQ(color_name(picture_from_behind(true), 80, 45), "red");
+    EXPECT_EQ(color_name(image_from_behind(false), 80, 45), "blue");
+    EXPECT_EQ(color_name(image_from_behind(true), 80, 45), "red");
 }
 
 TEST(Materials, MirroredNodesKeepTheirOutsideOutside) {
     Eigen::Matrix4d mirrored = Eigen::Matrix4d::Identity();
     mirrored(0, 0) = -1.0;
-    const Picture picture = drawn(SceneBuilder()
-                                      .paint({1, 1, 1, 1}, four_blocks())
-                                      .placed(mirrored)
-                                      .upright({0, 0, kAway}, 1.0)
-                                      .model());
-    EXPECT_EQ(color_name(picture, 80 + kReach, 45 - kReach), "red") << "visible, and left for right";
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45 - kReach), "green");
+    const Image image = drawn(SceneBuilder()
+                                  .paint({1, 1, 1, 1}, four_blocks())
+                                  .placed(mirrored)
+                                  .upright({0, 0, kAway}, 1.0)
+                                  .model());
+    EXPECT_EQ(color_name(image, 80 + kReach, 45 - kReach), "red") << "visible, and left for right";
+    EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "green");
 }
 
 TEST(Materials, EmissiveShinesWithoutLight) {
@@ -186,14 +186,14 @@ TEST(Materials, EmissiveTextureSaysWhereItShines) {
     const scene::Model model = SceneBuilder()
                                    .paint(kGrey)
                                    .glow({0.6F, 0.6F, 0.6F})
-                                   .picture(&scene::Material::emissive_texture, four_blocks())
+                                   .image(&scene::Material::emissive_texture, four_blocks())
                                    .upright({0, 0, kAway}, 1.0)
                                    .model();
     Renderer renderer(std::span(&model, 1), in_the_dark());
-    const Picture picture = renderer.draw(ahead(), kWidth, kHeight);
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45 - kReach), "red");
-    EXPECT_EQ(color_name(picture, 80 + kReach, 45 - kReach), "green");
-    EXPECT_EQ(color_name(picture, 80 - kReach, 45 + kReach), "blue");
+    const Image image = renderer.draw(ahead(), kWidth, kHeight);
+    EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "red");
+    EXPECT_EQ(color_name(image, 80 + kReach, 45 - kReach), "green");
+    EXPECT_EQ(color_name(image, 80 - kReach, 45 + kReach), "blue");
 }
 
 TEST(Materials, UnlitIsAsPaintedInShadowAndWithoutLight) {
@@ -228,8 +228,8 @@ TEST(Materials, NormalMapsLightASurfaceAsItsNormalsWould) {
         const auto byte = [](double x) { return static_cast<std::uint8_t>(std::lround(128.0 + 127.0 * x)); };
         const scene::Model mapped = SceneBuilder()
                                         .paint(kGrey)
-                                        .picture(&scene::Material::normal_texture,
-                                                 plain_texture({byte(n.x()), byte(n.y()), byte(n.z()), 255}))
+                                        .image(&scene::Material::normal_texture,
+                                               plain_texture({byte(n.x()), byte(n.y()), byte(n.z()), 255}))
                                         .upright({0, 0, kAway}, 1.0)
                                         .model();
         scene::Model leaning = SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model();
@@ -246,11 +246,11 @@ TEST(Materials, NormalMapsLightASurfaceAsItsNormalsWould) {
 TEST(Materials, NormalScaleOfNothingIsFlat) {
     const auto sheet = [](float scale) {
         SceneBuilder scene;
-        scene.paint(kGrey).picture(&scene::Material::normal_texture, plain_texture({220, 160, 180, 255}));
+        scene.paint(kGrey).image(&scene::Material::normal_texture, plain_texture({220, 160, 180, 255}));
         scene.material().normal_scale = scale;
         return drawn(scene.upright({0, 0, kAway}, 1.0).model());
     };
-    const Picture plain = drawn(SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model());
+    const Image plain = drawn(SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model());
     EXPECT_NEAR(brightness(sheet(0.0F), 80, 45), brightness(plain, 80, 45), 1.0);
     EXPECT_GT(std::abs(brightness(sheet(1.0F), 80, 45) - brightness(plain, 80, 45)), 10.0);
 }
@@ -265,14 +265,14 @@ TEST(Materials, PolishedMetalMirrorsTheSky) {
     settings.to_sun = Eigen::Vector3d(0, 0.3, 1).normalized();  // behind the camera
     settings.fog_distance = 0.0;
     settings.shadows = false;
-    settings.occlusion_radius = 0.0;
+    settings.ambient_occlusion_radius = 0.0;
     Renderer renderer(std::span(&model, 1), settings);
     Viewpoint view = ahead();
     view.position.y() = 1.6;
-    const Picture picture = renderer.draw(view, kWidth, kHeight);
+    const Image image = renderer.draw(view, kWidth, kHeight);
     for (const int away : {6, 15, 25, 40}) {
-        const auto floor = picture.pixel(80, 45 + away);
-        const auto sky = picture.pixel(80, 44 - away);
+        const auto floor = image.pixel(80, 45 + away);
+        const auto sky = image.pixel(80, 44 - away);
         for (std::size_t i = 0; i < 3; ++i) {
             EXPECT_NEAR(floor[i], sky[i], 3) << away << " rows from the horizon";
         }
@@ -280,7 +280,7 @@ TEST(Materials, PolishedMetalMirrorsTheSky) {
 }
 
 TEST(Materials, MetalGleamsMoreTheSmootherItIs) {
-    // The sun straight behind the camera: its reflection is in the middle of the picture.
+    // The sun straight behind the camera: its reflection is in the middle of the image.
     const auto middle = [](float metallic, float roughness) {
         SceneBuilder scene;
         scene.paint({0.2F, 0.2F, 0.2F, 1.0F}).material().metallic = metallic;

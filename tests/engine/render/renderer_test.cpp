@@ -33,17 +33,17 @@ TEST(Renderer, PutsPlusXOnTheRightAndPlusYOnTop) {
                                    .box({-4, -1, -7}, {-2, 1, -6})
                                    .model();
     Renderer renderer = renderer_of(model);
-    const Picture picture = renderer.draw(ahead(), kWidth, kHeight);
+    const Image image = renderer.draw(ahead(), kWidth, kHeight);
     const auto name_at = [&](const Vector3d& point) {
         const auto pixel = pixel_of(ahead(), kWidth, kHeight, point);
-        return color_name(picture, pixel->x(), pixel->y());
+        return color_name(image, pixel->x(), pixel->y());
     };
     EXPECT_EQ(name_at({3, 0, -6}), "red");
     EXPECT_EQ(name_at({0, 2, -6}), "green");
     EXPECT_EQ(name_at({-3, 0, -6}), "blue");
-    EXPECT_EQ(color_name(picture, 120, 45), "red") << "right of the middle";
-    EXPECT_EQ(color_name(picture, 40, 45), "blue");
-    EXPECT_EQ(color_name(picture, 80, 18), "green") << "above the middle";
+    EXPECT_EQ(color_name(image, 120, 45), "red") << "right of the middle";
+    EXPECT_EQ(color_name(image, 40, 45), "blue");
+    EXPECT_EQ(color_name(image, 80, 18), "green") << "above the middle";
 }
 
 TEST(Renderer, YawToTheLeftBringsWhatWasOnTheLeftToTheMiddle) {
@@ -67,12 +67,12 @@ TEST(Renderer, DrawsAPointWhereThePixelFormulaPutsIt) {
     settings.fog_distance = 0.0;
     Renderer renderer = renderer_of(model, settings);
     const Viewpoint view = looking({0.3, 0.2, 0.5}, -0.1, 0.05, kFov);
-    const Picture picture = renderer.draw(view, 321, 181);
+    const Image image = renderer.draw(view, 321, 181);
     Eigen::Vector2d sum(0, 0);
     double weight = 0.0;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const double red = std::max(0, picture.pixel(x, y)[0] - 40);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const double red = std::max(0, image.pixel(x, y)[0] - 40);
             sum += red * Eigen::Vector2d(x + 0.5, y + 0.5);
             weight += red;
         }
@@ -87,19 +87,19 @@ TEST(Renderer, DrawsAPointWhereThePixelFormulaPutsIt) {
 TEST(Renderer, ShowsSkyAboveTheHorizonAndNoneOnAMap) {
     const scene::Model model = SceneBuilder().paint(kGreen).ground(10.0).model();
     Renderer renderer = renderer_of(model);
-    const Picture eye_level = renderer.draw(looking({0, 1.65, 4}, 0.0, 0.2, kFov), kWidth, kHeight);
+    const Image eye_level = renderer.draw(looking({0, 1.65, 4}, 0.0, 0.2, kFov), kWidth, kHeight);
     const auto sky = eye_level.pixel(80, 3);
     EXPECT_GT(sky[2], sky[0] + 30) << "blue";
     EXPECT_EQ(color_name(eye_level, 80, 85), "green");
-    const Picture map = renderer.draw(plan(renderer.bounds(), 2.0), 100, 50);
+    const Image map = renderer.draw(plan(renderer.bounds(), 2.0), 100, 50);
     EXPECT_EQ(color_name(map, 50, 25), "green");
     EXPECT_EQ(color_name(map, 2, 25), "grey") << "paper beside the campus";
 }
 
-TEST(Renderer, DrawsTheSameBytesAgainAfterAnotherPictureAndFromAnotherContext) {
+TEST(Renderer, DrawsTheSameBytesAgainAfterAnotherImageAndFromAnotherContext) {
     const scene::Model model = tower_scene();
     Renderer renderer = renderer_of(model);
-    const Picture first = renderer.draw(tower_view(), kWidth, kHeight);
+    const Image first = renderer.draw(tower_view(), kWidth, kHeight);
     renderer.draw(from_above(0, 30, 0), 77, 41);
     EXPECT_EQ(renderer.draw(tower_view(), kWidth, kHeight).rgba, first.rgba);
     Renderer other = renderer_of(model);
@@ -113,7 +113,7 @@ TEST(Renderer, OutlivesAnotherOne) {
     auto doomed = std::make_unique<Renderer>(renderer_of(model));
     doomed->draw(tower_view(), kWidth, kHeight);
     Renderer survivor = renderer_of(model);
-    const Picture before = survivor.draw(tower_view(), kWidth, kHeight);
+    const Image before = survivor.draw(tower_view(), kWidth, kHeight);
     doomed.reset();  // while the other's context is current
     EXPECT_EQ(survivor.draw(tower_view(), kWidth, kHeight).rgba, before.rgba);
 }
@@ -142,14 +142,14 @@ TEST(Renderer, DrawsNothingWithoutAModel) {
     EXPECT_EQ(renderer.draw(ahead(), 16, 9).rgba.size(), 4U * 16U * 9U);
 }
 
-TEST(Renderer, DrawsPicturesOfOddSizes) {
+TEST(Renderer, DrawsImagesOfOddSizes) {
     const scene::Model model = tower_scene();
     Renderer renderer = renderer_of(model);
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(3, 200), std::pair(201, 7)}) {
-        const Picture picture = renderer.draw(tower_view(), width, height);
-        EXPECT_EQ(picture.width, width);
-        EXPECT_EQ(picture.height, height);
-        EXPECT_EQ(picture.rgba.size(), 4U * static_cast<unsigned>(width * height));
+        const Image image = renderer.draw(tower_view(), width, height);
+        EXPECT_EQ(image.width, width);
+        EXPECT_EQ(image.height, height);
+        EXPECT_EQ(image.rgba.size(), 4U * static_cast<unsigned>(width * height));
     }
 }
 
@@ -173,9 +173,9 @@ TEST(Renderer, IsAsSharpFarFromTheWorldsOriginAsNearIt) {
     Renderer at_origin = renderer_of(near);
     Renderer far_away = renderer_of(far);
     Viewpoint view = tower_view();
-    const Picture expected = at_origin.draw(view, kWidth, kHeight);
+    const Image expected = at_origin.draw(view, kWidth, kHeight);
     view.position += offset;
-    const Picture drawn = far_away.draw(view, kWidth, kHeight);
+    const Image drawn = far_away.draw(view, kWidth, kHeight);
     EXPECT_LT(differing_pixels(expected, drawn), expected.rgba.size() / 4 / 100);
 }
 
@@ -185,8 +185,8 @@ TEST(Renderer, DrawsTheAvatarWhereItStands) {
     const Viewpoint view = looking({0, 1.0, 5}, 0.0, 0.0, kFov);
     Figure figure;
     figure.avatar.position = {0.5, 0, 0};
-    const Picture with = renderer.draw(view, kWidth, kHeight, figure);
-    const Picture without = renderer.draw(view, kWidth, kHeight);
+    const Image with = renderer.draw(view, kWidth, kHeight, figure);
+    const Image without = renderer.draw(view, kWidth, kHeight);
     const auto chest = pixel_of(view, kWidth, kHeight, {0.5, 1.2, 0});
     const auto x = static_cast<int>(chest->x());
     const auto y = static_cast<int>(chest->y());

@@ -42,14 +42,14 @@ SceneBuilder& SceneBuilder::paint(const Color& color, const std::optional<scene:
     material.base_color = color;
     if (texture) {
         model_.materials.push_back(material);
-        return picture(&scene::Material::base_color_texture, *texture);
+        return image(&scene::Material::base_color_texture, *texture);
     }
     model_.materials.push_back(material);
     return *this;
 }
 
-SceneBuilder& SceneBuilder::picture(std::optional<scene::TextureIndex> scene::Material::*use,
-                                    scene::Texture texture) {
+SceneBuilder& SceneBuilder::image(std::optional<scene::TextureIndex> scene::Material::*use,
+                                  scene::Texture texture) {
     model_.materials.back().*use = scene::TextureIndex{static_cast<std::uint32_t>(model_.textures.size())};
     model_.textures.push_back(std::move(texture));
     return *this;
@@ -81,7 +81,7 @@ SceneBuilder& SceneBuilder::named(const char* name) {
     return *this;
 }
 
-// Corners counter-clockwise from the lower left as seen from outside.
+// Vertices counter-clockwise from the lower left as seen from outside.
 void SceneBuilder::quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) const {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();

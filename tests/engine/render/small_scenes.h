@@ -19,7 +19,7 @@ constexpr Color kGreen = {0.02F, 0.6F, 0.02F, 1.0F};
 constexpr Color kBlue = {0.02F, 0.02F, 0.8F, 1.0F};
 constexpr Color kGrey = {0.4F, 0.4F, 0.4F, 1.0F};
 
-constexpr int kWidth = 160;  // of test pictures, pixels: llvmpipe draws on the processor
+constexpr int kWidth = 160;  // of test images, pixels: llvmpipe draws on the processor
 constexpr int kHeight = 90;
 constexpr double kFov = 1.0471975511965976;
 
@@ -34,8 +34,8 @@ public:
     SceneBuilder& alpha(scene::AlphaMode mode, float cutoff = 0.5F);
     SceneBuilder& double_sided();
     SceneBuilder& glow(const std::array<float, 3>& emissive);
-    /// A picture of the latest material: `&scene::Material::normal_texture`.
-    SceneBuilder& picture(std::optional<scene::TextureIndex> scene::Material::*use, scene::Texture texture);
+    /// An image of the latest material: `&scene::Material::normal_texture`.
+    SceneBuilder& image(std::optional<scene::TextureIndex> scene::Material::*use, scene::Texture texture);
     /// The latest material, for what has no shorthand.
     scene::Material& material() { return model_.materials.back(); }
     /// The next piece's node.
@@ -75,7 +75,7 @@ Viewpoint from_above(double x, double height, double z);
 /// A campus to draw: nothing in it collides. `buildings` each own the nodes named like them.
 scene::Campus campus_of(scene::Model model, std::vector<scene::Building> buildings = {});
 
-/// A square with a tower on it, the fixed picture of determinism tests.
+/// A square with a tower on it, the fixed image of determinism tests.
 scene::Model tower_scene();
 Viewpoint tower_view();
 

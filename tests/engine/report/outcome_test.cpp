@@ -14,42 +14,42 @@ WalkStatus xfail(const std::vector<std::string>& codes = {}, const std::string& 
 }
 
 /// The message of an xfail that did not fail as it should have.
-std::string complaint_of(const std::vector<Failure>& failures, const WalkStatus& status) {
-    const JudgedWalk judged = judge_outcome(failures, status);
-    EXPECT_EQ(judged.outcome, Outcome::failed);
-    EXPECT_EQ(judged.failures.size(), failures.size() + 1) << "the walk's own are kept";
-    EXPECT_EQ(judged.failures.back().code, "xfail");
-    EXPECT_EQ(judged.failures.back().mark.line, 3) << "at the status";
-    return judged.failures.back().message;
+std::string diagnostic_of(const std::vector<Failure>& failures, const WalkStatus& status) {
+    const EvaluatedWalk evaluated = outcome_of_evaluators(failures, status);
+    EXPECT_EQ(evaluated.outcome, Outcome::failed);
+    EXPECT_EQ(evaluated.failures.size(), failures.size() + 1) << "the walk's own are kept";
+    EXPECT_EQ(evaluated.failures.back().code, "xfail");
+    EXPECT_EQ(evaluated.failures.back().mark.line, 3) << "at the status";
+    return evaluated.failures.back().message;
 }
 
-TEST(JudgeOutcome, IsWhatTheWalkWasUnlessItShouldFail) {
-    EXPECT_EQ(judge_outcome({}, {}).outcome, Outcome::passed);
-    const JudgedWalk judged = judge_outcome({failure("never")}, {});
-    EXPECT_EQ(judged.outcome, Outcome::failed);
-    EXPECT_EQ(judged.failures.size(), 1U);
+TEST(EvaluatorOutcome, IsWhatTheWalkWasUnlessItShouldFail) {
+    EXPECT_EQ(outcome_of_evaluators({}, {}).outcome, Outcome::passed);
+    const EvaluatedWalk evaluated = outcome_of_evaluators({failure("never")}, {});
+    EXPECT_EQ(evaluated.outcome, Outcome::failed);
+    EXPECT_EQ(evaluated.failures.size(), 1U);
 }
 
-TEST(JudgeOutcome, AnXfailPassesWhenItFails) {
-    EXPECT_EQ(judge_outcome({failure("never")}, xfail()).outcome, Outcome::passed);
-    const JudgedWalk judged =
-        judge_outcome({failure("near"), failure("never"), failure("near")}, xfail({"never", "near"}));
-    EXPECT_EQ(judged.outcome, Outcome::passed) << "in any order and number";
-    EXPECT_EQ(judged.failures.size(), 3U);
+TEST(EvaluatorOutcome, AnXfailPassesWhenItFails) {
+    EXPECT_EQ(outcome_of_evaluators({failure("never")}, xfail()).outcome, Outcome::passed);
+    const EvaluatedWalk evaluated =
+        outcome_of_evaluators({failure("near"), failure("never"), failure("near")}, xfail({"never", "near"}));
+    EXPECT_EQ(evaluated.outcome, Outcome::passed) << "in any order and number";
+    EXPECT_EQ(evaluated.failures.size(), 3U);
 }
 
-TEST(JudgeOutcome, AnXfailThatPassesFails) {
-    EXPECT_EQ(complaint_of({}, xfail()), "expected to fail, but passed");
-    EXPECT_EQ(complaint_of({}, xfail({"never"}, "the door is locked")),
+TEST(EvaluatorOutcome, AnXfailThatPassesFails) {
+    EXPECT_EQ(diagnostic_of({}, xfail()), "expected to fail, but passed");
+    EXPECT_EQ(diagnostic_of({}, xfail({"never"}, "the door is locked")),
               "expected to fail with never because the door is locked, but passed");
 }
 
-TEST(JudgeOutcome, AnXfailFailsForNoOtherReason) {
-    EXPECT_EQ(complaint_of({failure("blocked")}, xfail({"never"})),
+TEST(EvaluatorOutcome, AnXfailFailsForNoOtherReason) {
+    EXPECT_EQ(diagnostic_of({failure("blocked")}, xfail({"never"})),
               "expected to fail with never, but failed with blocked");
-    EXPECT_EQ(complaint_of({failure("never"), failure("blocked")}, xfail({"never"})),
+    EXPECT_EQ(diagnostic_of({failure("never"), failure("blocked")}, xfail({"never"})),
               "expected to fail with never, but failed with blocked, never");
-    EXPECT_EQ(complaint_of({failure("never")}, xfail({"never", "blocked"})),
+    EXPECT_EQ(diagnostic_of({failure("never")}, xfail({"never", "blocked"})),
               "expected to fail with blocked, never, but failed with never");
 }
 

@@ -43,7 +43,7 @@ TEST(ResultJson, GivesBackEveryField) {
     EXPECT_EQ(back.status_reason, result.status_reason);
     EXPECT_EQ(back.expected_to_fail, result.expected_to_fail);
     EXPECT_EQ(back.outcome, result.outcome);
-    EXPECT_EQ(back.complaints, result.complaints);
+    EXPECT_EQ(back.diagnostics, result.diagnostics);
     EXPECT_EQ(back.campus, result.campus);
     EXPECT_EQ(back.ticks_per_second, result.ticks_per_second);
     EXPECT_EQ(back.seed, result.seed);

@@ -292,7 +292,7 @@ TEST(ScriptPlayer, LevelsItsLookWhileWalking) {
     EXPECT_EQ(puppet.avatar.pitch, 0.0);
 }
 
-// ---- placing and pictures -------------------------------------------------------------------------------
+// ---- placing and images -------------------------------------------------------------------------------
 
 TEST(ScriptPlayer, TeleportsWithItsYawUnlessAnotherIsGiven) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}, radians(30)), teleport_to({5, 0, 5}),
@@ -319,7 +319,7 @@ std::vector<std::string> names_of(const std::vector<const Step*>& effects) {
 
 using Names = std::vector<std::string>;
 
-TEST(ScriptPlayer, TakesPicturesWithTheEndOfTheStepBefore) {
+TEST(ScriptPlayer, TakesImagesWithTheEndOfTheStepBefore) {
     const Walk walk = walk_of(
         {spawn_at({0, 0, 0}), snapshot("a"), wait_for(0.05), snapshot("b"), snapshot("c"), wait_for(0.05)});
     Puppet puppet(walk);
@@ -333,7 +333,7 @@ TEST(ScriptPlayer, TakesPicturesWithTheEndOfTheStepBefore) {
     EXPECT_EQ(puppet.ticks_until_end(), 3);
 }
 
-TEST(ScriptPlayer, TakesNoPictureAfterAFatalBlock) {
+TEST(ScriptPlayer, TakesNoImageAfterAFatalBlock) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -10), snapshot("never")});
     Puppet puppet(walk);
     puppet.stuck = true;

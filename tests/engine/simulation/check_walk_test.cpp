@@ -20,7 +20,7 @@ scene::Campus furnished_campus() {
     return campus;
 }
 
-std::vector<std::string> complaints(const Walk& walk) {
+std::vector<std::string> diagnostics(const Walk& walk) {
     std::vector<std::string> told;
     for (const scene::Diagnostic& diagnostic : check_walk(furnished_campus(), walk)) {
         told.push_back(scene::to_string(diagnostic));
@@ -34,83 +34,84 @@ Marked marked(Marked item, int line) {
     return item;
 }
 
-using Complaints = std::vector<std::string>;
+using Diagnostics = std::vector<std::string>;
 
 TEST(CheckWalk, AcceptsFreePlaces) {
-    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), teleport_to({0, 20, 0}), teleport_to({2.5, 0, 0})})),
-              Complaints())
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0, 0}), teleport_to({0, 20, 0}), teleport_to({2.5, 0, 0})})),
+              Diagnostics())
         << "on the ground, in the air, in a trigger";
 }
 
 TEST(CheckWalk, LooksHalfAMetreUpForAFreePlace) {
     // The table's top is 0.4 m up; the capsule's lowest point stands free from there on.
-    EXPECT_EQ(complaints(walk_of({spawn_at({-5, 0, 0})})), Complaints());
-    EXPECT_EQ(complaints(walk_of({spawn_at({-5, -0.05, 0})})), Complaints());
-    EXPECT_EQ(complaints(walk_of({spawn_at({-5, -0.15, 0})})).size(), 1U);
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, 0, 0})})), Diagnostics());
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, -0.05, 0})})), Diagnostics());
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, -0.15, 0})})).size(), 1U);
 }
 
 TEST(CheckWalk, RefusesASpawnInAWall) {
-    EXPECT_EQ(complaints(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
-              Complaints({"a.walk.yaml:12:5: error spawn-blocked: main-gate at 5.000,0.250,0.500 is inside "
-                          "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
+    EXPECT_EQ(diagnostics(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
+              Diagnostics({"a.walk.yaml:12:5: error spawn-blocked: main-gate at 5.000,0.250,0.500 is inside "
+                           "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
 }
 
 TEST(CheckWalk, AcceptsATeleportThatCanBePushedOutOfAWall) {
     const auto nearness = [](double gap) {
-        return complaints(walk_of({spawn_at({0, 0, 0}), marked(teleport_to({4.0 - 0.3 - gap, 0, 0}), 14)}));
+        return diagnostics(walk_of({spawn_at({0, 0, 0}), marked(teleport_to({4.0 - 0.3 - gap, 0, 0}), 14)}));
     };
-    EXPECT_EQ(nearness(0.001), Complaints());
-    EXPECT_EQ(nearness(-0.299), Complaints()) << "by less than the radius";
+    EXPECT_EQ(nearness(0.001), Diagnostics());
+    EXPECT_EQ(nearness(-0.299), Diagnostics()) << "by less than the radius";
     EXPECT_EQ(nearness(-0.301),
-              Complaints({"a.walk.yaml:14:5: error spawn-blocked: elsewhere at 4.001,0.000,0.000 is inside "
-                          "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
+              Diagnostics({"a.walk.yaml:14:5: error spawn-blocked: elsewhere at 4.001,0.000,0.000 is inside "
+                           "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
 }
 
 TEST(CheckWalk, MeasuresTheWalksOwnAvatar) {
     Walk low = walk_of({spawn_at({5, -1.1, 0})});
-    EXPECT_EQ(complaints(low).size(), 1U);
+    EXPECT_EQ(diagnostics(low).size(), 1U);
     low.avatar.height = 1.0;
     low.avatar.radius = 0.1;
-    EXPECT_EQ(complaints(low), Complaints());
+    EXPECT_EQ(diagnostics(low), Diagnostics());
 }
 
 TEST(CheckWalk, LooksThroughIgnoredLayers) {
     Walk ghost = walk_of({spawn_at({5, 0, 0})});
-    EXPECT_EQ(complaints(ghost).size(), 1U);
+    EXPECT_EQ(diagnostics(ghost).size(), 1U);
     ghost.avatar.ignore_layers = {"buildings"};
-    EXPECT_EQ(complaints(ghost), Complaints());
+    EXPECT_EQ(diagnostics(ghost), Diagnostics());
 }
 
 TEST(CheckWalk, RefusesATypoWithASuggestion) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_never("trigger.enter libary/door", 21)};
-    EXPECT_EQ(complaints(walk),
-              Complaints({"a.walk.yaml:21:5: error unknown-name: 'trigger.enter libary/door' can't happen: "
-                          "nothing of that name has such events (did you mean 'library/door'?)"}));
+    EXPECT_EQ(diagnostics(walk),
+              Diagnostics({"a.walk.yaml:21:5: error unknown-name: 'trigger.enter libary/door' can't happen: "
+                           "nothing of that name has such events (did you mean 'library/door'?)"}));
 }
 
 TEST(CheckWalk, RefusesAnotherStrategysObject) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_count("ray.enter table", {}, 1, {}, 22)};
-    EXPECT_EQ(complaints(walk), Complaints({"a.walk.yaml:22:5: error unknown-name: 'ray.enter table' can't "
-                                            "happen: nothing of that name has such events"}));
+    EXPECT_EQ(diagnostics(walk), Diagnostics({"a.walk.yaml:22:5: error unknown-name: 'ray.enter table' can't "
+                                              "happen: nothing of that name has such events"}));
 }
 
 TEST(CheckWalk, RefusesToEnableWhatIsNotThere) {
     EnableStep step = enable("libary/door");
     step.objects[0].mark = {"a.walk.yaml", 8, 13};
-    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), disable("library/*"), step, step})),
-              Complaints({"a.walk.yaml:8:13: error unknown-name: the campus has no object 'libary/door' (did "
-                          "you mean 'library/door'?)"}))
+    EXPECT_EQ(
+        diagnostics(walk_of({spawn_at({0, 0, 0}), disable("library/*"), step, step})),
+        Diagnostics({"a.walk.yaml:8:13: error unknown-name: the campus has no object 'libary/door' (did "
+                     "you mean 'library/door'?)"}))
         << "once, however often it is played";
 }
 
 TEST(CheckWalk, RefusesToWaitForWhatCannotHappen) {
     WaitUntilStep step = wait_until("trigger.enter library/dor");
     step.event.mark = {"a.walk.yaml", 9, 17};
-    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), step})),
-              Complaints({"a.walk.yaml:9:17: error unknown-name: 'trigger.enter library/dor' can't happen: "
-                          "nothing of that name has such events (did you mean 'library/door'?)"}));
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0, 0}), step})),
+              Diagnostics({"a.walk.yaml:9:17: error unknown-name: 'trigger.enter library/dor' can't happen: "
+                           "nothing of that name has such events (did you mean 'library/door'?)"}));
 }
 
 TEST(CheckWalk, ReportsEverythingAtOnce) {
@@ -123,8 +124,8 @@ TEST(CheckWalk, ReportsEverythingAtOnce) {
     for (const scene::Diagnostic& diagnostic : found) {
         codes.push_back(diagnostic.code);
     }
-    EXPECT_EQ(codes,
-              Complaints({"spawn-blocked", "spawn-blocked", "unknown-name", "unknown-name", "unknown-name"}));
+    EXPECT_EQ(codes, Diagnostics(
+                         {"spawn-blocked", "spawn-blocked", "unknown-name", "unknown-name", "unknown-name"}));
 }
 
 TEST(CheckWalk, LooksUpBuildingsAndObjectsOfExpectations) {
@@ -132,19 +133,19 @@ TEST(CheckWalk, LooksUpBuildingsAndObjectsOfExpectations) {
     const auto about = [&](const Expectation& expectation) {
         Walk walk = walk_of({spawn_at({0, 0, 0})});
         walk.expectations = {expectation};
-        return complaints(walk);
+        return diagnostics(walk);
     };
     const std::string place = "a.walk.yaml:21:5: error unknown-name: ";
-    EXPECT_EQ(about(ExpectPopup{mark, {mark, "library"}}), Complaints());
+    EXPECT_EQ(about(ExpectPopup{mark, {mark, "library"}}), Diagnostics());
     EXPECT_EQ(about(ExpectPopup{mark, {mark, "libary"}}),
-              Complaints({place + "no building 'libary' has a pop-up (did you mean 'library'?)"}));
+              Diagnostics({place + "no building 'libary' has a pop-up (did you mean 'library'?)"}));
     EXPECT_EQ(about(ExpectVisits{mark, {{mark, "l*"}, {mark, "lab"}}, 1.0}),
-              Complaints({place + "no building 'lab' has a pop-up"}));
+              Diagnostics({place + "no building 'lab' has a pop-up"}));
     EXPECT_EQ(about(ExpectBlockedBy{mark, {mark, "tabel"}}),
-              Complaints({place + "the campus has no solid object 'tabel' (did you mean 'table'?)"}));
-    EXPECT_EQ(about(ExpectStuck{mark, {mark, "*"}}), Complaints());
+              Diagnostics({place + "the campus has no solid object 'tabel' (did you mean 'table'?)"}));
+    EXPECT_EQ(about(ExpectStuck{mark, {mark, "*"}}), Diagnostics());
     EXPECT_EQ(about(ExpectNot{mark, ExpectStuck{mark, {mark, "library/door"}}}),
-              Complaints({place + "the campus has no solid object 'library/door'"}))
+              Diagnostics({place + "the campus has no solid object 'library/door'"}))
         << "a trigger is in nobody's way";
     EXPECT_EQ(about(ExpectNear{mark, {}, 1.0, EventPattern{mark, "trigger.enter", "table"}}).size(), 1U);
     EXPECT_EQ(about(ExpectWithin{mark, {mark, "trigger.enter", "a"}, {mark, "popup.open", "b"}, 1.0}).size(),
@@ -153,13 +154,13 @@ TEST(CheckWalk, LooksUpBuildingsAndObjectsOfExpectations) {
 
 TEST(CheckWalk, LooksAtExpectationsInSteps) {
     const ExpectStep step = {{}, {expect_never("popup.open libary", 9)}};
-    EXPECT_EQ(complaints(walk_of({spawn_at({0, 0, 0}), step, step})).size(), 1U) << "once for all rounds";
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0, 0}), step, step})).size(), 1U) << "once for all rounds";
 }
 
 TEST(CheckWalk, HasNothingAgainstReaches) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_reaches({"nowhere", {1e6, 0, 0}, false}, 0.1)};
-    EXPECT_EQ(complaints(walk), Complaints());
+    EXPECT_EQ(diagnostics(walk), Diagnostics());
 }
 
 }  // namespace

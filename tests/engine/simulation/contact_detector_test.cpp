@@ -18,11 +18,11 @@ using collision::MoveTrace;
 using collision::ObjectId;
 using Eigen::Vector3d;
 
-/// Senses with an avatar that is moved by hand.
+/// ContactDetector with an avatar that is moved by hand.
 class Sensing {
 public:
     explicit Sensing(const scene::Campus& campus, std::uint32_t ignored_layers = 0, Tick stay_ticks = 1000)
-        : campus_(campus), senses_(campus, AvatarProfile{}, ignored_layers, stay_ticks) {}
+        : campus_(campus), contact_detector_(campus, AvatarProfile{}, ignored_layers, stay_ticks) {}
 
     std::vector<std::string> move(const std::vector<Vector3d>& path,
                                   const std::vector<collision::Touch>& touching = {}) {
@@ -32,24 +32,24 @@ public:
         AvatarState avatar;
         avatar.position = path.back();
         avatar.yaw = yaw;
-        senses_.sense(tick_++, avatar, trace, found, counters_);
+        contact_detector_.detect(tick_++, avatar, trace, found, counters_);
         return told_all();
     }
     std::vector<std::string> leave_all() {
-        senses_.leave_all(tick_, found);
+        contact_detector_.leave_all(tick_, found);
         return told_all();
     }
 
     double yaw = 0.0;
-    std::vector<SensedTransition> found;
+    std::vector<DetectedTransition> found;
 
 private:
     std::vector<std::string> told_all() const {
-        constexpr const char* kStrategies[] = {"collision", "trigger", "ray"};
+        constexpr const char* kDetectionModes[] = {"collision", "trigger", "ray"};
         constexpr const char* kPhases[] = {"exit", "enter", "stay"};
         std::vector<std::string> lines;
-        for (const SensedTransition& s : found) {
-            lines.push_back(std::string(kStrategies[static_cast<int>(s.strategy)]) + "." +
+        for (const DetectedTransition& s : found) {
+            lines.push_back(std::string(kDetectionModes[static_cast<int>(s.mode)]) + "." +
                             kPhases[static_cast<int>(s.transition.phase)] + " " +
                             campus_.objects[index_of(s.transition.object)].id);
         }
@@ -57,7 +57,7 @@ private:
     }
 
     const scene::Campus& campus_;
-    Senses senses_;
+    ContactDetector contact_detector_;
     collision::QueryCounters counters_;
     Tick tick_ = 0;
 };
@@ -71,7 +71,7 @@ scene::Campus campus_with(const std::string& name, const Vector3d& min, const Ve
     return campus;
 }
 
-TEST(Senses, FeelASolidByItsGap) {
+TEST(ContactDetector, FeelASolidByItsGap) {
     const scene::Campus campus = campus_with("wall", {0, 0, 0}, {1, 3, 1}, Detection::solid);
     const ObjectId wall{0};
     Sensing sensing(campus);
@@ -85,7 +85,7 @@ TEST(Senses, FeelASolidByItsGap) {
     EXPECT_EQ(sensing.move({here, here}), Lines({"collision.exit wall"})) << "out of reach";
 }
 
-TEST(Senses, SeeWhereTheAvatarLooks) {
+TEST(ContactDetector, SeeWhereTheAvatarLooks) {
     const scene::Campus campus = campus_with("sign", {-1, 0, -5}, {1, 3, -4}, Detection::ray);
     Sensing sensing(campus);
     EXPECT_EQ(sensing.move({{0, 0, 0}}), Lines({"ray.enter sign"}));
@@ -99,7 +99,7 @@ TEST(Senses, SeeWhereTheAvatarLooks) {
     EXPECT_EQ(sensing.move({{5, 0, -4.5}, {-5, 0, -4.5}}), Lines()) << "from the other side to the right";
 }
 
-TEST(Senses, KnowWhenInATickATriggerWasMet) {
+TEST(ContactDetector, KnowWhenInATickATriggerWasMet) {
     const scene::Campus campus = campus_with("door", {-1, 0, -3}, {1, 2, -2}, Detection::trigger);
     Sensing sensing(campus);
     EXPECT_EQ(sensing.move({{0, 0, 0}}), Lines());
@@ -112,7 +112,7 @@ TEST(Senses, KnowWhenInATickATriggerWasMet) {
     EXPECT_NEAR(sensing.found[0].transition.at, (1 + 0.301) / 4, 1e-9);
 }
 
-TEST(Senses, TakeAWayOutAndInAgainForOneContact) {
+TEST(ContactDetector, TakeAWayOutAndInAgainForOneContact) {
     const scene::Campus campus = campus_with("door", {-1, 0, -3}, {1, 2, -2}, Detection::trigger);
     Sensing sensing(campus);
     EXPECT_EQ(sensing.move({{0, 0, -2.5}}), Lines({"trigger.enter door"}));
@@ -125,7 +125,7 @@ TEST(Senses, TakeAWayOutAndInAgainForOneContact) {
     EXPECT_NEAR(sensing.found[1].transition.at, 0.5 + 0.5 * (0.8 / 2.5), 1e-9);
 }
 
-TEST(Senses, TellOneObjectsStrategiesInAFixedOrder) {
+TEST(ContactDetector, TellOneObjectsStrategiesInAFixedOrder) {
     const scene::Campus campus =
         campus_with("all", {-1, 0, -1}, {1, 3, 1}, Detection::solid | Detection::trigger | Detection::ray);
     Sensing sensing(campus);
@@ -136,7 +136,7 @@ TEST(Senses, TellOneObjectsStrategiesInAFixedOrder) {
     EXPECT_EQ(sensing.leave_all(), Lines());
 }
 
-TEST(Senses, TellTheEndsByObject) {
+TEST(ContactDetector, TellTheEndsByObject) {
     scene::Campus campus = empty_campus();
     add_box(campus, "sign", {-1, 0, -5}, {1, 3, -4}, {Detection::ray, "", true, ""});
     add_box(campus, "zone", {-1, 0, -1}, {1, 3, 1}, {Detection::trigger, "", true, ""});
@@ -147,7 +147,7 @@ TEST(Senses, TellTheEndsByObject) {
     EXPECT_EQ(sensing.leave_all(), Lines({"ray.exit sign", "trigger.exit zone", "collision.exit wall"}));
 }
 
-TEST(Senses, IgnoreLayers) {
+TEST(ContactDetector, IgnoreLayers) {
     scene::Campus campus = empty_campus();
     add_box(campus, "sign", {-1, 0, -5}, {1, 3, -4}, {Detection::ray, "", true, "signs"});
     add_box(campus, "zone", {-1, 0, -1}, {1, 3, 1}, {Detection::trigger, "", true, "zones"});
@@ -157,7 +157,7 @@ TEST(Senses, IgnoreLayers) {
               Lines({"ray.enter sign"}));
 }
 
-TEST(Senses, PutTransitionsInATotalOrder) {
+TEST(ContactDetector, PutTransitionsInATotalOrder) {
     scene::Campus campus = empty_campus();
     support::Dice dice(5);
     for (int i = 0; i < 40; ++i) {
@@ -179,9 +179,9 @@ TEST(Senses, PutTransitionsInATotalOrder) {
         sensing.yaw = dice.between(-kPi, kPi);
         sensing.move(path);
         foot = path.back();
-        const auto key = [](const SensedTransition& s) {
+        const auto key = [](const DetectedTransition& s) {
             return std::tuple(s.transition.at, static_cast<int>(s.transition.phase),
-                              index_of(s.transition.object), static_cast<int>(s.strategy));
+                              index_of(s.transition.object), static_cast<int>(s.mode));
         };
         for (std::size_t j = 1; j < sensing.found.size(); ++j) {
             ASSERT_LT(key(sensing.found[j - 1]), key(sensing.found[j])) << "move " << i;

@@ -56,7 +56,7 @@ class Noter final : public Observer {
 public:
     Noter(std::string name, Story& notes) : name_(std::move(name)), notes_(notes) {}
     void begin(const Walk& walk) override { notes_.push_back(name_ + " begin " + walk.name); }
-    void frame(const FrameRecord& record) override {
+    void frame(const TickRecord& record) override {
         notes_.push_back(name_ + " frame " + std::to_string(record.tick));
     }
     void end() override { notes_.push_back(name_ + " end"); }
@@ -79,7 +79,7 @@ TEST(RunWalk, ShowsTheObserversInTheirOrder) {
 /// Throws at a tick.
 class Thrower final : public Observer {
 public:
-    void frame(const FrameRecord& record) override {
+    void frame(const TickRecord& record) override {
         if (record.tick == 5) {
             throw std::runtime_error("disk full");
         }

@@ -91,7 +91,7 @@ class GrammarCheck final : public Observer {
 public:
     GrammarCheck(const scene::Campus& campus, Tick stay_ticks) : campus_(campus), stay_ticks_(stay_ticks) {}
 
-    void frame(const FrameRecord& record) override {
+    void frame(const TickRecord& record) override {
         at_ = 0.0;
         for (const Event& event : record.events) {
             if (testing::Test::HasFatalFailure()) {
@@ -121,16 +121,16 @@ private:
     void see(const Event& event) {
         const std::string kind(name_of(event.kind));
         ++seen[kind];
-        const std::string strategy = kind.substr(0, kind.find('.'));
+        const std::string mode = kind.substr(0, kind.find('.'));
         if (opens_next_) {
             ASSERT_EQ(told(event), "popup.open " + *opens_next_);
         }
-        if (strategy == "popup") {
+        if (mode == "popup") {
             see_popup(event);
-        } else if (strategy == "collision" || strategy == "trigger" || strategy == "ray") {
+        } else if (mode == "collision" || mode == "trigger" || mode == "ray") {
             ASSERT_FALSE(event.object.starts_with("hidden/"));
             see_order(event);
-            see_contact(event, {strategy, event.object});
+            see_contact(event, {mode, event.object});
         } else if (kind == "avatar.teleport") {
             ASSERT_TRUE(since_.empty()) << "still in contact with the place before";
             at_ = 0.0;

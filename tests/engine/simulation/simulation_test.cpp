@@ -19,7 +19,7 @@ TEST(Simulation, BeginsWithTheSpawn) {
     const Walk walk = walk_of({spawn_at({3, 0, -4}, radians(90)), wait_for(1.0)});
     Simulation simulation(campus, walk);
     EXPECT_FALSE(simulation.finished());
-    const FrameRecord& record = simulation.step();
+    const TickRecord& record = simulation.step();
     EXPECT_EQ(record.tick, 0);
     EXPECT_EQ(record.time, 0.0);
     EXPECT_NEAR((record.avatar.position - Vector3d(3, 0, -4)).norm(), 0.0, 1e-3);
@@ -179,7 +179,7 @@ TEST(Simulation, SaysWhenATargetIsOnAnotherLevel) {
               "walk_to roof was not reached: it is 0.750 m above the avatar's feet");
 }
 
-TEST(Simulation, TellsOfPicturesAndHandsThemToObservers) {
+TEST(Simulation, TellsOfImagesAndHandsThemToObservers) {
     const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), snapshot("gate"), snapshot("map"),
                                                        walk_to(0, -1.4), snapshot("end")}));
     EXPECT_EQ(outing.recorder.story(),

@@ -21,17 +21,17 @@ constexpr double kLeaveSlack = 1e-3;        // a trigger is left a millimetre ou
 const ObjectTraits kTrigger{Detection::trigger, "", true, ""};
 
 /// What happens after so many metres of a walk that begins in tick 1.
-struct Moment {
+struct StateSnapshot {
     Tick tick = 0;
     double at = 0.0;
 };
-Moment after(double metres, double tick_length = kTickLength) {
+StateSnapshot after(double metres, double tick_length = kTickLength) {
     const double ticks = metres / tick_length;
     const double tick = std::ceil(ticks);
     return {static_cast<Tick>(tick), ticks - (tick - 1.0)};
 }
 
-void expect_moment(const Event& event, const Moment& expected) {
+void expect_moment(const Event& event, const StateSnapshot& expected) {
     EXPECT_EQ(event.tick, expected.tick) << told(event);
     EXPECT_NEAR(event.at, expected.at, 1e-8) << told(event);
     EXPECT_NEAR(field<Decimal>(event, "at").value, expected.at, 1e-8);

@@ -36,7 +36,7 @@ std::string printed(const Verdict& verdict) {
 TEST(EventLog, KeepsTheEventsOfEveryFrame) {
     EventLog log;
     const std::vector<Event> events = two_visits();
-    FrameRecord record;
+    TickRecord record;
     record.events = std::span(events).first(2);
     log.frame(record);
     record.events = std::span(events).subspan(2);

@@ -29,9 +29,9 @@ protected:
         const std::vector<std::byte> bytes(size, std::byte{7});
         cache.store(key, "model", Parts{bytes});
     }
-    CacheFolder complaining(const fs::path& where) {
+    CacheFolder diagnosing(const fs::path& where) {
         return CacheFolder(where, CacheFolder::kUsualLimit,
-                           [this](const std::string& reason) { complaints_.push_back(reason); });
+                           [this](const std::string& reason) { diagnostics_.push_back(reason); });
     }
     fs::path file_of(const ContentHash& key) const { return where_ / (to_string(key) + ".model.campuswalk"); }
     std::ptrdiff_t files() const {
@@ -43,16 +43,16 @@ protected:
         ASSERT_EQ(utimensat(AT_FDCWD, file_of(key).c_str(), times, 0), 0);
     }
 
-    std::vector<std::string> complaints_;
+    std::vector<std::string> diagnostics_;
     support::TemporaryFolder folder_;
     fs::path where_ = folder_.path() / "deep" / "cache";
 };
 
 TEST_F(CacheFolderTest, KeepsFilesByKeyAndKind) {
-    const CacheFolder cache = complaining(where_);
+    const CacheFolder cache = diagnosing(where_);
     EXPECT_FALSE(cache.find(kA, "model"));
     store(cache, kA, 5);
-    EXPECT_TRUE(complaints_.empty());
+    EXPECT_TRUE(diagnostics_.empty());
     const auto found = cache.find(kA, "model");
     ASSERT_TRUE(found);
     EXPECT_EQ(found->bytes().size(), 5U);
@@ -101,20 +101,20 @@ TEST_F(CacheFolderTest, RemovesNothingOfOthers) {
 
 TEST_F(CacheFolderTest, SaysWhyNothingCanBeKept) {
     folder_.write("file", "not a folder");
-    const CacheFolder cache = complaining(folder_.path() / "file" / "cache");
+    const CacheFolder cache = diagnosing(folder_.path() / "file" / "cache");
     store(cache, kA, 1);
-    ASSERT_EQ(complaints_.size(), 1U);
-    EXPECT_NE(complaints_[0].find("can't write"), std::string::npos) << complaints_[0];
+    ASSERT_EQ(diagnostics_.size(), 1U);
+    EXPECT_NE(diagnostics_[0].find("can't write"), std::string::npos) << diagnostics_[0];
     EXPECT_FALSE(cache.find(kA, "model"));
 }
 
 TEST_F(CacheFolderTest, ReadsRegularFilesAlone) {
-    const CacheFolder cache = complaining(where_);
+    const CacheFolder cache = diagnosing(where_);
     fs::create_directories(where_);
     ASSERT_EQ(mkfifo(file_of(kA).c_str(), 0600), 0);
     EXPECT_FALSE(cache.find(kA, "model")) << "and doesn't wait for somebody to write into it";
     store(cache, kA, 3);
-    EXPECT_EQ(complaints_.size(), 1U);
+    EXPECT_EQ(diagnostics_.size(), 1U);
 }
 
 /// What is found is used where it lies: nobody may change it in place.

@@ -75,8 +75,9 @@ bool can_be_read(std::span<const std::byte> bytes) {
 }
 
 void seal_anew(std::vector<std::byte>& bytes) {
-    const std::uint64_t payload = bytes.size() - kSealBytes;
-    const std::uint64_t checksum = checksum_of(std::span<const std::byte>(bytes).subspan(kSealBytes));
+    const std::uint64_t payload = bytes.size() - kArchiveHeaderBytes;
+    const std::uint64_t checksum =
+        checksum_of(std::span<const std::byte>(bytes).subspan(kArchiveHeaderBytes));
     std::memcpy(bytes.data() + 16, &payload, sizeof payload);
     std::memcpy(bytes.data() + 24, &checksum, sizeof checksum);
 }
@@ -122,7 +123,7 @@ TEST(TreeFile, UsesOwnedBytesWhereTheyLie) {
             read = read_tree_file(where, owner);
         }
         ASSERT_EQ(read.size(), 2U);
-        const auto& nodes = read[0].collider->wide_tree().nodes;
+        const auto& nodes = read[0].collider->bvh8().nodes;
         const auto* first = reinterpret_cast<const std::byte*>(nodes.data());
         EXPECT_EQ(nodes.is_elsewhere(), off == 0) << "what isn't aligned is copied";
         EXPECT_EQ(first > start && first < start + bytes.size(), off == 0);
@@ -153,7 +154,7 @@ TEST(TreeFile, StaysSafeWhenForged) {
     const std::vector<PlacedMesh> made = {placed(150, 4)};
     const std::vector<std::byte> whole = write_tree_file(made);
     std::size_t refused = 0;
-    for (std::size_t at = kSealBytes; at < whole.size(); at += 3) {
+    for (std::size_t at = kArchiveHeaderBytes; at < whole.size(); at += 3) {
         for (const int value : {0x01, 0x10, 0x80, 0xFF}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(value);
@@ -162,7 +163,7 @@ TEST(TreeFile, StaysSafeWhenForged) {
         }
     }
     EXPECT_GT(refused, whole.size() / 10);
-    for (std::size_t length = kSealBytes; length < whole.size(); length += 5) {
+    for (std::size_t length = kArchiveHeaderBytes; length < whole.size(); length += 5) {
         std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
         seal_anew(part);
         EXPECT_FALSE(can_be_read(part)) << length;
@@ -173,7 +174,7 @@ TEST(TreeFile, RefusesAFlagThatIsNone) {
     const std::vector<PlacedMesh> made = {placed(1, 4)};
     std::vector<std::byte> bytes = write_tree_file(made);
     ASSERT_TRUE(made[0].collider->closed_parts().empty()) << "else it ends with these";
-    bytes[bytes.size() - sizeof(collision::WideLeaf) + offsetof(collision::WideLeaf, exact)] = std::byte{2};
+    bytes[bytes.size() - sizeof(collision::Bvh8Leaf) + offsetof(collision::Bvh8Leaf, exact)] = std::byte{2};
     seal_anew(bytes);
     EXPECT_FALSE(can_be_read(bytes));
 }

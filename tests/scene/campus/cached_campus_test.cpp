@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 0 -1\nvt 0 0\nvt 1 0\nvt 0 1\n";
 
-/// An OBJ with a material and a picture, and how often it is imported.
+/// An OBJ with a material and an image, and how often it is imported.
 class CachedCampus : public testing::Test {
 protected:
     void SetUp() override {
         folder_.write("a/x.mtl", "newmtl wood\nmap_Kd wood.tga\n");
-        folder_.write("a/wood.tga", test::tga_picture(1, 1, {10, 20, 30, 255}));
+        folder_.write("a/wood.tga", test::tga_image(1, 1, {10, 20, 30, 255}));
         folder_.write("a/x.obj", "mtllib x.mtl\n" + std::string(kTriangle) +
                                      "o wing\nusemtl wood\nf 1/1 2/2 3/3\nf 1/1 2/2 2/2\nl 1 2\n" +
                                      test::obj_box("tower", {4, 0, 4}, {5, 3, 5}, 4));
@@ -96,7 +96,7 @@ TEST_F(CachedCampus, ImportsAModelOnce) {
 
 TEST_F(CachedCampus, ImportsAgainWhenAnyOfItsFilesHasChanged) {
     load();
-    folder_.write("a/wood.tga", test::tga_picture(1, 1, {11, 20, 30, 255}));
+    folder_.write("a/wood.tga", test::tga_image(1, 1, {11, 20, 30, 255}));
     EXPECT_TRUE(imports());
     folder_.write("a/x.mtl", "newmtl wood\nmap_Kd wood.tga\nKd 0.5 0 0\n");
     EXPECT_TRUE(imports());
@@ -109,13 +109,13 @@ TEST_F(CachedCampus, ImportsAgainWhenAnyOfItsFilesHasChanged) {
     EXPECT_FALSE(imports());
 }
 
-/// A picture that is nearer than the one that was found takes its place.
+/// An image that is nearer than the one that was found takes its place.
 TEST_F(CachedCampus, ImportsAgainWhenAnotherFileIsFound) {
     fs::create_directories(folder_.path() / "a/textures");
     fs::rename(folder_.path() / "a/wood.tga", folder_.path() / "a/textures/wood.tga");
     load();
     EXPECT_FALSE(imports());
-    folder_.write("a/wood.tga", test::tga_picture(1, 1, {99, 20, 30, 255}));
+    folder_.write("a/wood.tga", test::tga_image(1, 1, {99, 20, 30, 255}));
     EXPECT_TRUE(imports());
 }
 
@@ -207,13 +207,13 @@ TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
 
 TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
     std::vector<Diagnostic> warnings;
-    std::vector<std::string> complaints;
+    std::vector<std::string> diagnostics;
     const CacheFolder cache(where_, CacheFolder::kUsualLimit,
-                            [&](const std::string& reason) { complaints.push_back(reason); });
+                            [&](const std::string& reason) { diagnostics.push_back(reason); });
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{200}}) {
         const campuswalk::test::FullDisk full(bytes);
         EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
-        EXPECT_EQ(complaints.size(),
+        EXPECT_EQ(diagnostics.size(),
                   bytes == 0 ? 3U : 5U);  // what is looked for beside it fits into 200 bytes
     }
     for (const auto& entry : fs::directory_iterator(where_)) {

@@ -176,13 +176,12 @@ TEST_F(CampusTest, ReportsExceptionsThatLeaveNothing) {
     add("none", MeshShape{}, {"library_walls"}).except = {{mark_at(30), "library"}};
     add("wrong", MeshShape{}, {"library"}).except = {{mark_at(31), "libary"}};
     add("numbers", SphereShape{Eigen::Vector3d(1, 2, 3), 1.0}).except = {{mark_at(32), "library"}};
-    EXPECT_EQ(
-        text_of(errors()),
-        "demo.campus.yaml:30:9: error empty-mesh: 'except' leaves nothing of the nodes of collider 'none'\n"
-        "demo.campus.yaml:31:9: error no-node: no node is called 'libary'; did you mean 'library'?\n"
-        "demo.campus.yaml:32:9: error missing-nodes: 'except' leaves out of nodes, and collider 'numbers' "
-        "names "
-        "none\n");
+    EXPECT_EQ(text_of(errors()),
+              "demo.campus.yaml:30:9: error empty-mesh: 'except' excludes every node of collider 'none'\n"
+              "demo.campus.yaml:31:9: error no-node: no node is named 'libary'; did you mean 'library'?\n"
+              "demo.campus.yaml:32:9: error missing-nodes: 'except' filters 'nodes', but collider 'numbers' "
+              "names "
+              "none\n");
 }
 
 TEST_F(CampusTest, NumbersLayersFromOne) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/import/source/decode_image.h"
 #include "scene/import/import_model.h"
+#include "scene/import/source/decode_image.h"
 #include "tests/scene/model_files.h"
 
 namespace campuswalk::scene {
@@ -33,7 +33,7 @@ protected:
 /// What decides over the model besides the file itself, there or not.
 TEST_F(TextureTest, AreAmongTheFilesThatAModelDependsOn) {
     folder_.write("x.mtl", "newmtl wood\nmap_Kd wood.tga\n");
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) + "usemtl wood\nf 1/1 2/2 3/3\n");
     const std::vector<FileRequest> requests = import_scene(scene_file(folder_, "x.obj")).requests;
     EXPECT_EQ(std::ranges::count(requests, FileRequest{"x.mtl", false}), 1);
@@ -45,7 +45,7 @@ TEST_F(TextureTest, AreAmongTheFilesThatAModelDependsOn) {
 }
 
 TEST_F(TextureTest, AreDecodedToRgbaFromTheTop) {
-    folder_.write("maps/wood.tga", test::tga_picture(3, 2, {10, 20, 30, 255}));
+    folder_.write("maps/wood.tga", test::tga_image(3, 2, {10, 20, 30, 255}));
     const Model model = import_with("Kd 0 0 0\nmap_Kd maps/wood.tga\n");
     ASSERT_EQ(model.textures.size(), 1U);
     EXPECT_EQ(model.textures[0].width, 3);
@@ -63,7 +63,7 @@ TEST_F(TextureTest, AreDecodedToRgbaFromTheTop) {
 }
 
 TEST_F(TextureTest, AreLoadedOnceForSeveralMaterials) {
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     folder_.write("x.mtl", "newmtl a\nmap_Kd wood.tga\nnewmtl b\nmap_Kd wood.tga\n");
     folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) +
                                "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
@@ -72,7 +72,7 @@ TEST_F(TextureTest, AreLoadedOnceForSeveralMaterials) {
 
 TEST_F(TextureTest, WithHolesCutOut) {
     folder_.write("leaf.tga",
-                  test::tga_picture(1, 1, {0, 255, 0, 255}).replace(12, 1, "\2") + std::string(4, '\0'));
+                  test::tga_image(1, 1, {0, 255, 0, 255}).replace(12, 1, "\2") + std::string(4, '\0'));
     EXPECT_EQ(material_of(import_with("map_Kd leaf.tga\n")).alpha_mode, AlphaMode::mask);
 }
 
@@ -111,7 +111,7 @@ TEST_F(TextureTest, LegacyColoursBecomeLinear) {
     EXPECT_FLOAT_EQ(material.base_color[2], 0.0F);
 }
 
-TEST_F(TextureTest, GltfMaterialsKeepAlphaSidesWrapAndEmbeddedPictures) {
+TEST_F(TextureTest, GltfMaterialsKeepAlphaSidesWrapAndEmbeddedImages) {
     test::write_gltf(folder_, "box", {{.name = "box", .size = {1, 1, 1}}});
     std::string json;
     {

@@ -7,7 +7,7 @@
 namespace campuswalk::scene {
 namespace {
 
-std::vector<Oddity> oddities_of(const Model& model) {
+std::vector<ModelLint> lints_of(const Model& model) {
     return find_odd_sizes(model, report(model).nodes);
 }
 
@@ -24,7 +24,7 @@ TEST(NamedSizes, PointAtADoorOfFiveCentimetres) {
     Model model;
     test::add_box(model, "hall", {0, 0, 0}, {0.5, 0.1, 0.5});
     test::add_box(model, "Door_01", {0.2, 0, 0}, {0.22, 0.05, 0.001});
-    const auto odd = oddities_of(model);
+    const auto odd = lints_of(model);
     ASSERT_EQ(odd.size(), 1U);
     EXPECT_EQ(odd[0].code, "door-size");
     EXPECT_NE(odd[0].message.find("'Door_01' of 0.05 m"), std::string::npos) << odd[0].message;
@@ -54,7 +54,7 @@ TEST(NamedSizes, GuessTheUnitByTheMiddleDoor) {
 TEST(NamedSizes, MeasureDoorsAlongTheAxisThatIsUp) {
     Model model;
     test::add_box(model, "door", {0, 0, 0}, {90, 5, 210});
-    EXPECT_TRUE(oddities_of(model).empty());
+    EXPECT_TRUE(lints_of(model).empty());
     const auto odd = find_odd_sizes(model, report(model).nodes, 2);
     ASSERT_EQ(odd.size(), 1U);
     EXPECT_NE(odd[0].message.find("with `unit: cm` it would be 2.1 m"), std::string::npos) << odd[0].message;
@@ -63,7 +63,7 @@ TEST(NamedSizes, MeasureDoorsAlongTheAxisThatIsUp) {
 TEST(NamedSizes, PointAtADoorThatLies) {
     Model model;
     test::add_box(model, "door", {0, 0, 0}, {0.9, 0.05, 2.1});
-    const auto odd = oddities_of(model);
+    const auto odd = lints_of(model);
     ASSERT_EQ(odd.size(), 1U);
     EXPECT_NE(odd[0].message.find("`up: z`"), std::string::npos) << odd[0].message;
 }
@@ -74,14 +74,14 @@ TEST(NamedSizes, LeaveDoorsOfHousesCupboardsAndCathedralsAlone) {
     test::add_box(model, "cupboard_door", {2, 1, 0}, {2.4, 1.5, 0.02});
     test::add_box(model, "west_door", {4, 0, 0}, {8, 5.5, 0.3});
     test::add_box(model, "door_frame", {9, 0, 0}, {9.1, 0.1, 0.1});
-    EXPECT_TRUE(oddities_of(model).empty());
+    EXPECT_TRUE(lints_of(model).empty());
 }
 
 TEST(NamedSizes, MeasureRisers) {
     for (const double riser : {0.17, 0.45, 2.0}) {
         Model model;
         add_stairs(model, "Stairs", riser);
-        const auto odd = oddities_of(model);
+        const auto odd = lints_of(model);
         ASSERT_EQ(odd.size(), riser > 0.3 ? 1U : 0U) << riser;
         if (!odd.empty()) {
             EXPECT_EQ(odd[0].code, "stair-riser");
@@ -90,7 +90,7 @@ TEST(NamedSizes, MeasureRisers) {
     }
     Model model;
     test::add_box(model, "steps", {0, 0, 0}, {1, 2, 1});  // one step is no flight
-    EXPECT_TRUE(oddities_of(model).empty());
+    EXPECT_TRUE(lints_of(model).empty());
     EXPECT_EQ(riser_of({}), 0.0);
     EXPECT_NEAR(riser_of({0.5, 0.0, 0.001, 1.0, 0.5, 1.5, 2.9}), 0.5, 1e-9);  // a rail at the end
 }

@@ -159,7 +159,7 @@ void expect_sound(const Model& model) {
 }
 
 /// What is said of the bytes; empty if they can be read.
-std::string complaint_of(std::span<const std::byte> bytes) {
+std::string diagnostic_of(std::span<const std::byte> bytes) {
     try {
         const ImportedModel read = read_model_file(bytes);
         expect_sound(read.model);
@@ -172,7 +172,8 @@ std::string complaint_of(std::span<const std::byte> bytes) {
 /// As a forger would: the checksum is right again.
 void seal_anew(std::vector<std::byte>& bytes) {
     constexpr std::size_t kChecksumAt = 24;
-    const std::uint64_t checksum = checksum_of(std::span<const std::byte>(bytes).subspan(kSealBytes));
+    const std::uint64_t checksum =
+        checksum_of(std::span<const std::byte>(bytes).subspan(kArchiveHeaderBytes));
     std::memcpy(bytes.data() + kChecksumAt, &checksum, sizeof checksum);
 }
 
@@ -214,23 +215,23 @@ TEST(ModelFile, BringsBackManyOfTheLeast) {
 
 TEST(ModelFile, SaysWhatIsWrong) {
     const std::vector<std::byte> whole = write_model_file(small_import());
-    EXPECT_EQ(complaint_of({}), "it is cut short");
-    EXPECT_EQ(complaint_of(std::span(whole).first(whole.size() - 1)), "it is cut short");
+    EXPECT_EQ(diagnostic_of({}), "it is truncated");
+    EXPECT_EQ(diagnostic_of(std::span(whole).first(whole.size() - 1)), "it is truncated");
     std::vector<std::byte> longer = whole;
     longer.push_back(std::byte{0});
-    EXPECT_EQ(complaint_of(longer), "something was added to it");
+    EXPECT_EQ(diagnostic_of(longer), "it has trailing bytes");
     std::vector<std::byte> other = whole;
     other[0] = std::byte{'C'};
-    EXPECT_EQ(complaint_of(other), "it is another kind of file");
+    EXPECT_EQ(diagnostic_of(other), "it is another kind of file");
     other = whole;
     std::reverse(other.begin() + 8, other.begin() + 12);
-    EXPECT_EQ(complaint_of(other), "it was written on a machine of the other byte order");
+    EXPECT_EQ(diagnostic_of(other), "it was written on a machine with a different byte order");
     other = whole;
     other[12] = std::byte{0};
-    EXPECT_EQ(complaint_of(other), "it is of version 0, not " + std::to_string(kModelFile.version));
+    EXPECT_EQ(diagnostic_of(other), "it is of version 0, not " + std::to_string(kModelFile.version));
     other = whole;
     other.back() ^= std::byte{1};
-    EXPECT_EQ(complaint_of(other), "its checksum is wrong");
+    EXPECT_EQ(diagnostic_of(other), "its checksum is wrong");
 }
 
 TEST(ModelFile, IsNeverReadWhenCutShort) {
@@ -238,7 +239,7 @@ TEST(ModelFile, IsNeverReadWhenCutShort) {
     for (std::size_t length = 0; length < whole.size(); ++length) {
         // In memory of just that size, where a sanitizer sees a read beyond.
         const std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-        EXPECT_EQ(complaint_of(part), "it is cut short") << length;
+        EXPECT_EQ(diagnostic_of(part), "it is truncated") << length;
     }
 }
 
@@ -247,7 +248,7 @@ TEST(ModelFile, IsNeverReadWithABitTurned) {
     for (std::size_t at = 0; at < bytes.size(); ++at) {
         for (unsigned bit = 0; bit < 8; ++bit) {
             bytes[at] ^= std::byte{1} << bit;
-            EXPECT_NE(complaint_of(bytes), "") << at << " bit " << bit;
+            EXPECT_NE(diagnostic_of(bytes), "") << at << " bit " << bit;
             bytes[at] ^= std::byte{1} << bit;
         }
     }
@@ -256,12 +257,12 @@ TEST(ModelFile, IsNeverReadWithABitTurned) {
 TEST(ModelFile, StaysSoundWhenForged) {
     const std::vector<std::byte> whole = write_model_file(small_import());
     std::size_t refused = 0;
-    for (std::size_t at = kSealBytes; at < whole.size(); ++at) {
+    for (std::size_t at = kArchiveHeaderBytes; at < whole.size(); ++at) {
         for (const int value : {0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0xFF}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(value);
             seal_anew(bytes);
-            refused += complaint_of(bytes).empty() ? 0U : 1U;
+            refused += diagnostic_of(bytes).empty() ? 0U : 1U;
         }
     }
     EXPECT_GT(refused, whole.size());  // counts and indices make up a good part of a small file
@@ -269,49 +270,49 @@ TEST(ModelFile, StaysSoundWhenForged) {
 
 TEST(ModelFile, StaysSoundWhenCutShortAndForged) {
     const std::vector<std::byte> whole = write_model_file(small_import());
-    for (std::size_t length = kSealBytes; length < whole.size(); ++length) {
+    for (std::size_t length = kArchiveHeaderBytes; length < whole.size(); ++length) {
         std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-        const std::uint64_t payload = length - kSealBytes;
+        const std::uint64_t payload = length - kArchiveHeaderBytes;
         std::memcpy(part.data() + 16, &payload, sizeof payload);
         seal_anew(part);
-        EXPECT_NE(complaint_of(part), "") << length;
+        EXPECT_NE(diagnostic_of(part), "") << length;
     }
 }
 
 TEST(ModelFile, RefusesWhatAModelNeverHas) {
-    const auto complaint = [](const auto& spoil) {
+    const auto diagnostic = [](const auto& spoil) {
         ImportedModel imported = small_import();
         spoil(imported.model);
-        return complaint_of(write_model_file(imported));
+        return diagnostic_of(write_model_file(imported));
     };
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(complaint([](Model& m) { m.meshes[0].triangles[1][2] = 4; }),
-              "a triangle in it uses a vertex that is not there");
-    EXPECT_EQ(complaint([](Model& m) { m.meshes[1].positions[2].y() = kNan; }),
-              "a vertex in it is no number");
-    EXPECT_EQ(complaint([](Model& m) { m.meshes[1].positions[0].x() = -kInfinity; }),
-              "a vertex in it is no number");
-    EXPECT_EQ(complaint([](Model& m) { m.meshes[0].normals.pop_back(); }),
-              "a mesh in it has not one normal, texture coordinate or colour a vertex");
-    EXPECT_EQ(complaint([](Model& m) { m.meshes[0].material = MaterialIndex{2}; }),
+    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[0].triangles[1][2] = 4; }),
+              "a triangle in it refers to a vertex that does not exist");
+    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[1].positions[2].y() = kNan; }),
+              "a vertex in it is not a number");
+    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[1].positions[0].x() = -kInfinity; }),
+              "a vertex in it is not a number");
+    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[0].normals.pop_back(); }),
+              "a mesh in it does not have one normal, texture coordinate or colour per vertex");
+    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[0].material = MaterialIndex{2}; }),
               "a material's number in it is out of range");
-    EXPECT_EQ(complaint([](Model& m) { m.nodes[1].parent = 1; }), "a node in it comes before its parent");
-    EXPECT_EQ(complaint([](Model& m) { m.nodes[0].parent = -2; }), "a node in it comes before its parent");
-    EXPECT_EQ(complaint([](Model& m) { m.nodes[1].meshes[0] = MeshIndex{2}; }),
-              "a node in it has a mesh that is not there");
-    EXPECT_EQ(complaint([](Model& m) { m.nodes[1].X_world_node(1, 3) = std::nan(""); }),
+    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[1].parent = 1; }), "a node in it comes before its parent");
+    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[0].parent = -2; }), "a node in it comes before its parent");
+    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[1].meshes[0] = MeshIndex{2}; }),
+              "a node in it refers to a mesh that does not exist");
+    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[1].X_world_node(1, 3) = std::nan(""); }),
               "a transform in it is not finite");
-    EXPECT_EQ(complaint([](Model& m) { m.textures[0].width = 1; }),
-              "a picture in it hasn't the pixels it should");
+    EXPECT_EQ(diagnostic([](Model& m) { m.textures[0].width = 1; }),
+              "an image in it has the wrong number of pixels");
     for (const auto texture : {&Material::base_color_texture, &Material::emissive_texture,
                                &Material::normal_texture, &Material::metallic_roughness_texture}) {
-        EXPECT_EQ(complaint([&](Model& m) { m.materials[1].*texture = TextureIndex{2}; }),
+        EXPECT_EQ(diagnostic([&](Model& m) { m.materials[1].*texture = TextureIndex{2}; }),
                   "a texture's number in it is out of range");
     }
     for (const auto number : {&Material::normal_scale, &Material::metallic, &Material::roughness}) {
-        EXPECT_EQ(complaint([&](Model& m) { m.materials[1].*number = std::nanf(""); }),
-                  "a colour in it is no number");
+        EXPECT_EQ(diagnostic([&](Model& m) { m.materials[1].*number = std::nanf(""); }),
+                  "a colour in it is not a number");
     }
 }
 

@@ -10,14 +10,14 @@
 namespace campuswalk::scene {
 namespace {
 
-bool has_oddity(const ModelReport& report, const std::string& code) {
-    return std::ranges::any_of(report.warnings, [&](const Oddity& o) { return o.code == code; });
+bool has_lint(const ModelReport& report, const std::string& code) {
+    return std::ranges::any_of(report.warnings, [&](const ModelLint& o) { return o.code == code; });
 }
 
-std::string all_oddities(const ModelReport& report) {
+std::string all_lints(const ModelReport& report) {
     std::string text;
-    for (const Oddity& oddity : report.warnings) {
-        text += oddity.code + ": " + oddity.message + "\n";
+    for (const ModelLint& lint : report.warnings) {
+        text += lint.code + ": " + lint.message + "\n";
     }
     return text;
 }
@@ -50,7 +50,7 @@ TEST_F(ModelReportTest, CountsWhatIsThere) {
     EXPECT_EQ(r.nodes[2].depth, 2);
     EXPECT_EQ(r.nodes[1].triangles, 12U);
     EXPECT_EQ(r.nodes[1].bounds.max, Eigen::Vector3d(10, 3.5, 5));  // with its subtree
-    ASSERT_EQ(r.warnings.size(), 1U) << all_oddities(r);
+    ASSERT_EQ(r.warnings.size(), 1U) << all_lints(r);
     EXPECT_EQ(r.warnings[0].code, "no-ground");  // but for the roof
 }
 
@@ -58,38 +58,37 @@ TEST_F(ModelReportTest, HasNothingToSayOfAHouseOnALawn) {
     const ModelReport r = report_of({{.name = "campus"},
                                      {.name = "lawn", .size = {60, 0.5, 60}, .parent = 0},
                                      {.name = "hall", .size = {20, 5, 10}, .parent = 0}});
-    EXPECT_TRUE(r.warnings.empty()) << all_oddities(r);
+    EXPECT_TRUE(r.warnings.empty()) << all_lints(r);
 }
 
 TEST_F(ModelReportTest, MentionsAnEmptyModel) {
-    EXPECT_TRUE(has_oddity(report_of({{.name = "nothing"}}), "no-triangles"));
+    EXPECT_TRUE(has_lint(report_of({{.name = "nothing"}}), "no-triangles"));
 }
 
 TEST_F(ModelReportTest, MentionsScalesThatAreNotHuman) {
     const ModelReport tiny = report_of({{.name = "door", .size = {0.05F, 0.1F, 0.05F}}});
-    EXPECT_TRUE(has_oddity(tiny, "odd-scale")) << all_oddities(tiny);
+    EXPECT_TRUE(has_lint(tiny, "odd-scale")) << all_lints(tiny);
     const ModelReport millimetres = report_of({{.name = "hall", .size = {60000, 9000, 40000}}});
-    EXPECT_NE(all_oddities(millimetres).find("unit: "), std::string::npos) << all_oddities(millimetres);
+    EXPECT_NE(all_lints(millimetres).find("unit: "), std::string::npos) << all_lints(millimetres);
 }
 
 TEST_F(ModelReportTest, MentionsPlacesFarFromTheOrigin) {
     const ModelReport placed = report_of(
         {{.name = "hall", .size = {20, 5, 10}, .X_parent_node = test::translation(84616, 0, 447750)}});
-    EXPECT_TRUE(has_oddity(placed, "far-from-origin"));
-    EXPECT_FALSE(has_oddity(placed, "coarse-position"))
-        << all_oddities(placed);  // the node carries the offset
+    EXPECT_TRUE(has_lint(placed, "far-from-origin"));
+    EXPECT_FALSE(has_lint(placed, "coarse-position")) << all_lints(placed);  // the node carries the offset
     folder_.write("far.obj", test::obj_box("hall", {84616, 0, 447750}, {84636, 5, 447760}));
-    EXPECT_FALSE(has_oddity(report(import("far.obj")), "coarse-position"));  // see import/obj_text.h
+    EXPECT_FALSE(has_lint(report(import("far.obj")), "coarse-position"));  // see import/obj_text.h
     folder_.write("far.stl",
                   "solid hall\nfacet normal 0 1 0\nouter loop\nvertex 84616 0 447750\nvertex 84616 0 447760\n"
                   "vertex 84636 0 447750\nendloop\nendfacet\nendsolid hall\n");
-    EXPECT_TRUE(has_oddity(report(import("far.stl")), "coarse-position"));
+    EXPECT_TRUE(has_lint(report(import("far.stl")), "coarse-position"));
 }
 
 TEST_F(ModelReportTest, SuspectsZUpOnlyOfMaps) {
-    EXPECT_TRUE(has_oddity(report_of({{.name = "map", .size = {100, 80, 5}}}), "z-up"));
-    EXPECT_FALSE(has_oddity(report_of({{.name = "map", .size = {100, 5, 80}}}), "z-up"));
-    EXPECT_FALSE(has_oddity(report_of({{.name = "tower", .size = {20, 90, 20}}}), "z-up"));
+    EXPECT_TRUE(has_lint(report_of({{.name = "map", .size = {100, 80, 5}}}), "z-up"));
+    EXPECT_FALSE(has_lint(report_of({{.name = "map", .size = {100, 5, 80}}}), "z-up"));
+    EXPECT_FALSE(has_lint(report_of({{.name = "tower", .size = {20, 90, 20}}}), "z-up"));
 }
 
 TEST_F(ModelReportTest, MentionsMirroredUnnamedAndRepeatedNodes) {
@@ -99,9 +98,9 @@ TEST_F(ModelReportTest, MentionsMirroredUnnamedAndRepeatedNodes) {
         report_of({{.name = "wing", .size = {1, 1, 1}},
                    {.name = "wing", .size = {1, 1, 1}, .X_parent_node = mirror},
                    {.name = "", .size = {1, 1, 1}, .X_parent_node = test::translation(9, 0, 0)}});
-    EXPECT_TRUE(has_oddity(r, "mirrored-node")) << all_oddities(r);
-    EXPECT_TRUE(has_oddity(r, "unnamed-node")) << all_oddities(r);
-    EXPECT_TRUE(has_oddity(r, "repeated-name")) << all_oddities(r);
+    EXPECT_TRUE(has_lint(r, "mirrored-node")) << all_lints(r);
+    EXPECT_TRUE(has_lint(r, "unnamed-node")) << all_lints(r);
+    EXPECT_TRUE(has_lint(r, "repeated-name")) << all_lints(r);
 }
 
 TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
@@ -120,7 +119,8 @@ TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
     folder_.write("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\nf 1 2 3\n");
     const Model point = import("point.obj");
     EXPECT_TRUE(find_duplicate_faces(point, world_bounds(point)).empty());
-    EXPECT_NE(all_oddities(report(point)).find("odd-scale: all of it lies at one point"), std::string::npos);
+    EXPECT_NE(all_lints(report(point)).find("odd-scale: all its vertices lie at one point"),
+              std::string::npos);
     // Front and back of the same sheet are two faces.
     folder_.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 3 2 1\nf 2 3 1\n");
     const Model sheet = import("sheet.obj");
@@ -132,7 +132,7 @@ TEST_F(ModelReportTest, CountsFacesOnTopOfOthers) {
 
 TEST_F(ModelReportTest, AsksNothingElseOfAModelThatLiesOnItsSide) {
     const ModelReport r = report_of({{.name = "map", .size = {100, 80, 5}}});
-    ASSERT_EQ(r.warnings.size(), 1U) << all_oddities(r);
+    ASSERT_EQ(r.warnings.size(), 1U) << all_lints(r);
     EXPECT_EQ(r.warnings[0].code, "z-up");
 }
 
@@ -153,7 +153,8 @@ TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {
     ASSERT_EQ(outliers.size(), 1U);
     EXPECT_EQ(town.nodes[outliers[0]].name, "lake");
     const ModelReport told = report(town);
-    const auto odd = std::ranges::find_if(told.warnings, [](const Oddity& o) { return o.code == "outlier"; });
+    const auto odd =
+        std::ranges::find_if(told.warnings, [](const ModelLint& o) { return o.code == "outlier"; });
     ASSERT_NE(odd, told.warnings.end());
     ASSERT_EQ(odd->places.size(), 1U);
     EXPECT_EQ(odd->places[0].node, "lake");

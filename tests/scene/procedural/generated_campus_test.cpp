@@ -59,7 +59,7 @@ TEST(GeneratedCampus, IsInSight) {
     const GeneratedCampus campus = generated_campus(2);
     const collision::MeshCollider mesh(campus.mesh);
     collision::QueryCounters counters;
-    Chance chance(7);
+    SplitMix chance(7);
     int far = 0;
     int near = 0;
     constexpr int kRays = 1000;
@@ -76,9 +76,9 @@ TEST(GeneratedCampus, IsInSight) {
     EXPECT_LT(near + far, kRays * 9 / 10) << "and the sky";
 }
 
-TEST(Chance, IsSplitMix) {
+TEST(SplitMix, IsSplitMix) {
     // The first number of the published generator with seed 0 is 0xE220A8397B1DCDAF.
-    Chance chance(0);
+    SplitMix chance(0);
     EXPECT_EQ(chance.between(0.0, 1.0), 0x1p-53 * static_cast<double>(0xE220A8397B1DCDAFU >> 11U));
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 1000; ++i) {

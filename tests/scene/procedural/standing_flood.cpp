@@ -9,8 +9,8 @@ namespace campuswalk::scene {
 
 namespace {
 
-using support::Corners;
 using support::Line;
+using support::Vertices;
 using Point = StandingFlood::Point;
 
 constexpr double kSame = 0.02;  ///< metres between two levels that are one

@@ -17,7 +17,7 @@
 namespace campuswalk::scene {
 namespace {
 
-using collision::Instructions;
+using collision::SimdTarget;
 using collision::TriangleMesh;
 using collision::TrianglePair;
 
@@ -110,7 +110,7 @@ TEST(Table1Scene, OverlapsInThePapersNumbersOfPairs) {
     for (const Table1Placement& placement : scene.placements) {
         SCOPED_TRACE(placement.pairs);
         std::vector<TrianglePair> in_order;
-        for (const Instructions i : {Instructions::sse42, Instructions::avx2, Instructions::avx512}) {
+        for (const SimdTarget i : {SimdTarget::sse42, SimdTarget::avx2, SimdTarget::avx512}) {
             if (!can_run(i)) {
                 continue;
             }
@@ -118,7 +118,7 @@ TEST(Table1Scene, OverlapsInThePapersNumbersOfPairs) {
             collision::QueryCounters counters;
             all_contacts(cylinder, teapot, placement.X_cylinder_teapot, pairs, counters, i);
             EXPECT_EQ(pairs.size(), placement.pairs);
-            if (i == Instructions::sse42) {
+            if (i == SimdTarget::sse42) {
                 numbers.push_back(pairs.size());
                 in_order = pairs;
             }

@@ -12,7 +12,7 @@ struct BenchOptions {
     std::filesystem::path csv;   ///< empty: none
     std::filesystem::path plot;  ///< of table1: *.svg or *.png; empty: none
     int rounds = 0;              ///< how often each query or tick is timed; 0: as often as the case is worth
-    std::filesystem::path folder;    ///< of draw: where the models and pictures are left; empty: nowhere
+    std::filesystem::path folder;    ///< of draw: where the models and images are left; empty: nowhere
     std::vector<std::string> peers;  ///< of draw: NAME=COMMAND of another program that draws
     std::vector<std::filesystem::path> models;  ///< of import: files to read, too
     bool mixed = false;                         ///< of table1: with the paper's mixed reading

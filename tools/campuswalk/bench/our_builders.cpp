@@ -5,11 +5,11 @@
 
 namespace campuswalk::tools::bench {
 
+using collision::Bvh8;
 using collision::HybridTree;
 using collision::Layout;
 using collision::MeshCollider;
 using collision::TriangleMesh;
-using collision::WideTree;
 
 namespace {
 
@@ -31,7 +31,7 @@ std::size_t bytes_in(const Elements& elements) {
     return std::span(elements).size_bytes();
 }
 
-std::size_t bytes_of(const WideTree& tree) {
+std::size_t bytes_of(const Bvh8& tree) {
     return sizeof(tree) + bytes_in(tree.nodes) + bytes_in(tree.leaves);
 }
 

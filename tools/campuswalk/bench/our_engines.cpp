@@ -10,10 +10,10 @@
 namespace campuswalk::tools::bench {
 
 using collision::HybridContactCounters;
-using collision::Instructions;
 using collision::MeshCollider;
 using collision::NodeTest;
 using collision::Pose;
+using collision::SimdTarget;
 using collision::TriangleMesh;
 using collision::TrianglePair;
 
@@ -54,19 +54,19 @@ private:
 
 class WideEngine final : public Engine {
 public:
-    WideEngine(const TriangleMesh& a, const TriangleMesh& b, Instructions instructions)
-        : a_(a), b_(b), instructions_(instructions) {}
+    WideEngine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
+        : a_(a), b_(b), simd_target_(simd_target) {}
 
     void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
 
     void all_pairs(std::vector<TrianglePair>& out) override {
         work_ = {};
-        all_contacts(a_, b_, X_a_b_, out, work_, instructions_);
+        all_contacts(a_, b_, X_a_b_, out, work_, simd_target_);
     }
 
     std::optional<TrianglePair> first_pair() override {
         work_ = {};
-        return first_contact(a_, b_, X_a_b_, work_, instructions_);
+        return first_contact(a_, b_, X_a_b_, work_, simd_target_);
     }
 
     std::optional<HybridContactCounters> work() const override { return work_; }
@@ -74,7 +74,7 @@ public:
 private:
     MeshCollider a_;
     MeshCollider b_;
-    Instructions instructions_;
+    SimdTarget simd_target_;
     Pose X_a_b_;
     HybridContactCounters work_;
 };
@@ -83,14 +83,13 @@ const std::map<std::string, NodeTest> kOnThePapersTree = {{"paper", NodeTest::hy
                                                           {"obb", NodeTest::box},
                                                           {"sphere", NodeTest::sphere},
                                                           {"mixed", NodeTest::mixed}};
-const std::map<std::string, Instructions> kOnTheWideTree = {{"wide_sse42", Instructions::sse42},
-                                                            {"wide_avx2", Instructions::avx2},
-                                                            {"wide_avx512", Instructions::avx512}};
+const std::map<std::string, SimdTarget> kOnBvh8 = {
+    {"wide_sse42", SimdTarget::sse42}, {"wide_avx2", SimdTarget::avx2}, {"wide_avx512", SimdTarget::avx512}};
 
 }  // namespace
 
 bool is_our_engine(const std::string& name) {
-    return kOnThePapersTree.contains(name) || kOnTheWideTree.contains(name);
+    return kOnThePapersTree.contains(name) || kOnBvh8.contains(name);
 }
 
 std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleMesh& a,
@@ -98,11 +97,11 @@ std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleM
     if (const auto test = kOnThePapersTree.find(name); test != kOnThePapersTree.end()) {
         return std::make_unique<PaperEngine>(a, b, test->second);
     }
-    const Instructions instructions = kOnTheWideTree.at(name);
-    if (!can_run(instructions)) {
+    const SimdTarget simd_target = kOnBvh8.at(name);
+    if (!can_run(simd_target)) {
         throw std::runtime_error("this machine hasn't got the instructions");
     }
-    return std::make_unique<WideEngine>(a, b, instructions);
+    return std::make_unique<WideEngine>(a, b, simd_target);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -49,7 +49,7 @@ CaseResult run_pair_case(const PairScene& scene, int rounds) {
     for (const std::string& absent : made.absent) {
         std::printf("  absent: %s\n", absent.c_str());
     }
-    return {rows_of(results), !complain_about_ours(scene, results)};
+    return {rows_of(results), !diagnose_ours(scene, results)};
 }
 
 }  // namespace campuswalk::tools::bench

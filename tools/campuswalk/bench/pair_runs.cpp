@@ -110,7 +110,7 @@ Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines,
     return results;
 }
 
-bool complain_about_ours(const PairScene& scene, const Results& results) {
+bool diagnose_ours(const PairScene& scene, const Results& results) {
     bool any = false;
     for (std::size_t i = 0; i < scene.placements.size(); ++i) {
         if (results.found[i] != results.pairs[i]) {

@@ -13,6 +13,6 @@ namespace campuswalk::tools::bench {
 Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines, int rounds);
 
 /// Says what is wrong with our own engines, a line each to standard error. Whether anything is.
-bool complain_about_ours(const PairScene& scene, const Results& results);
+bool diagnose_ours(const PairScene& scene, const Results& results);
 
 }  // namespace campuswalk::tools::bench

@@ -7,18 +7,18 @@ namespace campuswalk::tools::bench {
 using collision::Ray;
 using collision::Segment;
 using collision::Vec3;
-using scene::Chance;
+using scene::SplitMix;
 
 namespace {
 
-std::size_t below(std::size_t count, Chance& chance) {
+std::size_t below(std::size_t count, SplitMix& chance) {
     return static_cast<std::size_t>(chance.between(0.0, static_cast<double>(count)));
 }
 
 }  // namespace
 
 std::vector<Ray> eye_rays(std::span<const Vec3> feet, double length, std::size_t count, std::uint32_t seed) {
-    Chance chance(seed);
+    SplitMix chance(seed);
     std::vector<Ray> rays;
     while (rays.size() < count) {
         const Vec3 eye = feet[below(feet.size(), chance)] + Vec3(0.0, kEyeHeight, 0.0);
@@ -28,7 +28,7 @@ std::vector<Ray> eye_rays(std::span<const Vec3> feet, double length, std::size_t
 }
 
 std::vector<Segment> avatars(const collision::TriangleMesh& mesh, std::size_t count, std::uint32_t seed) {
-    Chance chance(seed);
+    SplitMix chance(seed);
     std::vector<Segment> made;
     while (made.size() < count) {
         const collision::Triangle near = corners(mesh, below(mesh.triangles.size(), chance));

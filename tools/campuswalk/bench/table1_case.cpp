@@ -39,7 +39,7 @@ CaseResult run_table1(int rounds, bool mixed, const std::filesystem::path& plot)
     if (!plot.empty()) {
         plot_figure4(results, plot);
     }
-    return {rows_of(results), !complain_about_ours(scene, results)};
+    return {rows_of(results), !diagnose_ours(scene, results)};
 }
 
 }  // namespace campuswalk::tools::bench

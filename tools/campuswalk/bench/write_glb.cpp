@@ -22,12 +22,12 @@ constexpr int kIndices = 34963;
 
 class GlbText {
 public:
-    GlbText(const scene::Model& model, const PictureEncoder& encode) {
+    GlbText(const scene::Model& model, const ImageEncoder& encode) {
         json_["asset"] = {{"version", "2.0"}, {"generator", "campuswalk bench"}};
         json_["scene"] = 0;
         json_["samplers"] = json::array({json::object()});
         for (const scene::Texture& texture : model.textures) {
-            add_picture(texture.name, encode(texture));
+            add_image(texture.name, encode(texture));
         }
         for (const scene::Material& material : model.materials) {
             add_material(material);
@@ -67,7 +67,7 @@ private:
         return json_["accessors"].size() - 1;
     }
 
-    void add_picture(const std::string& name, const std::vector<std::uint8_t>& png) {
+    void add_image(const std::string& name, const std::vector<std::uint8_t>& png) {
         const std::size_t view = add_view(std::span<const std::uint8_t>(png), 0);
         json_["textures"].push_back({{"source", json_["images"].size()}, {"sampler", 0}});
         json_["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}, {"name", name}});
@@ -125,7 +125,7 @@ void put_number(std::ofstream& out, std::size_t number) {
 
 }  // namespace
 
-void write_glb(const scene::Model& model, const std::filesystem::path& file, const PictureEncoder& encode) {
+void write_glb(const scene::Model& model, const std::filesystem::path& file, const ImageEncoder& encode) {
     const GlbText glb(model, encode);
     std::string text = glb.text();
     text.resize((text.size() + 3) / 4 * 4, ' ');

@@ -9,13 +9,13 @@
 
 namespace campuswalk::tools::bench {
 
-/// A picture as the bytes of a PNG file.
-using PictureEncoder = std::function<std::vector<std::uint8_t>(const scene::Texture&)>;
+/// An image as the bytes of a PNG file.
+using ImageEncoder = std::function<std::vector<std::uint8_t>(const scene::Texture&)>;
 
-/// Writes the model as one GLB file, pictures within it as PNG: what other programs are given. Only what the
+/// Writes the model as one GLB file, images within it as PNG: what other programs are given. Only what the
 /// benchmarks make use of: nodes without parents that stand where their meshes are, opaque materials. A model
-/// without pictures needs no `encode`. Throws std::runtime_error when the file can't be written.
+/// without images needs no `encode`. Throws std::runtime_error when the file can't be written.
 void write_glb(const scene::Model& model, const std::filesystem::path& file,
-               const PictureEncoder& encode = nullptr);
+               const ImageEncoder& encode = nullptr);
 
 }  // namespace campuswalk::tools::bench

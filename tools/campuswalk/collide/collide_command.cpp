@@ -24,7 +24,7 @@ int collide_bodies(const CollideOptions& options) {
     std::vector<scene::Diagnostic> warnings;
     const Body a = read_body(options.a, options.frame, warnings);
     const Body b = read_body(options.b, options.frame, warnings);
-    complain(warnings);
+    diagnose(warnings);
     const Wanted wanted = options.told == Told::one ? Wanted::one : Wanted::all;
     const Overlaps overlaps = find_overlaps(a, b, X_a_b, wanted);
     (options.json ? print_json : print_text)(a, b, overlaps, options.told);

@@ -51,7 +51,7 @@ struct Place {
 struct Word {
     std::string whole;
     std::string code;
-    std::string expected;  ///< ends every complaint
+    std::string expected;  ///< ends every diagnostic
 
     [[noreturn]] void refuse(const std::string& why) const {
         throw scene::InputError({whole, 0, 0}, code, why + "; " + expected);

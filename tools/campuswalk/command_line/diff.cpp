@@ -18,7 +18,7 @@ void add_diff(Command program, Chosen& chosen) {
     command.option({.names = "--pictures",
                     .help = "Draw both sides of the parting from above: DIR/a.png, DIR/b.png",
                     .value = "DIR"},
-                   options->pictures);
+                   options->images);
     command.option({.names = "--walk", .help = "The walk of these logs, for --pictures", .value = "FILE"},
                    options->walk);
     add_rendering_backend(command, options->backend);

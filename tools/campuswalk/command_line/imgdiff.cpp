@@ -42,7 +42,7 @@ struct Said {
 };
 
 void add_tolerance(Command& command, Said& said) {
-    engine::PictureTolerance& tolerance = said.options.tolerance;
+    engine::ImageTolerance& tolerance = said.options.tolerance;
     command.option({.names = "--threshold",
                     .help = "Colours closer than this are the same: 0 the same bytes, 1 any",
                     .value = "0..1",
@@ -97,7 +97,7 @@ void add_imgdiff(Command program, Chosen& chosen) {
         for (const std::string& mask : said->masks) {
             chosen_options.tolerance.masks.push_back(parse_mask(mask).value_or(engine::PixelBox{}));
         }
-        return compare_picture_files(chosen_options);
+        return compare_image_files(chosen_options);
     });
 }
 

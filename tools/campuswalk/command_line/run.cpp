@@ -101,8 +101,8 @@ std::vector<std::string> animation_names() {
     return names;
 }
 
-/// Pictures at even times. What is to be made of them can be asked for alone.
-void add_sequence(Command& command, SequenceWish& wish) {
+/// Images at even times. What is to be made of them can be asked for alone.
+void add_sequence(Command& command, SequenceRequest& wish) {
     command.option(
         {.names = "--every",
          .help = "Draw a frame each so many simulated seconds, to frames/ in the walk's folder below "

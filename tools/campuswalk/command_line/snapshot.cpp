@@ -13,8 +13,8 @@ namespace campuswalk::tools {
 namespace {
 
 /// None when a word is no channel.
-std::optional<engine::PictureChannels> channels_in(const std::string& list) {
-    engine::PictureChannels channels;
+std::optional<engine::ImageChannels> channels_in(const std::string& list) {
+    engine::ImageChannels channels;
     std::istringstream words(list);
     for (std::string word; std::getline(words, word, ',');) {
         if (word == "depth") {

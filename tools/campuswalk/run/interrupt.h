@@ -13,10 +13,10 @@ bool interrupted_again();
 /// Thrown between two ticks.
 struct Interrupted {};
 
-/// Ends a walk between two ticks, so that logs and pictures stay whole.
+/// Ends a walk between two ticks, so that logs and images stay whole.
 class InterruptWatch final : public engine::Observer {
 public:
-    void frame(const engine::FrameRecord&) override {
+    void frame(const engine::TickRecord&) override {
         if (interrupted()) {
             throw Interrupted{};
         }

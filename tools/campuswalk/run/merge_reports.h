@@ -11,7 +11,7 @@ namespace campuswalk::tools {
 struct MergeOptions {
     std::vector<std::filesystem::path> inputs;  ///< jsonl reports, or folders to look for them in
     std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
-    std::filesystem::path output = "out";       ///< where the pictures are that reports name
+    std::filesystem::path output = "out";       ///< where the images are that reports name
     ColorChoice color = ColorChoice::automatic;
 };
 

@@ -12,63 +12,63 @@ namespace campuswalk::tools {
 
 namespace {
 
-bool expects_pictures(const engine::Walk& walk) {
-    return std::ranges::any_of(walk.expectations, engine::is_about_pictures);
+bool expects_images(const engine::Walk& walk) {
+    return std::ranges::any_of(walk.expectations, engine::is_about_images);
 }
 
 }  // namespace
 
-bool must_fail_in_pictures(const engine::Walk& walk) {
-    const std::vector<std::string> codes = engine::picture_failure_codes();
-    return walk.status.kind == engine::WalkStatus::Kind::xfail && expects_pictures(walk) &&
+bool must_fail_in_images(const engine::Walk& walk) {
+    const std::vector<std::string> codes = engine::image_failure_codes();
+    return walk.status.kind == engine::WalkStatus::Kind::xfail && expects_images(walk) &&
            (walk.status.codes.empty() || std::ranges::any_of(walk.status.codes, [&](const std::string& code) {
                 return std::ranges::find(codes, code) != codes.end();
             }));
 }
 
-PictureWatch::PictureWatch(const Case& played, const PlaySettings& settings, const PictureMakers& makers)
+ImageWatch::ImageWatch(const Case& played, const PlaySettings& settings, const ImageMakers& makers)
     : played_(played), settings_(settings) {
     const LoadedWalk& loaded = *played.walk;
     const std::filesystem::path folder = settings.output / played.folder;
-    taker_ = make_snapshot_taker(*loaded.campus, folder, *makers.painters);
+    taker_ = make_snapshot_taker(*loaded.campus, folder, *makers.renderers);
     if (settings.sequence.any()) {
         FrameSharing sharing;
         if (FrameHelpers* helpers = makers.helpers) {
             sharing = {helpers->parts(), [helpers](std::size_t part) { return helpers->next_frame(part); }};
         }
         sequence_ = make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence,
-                                        std::move(sharing), *makers.painters);
+                                        std::move(sharing), *makers.renderers);
     }
 }
 
-std::vector<engine::Observer*> PictureWatch::observers() {
+std::vector<engine::Observer*> ImageWatch::observers() {
     std::vector<engine::Observer*> all = {taker_.get()};
     if (sequence_) {
         all.push_back(sequence_.get());
     }
-    if (expects_pictures(played_.walk->walk)) {
+    if (expects_images(played_.walk->walk)) {
         all.push_back(&moments_);
     }
     return all;
 }
 
-std::vector<engine::Artifact> PictureWatch::judge(std::vector<engine::Failure>& failures) const {
+std::vector<engine::Artifact> ImageWatch::evaluator(std::vector<engine::Failure>& failures) const {
     const engine::Walk& walk = played_.walk->walk;
-    if (!expects_pictures(walk)) {
+    if (!expects_images(walk)) {
         return {};
     }
-    JudgedPictures judged =
-        judge_pictures({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
-                        settings_.update, settings_.tolerance, moments_, taker_->sights()});
-    for (const std::filesystem::path& file : judged.written) {
-        complain_line("wrote " + file.generic_string());
+    EvaluatedImages evaluated =
+        evaluate_images({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
+                         settings_.update, settings_.tolerance, moments_, taker_->sights()});
+    for (const std::filesystem::path& file : evaluated.written) {
+        diagnostic_line("wrote " + file.generic_string());
     }
-    std::ranges::move(judged.failures, std::back_inserter(failures));
-    return std::move(judged.artifacts);
+    std::ranges::move(evaluated.failures, std::back_inserter(failures));
+    return std::move(evaluated.artifacts);
 }
 
-std::vector<engine::Artifact> PictureWatch::sequence_files() const {
-    const SequenceWish& wish = settings_.sequence;
+std::vector<engine::Artifact> ImageWatch::sequence_files() const {
+    const SequenceRequest& wish = settings_.sequence;
     std::vector<engine::Artifact> files;
     const auto add = [&](const std::string& name, const std::string& file, const std::string& media_type) {
         files.push_back({name, played_.folder + "/" + file, media_type});

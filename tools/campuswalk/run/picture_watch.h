@@ -14,21 +14,21 @@
 
 namespace campuswalk::tools {
 
-/// Without pictures nobody can tell whether such a walk fails as it says it must.
-bool must_fail_in_pictures(const engine::Walk& walk);
+/// Without images nobody can tell whether such a walk fails as it says it must.
+bool must_fail_in_images(const engine::Walk& walk);
 
-/// The pictures of a walk that is played: they are taken, then judged, then told of.
-class PictureWatch {
+/// The images of a walk that is played: they are taken, then judged, then told of.
+class ImageWatch {
 public:
     /// All must outlive it.
-    PictureWatch(const Case& played, const PlaySettings& settings, const PictureMakers& makers);
+    ImageWatch(const Case& played, const PlaySettings& settings, const ImageMakers& makers);
 
     /// Alive as long as this.
     std::vector<engine::Observer*> observers();
 
-    /// When the walk has ended: appends what its expectations of pictures found, says on standard error what
-    /// was written to be kept, and gives the pictures that show what differs.
-    std::vector<engine::Artifact> judge(std::vector<engine::Failure>& failures) const;
+    /// When the walk has ended: appends what its expectations of images found, says on standard error what
+    /// was written to be kept, and gives the images that show what differs.
+    std::vector<engine::Artifact> evaluator(std::vector<engine::Failure>& failures) const;
 
     /// What was made of the walk's frames; not each of them, which can be thousands.
     std::vector<engine::Artifact> sequence_files() const;
@@ -38,7 +38,7 @@ private:
     const PlaySettings& settings_;
     std::unique_ptr<SnapshotTaker> taker_;
     std::unique_ptr<engine::Observer> sequence_;  ///< null when none is wished for
-    engine::SnapshotMoments moments_;
+    engine::SnapshotStates moments_;
 };
 
 }  // namespace campuswalk::tools

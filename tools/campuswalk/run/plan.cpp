@@ -117,7 +117,7 @@ private:
     static void note_mistakes(WalkResult& result, const InputError& error) {
         result.outcome = Outcome::bad_input;
         for (const scene::Diagnostic& diagnostic : error.diagnostics()) {
-            result.complaints.push_back(scene::to_string(diagnostic));
+            result.diagnostics.push_back(scene::to_string(diagnostic));
         }
     }
 
@@ -181,7 +181,7 @@ private:
                 note_mistakes(candidate.result, error);
             }
         }
-        complain_once(candidate.result.complaints);
+        diagnose_once(candidate.result.diagnostics);
         for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
             Case& each = cases.emplace_back(Case{candidate.result, walk, candidate.folder});
             each.result.repetition = repetition;
@@ -193,10 +193,10 @@ private:
     }
 
     /// Many walks may share a campus with a mistake.
-    void complain_once(const std::vector<std::string>& complaints) {
-        for (const std::string& line : complaints) {
+    void diagnose_once(const std::vector<std::string>& diagnostics) {
+        for (const std::string& line : diagnostics) {
             if (told_.insert(line).second) {
-                complain_line(line);
+                diagnostic_line(line);
             }
         }
     }

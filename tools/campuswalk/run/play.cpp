@@ -66,7 +66,7 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// What is said of a walk while it is played, and which pictures it takes.
+/// What is said of a walk while it is played, and which images it takes.
 class Listener final : public engine::Observer {
 public:
     /// `golden` keeps the log as JSON, to be compared.
@@ -88,7 +88,7 @@ public:
         }
     }
 
-    void frame(const engine::FrameRecord& record) override {
+    void frame(const engine::TickRecord& record) override {
         if (settings_.log) {
             text_.frame(record);
         }
@@ -96,7 +96,7 @@ public:
             json_.frame(record);
         }
         for (const engine::SnapshotStep* step : record.snapshots) {
-            pictures_.push_back(step);
+            images_.push_back(step);
         }
         const auto now = std::chrono::steady_clock::now();
         if (settings_.place && now - last_place_ > std::chrono::milliseconds(200)) {
@@ -112,8 +112,8 @@ public:
         events_.flush();
     }
 
-    const std::vector<const engine::SnapshotStep*>& pictures() const { return pictures_; }
-    const std::vector<std::string>& kept() const { return kept_; }
+    const std::vector<const engine::SnapshotStep*>& images() const { return images_; }
+    const std::vector<std::string>& kept() const { return cached_; }
 
 private:
     void add_event(std::string_view line) {
@@ -121,7 +121,7 @@ private:
             events_.add(line);
         }
         if (golden_) {
-            kept_.emplace_back(line);
+            cached_.emplace_back(line);
         }
     }
 
@@ -133,8 +133,8 @@ private:
     LinesSaid events_;
     engine::TextLog text_;
     engine::JsonLines json_;
-    std::vector<const engine::SnapshotStep*> pictures_;
-    std::vector<std::string> kept_;
+    std::vector<const engine::SnapshotStep*> images_;
+    std::vector<std::string> cached_;
 };
 
 /// The expectation that the log is the one that was kept; null without one.
@@ -154,7 +154,7 @@ bool fails_otherwise(const std::vector<engine::Failure>& failures, const engine:
         status.kind == engine::WalkStatus::Kind::xfail &&
         (status.codes.empty() ? failures.empty()
                               : std::ranges::find(status.codes, "log") != status.codes.end());
-    return !may_be_the_log && engine::judge_outcome(failures, status).outcome == Outcome::failed;
+    return !may_be_the_log && engine::outcome_of_evaluators(failures, status).outcome == Outcome::failed;
 }
 
 void add_golden_failure(const Case& played, const PlaySettings& settings, const Listener& listener,
@@ -170,10 +170,10 @@ void add_golden_failure(const Case& played, const PlaySettings& settings, const 
         failures.push_back(std::move(*check.failure));
     }
     if (!check.written.empty()) {
-        complain_line("wrote " + check.written.generic_string());
+        diagnostic_line("wrote " + check.written.generic_string());
     }
     if (!check.withheld.empty()) {
-        complain_line("not written, because the walk fails: " + check.withheld.generic_string());
+        diagnostic_line("not written, because the walk fails: " + check.withheld.generic_string());
     }
 }
 
@@ -185,13 +185,13 @@ void fill(WalkResult& result, const engine::WalkSummary& summary) {
 }
 
 void play_into(WalkResult& result, const Case& played, const PlaySettings& settings,
-               const PictureMakers& makers, Listener& listener) {
+               const ImageMakers& makers, Listener& listener) {
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
     std::vector<engine::Observer*> observers = {&listener, &interrupt};
-    std::optional<PictureWatch> pictures;
-    if (settings.pictures) {
-        std::ranges::copy(pictures.emplace(played, settings, makers).observers(),
+    std::optional<ImageWatch> images;
+    if (settings.images) {
+        std::ranges::copy(images.emplace(played, settings, makers).observers(),
                           std::back_inserter(observers));
     }
     const Records records(settings.records);
@@ -200,40 +200,40 @@ void play_into(WalkResult& result, const Case& played, const PlaySettings& setti
     fill(result, summary);
     add_golden_failure(played, settings, listener, summary.failures);
     std::vector<engine::Artifact> compared;
-    if (pictures) {
-        compared = pictures->judge(summary.failures);
+    if (images) {
+        compared = images->evaluator(summary.failures);
     }
-    engine::JudgedWalk judged = engine::judge_outcome(std::move(summary.failures), loaded.walk.status);
-    result.outcome = judged.outcome;
-    result.failures = std::move(judged.failures);
+    engine::EvaluatedWalk evaluated =
+        engine::outcome_of_evaluators(std::move(summary.failures), loaded.walk.status);
+    result.outcome = evaluated.outcome;
+    result.failures = std::move(evaluated.failures);
     std::ranges::move(records.write(settings.output, played.folder), std::back_inserter(result.artifacts));
-    if (!settings.pictures) {
+    if (!settings.images) {
         return;
     }
-    for (const engine::SnapshotStep* step : listener.pictures()) {
+    for (const engine::SnapshotStep* step : listener.images()) {
         for (const std::string& file : files_of(*step)) {
-            const bool picture = file.ends_with(".png");
+            const bool image = file.ends_with(".png");
             result.artifacts.push_back({fs::path(file).stem().string(), played.folder + "/" + file,
-                                        picture ? "image/png" : "application/json"});
+                                        image ? "image/png" : "application/json"});
         }
     }
     std::ranges::move(compared, std::back_inserter(result.artifacts));
-    if (pictures) {
-        std::ranges::move(pictures->sequence_files(), std::back_inserter(result.artifacts));
+    if (images) {
+        std::ranges::move(images->sequence_files(), std::back_inserter(result.artifacts));
     }
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
-        std::vector<engine::Artifact> drawn = draw_failures(*loaded.campus, loaded.walk, result.failures,
-                                                            settings.output, played.folder, *makers.painters);
+        std::vector<engine::Artifact> drawn = draw_failures(
+            *loaded.campus, loaded.walk, result.failures, settings.output, played.folder, *makers.renderers);
         std::ranges::move(drawn, std::back_inserter(result.artifacts));
     }
 }
 
 }  // namespace
 
-WalkResult play(const Case& played, const PlaySettings& settings, const PictureMakers& makers,
-                const Say& say) {
+WalkResult play(const Case& played, const PlaySettings& settings, const ImageMakers& makers, const Say& say) {
     WalkResult result = played.result;
-    if (!settings.pictures && must_fail_in_pictures(played.walk->walk)) {
+    if (!settings.images && must_fail_in_images(played.walk->walk)) {
         result.outcome = Outcome::skipped;
         result.status_reason = "it must fail in its pictures, and none are drawn";
         return result;
@@ -245,26 +245,26 @@ WalkResult play(const Case& played, const PlaySettings& settings, const PictureM
         result.outcome = Outcome::interrupted;
     } catch (const std::exception& error) {
         result.outcome = Outcome::broken;
-        result.complaints = {std::string("error: ") + error.what()};
+        result.diagnostics = {std::string("error: ") + error.what()};
     }
     listener.flush();
     return result;
 }
 
-void draw_frames(const Case& played, const PlaySettings& settings, engine::render::PainterStore& painters,
+void draw_frames(const Case& played, const PlaySettings& settings, engine::render::RendererStore& renderers,
                  std::size_t part, std::size_t parts, const Say& say) {
-    std::string complaint;
+    std::string diagnostic;
     try {
         const LoadedWalk& loaded = *played.walk;
         const std::unique_ptr<engine::Observer> frames = make_sequence_helper(
             *loaded.campus, loaded.walk, settings.sequence, part, parts,
-            [&say](std::string_view frame) { say(Topic::frame, frame); }, painters);
+            [&say](std::string_view frame) { say(Topic::frame, frame); }, renderers);
         engine::Observer* const observers[] = {frames.get()};
         engine::run_walk(*loaded.campus, loaded.walk, observers);
     } catch (const std::exception& error) {
-        complaint = error.what();
+        diagnostic = error.what();
     }
-    say(Topic::result, complaint);
+    say(Topic::result, diagnostic);
 }
 
 }  // namespace campuswalk::tools

@@ -75,7 +75,7 @@ std::string to_json(const RunSettings& settings, const RunOptions& options) {
     json["output"] = settings.output.generic_string();
     json["reporters"] = reports_of(settings);
     json["update_snapshots"] = name_of(settings.update);
-    const engine::PictureTolerance& tolerance = settings.tolerance;
+    const engine::ImageTolerance& tolerance = settings.tolerance;
     json["snapshots"] = {{"threshold", tolerance.threshold},
                          {"max_diff_pixels", or_null(tolerance.max_diff_pixels)},
                          {"max_diff_pixel_ratio", or_null(tolerance.max_diff_pixel_ratio)},

@@ -46,7 +46,7 @@ struct RunOptions {
     std::optional<std::filesystem::path> output;
     std::vector<std::string> reporters;  ///< NAME or NAME=FILE
     std::vector<std::string> records;    ///< names of record_kinds()
-    SequenceWish sequence;
+    SequenceRequest sequence;
     std::optional<std::filesystem::path> log;    ///< the text log once more, in a file
     std::optional<std::filesystem::path> jsonl;  ///< the events as JSON lines
     Backend backend = Backend::automatic;

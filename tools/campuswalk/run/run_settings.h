@@ -36,7 +36,7 @@ struct RunSettings {
     std::filesystem::path output;
     std::vector<ReportTarget> reports;  ///< standard output's first, if there is any
     UpdateSnapshots update = UpdateSnapshots::missing;
-    engine::PictureTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
+    engine::ImageTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
     bool color = false;
 };
 

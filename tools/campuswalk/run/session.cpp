@@ -29,7 +29,7 @@ Session::Session(Plan plan, SessionSettings settings, Reports& reports, LogOutpu
       events_(events),
       last_run_(last_run),
       progress_(settings_.progress, plan_.cases.size()),
-      painters_(settings_.play.pictures ? make_painters(settings_.backend) : nullptr) {
+      renderers_(settings_.play.images ? make_renderers(settings_.backend) : nullptr) {
     for (const Case& each : plan_.cases) {
         over_.push_back(each.walk == nullptr);
     }
@@ -108,14 +108,14 @@ int Session::run() {
 WalkResult Session::play_case(std::size_t index, const Say& say) {
     const std::unique_ptr<FrameHelpers> helpers =
         std::exchange(may_fork_, false) ? frame_helpers_for(index) : nullptr;
-    return play(plan_.cases[index], settings_.play, {painters_, helpers.get()}, say);
+    return play(plan_.cases[index], settings_.play, {renderers_, helpers.get()}, say);
 }
 
 // Where there are processors that no worker has a walk for, each worker gets an equal number of them.
 std::unique_ptr<FrameHelpers> Session::frame_helpers_for(std::size_t index) {
     constexpr double kFramesWorthAPart = 10.0;  // what it takes to begin drawing
     const Case& played = plan_.cases[index];
-    if (painters_ == nullptr || !settings_.play.sequence.any()) {
+    if (renderers_ == nullptr || !settings_.play.sequence.any()) {
         return nullptr;
     }
     std::size_t parts = std::min(settings_.pool.workers / workers_, FrameHelpers::kMostParts);
@@ -131,7 +131,7 @@ std::unique_ptr<FrameHelpers> Session::frame_helpers_for(std::size_t index) {
     try {
         helpers = std::make_unique<FrameHelpers>(parts, [&](std::size_t part, const Say& say) {
             share_processors(drawing);
-            draw_frames(played, settings_.play, *painters_, part, parts, say);
+            draw_frames(played, settings_.play, *renderers_, part, parts, say);
         });
         share_processors(drawing);
     } catch (const std::runtime_error&) {
@@ -152,7 +152,7 @@ WalkResult Session::result_of(std::size_t index, const Ending& ending) const {
     }
     WalkResult result = plan_.cases[index].result;
     result.outcome = Outcome::broken;
-    result.complaints = {"error: " + result.id + ": " + ending.text};
+    result.diagnostics = {"error: " + result.id + ": " + ending.text};
     return result;
 }
 
@@ -187,7 +187,7 @@ void Session::tell(WalkResult result) {
     }
     if (settings_.told_on_standard_error) {
         for (const std::string& line : verdict_lines(result, settings_.play.output)) {
-            complain_line(line);
+            diagnostic_line(line);
         }
     }
     const bool failed = !is_good(result) && result.outcome != Outcome::interrupted;
@@ -212,12 +212,12 @@ int Session::finish(bool interrupted) {
         last_run_->close();
     }
     if (interrupted) {
-        complain_line("interrupted");
+        diagnostic_line("interrupted");
         return kInterrupted;
     }
     if (const std::size_t left = over_.size() - told_; left > 0) {
-        complain_line("stopped after " + std::to_string(failures_) +
-                      (failures_ == 1 ? " failure, " : " failures, ") + std::to_string(left) + " not run");
+        diagnostic_line("stopped after " + std::to_string(failures_) +
+                        (failures_ == 1 ? " failure, " : " failures, ") + std::to_string(left) + " not run");
     }
     return exit_code_for(report_.results);
 }

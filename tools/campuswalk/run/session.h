@@ -25,7 +25,7 @@ struct SessionSettings {
     bool require_identical = false;
     bool told_on_standard_error = false;  ///< how each walk ended
     bool progress = false;
-    Backend backend = Backend::automatic;  ///< of pictures
+    Backend backend = Backend::automatic;  ///< of images
 };
 
 /// Plays a plan's cases and tells of them, in the plan's order.
@@ -63,10 +63,10 @@ private:
     LogOutput* events_;
     LastRunWriter* last_run_;
     Progress progress_;
-    std::size_t workers_ = 1;                                 ///< that there will be at most
-    std::shared_ptr<engine::render::PainterStore> painters_;  ///< of the process that plays; null for none
-    bool may_fork_ = true;                                    ///< likewise: it has drawn nothing
-    std::vector<bool> over_;                                  ///< of each case: its result is known
+    std::size_t workers_ = 1;                                   ///< that there will be at most
+    std::shared_ptr<engine::render::RendererStore> renderers_;  ///< of the process that plays; null for none
+    bool may_fork_ = true;                                      ///< likewise: it has drawn nothing
+    std::vector<bool> over_;                                    ///< of each case: its result is known
     std::size_t told_ = 0;
     int failures_ = 0;
     engine::WalkResult first_;  ///< repetition of the walk that is being told of

@@ -69,7 +69,7 @@ std::vector<std::string> verdict_lines(const WalkResult& result, const std::file
             lines.push_back(name + ": skipped" + because(result));
             break;
         case Outcome::broken:
-            lines.insert(lines.end(), result.complaints.begin(), result.complaints.end());
+            lines.insert(lines.end(), result.diagnostics.begin(), result.diagnostics.end());
             break;
         case Outcome::bad_input:
         case Outcome::interrupted:

@@ -12,7 +12,7 @@ namespace campuswalk::tools {
 bool is_good(const engine::WalkResult& result);
 
 /// What a person is told on standard error, a line each: failures with their places and, below `output`,
-/// their pictures, then how it ended.
+/// their images, then how it ended.
 std::vector<std::string> verdict_lines(const engine::WalkResult& result, const std::filesystem::path& output);
 
 /// Of a run with these results: what went wrong while running goes before bad input, that before failures.

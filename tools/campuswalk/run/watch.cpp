@@ -104,9 +104,9 @@ void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
         try {
             run(changed);
         } catch (const scene::InputError& error) {
-            complain(error.diagnostics());
+            diagnose(error.diagnostics());
         } catch (const std::exception& error) {
-            complain_line(std::string("error: ") + error.what());
+            diagnostic_line(std::string("error: ") + error.what());
         }
         std::fflush(stdout);
         _exit(0);
@@ -132,7 +132,7 @@ int watch_and_run(const RunSettings& settings, const std::function<int(const std
         FileWatch watch(dependencies.folders());  // before the run: what changes during it counts
         run_apart(run, changed);
         if (!interrupted()) {
-            complain_line("watching; Ctrl-C ends it");
+            diagnostic_line("watching; Ctrl-C ends it");
         }
         const auto files = watch.wait();
         if (!files) {

@@ -135,7 +135,7 @@ void Worker::end() {
         send_signal(SIGKILL);
     }
     tasks_.close();
-    static_cast<void>(obituary());
+    static_cast<void>(exit_reason());
 }
 
 void Worker::give(std::size_t task, std::size_t place,
@@ -165,7 +165,8 @@ Message Worker::wait_for_message(std::string_view what_for) {
         if (!read()) {
             forget_task();
             hang_up();
-            throw std::runtime_error("a process that " + std::string(what_for) + " is gone: " + obituary());
+            throw std::runtime_error("a process that " + std::string(what_for) +
+                                     " is gone: " + exit_reason());
         }
     }
 }
@@ -181,7 +182,7 @@ void Worker::hang_up() {
     answers_.close();
 }
 
-std::string Worker::obituary() {
+std::string Worker::exit_reason() {
     if (process_ < 0) {
         return "it has been waited for";
     }

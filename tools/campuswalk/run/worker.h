@@ -66,7 +66,7 @@ public:
     /// It is dead and will not be asked again.
     void hang_up();
     /// Waits for its end; how it ended, as in "it was ended by signal 11 (Segmentation fault)".
-    std::string obituary();
+    std::string exit_reason();
 
 private:
     [[noreturn]] void serve(const Work& work, int tasks, int answers, pid_t parent) const;

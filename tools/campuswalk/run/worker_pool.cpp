@@ -37,8 +37,8 @@ bool WorkerPool::run(const std::vector<std::size_t>& tasks, const PoolListener& 
     tasks_ = &tasks;
     listener_ = &listener;
     next_ = told_ = 0;
-    kept_.clear();
-    kept_bytes_ = 0;
+    cached_.clear();
+    cached_bytes_ = 0;
     bool wanted = true;
     while (wanted && told_ < tasks.size()) {
         if (interrupted()) {
@@ -57,8 +57,8 @@ bool WorkerPool::run(const std::vector<std::size_t>& tasks, const PoolListener& 
 /// Tasks go out in order, so the one that is to be told of next is always done or being done: whatever waits
 /// for it, it can't wait for ever.
 void WorkerPool::hand_out() {
-    while (next_ < tasks_->size() && kept_.size() < kMostEndedEarly) {
-        if (kept_bytes_ > settings_.most_kept && next_ != told_) {
+    while (next_ < tasks_->size() && cached_.size() < kMostEndedEarly) {
+        if (cached_bytes_ > settings_.max_cached && next_ != told_) {
             return;
         }
         auto idle = std::ranges::find_if(workers_, [](const Worker& worker) { return !worker.place(); });
@@ -69,14 +69,14 @@ void WorkerPool::hand_out() {
             workers_.emplace_back(work_, workers_);
             idle = workers_.end() - 1;
         }
-        kept_.try_emplace(next_);
+        cached_.try_emplace(next_);
         idle->give((*tasks_)[next_], next_, deadline_after(settings_.kill_after));
         ++next_;
     }
 }
 
 bool WorkerPool::may_listen_to(const Worker& worker) const {
-    return kept_bytes_ <= settings_.most_kept || worker.place() == told_;
+    return cached_bytes_ <= settings_.max_cached || worker.place() == told_;
 }
 
 void WorkerPool::wait_for_answers() {
@@ -117,20 +117,20 @@ void WorkerPool::take(Worker& worker, Message message) {
         end_task(worker, {true, std::move(message.body)});
         return;
     }
-    kept_bytes_ += message.body.size();
-    kept_.at(*worker.place()).messages.push_back(std::move(message));
+    cached_bytes_ += message.body.size();
+    cached_.at(*worker.place()).messages.push_back(std::move(message));
 }
 
 void WorkerPool::end_task(Worker& worker, Ending ending) {
     const std::size_t place = *worker.place();
     worker.forget_task();
     listener_->ended_first((*tasks_)[place], ending);
-    kept_bytes_ += ending.text.size();
-    kept_.at(place).ending = std::move(ending);
+    cached_bytes_ += ending.text.size();
+    cached_.at(place).ending = std::move(ending);
 }
 
 void WorkerPool::bury(Worker& worker) {
-    const std::string how = worker.obituary();
+    const std::string how = worker.exit_reason();
     if (worker.place()) {
         end_task(worker, {false, "the process that played the walk is gone: " + how});
     }
@@ -145,7 +145,7 @@ void WorkerPool::end_those_too_slow() {
             end_task(worker, {false, "stopped: it took more than " +
                                          engine::fixed(settings_.kill_after.value_or(0.0), 1) +
                                          " s of wall clock (--kill-after)"});
-            static_cast<void>(worker.obituary());
+            static_cast<void>(worker.exit_reason());
             worker.hang_up();
         }
     }
@@ -153,19 +153,20 @@ void WorkerPool::end_those_too_slow() {
 }
 
 bool WorkerPool::tell() {
-    for (auto first = kept_.begin(); first != kept_.end() && first->first == told_; first = kept_.begin()) {
+    for (auto first = cached_.begin(); first != cached_.end() && first->first == told_;
+         first = cached_.begin()) {
         const std::size_t task = (*tasks_)[told_];
-        Kept& kept = first->second;
+        CachedPiece& kept = first->second;
         for (; !kept.messages.empty(); kept.messages.pop_front()) {
-            kept_bytes_ -= kept.messages.front().body.size();
+            cached_bytes_ -= kept.messages.front().body.size();
             listener_->heard(task, kept.messages.front().topic, kept.messages.front().body);
         }
         if (!kept.ending) {
             return true;
         }
         const Ending ending = std::move(*kept.ending);
-        kept_bytes_ -= ending.text.size();
-        kept_.erase(first);
+        cached_bytes_ -= ending.text.size();
+        cached_.erase(first);
         ++told_;
         if (!listener_->ended(task, ending)) {
             return false;
@@ -190,7 +191,7 @@ bool WorkerPool::wait_out_interrupted() {
         wanted = tell();
     }
     // Those after one that didn't come to an end, too: they are finished.
-    for (auto& [place, kept] : kept_) {
+    for (auto& [place, kept] : cached_) {
         if (wanted && kept.ending) {
             wanted = listener_->ended((*tasks_)[place], *kept.ending);
         }

@@ -30,8 +30,8 @@ struct PoolListener {
 
 struct PoolSettings {
     std::size_t workers = 1;
-    std::optional<double> kill_after;                ///< seconds of wall clock for a task
-    std::size_t most_kept = std::size_t{64} << 20U;  ///< bytes of what came too early to be told
+    std::optional<double> kill_after;                 ///< seconds of wall clock for a task
+    std::size_t max_cached = std::size_t{64} << 20U;  ///< bytes of what came too early to be told
 };
 
 /// Worker processes that are handed tasks in order, whoever is free. What they say is told in the tasks'
@@ -46,7 +46,7 @@ public:
 
 private:
     /// What is known of a task that has been handed out and not been told of yet.
-    struct Kept {
+    struct CachedPiece {
         std::deque<Message> messages;
         std::optional<Ending> ending;
     };
@@ -69,10 +69,10 @@ private:
     const std::vector<std::size_t>* tasks_ = nullptr;
     const PoolListener* listener_ = nullptr;
     std::vector<Worker> workers_;
-    std::size_t next_ = 0;              ///< place of the task to hand out next
-    std::size_t told_ = 0;              ///< place of the task to tell of next
-    std::map<std::size_t, Kept> kept_;  ///< by place, from `told_` on
-    std::size_t kept_bytes_ = 0;
+    std::size_t next_ = 0;                       ///< place of the task to hand out next
+    std::size_t told_ = 0;                       ///< place of the task to tell of next
+    std::map<std::size_t, CachedPiece> cached_;  ///< by place, from `told_` on
+    std::size_t cached_bytes_ = 0;
 };
 
 }  // namespace campuswalk::tools

@@ -201,26 +201,26 @@ std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_fil
     }
 }
 
-/// What the model's oddities are in the campus.
+/// What the model's lints are in the campus.
 struct LeftOdd {
-    std::vector<scene::Oddity> oddities;
+    std::vector<scene::ModelLint> lints;
     std::size_t opened = 0;  ///< doors that the campus leaves out: they close nothing
 };
 
 LeftOdd left_odd(const UprightModel& model) {
     const std::vector<std::string> open = closed_door_names(model.report);
     LeftOdd left;
-    for (const scene::Oddity& odd : model.report.warnings) {
+    for (const scene::ModelLint& odd : model.report.warnings) {
         if (odd.code != "solid-door") {
-            left.oddities.push_back(odd);
+            left.lints.push_back(odd);
             continue;
         }
-        std::vector<scene::Oddity::Place> closed = odd.places;
-        left.opened += std::erase_if(closed, [&](const scene::Oddity::Place& place) {
+        std::vector<scene::ModelLint::Place> closed = odd.places;
+        left.opened += std::erase_if(closed, [&](const scene::ModelLint::Place& place) {
             return std::ranges::find(open, place.node) != open.end();
         });
         if (!closed.empty()) {
-            left.oddities.push_back(scene::solid_doors(std::move(closed)));
+            left.lints.push_back(scene::solid_doors(std::move(closed)));
         }
     }
     return left;
@@ -272,8 +272,8 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
         std::printf("%s left out of what is solid\n", scene::plural(left.opened, "closed door").c_str());
     }
     std::printf("%s about the model as it stands there\n",
-                scene::plural(left.oddities.size(), "warning").c_str());
-    print_oddities(left.oddities);
+                scene::plural(left.lints.size(), "warning").c_str());
+    print_lints(left.lints);
     return kPass;
 }
 

@@ -13,7 +13,8 @@ namespace campuswalk::tools {
 using Eigen::Vector3d;
 
 bool is_odd(const scene::ModelReport& report, const std::string& code) {
-    return std::ranges::any_of(report.warnings, [&](const scene::Oddity& odd) { return odd.code == code; });
+    return std::ranges::any_of(report.warnings,
+                               [&](const scene::ModelLint& odd) { return odd.code == code; });
 }
 
 UprightModel load_upright(const scene::SceneFile& file) {
@@ -45,8 +46,8 @@ UprightModel load_upright(const scene::SceneFile& file) {
 
 std::vector<std::string> closed_door_names(const scene::ModelReport& report) {
     std::vector<std::string> names;
-    for (const scene::Oddity& odd : report.warnings) {
-        for (const scene::Oddity::Place& place : odd.places) {
+    for (const scene::ModelLint& odd : report.warnings) {
+        for (const scene::ModelLint::Place& place : odd.places) {
             const bool fresh = std::ranges::find(names, place.node) == names.end();
             if (odd.code == "solid-door" && scene::is_door_name(place.node) && fresh) {
                 names.push_back(place.node);

@@ -22,7 +22,7 @@ struct UprightModel {
 /// Throws scene::InputError, as the import does.
 UprightModel load_upright(const scene::SceneFile& file);
 
-/// Whether it has an oddity of that code.
+/// Whether it has a lint of that code.
 bool is_odd(const scene::ModelReport& report, const std::string& code);
 
 /// The names of doors that close a way through, of those that are called doors; each once.

@@ -92,7 +92,7 @@ public:
             if (told_.insert(scene::to_string(diagnostic)).second) {
                 findings_.diagnostics.push_back(diagnostic);
                 if (prints_) {
-                    complain({diagnostic});
+                    diagnose({diagnostic});
                 }
             }
         }

@@ -10,45 +10,45 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-std::string why(const Picture& a, const Picture& b, const PictureTolerance& tolerance = {}) {
-    const PictureComparison comparison = compare_pictures(a, b, tolerance);
+std::string why(const Image& a, const Image& b, const ImageTolerance& tolerance = {}) {
+    const ImageComparison comparison = compare_images(a, b, tolerance);
     return why_different(comparison, tolerance);
 }
 
 /// The upper left `count` pixels, row by row, are white.
-Picture with_white(Picture picture, int count) {
+Image with_white(Image image, int count) {
     for (int i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            picture.rgba[4 * static_cast<std::size_t>(i) + c] = 255;
+            image.rgba[4 * static_cast<std::size_t>(i) + c] = 255;
         }
     }
-    return picture;
+    return image;
 }
 
-const Picture kBlack = plain_picture(100, 100, {0, 0, 0});
+const Image kBlack = plain_image(100, 100, {0, 0, 0});
 constexpr double kAny = -1.0;  // similarity
 
-TEST(ComparePictures, TheSameIsTheSame) {
+TEST(CompareImages, TheSameIsTheSame) {
     std::mt19937 random(1);
-    const Picture picture = noise(70, 70, random);
-    PictureTolerance strict;
+    const Image image = noise(70, 70, random);
+    ImageTolerance strict;
     strict.threshold = 0.0;
     strict.min_tile_ssim = 1.0;
-    EXPECT_EQ(why(picture, picture, strict), "");
+    EXPECT_EQ(why(image, image, strict), "");
     strict.masks = {{0, 0, 3, 3}};
-    EXPECT_EQ(why(picture, picture, strict), "");
-    EXPECT_EQ(compare_pictures(picture, picture, {}).worst.ssim, 1.0);
+    EXPECT_EQ(why(image, image, strict), "");
+    EXPECT_EQ(compare_images(image, image, {}).worst.ssim, 1.0);
 }
 
-TEST(ComparePictures, WithoutALimitNoPixelMayDiffer) {
-    PictureTolerance tolerance;
+TEST(CompareImages, WithoutALimitNoPixelMayDiffer) {
+    ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
     EXPECT_EQ(why(kBlack, with_white(kBlack, 1), tolerance), "1 pixel differs (0.010 %), at most 0 may");
     EXPECT_EQ(why(kBlack, with_white(kBlack, 30), tolerance), "30 pixels differ (0.300 %), at most 0 may");
 }
 
-TEST(ComparePictures, LimitsHoldTogether) {
-    PictureTolerance tolerance;
+TEST(CompareImages, LimitsHoldTogether) {
+    ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
     tolerance.max_diff_pixels = 30;
     EXPECT_EQ(why(kBlack, with_white(kBlack, 30), tolerance), "");
@@ -60,10 +60,10 @@ TEST(ComparePictures, LimitsHoldTogether) {
     EXPECT_EQ(why(kBlack, with_white(kBlack, 20), tolerance), "");
 }
 
-TEST(ComparePictures, StructureIsComparedBelowTheThreshold) {
+TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
     // Stripes of 20 levels are nothing to the pixel rule, and much to an even wall.
-    const Picture even = plain_picture(64, 64, {100, 100, 100});
-    Picture striped = even;
+    const Image even = plain_image(64, 64, {100, 100, 100});
+    Image striped = even;
     for (int y = 0; y < 64; y += 2) {
         for (int x = 0; x < 64; ++x) {
             for (std::size_t c = 0; c < 3; ++c) {
@@ -71,7 +71,7 @@ TEST(ComparePictures, StructureIsComparedBelowTheThreshold) {
             }
         }
     }
-    const PictureComparison comparison = compare_pictures(even, striped, {});
+    const ImageComparison comparison = compare_images(even, striped, {});
     EXPECT_EQ(comparison.pixels.different, 0U);
     // Every window is half 120 and half 100: variances 100 and 0, means 110 and 100.
     const double expected =
@@ -81,36 +81,36 @@ TEST(ComparePictures, StructureIsComparedBelowTheThreshold) {
               "the tile of 64x64 pixels at 0,0 has a similarity of 0.367, at least 0.970 is wanted");
 }
 
-TEST(ComparePictures, TellsOfAllThatDoesNotHold) {
-    const std::string both = why(kBlack, plain_picture(100, 100, {255, 255, 255}));
+TEST(CompareImages, TellsOfAllThatDoesNotHold) {
+    const std::string both = why(kBlack, plain_image(100, 100, {255, 255, 255}));
     EXPECT_EQ(both,
               "10000 pixels differ (100.000 %), at most 0 may; the tile of 64x64 pixels at 0,0 has a "
               "similarity of 0.000, at least 0.970 is wanted (4 tiles of 4)");
 }
 
-TEST(ComparePictures, DefaultsAllowForAnotherProcessorsRounding) {
-    // What was measured: up to 0.24 % of the pixels, by up to 15 levels. On an even picture, where it is seen
+TEST(CompareImages, DefaultsAllowForAnotherProcessorsRounding) {
+    // What was measured: up to 0.24 % of the pixels, by up to 15 levels. On an even image, where it is seen
     // best, and with twenty draws.
     std::mt19937 random(9);
     for (int draw = 0; draw < 20; ++draw) {
-        const Picture even = plain_picture(1280, 720, {90, 120, 150});
-        const Picture other = disturbed(even, 0.0024, 15, random);
+        const Image even = plain_image(1280, 720, {90, 120, 150});
+        const Image other = disturbed(even, 0.0024, 15, random);
         EXPECT_EQ(why(even, other), "");
-        const Picture rough = noise(320, 180, random);
+        const Image rough = noise(320, 180, random);
         EXPECT_EQ(why(rough, disturbed(rough, 0.0024, 15, random)), "");
     }
 }
 
 TEST(DrawDifference, ShowsWhatIsWhat) {
-    const Picture a = plain_picture(200, 100, {100, 100, 100});
-    Picture b = a;
+    const Image a = plain_image(200, 100, {100, 100, 100});
+    Image b = a;
     for (int x = 0; x < 40; ++x) {
         b.rgba[b.offset(x, 10)] = 255;  // red: beyond the threshold
         b.rgba[b.offset(x, 50)] = 130;  // within
     }
-    PictureTolerance tolerance;
+    ImageTolerance tolerance;
     tolerance.masks = {{150, 50, 20, 20}};
-    const Picture drawn = draw_difference(a, b, compare_pictures(a, b, tolerance), tolerance);
+    const Image drawn = draw_difference(a, b, compare_images(a, b, tolerance), tolerance);
     EXPECT_EQ(drawn.width, 200);
     EXPECT_EQ(drawn.pixel(20, 10), (std::array<std::uint8_t, 3>{220, 0, 0}));
     const auto [red, green, blue] = drawn.pixel(20, 50);
@@ -122,7 +122,7 @@ TEST(DrawDifference, ShowsWhatIsWhat) {
     EXPECT_EQ(same[0], same[2]) << "grey";
     EXPECT_GT(same[0], 200) << "pale";
     EXPECT_NE(drawn.pixel(160, 60)[2], drawn.pixel(160, 60)[0]) << "a mask's tint";
-    EXPECT_NE(draw_difference(a, b, compare_pictures(a, b, {}), {}).rgba, drawn.rgba);
+    EXPECT_NE(draw_difference(a, b, compare_images(a, b, {}), {}).rgba, drawn.rgba);
 }
 
 }  // namespace

@@ -24,32 +24,32 @@ namespace {
 
 constexpr const char* kViews[] = {"avenue", "square", "lobby"};
 
-/// Models and their pictures, made once for all tests.
+/// Models and their images, made once for all tests.
 class DemoFaults : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         models_ = std::make_unique<std::vector<scene::Model>>(demo_models());
-        pictures_ = std::make_unique<std::map<std::string, Picture>>();
+        images_ = std::make_unique<std::map<std::string, Image>>();
         renderer_ = std::make_unique<Renderer>(*models_);
         for (const char* view : kViews) {
-            pictures_->emplace(view, draw(demo_view(view)));
+            images_->emplace(view, draw(demo_view(view)));
         }
     }
     static void TearDownTestSuite() {
         renderer_.reset();
         models_.reset();
-        pictures_.reset();
+        images_.reset();
     }
 
-    static Picture draw(const Viewpoint& view) { return renderer_->draw(view, 1280, 720); }
+    static Image draw(const Viewpoint& view) { return renderer_->draw(view, 1280, 720); }
 
     static const std::vector<scene::Model>& models() { return *models_; }
-    static const Picture& right(const std::string& view) { return pictures_->at(view); }
+    static const Image& right(const std::string& view) { return images_->at(view); }
 
     /// Whether the defaults find a difference; the figures go to the test's record.
-    static bool found(const std::string& view, const Picture& picture) {
-        const PictureTolerance tolerance;
-        const PictureComparison comparison = compare_pictures(right(view), picture, tolerance);
+    static bool found(const std::string& view, const Image& image) {
+        const ImageTolerance tolerance;
+        const ImageComparison comparison = compare_images(right(view), image, tolerance);
         std::printf("%-8s %8zu pixels beyond the threshold, worst tile %.4f at %d,%d\n", view.c_str(),
                     comparison.pixels.different, comparison.worst.ssim, comparison.worst.box.x,
                     comparison.worst.box.y);
@@ -59,29 +59,29 @@ protected:
 private:
     static std::unique_ptr<std::vector<scene::Model>> models_;
     static std::unique_ptr<Renderer> renderer_;
-    static std::unique_ptr<std::map<std::string, Picture>> pictures_;
+    static std::unique_ptr<std::map<std::string, Image>> images_;
 };
 
 std::unique_ptr<std::vector<scene::Model>> DemoFaults::models_;
 std::unique_ptr<Renderer> DemoFaults::renderer_;
-std::unique_ptr<std::map<std::string, Picture>> DemoFaults::pictures_;
+std::unique_ptr<std::map<std::string, Image>> DemoFaults::images_;
 
 /// All views, drawn by a process of its own, whose driver believes to be on another machine.
-std::map<std::string, Picture> drawn_elsewhere(const std::string& environment) {
+std::map<std::string, Image> drawn_elsewhere(const std::string& environment) {
     const ScratchFolder folder;
     std::string command = environment + " " + DRAW_DEMO_VIEW;
     for (const char* view : kViews) {
         command += std::string(" ") + view + " '" + (folder.path() / view).string() + "'";
     }
-    std::map<std::string, Picture> pictures;
+    std::map<std::string, Image> images;
     if (std::system(command.c_str()) != 0) {
         ADD_FAILURE() << command;
-        return pictures;
+        return images;
     }
     for (const char* view : kViews) {
-        pictures.emplace(view, read_png(folder.path() / view));
+        images.emplace(view, read_png(folder.path() / view));
     }
-    return pictures;
+    return images;
 }
 
 TEST_F(DemoFaults, ForgiveAnotherProcessor) {
@@ -89,9 +89,9 @@ TEST_F(DemoFaults, ForgiveAnotherProcessor) {
     // Not by LP_NATIVE_VECTOR_WIDTH=128: with AVX-512 in the processor Mesa 22.3.6 then writes beyond its
     // memory.
     for (const std::string features : {"avx", "sse4.1"}) {
-        for (const auto& [view, picture] : drawn_elsewhere("GALLIUM_OVERRIDE_CPU_CAPS=" + features)) {
-            EXPECT_FALSE(found(view, picture)) << features << " " << view;
-            any = any || picture.rgba != right(view).rgba;
+        for (const auto& [view, image] : drawn_elsewhere("GALLIUM_OVERRIDE_CPU_CAPS=" + features)) {
+            EXPECT_FALSE(found(view, image)) << features << " " << view;
+            any = any || image.rgba != right(view).rgba;
         }
     }
     EXPECT_TRUE(any) << "no setting made another picture, so nothing was shown";

@@ -7,18 +7,18 @@
 
 namespace campuswalk::engine::render::test {
 
-Picture noise(int width, int height, std::mt19937& random) {
-    Picture picture{width, height, {}};
-    picture.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
-        picture.rgba[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 255U : random() % 256U);
+Image noise(int width, int height, std::mt19937& random) {
+    Image image{width, height, {}};
+    image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+        image.rgba[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 255U : random() % 256U);
     }
-    return picture;
+    return image;
 }
 
-Picture disturbed(const Picture& picture, double share, int levels, std::mt19937& random) {
-    Picture other = picture;
-    std::vector<std::size_t> pixels(picture.rgba.size() / 4);
+Image disturbed(const Image& image, double share, int levels, std::mt19937& random) {
+    Image other = image;
+    std::vector<std::size_t> pixels(image.rgba.size() / 4);
     std::iota(pixels.begin(), pixels.end(), std::size_t{0});
     std::shuffle(pixels.begin(), pixels.end(), random);
     pixels.resize(static_cast<std::size_t>(std::lround(share * static_cast<double>(pixels.size()))));

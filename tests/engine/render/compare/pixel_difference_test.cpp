@@ -15,16 +15,16 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-PixelDifference difference_of(const Picture& a, const Picture& b, double threshold = 0.2) {
-    return pixel_difference(a, b, threshold, PictureMask(a.width, a.height, {}));
+PixelDifference difference_of(const Image& a, const Image& b, double threshold = 0.2) {
+    return pixel_difference(a, b, threshold, ImageMask(a.width, a.height, {}));
 }
 
 std::size_t count(const PixelDifference& difference, PixelVerdict verdict) {
     return static_cast<std::size_t>(std::ranges::count(difference.verdicts, verdict));
 }
 
-void put(Picture& picture, int x, int y, const Rgb& color) {
-    std::ranges::copy(color, picture.rgba.begin() + static_cast<std::ptrdiff_t>(picture.offset(x, y)));
+void put(Image& image, int x, int y, const Rgb& color) {
+    std::ranges::copy(color, image.rgba.begin() + static_cast<std::ptrdiff_t>(image.offset(x, y)));
 }
 
 double distance(const Rgb& a, const Rgb& b) {
@@ -59,8 +59,8 @@ TEST(ColorDistance, IsOneAtMost) {
 }
 
 TEST(PixelDifference, CountsWhatIsBeyondTheThreshold) {
-    const Picture a = plain_picture(20, 10, {100, 100, 100});
-    Picture b = a;
+    const Image a = plain_image(20, 10, {100, 100, 100});
+    Image b = a;
     put(b, 3, 4, {101, 100, 100});  // close
     put(b, 9, 4, {200, 200, 200});
     put(b, 0, 0, {0, 0, 0});
@@ -74,26 +74,26 @@ TEST(PixelDifference, CountsWhatIsBeyondTheThreshold) {
 }
 
 TEST(PixelDifference, TheThresholdItselfIsWithin) {
-    const Picture a = plain_picture(3, 3, {0, 0, 0});
-    const Picture b = plain_picture(3, 3, {50, 50, 50});
+    const Image a = plain_image(3, 3, {0, 0, 0});
+    const Image b = plain_image(3, 3, {50, 50, 50});
     const double apart = distance({0, 0, 0}, {50, 50, 50});
     EXPECT_EQ(difference_of(a, b, apart + 1e-9).different, 0U);
     EXPECT_EQ(difference_of(a, b, apart - 1e-9).different, 9U);
     EXPECT_EQ(difference_of(a, a, 0.0).different, 0U);
-    EXPECT_EQ(difference_of(a, plain_picture(3, 3, {0, 0, 1}), 0.0).different, 9U);
+    EXPECT_EQ(difference_of(a, plain_image(3, 3, {0, 0, 1}), 0.0).different, 9U);
 }
 
 /// Two even areas, black above and white below a slanting line; the pixels on it are mixed by their share.
-Picture slanting_edge(double offset) {
-    Picture picture = plain_picture(40, 40, {0, 0, 0});
+Image slanting_edge(double offset) {
+    Image image = plain_image(40, 40, {0, 0, 0});
     for (int y = 0; y < 40; ++y) {
         for (int x = 0; x < 40; ++x) {
             const double below = std::clamp(y + 1.0 - (10.3 + 0.4 * x + offset), 0.0, 1.0);
             const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * below));
-            put(picture, x, y, {grey, grey, grey});
+            put(image, x, y, {grey, grey, grey});
         }
     }
-    return picture;
+    return image;
 }
 
 TEST(PixelDifference, ForgivesAnEdgeThatWasSmoothedOtherwise) {
@@ -107,8 +107,8 @@ TEST(PixelDifference, ForgivesNoEdgeThatMoved) {
 }
 
 TEST(PixelDifference, ForgivesNothingInTheMiddleOfAnArea) {
-    const Picture a = plain_picture(9, 9, {128, 128, 128});
-    Picture b = a;
+    const Image a = plain_image(9, 9, {128, 128, 128});
+    Image b = a;
     put(b, 4, 4, {255, 255, 255});
     EXPECT_EQ(difference_of(a, b).different, 1U);
     EXPECT_FALSE(is_antialiased(b, a, 4, 4)) << "brighter than all its neighbours";
@@ -116,8 +116,8 @@ TEST(PixelDifference, ForgivesNothingInTheMiddleOfAnArea) {
 
 TEST(PixelDifference, IsTheSameBothWays) {
     std::mt19937 random(7);
-    for (const Picture& a : {noise(60, 40, random), slanting_edge(0.0)}) {
-        const Picture b = disturbed(a, 0.4, 120, random);
+    for (const Image& a : {noise(60, 40, random), slanting_edge(0.0)}) {
+        const Image b = disturbed(a, 0.4, 120, random);
         const PixelDifference there = difference_of(a, b);
         const PixelDifference back = difference_of(b, a);
         EXPECT_EQ(there.verdicts, back.verdicts);
@@ -127,19 +127,18 @@ TEST(PixelDifference, IsTheSameBothWays) {
 }
 
 TEST(PixelDifference, LeavesMasksOut) {
-    const Picture a = plain_picture(10, 10, {0, 0, 0});
-    const Picture b = plain_picture(10, 10, {255, 255, 255});
+    const Image a = plain_image(10, 10, {0, 0, 0});
+    const Image b = plain_image(10, 10, {255, 255, 255});
     const std::vector<PixelBox> boxes = {{2, 3, 4, 5}, {8, 8, 100, 100}, {5, 5, -1, 3}};
-    const PixelDifference difference = pixel_difference(a, b, 0.2, PictureMask(10, 10, boxes));
+    const PixelDifference difference = pixel_difference(a, b, 0.2, ImageMask(10, 10, boxes));
     EXPECT_EQ(difference.different, 100U - 20U - 4U);
     EXPECT_EQ(count(difference, PixelVerdict::masked), 24U);
     EXPECT_EQ(difference.verdicts[3 * 10 + 2], PixelVerdict::masked);
     EXPECT_EQ(difference.verdicts[3 * 10 + 6], PixelVerdict::different);
 }
 
-TEST(PixelDifference, TakesPicturesOfOnePixel) {
-    EXPECT_EQ(difference_of(plain_picture(1, 1, {0, 0, 0}), plain_picture(1, 1, {255, 255, 255})).different,
-              1U);
+TEST(PixelDifference, TakesImagesOfOnePixel) {
+    EXPECT_EQ(difference_of(plain_image(1, 1, {0, 0, 0}), plain_image(1, 1, {255, 255, 255})).different, 1U);
 }
 
 }  // namespace

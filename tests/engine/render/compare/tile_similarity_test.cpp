@@ -15,23 +15,21 @@ namespace {
 constexpr double kC1 = 6.5025;
 constexpr double kC2 = 58.5225;
 
-std::vector<TileSimilarity> tiles_of(const Picture& a, const Picture& b,
-                                     std::span<const PixelBox> masks = {}) {
-    return tile_similarities(a, b, PictureMask(a.width, a.height, masks));
+std::vector<TileSimilarity> tiles_of(const Image& a, const Image& b, std::span<const PixelBox> masks = {}) {
+    return tile_similarities(a, b, ImageMask(a.width, a.height, masks));
 }
 
-double worst_of(const Picture& a, const Picture& b, std::span<const PixelBox> masks = {}) {
+double worst_of(const Image& a, const Image& b, std::span<const PixelBox> masks = {}) {
     return std::ranges::min(tiles_of(a, b, masks), {}, &TileSimilarity::ssim).ssim;
 }
 
-double brightness(const Picture& picture, int x, int y) {
-    const auto [r, g, b] = picture.pixel(x, y);
+double brightness(const Image& image, int x, int y) {
+    const auto [r, g, b] = image.pixel(x, y);
     return std::floor((77.0 * r + 150.0 * g + 29.0 * b + 128.0) / 256.0);
 }
 
 /// SSIM by the paper's formula: two passes over the window's pixels, means first.
-double plain_window(const Picture& a, const Picture& b, const PictureMask& mask, int left, int top,
-                    int* pixels) {
+double plain_window(const Image& a, const Image& b, const ImageMask& mask, int left, int top, int* pixels) {
     double n = 0.0;
     double mean_a = 0.0;
     double mean_b = 0.0;
@@ -76,9 +74,9 @@ std::vector<int> starts(int side) {
     return at;
 }
 
-/// A tile's value: the mean of the windows that begin in it, each weighted by what of it is in the picture;
+/// A tile's value: the mean of the windows that begin in it, each weighted by what of it is in the image;
 /// masked pixels count as equal.
-double plain_tile(const Picture& a, const Picture& b, const PictureMask& mask, const PixelBox& box) {
+double plain_tile(const Image& a, const Image& b, const ImageMask& mask, const PixelBox& box) {
     double sum = 0.0;
     double weight = 0.0;
     for (const int y : starts(a.height)) {
@@ -102,10 +100,10 @@ TEST(TileSimilarity, IsWhatPlainLoopsGive) {
     for (const auto& [width, height] :
          {std::pair(200, 150), std::pair(131, 67), std::pair(64, 64), std::pair(9, 7), std::pair(1, 1),
           std::pair(300, 2), std::pair(68, 69)}) {
-        const Picture a = noise(width, height, random);
-        const Picture b = disturbed(a, 0.5, 60, random);
+        const Image a = noise(width, height, random);
+        const Image b = disturbed(a, 0.5, 60, random);
         for (const std::span<const PixelBox> hidden : {std::span<const PixelBox>(), std::span(masks)}) {
-            const PictureMask mask(width, height, hidden);
+            const ImageMask mask(width, height, hidden);
             const std::vector<TileSimilarity> tiles = tile_similarities(a, b, mask);
             for (const TileSimilarity& tile : tiles) {
                 EXPECT_NEAR(tile.ssim, plain_tile(a, b, mask, tile.box), 1e-9)
@@ -115,11 +113,11 @@ TEST(TileSimilarity, IsWhatPlainLoopsGive) {
     }
 }
 
-TEST(TileSimilarity, TilesCoverThePicture) {
+TEST(TileSimilarity, TilesCoverTheImage) {
     for (const int side : {1, 8, 63, 64, 65, 68, 69, 128, 180, 720}) {
-        const Picture picture = plain_picture(side, 64, {9, 9, 9});
+        const Image image = plain_image(side, 64, {9, 9, 9});
         int covered = 0;
-        for (const TileSimilarity& tile : tiles_of(picture, picture)) {
+        for (const TileSimilarity& tile : tiles_of(image, image)) {
             EXPECT_LE(tile.box.x, covered) << "no gap";
             EXPECT_LE(tile.box.x + tile.box.width, side);
             EXPECT_EQ(tile.box.width, std::min(side, 64));
@@ -130,12 +128,12 @@ TEST(TileSimilarity, TilesCoverThePicture) {
     }
 }
 
-TEST(TileSimilarity, OfEvenPicturesIsTheFormulaOfTheirMeans) {
+TEST(TileSimilarity, OfEvenImagesIsTheFormulaOfTheirMeans) {
     for (const auto& [a, b] :
          {std::pair(0, 255), std::pair(100, 110), std::pair(200, 200), std::pair(3, 1)}) {
         const auto grey = [](int value) {
             const auto byte = static_cast<std::uint8_t>(value);
-            return plain_picture(100, 80, {byte, byte, byte});
+            return plain_image(100, 80, {byte, byte, byte});
         };
         const double expected = (2.0 * a * b + kC1) / (1.0 * a * a + 1.0 * b * b + kC1);
         for (const TileSimilarity& tile : tiles_of(grey(a), grey(b))) {
@@ -146,20 +144,20 @@ TEST(TileSimilarity, OfEvenPicturesIsTheFormulaOfTheirMeans) {
 
 TEST(TileSimilarity, OfANegativeIsNegative) {
     std::mt19937 random(2);
-    const Picture picture = noise(64, 64, random);
-    Picture negative = picture;
+    const Image image = noise(64, 64, random);
+    Image negative = image;
     for (std::size_t i = 0; i < negative.rgba.size(); ++i) {
         if (i % 4 != 3) {
             negative.rgba[i] = static_cast<std::uint8_t>(255 - negative.rgba[i]);
         }
     }
-    EXPECT_LT(worst_of(picture, negative), -0.8);
+    EXPECT_LT(worst_of(image, negative), -0.8);
 }
 
 TEST(TileSimilarity, IsExactlyOneForTheSameAndTheSameBothWays) {
     std::mt19937 random(3);
-    const Picture a = noise(150, 90, random);
-    const Picture b = disturbed(a, 0.3, 40, random);
+    const Image a = noise(150, 90, random);
+    const Image b = disturbed(a, 0.3, 40, random);
     for (const TileSimilarity& tile : tiles_of(a, a)) {
         EXPECT_EQ(tile.ssim, 1.0);
     }
@@ -173,7 +171,7 @@ TEST(TileSimilarity, IsExactlyOneForTheSameAndTheSameBothWays) {
 
 TEST(TileSimilarity, FallsTheMoreIsDisturbed) {
     std::mt19937 random(4);
-    const Picture a = noise(64, 64, random);
+    const Image a = noise(64, 64, random);
     double before = 1.0;
     for (const double share : {0.1, 0.3, 0.9}) {
         const double now = worst_of(a, disturbed(a, share, 80, random));
@@ -184,8 +182,8 @@ TEST(TileSimilarity, FallsTheMoreIsDisturbed) {
 
 TEST(TileSimilarity, WhatIsMaskedIsNotLookedAt) {
     std::mt19937 random(5);
-    const Picture a = noise(200, 100, random);
-    Picture b = a;
+    const Image a = noise(200, 100, random);
+    Image b = a;
     for (int y = 20; y < 40; ++y) {
         for (int x = 50; x < 90; ++x) {
             b.rgba[b.offset(x, y)] ^= 0x80U;

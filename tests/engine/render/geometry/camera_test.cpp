@@ -91,7 +91,7 @@ TEST(Top, IsAMapWithNorthUpCentredOnTheGround) {
     EXPECT_TRUE(pixel_of(view, 1280, 720, {10, 30, 20})) << "the highest roof is in front of the camera";
 }
 
-TEST(Plan, FitsTheWholeCampusInAnyShapeOfPicture) {
+TEST(Plan, FitsTheWholeCampusInAnyShapeOfImage) {
     scene::Bounds campus;
     campus.extend({-120, -2, -40});
     campus.extend({80, 30, 60});
@@ -128,7 +128,7 @@ TEST(ClipFromWorld, DepthFallsFromOneAtTheNearPlaneTowardsZero) {
     EXPECT_NEAR(depth(1000.0), 0.0001, 1e-12);
 }
 
-TEST(ClipFromWorld, KeepsSquaresSquareInAWidePicture) {
+TEST(ClipFromWorld, KeepsSquaresSquareInAWideImage) {
     const Viewpoint view = looking({0, 0, 0}, 0.0, 0.0, kFov);
     const auto right = pixel_of(view, 1600, 400, {1, 0, -5});
     const auto above = pixel_of(view, 1600, 400, {0, 1, -5});

@@ -47,7 +47,7 @@ scene::Mesh ball(std::uint32_t material) {
     return mesh;
 }
 
-// Rows of balls on a square, turned and scaled, some mirrored, some stretched; every second of a picture with
+// Rows of balls on a square, turned and scaled, some mirrored, some stretched; every second of an image with
 // holes.
 scene::Model balls() {
     scene::Model model = SceneBuilder()
@@ -128,14 +128,14 @@ TEST(Instancing, BoundsItsBatches) {
     }
 }
 
-TEST(Instancing, ShowsTheSamePicture) {
+TEST(Instancing, ShowsTheSameImage) {
     const scene::Model model = balls();
     for (const int samples : {1, 4}) {
         Renderer baked(std::span(&model, 1), settings_with(false, samples));
         Renderer shared(std::span(&model, 1), settings_with(true, samples));
         for (const Viewpoint& view : kViews) {
-            const Picture a = baked.draw(view, 2 * kWidth, 2 * kHeight);
-            const Picture b = shared.draw(view, 2 * kWidth, 2 * kHeight);
+            const Image a = baked.draw(view, 2 * kWidth, 2 * kHeight);
+            const Image b = shared.draw(view, 2 * kWidth, 2 * kHeight);
             std::size_t other = 0;  // values that differ by more than one level
             for (std::size_t i = 0; i < a.rgba.size(); ++i) {
                 other += std::abs(int{a.rgba[i]} - int{b.rgba[i]}) > 1 ? 1U : 0U;

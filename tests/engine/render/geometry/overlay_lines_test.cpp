@@ -80,7 +80,7 @@ TEST(OverlayLines, AreThoseThatAreAskedFor) {
     campus.world.add({.shape = collision::Box{}, .X_world_shape = {}, .detection = Detection::solid});
     campus.world.add({.shape = collision::Box{}, .X_world_shape = {}, .detection = Detection::trigger});
     const std::vector<Vector3d> path = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-    const auto count = [&](const PictureOverlays& overlays) {
+    const auto count = [&](const ImageOverlays& overlays) {
         return overlay_lines(campus, overlays, path, std::span(path).first(1)).size();
     };
     EXPECT_EQ(count({}), 0U);
@@ -114,8 +114,8 @@ TEST(OverlayLines, AreSeenWhereNothingHidesThemAndFaintBehind) {
     Renderer renderer(std::span(&model, 1), quick_settings());
     const auto redness = [&](double z) {
         const std::vector<OverlayLine> lines = {{{-1, 0.01, z}, {1, 0.01, z}, kPure}};
-        const Picture picture = renderer.draw(ahead(), kWidth, kHeight, {}, lines);
-        const auto [r, g, b] = picture.pixel(80, 44);
+        const Image image = renderer.draw(ahead(), kWidth, kHeight, {}, lines);
+        const auto [r, g, b] = image.pixel(80, 44);
         return r - g;
     };
     const int before = redness(-5.0);

@@ -16,7 +16,7 @@ std::size_t at(int x, int y, int width) {
     return static_cast<std::size_t>(number);
 }
 
-/// By looking at every pixel of another owner, and at a frame of nobody's around the picture.
+/// By looking at every pixel of another owner, and at a frame of nobody's around the image.
 int depth_at(const std::vector<std::uint32_t>& owners, int width, int x, int y) {
     const int height = static_cast<int>(owners.size()) / width;
     const auto owner = [&](int u, int v) {

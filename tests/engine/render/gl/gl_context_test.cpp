@@ -53,7 +53,7 @@ TEST(GlContext, BothBackendsDrawTheSameBytesInTurn) {
     const scene::Model model = tower_scene();
     Renderer osmesa(std::span(&model, 1), quick_settings(), make_osmesa_context());
     Renderer egl(std::span(&model, 1), quick_settings(), make_egl_context());
-    const Picture first = osmesa.draw(tower_view(), kWidth, kHeight);
+    const Image first = osmesa.draw(tower_view(), kWidth, kHeight);
     for (int i = 0; i < 2; ++i) {
         EXPECT_EQ(egl.draw(tower_view(), kWidth, kHeight).rgba, first.rgba);
         EXPECT_EQ(osmesa.draw(tower_view(), kWidth, kHeight).rgba, first.rgba);
@@ -67,7 +67,7 @@ TEST(GlContext, TheOtherBackendLivesOnWhenOneIsGone) {
                                                  egl_goes ? make_egl_context() : make_osmesa_context());
         Renderer survivor(std::span(&model, 1), quick_settings(),
                           egl_goes ? make_osmesa_context() : make_egl_context());
-        const Picture before = survivor.draw(tower_view(), kWidth, kHeight);
+        const Image before = survivor.draw(tower_view(), kWidth, kHeight);
         doomed->draw(tower_view(), kWidth, kHeight);
         doomed.reset();
         EXPECT_EQ(survivor.draw(tower_view(), kWidth, kHeight).rgba, before.rgba);

@@ -184,10 +184,10 @@ TEST(Channels, OnlyWhatIsAskedForIsThere) {
     EXPECT_TRUE(depth.normals.rgba.empty());
 }
 
-TEST(Channels, LeavePicturesAsTheyAre) {
+TEST(Channels, LeaveImagesAsTheyAre) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1), quick_settings());
-    const Picture before = renderer.draw(tower_view(), kWidth, kHeight);
+    const Image before = renderer.draw(tower_view(), kWidth, kHeight);
     const Channels first = renderer.draw_channels(tower_view(), 40, 30, kAll);
     EXPECT_EQ(renderer.draw(tower_view(), kWidth, kHeight).rgba, before.rgba);
     EXPECT_EQ(renderer.draw_channels(tower_view(), 40, 30, kAll).nodes, first.nodes);

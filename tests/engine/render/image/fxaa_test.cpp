@@ -27,17 +27,17 @@ double covered(int x, int y, double offset, double slope) {
 }
 
 // White below the line, black above it, each pixel by its middle alone; turned: x for y.
-Picture stairs(double offset, double slope, bool turned) {
-    Picture picture = plain_picture(kSide, kSide, {0, 0, 0});
+Image stairs(double offset, double slope, bool turned) {
+    Image image = plain_image(kSide, kSide, {0, 0, 0});
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
             if (y + 0.5 > offset + slope * (x + 0.5)) {
-                std::uint8_t* rgb = &picture.rgba[turned ? picture.offset(y, x) : picture.offset(x, y)];
+                std::uint8_t* rgb = &image.rgba[turned ? image.offset(y, x) : image.offset(x, y)];
                 rgb[0] = rgb[1] = rgb[2] = 255;
             }
         }
     }
-    return picture;
+    return image;
 }
 
 // The light that a byte stands for, by the definition of sRGB.
@@ -47,11 +47,11 @@ double light(std::uint8_t byte) {
 }
 
 // In light: a pixel half of which is white sends back half as much.
-double error(const Picture& picture, double offset, double slope, bool turned) {
+double error(const Image& image, double offset, double slope, bool turned) {
     double sum = 0.0;
     for (int y = 8; y < kSide - 8; ++y) {
         for (int x = 8; x < kSide - 8; ++x) {
-            const double drawn = light((turned ? picture.pixel(y, x) : picture.pixel(x, y))[0]);
+            const double drawn = light((turned ? image.pixel(y, x) : image.pixel(x, y))[0]);
             sum += std::pow(drawn - covered(x, y, offset, slope), 2);
         }
     }
@@ -62,7 +62,7 @@ TEST(SmoothEdges, StairsComeNearerToTheLineTheyStandFor) {
     for (const bool turned : {false, true}) {
         for (const double slope : {0.09, -0.17, 0.3, -0.45, 0.8}) {
             const double offset = slope > 0 ? 10.3 : 50.4;
-            const Picture before = stairs(offset, slope, turned);
+            const Image before = stairs(offset, slope, turned);
             const double rough = error(before, offset, slope, turned);
             const double smooth = error(with_smooth_edges(before), offset, slope, turned);
             EXPECT_LT(smooth, 0.66 * rough) << "slope " << slope;
@@ -70,57 +70,57 @@ TEST(SmoothEdges, StairsComeNearerToTheLineTheyStandFor) {
     }
 }
 
-// A drawn picture's error in brightness against one drawn with 16 samples a pixel, where that is an edge.
-double error_at_edges(const Picture& picture, const Picture& plain, const Picture& many) {
+// A drawn image's error in brightness against one drawn with 16 samples a pixel, where that is an edge.
+double error_at_edges(const Image& image, const Image& plain, const Image& many) {
     double sum = 0.0;
     for (int y = 0; y < many.height; ++y) {
         for (int x = 0; x < many.width; ++x) {
             if (std::abs(brightness(plain, x, y) - brightness(many, x, y)) > 8.0) {
-                sum += std::pow(brightness(picture, x, y) - brightness(many, x, y), 2);
+                sum += std::pow(brightness(image, x, y) - brightness(many, x, y), 2);
             }
         }
     }
     return std::sqrt(sum);
 }
 
-TEST(SmoothEdges, DrawnPicturesComeNearerToSupersampledOnes) {
+TEST(SmoothEdges, DrawnImagesComeNearerToSupersampledOnes) {
     constexpr int kAcross = 320;
     constexpr int kDown = 180;
     const scene::Model model = tower_scene();
     RenderSettings settings = quick_settings();
     settings.samples = 1;
-    settings.occlusion_radius = 0.0;
+    settings.ambient_occlusion_radius = 0.0;
     Renderer renderer(std::span(&model, 1), settings);
-    const Picture many = halved(halved(renderer.draw(tower_view(), 4 * kAcross, 4 * kDown)));
-    const Picture plain = renderer.draw(tower_view(), kAcross, kDown);
+    const Image many = halved(halved(renderer.draw(tower_view(), 4 * kAcross, 4 * kDown)));
+    const Image plain = renderer.draw(tower_view(), kAcross, kDown);
     const double rough = error_at_edges(plain, plain, many);
     ASSERT_GT(rough, 100.0) << "there are stairs";
     EXPECT_LT(error_at_edges(with_smooth_edges(plain), plain, many), 0.75 * rough) << rough;
 }
 
 TEST(SmoothEdges, FlatPartsAndStraightEdgesStay) {
-    const Picture flat = plain_picture(40, 30, {90, 120, 30});
+    const Image flat = plain_image(40, 30, {90, 120, 30});
     EXPECT_EQ(with_smooth_edges(flat).rgba, flat.rgba);
-    const Picture straight = stairs(20.0, 0.0, false);
+    const Image straight = stairs(20.0, 0.0, false);
     EXPECT_EQ(differing_pixels(with_smooth_edges(straight), straight), 0U);
 }
 
-TEST(SmoothEdges, PicturesOfAPixelAreNoTrouble) {
-    EXPECT_EQ(with_smooth_edges(plain_picture(1, 1, {9, 9, 9})).rgba, plain_picture(1, 1, {9, 9, 9}).rgba);
-    EXPECT_EQ(with_smooth_edges(plain_picture(3, 1, {9, 9, 9})).width, 3);
+TEST(SmoothEdges, ImagesOfAPixelAreNoTrouble) {
+    EXPECT_EQ(with_smooth_edges(plain_image(1, 1, {9, 9, 9})).rgba, plain_image(1, 1, {9, 9, 9}).rgba);
+    EXPECT_EQ(with_smooth_edges(plain_image(3, 1, {9, 9, 9})).width, 3);
 }
 
 TEST(Halved, IsTheMeanOfLight) {
-    Picture picture = plain_picture(2, 2, {0, 0, 0});
-    picture.rgba[picture.offset(0, 0)] = picture.rgba[picture.offset(1, 1)] = 255;  // red
-    picture.rgba[picture.offset(1, 0) + 1] = 255;                                   // green
-    const Picture half = halved(picture);
+    Image image = plain_image(2, 2, {0, 0, 0});
+    image.rgba[image.offset(0, 0)] = image.rgba[image.offset(1, 1)] = 255;  // red
+    image.rgba[image.offset(1, 0) + 1] = 255;                               // green
+    const Image half = halved(image);
     ASSERT_EQ(half.rgba.size(), 4U);
     // 1.055 x^(1 / 2.4) - 0.055 of a half and of a quarter.
     EXPECT_EQ(half.pixel(0, 0), (std::array<std::uint8_t, 3>{188, 137, 0}));
     for (const int grey : {0, 1, 77, 254, 255}) {
         const auto v = static_cast<std::uint8_t>(grey);
-        EXPECT_EQ(halved(plain_picture(4, 2, {v, v, v})).rgba, plain_picture(2, 1, {v, v, v}).rgba);
+        EXPECT_EQ(halved(plain_image(4, 2, {v, v, v})).rgba, plain_image(2, 1, {v, v, v}).rgba);
     }
 }
 

@@ -16,46 +16,46 @@ namespace campuswalk::engine::render::test {
 namespace {
 
 // No two rows, columns or channels alike.
-Picture pattern(int width, int height) {
-    Picture picture = plain_picture(width, height, {0, 0, 0});
+Image pattern(int width, int height) {
+    Image image = plain_image(width, height, {0, 0, 0});
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            std::uint8_t* pixel = &picture.rgba[picture.offset(x, y)];
+            std::uint8_t* pixel = &image.rgba[image.offset(x, y)];
             pixel[0] = static_cast<std::uint8_t>(7 * x + y);
             pixel[1] = static_cast<std::uint8_t>(x * y);
             pixel[2] = static_cast<std::uint8_t>(200 - 3 * y);
         }
     }
-    return picture;
+    return image;
 }
 
 // By libpng, through cairo: not the library that wrote it.
-Picture decoded(const std::filesystem::path& file) {
+Image decoded(const std::filesystem::path& file) {
     const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
         cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
     if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
         return {};
     }
-    Picture picture = plain_picture(cairo_image_surface_get_width(surface.get()),
-                                    cairo_image_surface_get_height(surface.get()), {0, 0, 0});
-    for (int y = 0; y < picture.height; ++y) {
+    Image image = plain_image(cairo_image_surface_get_width(surface.get()),
+                              cairo_image_surface_get_height(surface.get()), {0, 0, 0});
+    for (int y = 0; y < image.height; ++y) {
         const unsigned char* row = cairo_image_surface_get_data(surface.get()) +
                                    std::ptrdiff_t{y} * cairo_image_surface_get_stride(surface.get());
-        for (int x = 0; x < picture.width; ++x) {
+        for (int x = 0; x < image.width; ++x) {
             std::uint32_t value = 0;
             std::memcpy(&value, row + std::ptrdiff_t{4} * x, 4);
-            std::uint8_t* pixel = &picture.rgba[picture.offset(x, y)];
+            std::uint8_t* pixel = &image.rgba[image.offset(x, y)];
             pixel[0] = static_cast<std::uint8_t>(value >> 16U);
             pixel[1] = static_cast<std::uint8_t>(value >> 8U);
             pixel[2] = static_cast<std::uint8_t>(value);
         }
     }
-    return picture;
+    return image;
 }
 
-std::string error_of_writing(const Picture& picture, const std::filesystem::path& file) {
+std::string error_of_writing(const Image& image, const std::filesystem::path& file) {
     try {
-        write_png(picture, file);
+        write_png(image, file);
     } catch (const std::runtime_error& error) {
         return error.what();
     }
@@ -65,21 +65,21 @@ std::string error_of_writing(const Picture& picture, const std::filesystem::path
 TEST(Png, AnotherDecoderReadsTheSamePixels) {
     const ScratchFolder folder;
     for (const auto& [width, height] : {std::pair(97, 61), std::pair(1, 1), std::pair(1280, 3)}) {
-        const Picture picture = pattern(width, height);
-        write_png(picture, folder.path() / "picture.png");
-        const Picture read = decoded(folder.path() / "picture.png");
+        const Image image = pattern(width, height);
+        write_png(image, folder.path() / "picture.png");
+        const Image read = decoded(folder.path() / "picture.png");
         ASSERT_EQ(read.width, width);
         ASSERT_EQ(read.height, height);
-        EXPECT_EQ(read.rgba, picture.rgba);
+        EXPECT_EQ(read.rgba, image.rgba);
     }
 }
 
-TEST(Png, SamePictureSameBytes) {
+TEST(Png, SameImageSameBytes) {
     EXPECT_EQ(encode_png(pattern(50, 40)), encode_png(pattern(50, 40)));
     EXPECT_NE(encode_png(pattern(50, 40)), encode_png(pattern(40, 50)));
 }
 
-TEST(Png, MakesMissingFoldersAndReplacesAnOldPicture) {
+TEST(Png, MakesMissingFoldersAndReplacesAnOldImage) {
     const ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "deep" / "er" / "picture.png";
     write_png(pattern(8, 8), file);
@@ -107,7 +107,7 @@ TEST(Png, ANameThatIsAFolderLeavesNothingBehind) {
     EXPECT_EQ(folder.contents(), (std::vector<std::filesystem::path>{"picture.png", "picture.png/occupied"}));
 }
 
-TEST(Png, AFullDiskLeavesNoHalfPictureAndKeepsTheOldOne) {
+TEST(Png, AFullDiskLeavesNoHalfImageAndKeepsTheOldOne) {
     const ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "picture.png";
     write_png(pattern(8, 8), file);

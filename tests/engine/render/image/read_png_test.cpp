@@ -66,12 +66,12 @@ TEST(ReadPng, ReadsWhatWasWritten) {
     const ScratchFolder folder;
     std::mt19937 random(1);
     for (const auto& [width, height] : {std::pair(97, 61), std::pair(1, 1), std::pair(1280, 3)}) {
-        const Picture picture = noise(width, height, random);
-        write_png(picture, folder.path() / "a.png");
-        const Picture read = read_png(folder.path() / "a.png");
+        const Image image = noise(width, height, random);
+        write_png(image, folder.path() / "a.png");
+        const Image read = read_png(folder.path() / "a.png");
         EXPECT_EQ(read.width, width);
         EXPECT_EQ(read.height, height);
-        EXPECT_EQ(read.rgba, picture.rgba);
+        EXPECT_EQ(read.rgba, image.rgba);
     }
 }
 
@@ -93,10 +93,10 @@ TEST(ReadPng, ShowsWhiteThroughWhatIsTransparent) {
     const ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "a.png";
     write_kind(file, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, 8, {200, 0, 0, 0, 0, 100, 255, 51});
-    const Picture picture = read_png(file);
-    EXPECT_EQ(picture.pixel(0, 0), (std::array<std::uint8_t, 3>{255, 255, 255}));
-    EXPECT_EQ(picture.pixel(1, 0), (std::array<std::uint8_t, 3>{204, 224, 255})) << "a fifth of it";
-    EXPECT_EQ(picture.rgba[3], 255);
+    const Image image = read_png(file);
+    EXPECT_EQ(image.pixel(0, 0), (std::array<std::uint8_t, 3>{255, 255, 255}));
+    EXPECT_EQ(image.pixel(1, 0), (std::array<std::uint8_t, 3>{204, 224, 255})) << "a fifth of it";
+    EXPECT_EQ(image.rgba[3], 255);
 }
 
 TEST(ReadPng, SaysWhatIsWrongWithAFile) {
@@ -110,7 +110,7 @@ TEST(ReadPng, SaysWhatIsWrongWithAFile) {
     EXPECT_EQ(error_of(folder.path() / "empty.png"), "bad-picture: this is no PNG file");
 }
 
-TEST(ReadPng, ReadsNoPieceOfAFileAsAPicture) {
+TEST(ReadPng, ReadsNoPieceOfAFileAsAImage) {
     const ScratchFolder folder;
     std::mt19937 random(3);
     const Bytes whole = encode_png(noise(20, 20, random));

@@ -33,11 +33,11 @@ struct Ink2d {
     int bottom = -1;
 };
 
-Ink2d inked(const Picture& picture) {
+Ink2d inked(const Image& image) {
     Ink2d box;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            if (picture.pixel(x, y) != kGround) {
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (image.pixel(x, y) != kGround) {
                 box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x),
                        std::max(box.bottom, y)};
             }
@@ -77,22 +77,22 @@ TEST(Fonts, AreNotReplacedByOthersWhenOneIsMissing) {
     EXPECT_NO_THROW(const Fonts fonts(folders));
 }
 
-TEST(Canvas, GivesThePictureBackUnchanged) {
-    Picture picture = plain_picture(5, 3, {1, 128, 255});
-    picture.rgba[picture.offset(4, 0)] = 77;
-    picture.rgba[picture.offset(0, 2) + 2] = 3;
+TEST(Canvas, GivesTheImageBackUnchanged) {
+    Image image = plain_image(5, 3, {1, 128, 255});
+    image.rgba[image.offset(4, 0)] = 77;
+    image.rgba[image.offset(0, 2) + 2] = 3;
     const Fonts fonts;
-    EXPECT_EQ(Canvas(picture, fonts).picture().rgba, picture.rgba);
+    EXPECT_EQ(Canvas(image, fonts).image().rgba, image.rgba);
 }
 
 TEST(Canvas, TextSizeCoversTheInkOfTheText) {
     const Fonts fonts;
     const TextStyle style = {20.0, true, {1, 1, 1, 1}, 0.0, 1};
     for (const char* text : {"Library", "总图书馆", "École"}) {
-        const Canvas canvas(plain_picture(200, 60, kGround), fonts);
+        const Canvas canvas(plain_image(200, 60, kGround), fonts);
         const Eigen::Vector2d size = canvas.text_size(text, style);
         EXPECT_NEAR(canvas.text(10, 10, text, style), size.y(), 1e-9);
-        const Ink2d ink = inked(canvas.picture());
+        const Ink2d ink = inked(canvas.image());
         EXPECT_GE(ink.left, 9) << text;
         EXPECT_GE(ink.top, 9) << text;
         EXPECT_LE(ink.right, 11 + size.x()) << text;
@@ -103,18 +103,18 @@ TEST(Canvas, TextSizeCoversTheInkOfTheText) {
 
 TEST(Canvas, DifferentLettersLookDifferent) {
     const Fonts fonts;
-    const auto picture_of = [&](const char* text) {
-        const Canvas canvas(plain_picture(60, 60, kGround), fonts);
+    const auto image_of = [&](const char* text) {
+        const Canvas canvas(plain_image(60, 60, kGround), fonts);
         canvas.text(5, 5, text, {30.0, false, {1, 1, 1, 1}, 0.0, 1});
-        return canvas.picture();
+        return canvas.image();
     };
-    EXPECT_GT(differing_pixels(picture_of("图"), picture_of("书")), 50U);
-    EXPECT_GT(differing_pixels(picture_of("e"), picture_of("é")), 5U);
+    EXPECT_GT(differing_pixels(image_of("图"), image_of("书")), 50U);
+    EXPECT_GT(differing_pixels(image_of("e"), image_of("é")), 5U);
 }
 
 TEST(Canvas, WrapsAtTheWidthEvenWithinAWordAndCutsAtTheLastLine) {
     const Fonts fonts;
-    const Canvas canvas(plain_picture(200, 400, kGround), fonts);
+    const Canvas canvas(plain_image(200, 400, kGround), fonts);
     TextStyle style = {16.0, false, {1, 1, 1, 1}, 120.0, 0};
     const std::string long_word(80, 'm');
     const double line = canvas.text_size("m", style).y();
@@ -124,40 +124,40 @@ TEST(Canvas, WrapsAtTheWidthEvenWithinAWordAndCutsAtTheLastLine) {
     style.max_lines = 3;
     EXPECT_NEAR(canvas.text_size(long_word, style).y(), 3.0 * line, 1.0);
     canvas.text(10, 10, long_word, style);
-    EXPECT_LE(inked(canvas.picture()).right, 131);
+    EXPECT_LE(inked(canvas.image()).right, 131);
 }
 
 TEST(Canvas, LabelsAreCentredAndRimmed) {
     const Fonts fonts;
-    const Canvas canvas(plain_picture(201, 61, kGround), fonts);
+    const Canvas canvas(plain_image(201, 61, kGround), fonts);
     canvas.label(100.5, 30.5, "HOH", {24.0, true, {1, 1, 1, 1}, 0.0, 1});
-    const Picture picture = canvas.picture();
-    const Ink2d ink = inked(picture);
+    const Image image = canvas.image();
+    const Ink2d ink = inked(image);
     EXPECT_NEAR(0.5 * (ink.left + ink.right), 100.0, 1.5);
     int white = 0;
     int dark = 0;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            white += brightness(picture, x, y) > 230 ? 1 : 0;
-            dark += brightness(picture, x, y) < 35 ? 1 : 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            white += brightness(image, x, y) > 230 ? 1 : 0;
+            dark += brightness(image, x, y) < 35 ? 1 : 0;
         }
     }
     EXPECT_GT(white, 50);
     EXPECT_GT(dark, 50);
 }
 
-TEST(Canvas, PicturesKeepTheirOrientationWhenScaled) {
-    Picture small = plain_picture(2, 2, {200, 0, 0});
+TEST(Canvas, ImagesKeepTheirOrientationWhenScaled) {
+    Image small = plain_image(2, 2, {200, 0, 0});
     small.rgba[small.offset(1, 0)] = 0;
     small.rgba[small.offset(1, 0) + 1] = 200;  // upper right: green
     const Fonts fonts;
-    const Canvas canvas(plain_picture(40, 40, kGround), fonts);
-    canvas.paint_picture(small, 10.0, {10, 10});
-    const Picture picture = canvas.picture();
-    EXPECT_EQ(color_name(picture, 12, 12), "red");
-    EXPECT_EQ(color_name(picture, 27, 12), "green");
-    EXPECT_EQ(color_name(picture, 27, 27), "red");
-    EXPECT_EQ(picture.pixel(5, 5), kGround);
+    const Canvas canvas(plain_image(40, 40, kGround), fonts);
+    canvas.render_image(small, 10.0, {10, 10});
+    const Image image = canvas.image();
+    EXPECT_EQ(color_name(image, 12, 12), "red");
+    EXPECT_EQ(color_name(image, 27, 12), "green");
+    EXPECT_EQ(color_name(image, 27, 27), "red");
+    EXPECT_EQ(image.pixel(5, 5), kGround);
 }
 
 }  // namespace

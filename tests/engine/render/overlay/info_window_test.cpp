@@ -7,8 +7,8 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-constexpr int kPictureWidth = 1280;
-constexpr int kPictureHeight = 720;
+constexpr int kImageWidth = 1280;
+constexpr int kImageHeight = 720;
 constexpr double kShade = 7.0;  // pixels around a window that its shade may darken
 const std::array<std::uint8_t, 3> kGround = {120, 160, 90};
 
@@ -17,17 +17,17 @@ InfoWindow library() {
 }
 
 struct Drawn {
-    Picture picture;
+    Image image;
     std::vector<WindowFrame> frames;
 };
 
-Drawn drawn(const std::vector<InfoWindow>& windows, int width = kPictureWidth, int height = kPictureHeight,
+Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int height = kImageHeight,
             std::size_t max_windows = 3) {
     const Fonts fonts;
-    const Canvas canvas(plain_picture(width, height, kGround), fonts);
+    const Canvas canvas(plain_image(width, height, kGround), fonts);
     Drawn result;
     result.frames = draw_info_windows(canvas, windows, max_windows);
-    result.picture = canvas.picture();
+    result.image = canvas.image();
     return result;
 }
 
@@ -38,11 +38,11 @@ bool within(const WindowFrame& frame, double margin, int x, int y) {
 
 std::size_t changed_outside(const Drawn& drawn) {
     std::size_t count = 0;
-    for (int y = 0; y < drawn.picture.height; ++y) {
-        for (int x = 0; x < drawn.picture.width; ++x) {
+    for (int y = 0; y < drawn.image.height; ++y) {
+        for (int x = 0; x < drawn.image.width; ++x) {
             const bool inside = std::ranges::any_of(
                 drawn.frames, [&](const WindowFrame& frame) { return within(frame, kShade, x, y); });
-            count += !inside && drawn.picture.pixel(x, y) != kGround ? 1U : 0U;
+            count += !inside && drawn.image.pixel(x, y) != kGround ? 1U : 0U;
         }
     }
     return count;
@@ -52,12 +52,12 @@ std::size_t changed_outside(const Drawn& drawn) {
 int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, double right = 0.85) {
     const WindowFrame& frame = drawn.frames.at(0);
     int count = 0;
-    for (int y = 0; y < drawn.picture.height; ++y) {
-        for (int x = 0; x < drawn.picture.width; ++x) {
+    for (int y = 0; y < drawn.image.height; ++y) {
+        for (int x = 0; x < drawn.image.width; ++x) {
             const double u = (x - frame.x) / frame.width;
             const double v = (y - frame.y) / frame.height;
             const bool here = u > left && u < right && v > top && v < bottom;
-            count += here && brightness(drawn.picture, x, y) > 190 ? 1 : 0;
+            count += here && brightness(drawn.image, x, y) > 190 ? 1 : 0;
         }
     }
     return count;
@@ -92,9 +92,9 @@ TEST(InfoWindow, ShowsTitleAndBodyInsideItsFrameAndNothingOutside) {
     ASSERT_EQ(full.frames.size(), 1U);
     const WindowFrame& frame = full.frames[0];
     EXPECT_GE(frame.x, 0.0);
-    EXPECT_LE(frame.x + frame.width, kPictureWidth);
+    EXPECT_LE(frame.x + frame.width, kImageWidth);
     EXPECT_EQ(changed_outside(full), 0U);
-    EXPECT_LT(mean_brightness(full.picture, static_cast<int>(frame.x) + 4, static_cast<int>(frame.y) + 14,
+    EXPECT_LT(mean_brightness(full.image, static_cast<int>(frame.x) + 4, static_cast<int>(frame.y) + 14,
                               static_cast<int>(frame.x) + 16, static_cast<int>(frame.y) + 60),
               60.0)
         << "a dark panel";
@@ -114,7 +114,7 @@ TEST(InfoWindow, IsNotBrightWhereThereIsNoText) {
     EXPECT_EQ(letters(drawn({blank}), 0.1, 0.9), 0);
 }
 
-TEST(InfoWindow, CutsTextThatIsTooLongForThePicture) {
+TEST(InfoWindow, CutsTextThatIsTooLongForTheImage) {
     InfoWindow window = library();
     window.title = std::string(400, 'W');
     window.text.clear();
@@ -122,11 +122,11 @@ TEST(InfoWindow, CutsTextThatIsTooLongForThePicture) {
         window.text += "Books and more books. ";
     }
     const Drawn once = drawn({window});
-    EXPECT_LE(once.frames.at(0).height, 0.85 * kPictureHeight);
+    EXPECT_LE(once.frames.at(0).height, 0.85 * kImageHeight);
     EXPECT_EQ(changed_outside(once), 0U);
     window.text += window.text;
     const Drawn twice = drawn({window});
-    EXPECT_EQ(twice.picture.rgba, once.picture.rgba) << "what follows the ellipsis doesn't matter";
+    EXPECT_EQ(twice.image.rgba, once.image.rgba) << "what follows the ellipsis doesn't matter";
     EXPECT_GT(letters(once, 0.85, 0.97), 20) << "hours and floors are still there";
 }
 
@@ -155,13 +155,13 @@ TEST(InfoWindow, StacksSeveralAndCountsTheRest) {
     for (std::size_t i = 1; i < stacked.frames.size(); ++i) {
         EXPECT_GE(stacked.frames[i].y, stacked.frames[i - 1].y + stacked.frames[i - 1].height);
     }
-    EXPECT_LE(stacked.frames.back().y + stacked.frames.back().height, kPictureHeight);
+    EXPECT_LE(stacked.frames.back().y + stacked.frames.back().height, kImageHeight);
     EXPECT_GT(changed_outside(stacked), 100U) << "+n more";
-    EXPECT_EQ(drawn(six, kPictureWidth, kPictureHeight, 1).frames.size(), 1U);
+    EXPECT_EQ(drawn(six, kImageWidth, kImageHeight, 1).frames.size(), 1U);
     EXPECT_TRUE(drawn({}).frames.empty());
 }
 
-TEST(InfoWindow, FitsSmallAndNarrowPictures) {
+TEST(InfoWindow, FitsSmallAndNarrowImages) {
     InfoWindow window = library();
     window.text = std::string(2000, 'x');
     for (const auto& [width, height] : {std::pair(320, 180), std::pair(200, 600), std::pair(3840, 2160)}) {
@@ -175,8 +175,8 @@ TEST(InfoWindow, FitsSmallAndNarrowPictures) {
 TEST(InfoWindow, LeadsALineToTheBuilding) {
     InfoWindow window = library();
     window.anchor = Eigen::Vector2d(300, 400);
-    const Picture picture = drawn({window}).picture;
-    EXPECT_GT(brightness(picture, 300, 400), 220.0);
+    const Image image = drawn({window}).image;
+    EXPECT_GT(brightness(image, 300, 400), 220.0);
     window.anchor = Eigen::Vector2d(-50, 400);
     EXPECT_EQ(changed_outside(drawn({window})), 0U) << "not to what is out of the picture";
 }

@@ -22,14 +22,14 @@ Viewpoint map_view() {
 class MapMarks : public testing::Test {
 protected:
     Fonts fonts_;
-    Canvas canvas_{plain_picture(kSide, kSide, kGround), fonts_};
+    Canvas canvas_{plain_image(kSide, kSide, kGround), fonts_};
 
     int marked(int left, int top, int right, int bottom) const {
-        const Picture picture = canvas_.picture();
+        const Image image = canvas_.image();
         int count = 0;
         for (int y = top; y < bottom; ++y) {
             for (int x = left; x < right; ++x) {
-                count += picture.pixel(x, y) != kGround ? 1 : 0;
+                count += image.pixel(x, y) != kGround ? 1 : 0;
             }
         }
         return count;
@@ -46,14 +46,14 @@ TEST(RoundLength, IsTheLongestOneTwoOrFiveNotAbove) {
 
 TEST_F(MapMarks, ScaleBarIsAsLongAsItSays) {
     // 960 x 720 pixels at 3.6 to a metre: 18 % of the width are 48 m, so the bar says 20 m.
-    const Canvas canvas(plain_picture(960, 720, kGround), fonts_);
+    const Canvas canvas(plain_image(960, 720, kGround), fonts_);
     draw_scale_bar(canvas, map_view());
-    const Picture picture = canvas.picture();
+    const Image image = canvas.image();
     int longest = 0;
-    for (int y = picture.height / 2; y < picture.height; ++y) {
+    for (int y = image.height / 2; y < image.height; ++y) {
         int run = 0;
-        for (int x = 0; x < picture.width; ++x) {
-            run = brightness(picture, x, y) > 180 ? run + 1 : 0;
+        for (int x = 0; x < image.width; ++x) {
+            run = brightness(image, x, y) > 180 ? run + 1 : 0;
             longest = std::max(longest, run);
         }
     }
@@ -73,10 +73,10 @@ TEST_F(MapMarks, HeadingArrowPointsAlongTheYaw) {
 TEST_F(MapMarks, PathJoinsThePlacesWalkedThrough) {
     const std::vector<Eigen::Vector3d> path = {{-50, 0, 0}, {50, 0, 0}, {50, 3, -50}};
     draw_path(canvas_, map_view(), path);
-    const Picture picture = canvas_.picture();
-    EXPECT_EQ(color_name(picture, 200, 200), "yellow");
-    EXPECT_EQ(color_name(picture, 300, 150), "yellow");
-    EXPECT_EQ(picture.pixel(200, 150), kGround);
+    const Image image = canvas_.image();
+    EXPECT_EQ(color_name(image, 200, 200), "yellow");
+    EXPECT_EQ(color_name(image, 300, 150), "yellow");
+    EXPECT_EQ(image.pixel(200, 150), kGround);
 }
 
 TEST_F(MapMarks, NamesStandAtTheirBuildings) {
@@ -91,14 +91,14 @@ TEST_F(MapMarks, ANameThatWouldCoverAnotherMovesAside) {
     draw_map_labels(canvas_, map_view(), std::span(labels).first(1));
     const int alone = marked(0, 0, kSide, kSide);
     const int middle = marked(180, 192, 220, 208);
-    Canvas both(plain_picture(kSide, kSide, kGround), fonts_);
+    Canvas both(plain_image(kSide, kSide, kGround), fonts_);
     draw_map_labels(both, map_view(), labels);
-    const Picture picture = both.picture();
+    const Image image = both.image();
     int all = 0;
     int covered = 0;
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
-            const bool mark = picture.pixel(x, y) != kGround;
+            const bool mark = image.pixel(x, y) != kGround;
             all += mark ? 1 : 0;
             covered += mark && x >= 180 && x < 220 && y >= 192 && y < 208 ? 1 : 0;
         }
@@ -117,12 +117,12 @@ TEST_F(MapMarks, NamesAndTheCompassKeepClearOfWindows) {
     EXPECT_GT(marked(200, 60, 250, 100), 20) << "moved to its left";
     EXPECT_GT(marked(80, 60, 120, 100), 20);
     EXPECT_GT(marked(180, 0, 250, 60), 50) << "the compass";
-    const Canvas free(plain_picture(kSide, kSide, kGround), fonts_);
+    const Canvas free(plain_image(kSide, kSide, kGround), fonts_);
     draw_compass(free, 0.3);
-    EXPECT_NE(free.picture().pixel(370, 31), kGround) << "in the corner, when that is free";
+    EXPECT_NE(free.image().pixel(370, 31), kGround) << "in the corner, when that is free";
 }
 
-TEST_F(MapMarks, NamesBeyondThePictureAreLeftOut) {
+TEST_F(MapMarks, NamesBeyondTheImageAreLeftOut) {
     const std::vector<MapLabel> labels = {{"Far away", {900, 0, 0}}};
     draw_map_labels(canvas_, map_view(), labels);
     EXPECT_EQ(marked(0, 0, kSide, kSide), 0);

@@ -17,7 +17,7 @@ Minimap two_halves() {
     bounds.extend({100, 10, 100});
     Minimap minimap;
     minimap.view = plan(bounds, 1.0);
-    minimap.plan = plain_picture(kPlanSide, kPlanSide, {0, 0, 220});
+    minimap.plan = plain_image(kPlanSide, kPlanSide, {0, 0, 220});
     minimap.radius = 50.0;
     for (int y = 0; y < kPlanSide / 2; ++y) {
         for (int x = 0; x < kPlanSide; ++x) {
@@ -30,61 +30,61 @@ Minimap two_halves() {
     return minimap;
 }
 
-// In a picture 720 high the circle's middle is 114 pixels from the left and from below, its radius 88.
+// In an image 720 high the circle's middle is 114 pixels from the left and from below, its radius 88.
 constexpr int kMiddleX = 114;
 constexpr int kMiddleY = 720 - 114;
 
-Picture drawn(const Eigen::Vector3d& position, double yaw, int height = 720) {
+Image drawn(const Eigen::Vector3d& position, double yaw, int height = 720) {
     const Fonts fonts;
-    const Canvas canvas(plain_picture(16 * height / 9, height, kGround), fonts);
+    const Canvas canvas(plain_image(16 * height / 9, height, kGround), fonts);
     AvatarState avatar;
     avatar.position = position;
     avatar.yaw = yaw;
     draw_minimap(canvas, two_halves(), avatar);
-    return canvas.picture();
+    return canvas.image();
 }
 
 TEST(Minimap, ShowsTheSurroundingsOfTheAvatarWithNorthUp) {
-    const Picture picture = drawn({0, 0, 0}, 0.0);
-    EXPECT_EQ(color_name(picture, kMiddleX - 40, kMiddleY - 40), "red") << "north-west";
-    EXPECT_EQ(color_name(picture, kMiddleX + 40, kMiddleY - 40), "green") << "north-east";
-    EXPECT_EQ(color_name(picture, kMiddleX, kMiddleY + 50), "blue") << "south";
+    const Image image = drawn({0, 0, 0}, 0.0);
+    EXPECT_EQ(color_name(image, kMiddleX - 40, kMiddleY - 40), "red") << "north-west";
+    EXPECT_EQ(color_name(image, kMiddleX + 40, kMiddleY - 40), "green") << "north-east";
+    EXPECT_EQ(color_name(image, kMiddleX, kMiddleY + 50), "blue") << "south";
 }
 
 TEST(Minimap, MovesWithTheAvatarAtItsScale) {
     // 20 m east: the border between red and green is 20 / 50 of the radius to the left.
-    const Picture picture = drawn({20, 0, -30}, 0.0);
+    const Image image = drawn({20, 0, -30}, 0.0);
     const int border = kMiddleX - 88 * 20 / 50;
-    EXPECT_EQ(color_name(picture, border - 5, kMiddleY - 30), "red");
-    EXPECT_EQ(color_name(picture, border + 5, kMiddleY - 30), "green");
+    EXPECT_EQ(color_name(image, border - 5, kMiddleY - 30), "red");
+    EXPECT_EQ(color_name(image, border + 5, kMiddleY - 30), "green");
     const int south = kMiddleY + 88 * 30 / 50;
-    EXPECT_EQ(color_name(picture, kMiddleX + 30, south - 5), "green");
-    EXPECT_EQ(color_name(picture, kMiddleX + 30, south + 5), "blue");
+    EXPECT_EQ(color_name(image, kMiddleX + 30, south - 5), "green");
+    EXPECT_EQ(color_name(image, kMiddleX + 30, south + 5), "blue");
 }
 
 TEST(Minimap, BeyondTheCampusIsBlankPaper) {
-    const Picture picture = drawn({100, 0, 0}, 0.0);
-    EXPECT_EQ(color_name(picture, kMiddleX + 50, kMiddleY), "grey");
-    EXPECT_EQ(color_name(picture, kMiddleX - 40, kMiddleY - 30), "green");
+    const Image image = drawn({100, 0, 0}, 0.0);
+    EXPECT_EQ(color_name(image, kMiddleX + 50, kMiddleY), "grey");
+    EXPECT_EQ(color_name(image, kMiddleX - 40, kMiddleY - 30), "green");
 }
 
 TEST(Minimap, ArrowTurnsAndTheMapStays) {
-    const Picture north = drawn({0, 0, 0}, 0.0);
-    const Picture west = drawn({0, 0, 0}, 1.5707963267948966);
+    const Image north = drawn({0, 0, 0}, 0.0);
+    const Image west = drawn({0, 0, 0}, 1.5707963267948966);
     EXPECT_GT(differing_pixels(north, west), 50U);
     EXPECT_EQ(north.pixel(kMiddleX - 40, kMiddleY - 40), west.pixel(kMiddleX - 40, kMiddleY - 40));
 }
 
-TEST(Minimap, LeavesTheRestOfThePictureAlone) {
-    const Picture picture = drawn({0, 0, 0}, 0.0);
-    EXPECT_EQ(picture.pixel(kMiddleX + 100, kMiddleY), kGround);
-    EXPECT_EQ(picture.pixel(640, 360), kGround);
-    EXPECT_EQ(picture.pixel(kMiddleX - 80, kMiddleY - 80), kGround) << "a circle, not a square";
+TEST(Minimap, LeavesTheRestOfTheImageAlone) {
+    const Image image = drawn({0, 0, 0}, 0.0);
+    EXPECT_EQ(image.pixel(kMiddleX + 100, kMiddleY), kGround);
+    EXPECT_EQ(image.pixel(640, 360), kGround);
+    EXPECT_EQ(image.pixel(kMiddleX - 80, kMiddleY - 80), kGround) << "a circle, not a square";
 }
 
-TEST(Minimap, IsLeftOutOfPicturesTooSmallForIt) {
-    const Picture picture = drawn({0, 0, 0}, 0.0, kSmallestMinimapPicture - 1);
-    EXPECT_EQ(differing_pixels(picture, plain_picture(picture.width, picture.height, kGround)), 0U);
+TEST(Minimap, IsLeftOutOfImagesTooSmallForIt) {
+    const Image image = drawn({0, 0, 0}, 0.0, kSmallestMinimapImage - 1);
+    EXPECT_EQ(differing_pixels(image, plain_image(image.width, image.height, kGround)), 0U);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void add_object(scene::Campus& campus, const char* id, std::vector<scene::NodeRe
     object.nodes.roots = std::move(nodes);
 }
 
-PictureName name_of(const NodeNames& names, std::size_t node) {
+ImageName name_of(const NodeNames& names, std::size_t node) {
     return names.names[names.name_of_node[node + 1]];
 }
 
@@ -46,12 +46,12 @@ TEST(NodeNames, ABuildingTakesTheSubtreesOfItsNodes) {
     const NodeNames names = name_nodes(hall_campus());
     ASSERT_EQ(names.name_of_node.size(), 6U);
     for (const std::size_t node : {0U, 1U, 2U}) {
-        EXPECT_EQ(name_of(names, node), (PictureName{0, std::nullopt}));
+        EXPECT_EQ(name_of(names, node), (ImageName{0, std::nullopt}));
     }
-    EXPECT_EQ(name_of(names, 3), PictureName{});
+    EXPECT_EQ(name_of(names, 3), ImageName{});
     EXPECT_EQ(names.name_of_node[0], 0U);
     EXPECT_EQ(names.names.size(), 2U);
-    EXPECT_EQ(names.names[0], PictureName{});
+    EXPECT_EQ(names.names[0], ImageName{});
 }
 
 TEST(NodeNames, TheObjectOfFewestNodesTakesANodeInWhicheverOrder) {
@@ -61,9 +61,9 @@ TEST(NodeNames, TheObjectOfFewestNodesTakesANodeInWhicheverOrder) {
         add_object(campus, "b", {{0, walls_first ? 2U : 0U}});
         const std::size_t walls = walls_first ? 0 : 1;
         const NodeNames names = name_nodes(campus);
-        EXPECT_EQ(name_of(names, 0), (PictureName{0, walls}));
-        EXPECT_EQ(name_of(names, 1), (PictureName{0, walls}));
-        EXPECT_EQ(name_of(names, 2), (PictureName{0, 1 - walls}));
+        EXPECT_EQ(name_of(names, 0), (ImageName{0, walls}));
+        EXPECT_EQ(name_of(names, 1), (ImageName{0, walls}));
+        EXPECT_EQ(name_of(names, 2), (ImageName{0, 1 - walls}));
     }
 }
 
@@ -72,9 +72,9 @@ TEST(NodeNames, WhatAnObjectLeavesOutIsNotItsOwn) {
     add_object(campus, "world", {{0, 0}});
     campus.objects[0].nodes.except = {{0, 1}};
     const NodeNames names = name_nodes(campus);
-    EXPECT_EQ(name_of(names, 0), (PictureName{0, 0}));
-    EXPECT_EQ(name_of(names, 1), (PictureName{0, std::nullopt}));
-    EXPECT_EQ(name_of(names, 2), (PictureName{0, std::nullopt})) << "below it";
+    EXPECT_EQ(name_of(names, 0), (ImageName{0, 0}));
+    EXPECT_EQ(name_of(names, 1), (ImageName{0, std::nullopt}));
+    EXPECT_EQ(name_of(names, 2), (ImageName{0, std::nullopt})) << "below it";
 }
 
 TEST(NodeNames, WhatIsOnlyATriggerNamesOnlyWhatNobodyElseDoes) {
@@ -82,15 +82,15 @@ TEST(NodeNames, WhatIsOnlyATriggerNamesOnlyWhatNobodyElseDoes) {
     add_object(campus, "zone", {{0, 2}, {0, 3}}, collision::Detection::trigger);
     add_object(campus, "walls", {{0, 0}});
     const NodeNames names = name_nodes(campus);
-    EXPECT_EQ(name_of(names, 2), (PictureName{0, 1}));
-    EXPECT_EQ(name_of(names, 3), (PictureName{std::nullopt, 0}));
+    EXPECT_EQ(name_of(names, 2), (ImageName{0, 1}));
+    EXPECT_EQ(name_of(names, 3), (ImageName{std::nullopt, 0}));
 }
 
 TEST(NodeNames, ANodeWithoutABuildingBelongsToItsObjects) {
     scene::Campus campus = hall_campus();
     add_object(campus, "tree", {{0, 3}});
     campus.objects[0].building = 0;
-    EXPECT_EQ(name_of(name_nodes(campus), 3), (PictureName{0, 0}));
+    EXPECT_EQ(name_of(name_nodes(campus), 3), (ImageName{0, 0}));
 }
 
 TEST(NodeNames, CountNodesOverAllModels) {
@@ -98,9 +98,9 @@ TEST(NodeNames, CountNodesOverAllModels) {
     campus.models.insert(campus.models.begin(), SceneBuilder().paint(kGrey).ground(1.0).model());
     add_object(campus, "lamp", {{1, 4}});
     const NodeNames names = name_nodes(campus);
-    EXPECT_EQ(names.names[names.name_of_node[1]], PictureName{});
-    EXPECT_EQ(names.names[names.name_of_node[2]], (PictureName{0, std::nullopt})) << "the hall's";
-    EXPECT_EQ(names.names[names.name_of_node[6]], (PictureName{std::nullopt, 0}));
+    EXPECT_EQ(names.names[names.name_of_node[1]], ImageName{});
+    EXPECT_EQ(names.names[names.name_of_node[2]], (ImageName{0, std::nullopt})) << "the hall's";
+    EXPECT_EQ(names.names[names.name_of_node[6]], (ImageName{std::nullopt, 0}));
 }
 
 }  // namespace

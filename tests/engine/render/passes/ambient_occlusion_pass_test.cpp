@@ -12,20 +12,20 @@ namespace campuswalk::engine::render::test {
 namespace {
 
 // The inside of a corner: ground and a wall 5 m away, in ambient light only.
-Picture corner(double radius, double pitch = -0.32) {
+Image corner(double radius, double pitch = -0.32) {
     const scene::Model model =
         SceneBuilder().paint(kGrey).ground(30.0).paint(kGrey).box({-15, 0, -6}, {15, 8, -5}).model();
     RenderSettings settings = quick_settings();
     settings.sun_color.setZero();
     settings.shadows = false;
-    settings.occlusion_radius = radius;
+    settings.ambient_occlusion_radius = radius;
     Renderer renderer(std::span(&model, 1), settings);
     return renderer.draw(looking({0, 1.65, 0}, 0.0, pitch, kFov), 320, 180);
 }
 
 TEST(Occlusion, DarkensTheFootOfAWallAndLeavesOpenGroundAlone) {
-    const Picture with = corner(0.9);
-    const Picture without = corner(0.0);
+    const Image with = corner(0.9);
+    const Image without = corner(0.0);
     const auto foot = pixel_of(looking({0, 1.65, 0}, 0.0, -0.32, kFov), 320, 180, {0, 0, -4.9});
     const auto row = static_cast<int>(foot->y());
     const double share_at_the_foot =
@@ -37,13 +37,13 @@ TEST(Occlusion, DarkensTheFootOfAWallAndLeavesOpenGroundAlone) {
 }
 
 TEST(Occlusion, LeavesNoPatternOnAPlainSurface) {
-    const Picture picture = corner(0.9);
+    const Image image = corner(0.9);
     // A row of ground: the same distance all along it, so the same light.
     double darkest = 255.0;
     double brightest = 0.0;
     for (int x = 20; x < 300; ++x) {
-        darkest = std::min(darkest, brightness(picture, x, 140));
-        brightest = std::max(brightest, brightness(picture, x, 140));
+        darkest = std::min(darkest, brightness(image, x, 140));
+        brightest = std::max(brightest, brightness(image, x, 140));
     }
     EXPECT_LT(brightest - darkest, 6.0);
 }

@@ -62,7 +62,7 @@ TEST(DepthTiles, OneOpenTileShowsWhatIsBehindIt) {
     EXPECT_TRUE(hides(tiles, box_at({-6, 0, -12}, 1.0))) << "beside it";
 }
 
-// A sample is what a pixel's depth test sees: a point of the box, where it is in the picture.
+// A sample is what a pixel's depth test sees: a point of the box, where it is in the image.
 TEST(DepthTiles, NoPointOfAHiddenBoxIsBeforeWhatWasDrawn) {
     support::Dice dice(5);
     int hidden = 0;

@@ -19,9 +19,9 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kEnough = 1U << 20U;  // indices: after these it looks
 
-class DrawnDepthOfTarget : public testing::TestWithParam<int> {
+class HierarchicalZOfTarget : public testing::TestWithParam<int> {
 protected:
-    DrawnDepthOfTarget() {
+    HierarchicalZOfTarget() {
         context_->make_current();
         gl_ = load_gl_functions(*context_);
         gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -46,11 +46,11 @@ protected:
     GlFunctions gl_;
 };
 
-TEST_P(DrawnDepthOfTarget, HidesWhatIsBehindItOnceItHasBeenLookedAt) {
+TEST_P(HierarchicalZOfTarget, HidesWhatIsBehindItOnceItHasBeenLookedAt) {
     const RenderTarget target(gl_, kWidth, kHeight, GetParam());
     target.begin(Vector3d::Zero());
     fill(target, 0, kWidth, 10.0);
-    DrawnDepth depth(gl_, GetParam());
+    HierarchicalZ depth(gl_, GetParam());
     depth.begin(target, clip_campus());
     const AlignedBox3d behind(Vector3d(-1, -1, -14), Vector3d(1, 1, -12));
     EXPECT_FALSE(depth.hides(behind)) << "not looked yet";
@@ -68,7 +68,7 @@ TEST_P(DrawnDepthOfTarget, HidesWhatIsBehindItOnceItHasBeenLookedAt) {
     EXPECT_TRUE(depth.hides(AlignedBox3d(Vector3d(-6, -1, -14), Vector3d(-4, 1, -12)))) << "beside it";
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, DrawnDepthOfTarget, testing::Values(1, 4));
+INSTANTIATE_TEST_SUITE_P(Samples, HierarchicalZOfTarget, testing::Values(1, 4));
 
 std::vector<Viewpoint> views_of_the_demo() {
     std::vector<Viewpoint> views;
@@ -82,7 +82,7 @@ std::vector<Viewpoint> views_of_the_demo() {
     return views;
 }
 
-TEST(DrawnDepth, ChangesNoPixel) {
+TEST(HierarchicalZ, ChangesNoPixel) {
     const std::vector<scene::Model> models = demo_models();
     for (const int samples : {1, 4}) {
         RenderSettings settings = quick_settings();
@@ -92,7 +92,7 @@ TEST(DrawnDepth, ChangesNoPixel) {
         settings.leave_out_hidden = true;
         Renderer seen(models, settings);
         for (const Viewpoint& view : views_of_the_demo()) {
-            // Wider than the test pictures, so that gaps are more than a pixel.
+            // Wider than the test images, so that gaps are more than a pixel.
             EXPECT_EQ(seen.draw(view, 640, 360).rgba, all.draw(view, 640, 360).rgba)
                 << samples << " samples, " << view.position.transpose();
         }

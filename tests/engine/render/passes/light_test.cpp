@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDegree = 3.141592653589793 / 180.0;
 
-Picture drawn(const LightSettings& light, int width = kWidth, int height = kHeight) {
+Image drawn(const LightSettings& light, int width = kWidth, int height = kHeight) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1), lit(quick_settings(), light));
     return renderer.draw(tower_view(), width, height);
@@ -53,17 +53,17 @@ TEST(Light, GlowIsForEmissiveSurfacesOnly) {
                                    .paint(kGrey)
                                    .upright({0.5, 0, -1.6}, 1.0)
                                    .model();
-    const auto picture = [&](double glow) {
+    const auto image = [&](double glow) {
         RenderSettings settings = quick_settings();
         settings.fog_distance = 0.0;
         Renderer renderer(std::span(&model, 1), lit(settings, {.glow = glow}));
         return renderer.draw(ahead(), kWidth, kHeight);
     };
-    const Picture bright = picture(10.0);
+    const Image bright = image(10.0);
     // 0.5 of the light is this sRGB value (IEC 61966-2-1).
     EXPECT_NEAR(bright.pixel(66, 45)[0], 255.0 * (1.055 * std::pow(0.5, 1 / 2.4) - 0.055), 1.5);
-    EXPECT_EQ(picture(0.0).pixel(66, 45)[0], 0);
-    EXPECT_EQ(picture(0.0).pixel(94, 45), bright.pixel(94, 45));
+    EXPECT_EQ(image(0.0).pixel(66, 45)[0], 0);
+    EXPECT_EQ(image(0.0).pixel(94, 45), bright.pixel(94, 45));
 }
 
 TEST(Light, ShadowsFallAwayFromTheSun) {
@@ -80,10 +80,10 @@ TEST(Light, ShadowsFallAwayFromTheSun) {
         const LightSettings light{.sun_azimuth = azimuth * kDegree, .sun_elevation = 45 * kDegree};
         Renderer renderer(std::span(&model, 1), lit(quick_settings(), light));
         const Viewpoint view = plan(renderer.bounds(), 1.0);
-        const Picture picture = renderer.draw(view, 120, 120);
+        const Image image = renderer.draw(view, 120, 120);
         const auto at = [&](const Eigen::Vector3d& point) {
             const auto pixel = pixel_of(view, 120, 120, point);
-            return brightness(picture, static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+            return brightness(image, static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
         };
         EXPECT_LT(at(dark), 0.8 * at(bright));
     }
@@ -96,12 +96,12 @@ constexpr int kHigh = 270;
 TEST(Light, EverySmoothingIsNearerToManySamplesThanNone) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1), lit(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
-    const Picture fine = halved(halved(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
+    const Image fine = halved(halved(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
     const auto error = [&](AntiAliasing how) {
-        const Picture picture = drawn({.anti_aliasing = how}, kWide, kHigh);
+        const Image image = drawn({.anti_aliasing = how}, kWide, kHigh);
         double sum = 0.0;
         for (std::size_t i = 0; i < fine.rgba.size(); ++i) {
-            sum += std::pow(fine.rgba[i] - picture.rgba[i], 2);
+            sum += std::pow(fine.rgba[i] - image.rgba[i], 2);
         }
         return sum;
     };

@@ -31,13 +31,13 @@ RenderSettings settings_with(bool shadows) {
     RenderSettings settings = quick_settings();
     settings.shadows = shadows;
     settings.shadow_size = 1024;
-    settings.occlusion_radius = 0.0;
+    settings.ambient_occlusion_radius = 0.0;
     return settings;
 }
 
-double brightness_at(const Picture& picture, const Viewpoint& view, const Vector3d& point) {
-    const auto pixel = pixel_of(view, picture.width, picture.height, point);
-    return brightness(picture, static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+double brightness_at(const Image& image, const Viewpoint& view, const Vector3d& point) {
+    const auto pixel = pixel_of(view, image.width, image.height, point);
+    return brightness(image, static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
 }
 
 Viewpoint map_of_the_box() {
@@ -52,9 +52,9 @@ TEST(Shadows, FallAwayFromTheSunInBothMaps) {
     const scene::Model model = box_on_ground();
     Renderer renderer(std::span(&model, 1), settings_with(true));
     for (const Viewpoint& view : {from_above(0, 14, 0), map_of_the_box()}) {
-        const Picture picture = renderer.draw(view, kWidth, kHeight);
-        EXPECT_LT(brightness_at(picture, view, kShaded), 0.75 * brightness_at(picture, view, kSunny));
-        EXPECT_NEAR(brightness_at(picture, view, {6, 0, 3}), brightness_at(picture, view, kSunny), 3.0)
+        const Image image = renderer.draw(view, kWidth, kHeight);
+        EXPECT_LT(brightness_at(image, view, kShaded), 0.75 * brightness_at(image, view, kSunny));
+        EXPECT_NEAR(brightness_at(image, view, {6, 0, 3}), brightness_at(image, view, kSunny), 3.0)
             << "beyond the shadow";
     }
 }
@@ -66,8 +66,8 @@ TEST(Shadows, AreAbsentWhenSwitchedOffAndWithoutTheBox) {
     Renderer no_shadows(std::span(&with_box, 1), settings_with(false));
     Renderer no_box(std::span(&bare, 1), settings_with(true));
     for (Renderer* renderer : {&no_shadows, &no_box}) {
-        const Picture picture = renderer->draw(view, kWidth, kHeight);
-        EXPECT_NEAR(brightness_at(picture, view, kShaded), brightness_at(picture, view, kSunny), 3.0);
+        const Image image = renderer->draw(view, kWidth, kHeight);
+        EXPECT_NEAR(brightness_at(image, view, kShaded), brightness_at(image, view, kSunny), 3.0);
     }
 }
 
@@ -75,17 +75,17 @@ TEST(Shadows, AreNotCastByGlass) {
     const Viewpoint view = from_above(0, 14, 0);
     const scene::Model model = box_on_ground(scene::AlphaMode::blend);
     Renderer renderer(std::span(&model, 1), settings_with(true));
-    const Picture picture = renderer.draw(view, kWidth, kHeight);
-    EXPECT_NEAR(brightness_at(picture, view, kShaded), brightness_at(picture, view, kSunny), 3.0);
+    const Image image = renderer.draw(view, kWidth, kHeight);
+    EXPECT_NEAR(brightness_at(image, view, kShaded), brightness_at(image, view, kSunny), 3.0);
 }
 
 TEST(Shadows, ReachTheFootOfTheWall) {
     const scene::Model model = box_on_ground();
     Renderer renderer(std::span(&model, 1), settings_with(true));
     const Viewpoint view = from_above(3, 6, 0);
-    const Picture picture = renderer.draw(view, 320, 180);
+    const Image image = renderer.draw(view, 320, 180);
     // 12 cm from the wall: a bias that is too large lets light through there.
-    EXPECT_LT(brightness_at(picture, view, {1.12, 0, -0.5}), 0.75 * brightness_at(picture, view, {5, 0, 2}));
+    EXPECT_LT(brightness_at(image, view, {1.12, 0, -0.5}), 0.75 * brightness_at(image, view, {5, 0, 2}));
 }
 
 TEST(Shadows, DontSpeckleSunnySurfaces) {
@@ -93,15 +93,15 @@ TEST(Shadows, DontSpeckleSunnySurfaces) {
     Renderer renderer(std::span(&model, 1), settings_with(true));
     // Level ground, a wall that the sun grazes (+z side), both from close by and from far off.
     for (const Viewpoint& view : {from_above(-10, 4, 10), from_above(-10, 60, 10)}) {
-        const Picture picture = renderer.draw(view, kWidth, kHeight);
+        const Image image = renderer.draw(view, kWidth, kHeight);
         const int middle_x = kWidth / 2;
         const int middle_y = kHeight / 2;
         double darkest = 255.0;
         double brightest = 0.0;
         for (int y = middle_y - 8; y < middle_y + 8; ++y) {
             for (int x = middle_x - 8; x < middle_x + 8; ++x) {
-                darkest = std::min(darkest, brightness(picture, x, y));
-                brightest = std::max(brightest, brightness(picture, x, y));
+                darkest = std::min(darkest, brightness(image, x, y));
+                brightest = std::max(brightest, brightness(image, x, y));
             }
         }
         EXPECT_LT(brightest - darkest, 4.0);
@@ -112,8 +112,8 @@ TEST(Shadows, FollowTheAvatar) {
     const scene::Model bare = box_on_ground(scene::AlphaMode::opaque, false);
     Renderer renderer(std::span(&bare, 1), settings_with(true));
     const Viewpoint view = from_above(0, 6, 0);
-    const Picture without = renderer.draw(view, kWidth, kHeight);
-    const Picture with = renderer.draw(view, kWidth, kHeight, Figure{});
+    const Image without = renderer.draw(view, kWidth, kHeight);
+    const Image with = renderer.draw(view, kWidth, kHeight, Figure{});
     const Vector3d shaded(0.5 * 0.48 / 0.68, 0.0, -0.5 * 0.55 / 0.68);  // of the trunk, half a metre up
     EXPECT_LT(brightness_at(with, view, 1.8 * shaded), 0.8 * brightness_at(without, view, 1.8 * shaded));
 }

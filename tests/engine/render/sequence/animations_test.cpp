@@ -24,15 +24,15 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-std::vector<Picture> three_pictures(int width, int height) {
+std::vector<Image> three_images(int width, int height) {
     std::mt19937 random(5);
-    return {noise(width, height, random), plain_picture(width, height, {10, 200, 90}),
+    return {noise(width, height, random), plain_image(width, height, {10, 200, 90}),
             noise(width, height, random)};
 }
 
-void feed(FrameSink& sink, const std::vector<Picture>& pictures) {
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        sink.add({pictures[i], i, 0.5 * static_cast<double>(i)});
+void feed(FrameSink& sink, const std::vector<Image>& images) {
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        sink.add({images[i], i, 0.5 * static_cast<double>(i)});
     }
     sink.finish();
 }
@@ -68,18 +68,18 @@ std::vector<Chunk> chunks_of(const std::string& bytes) {
 
 TEST(AnimatedPng, ShowsItsFirstFrameToThoseWhoKnowNoAnimations) {
     const ScratchFolder folder;
-    const std::vector<Picture> pictures = three_pictures(40, 30);
+    const std::vector<Image> images = three_images(40, 30);
     AnimatedPng animation(folder.path() / "a.png", 0.25);
-    feed(animation, pictures);
+    feed(animation, images);
     // libspng checks every chunk's checksum, those that it doesn't know too.
-    EXPECT_EQ(read_png(folder.path() / "a.png").rgba, pictures[0].rgba);
+    EXPECT_EQ(read_png(folder.path() / "a.png").rgba, images[0].rgba);
 }
 
 TEST(AnimatedPng, HoldsEveryFrame) {
     const ScratchFolder folder;
-    const std::vector<Picture> pictures = three_pictures(40, 30);
+    const std::vector<Image> images = three_images(40, 30);
     AnimatedPng animation(folder.path() / "a.png", 0.25);
-    feed(animation, pictures);
+    feed(animation, images);
     const std::string bytes = bytes_of(folder.path() / "a.png");
     const std::vector<Chunk> chunks = chunks_of(bytes);
     std::string kinds;
@@ -104,10 +104,10 @@ TEST(AnimatedPng, HoldsEveryFrame) {
 
 TEST(AnimatedPng, IsTheSameBytesForTheSameFramesAndNoFileWithoutAny) {
     const ScratchFolder folder;
-    const std::vector<Picture> pictures = three_pictures(40, 30);
+    const std::vector<Image> images = three_images(40, 30);
     for (const char* name : {"a.png", "b.png"}) {
         AnimatedPng animation(folder.path() / name, 0.25);
-        feed(animation, pictures);
+        feed(animation, images);
     }
     EXPECT_EQ(bytes_of(folder.path() / "a.png"), bytes_of(folder.path() / "b.png"));
     AnimatedPng none(folder.path() / "none.png", 0.25);
@@ -153,13 +153,13 @@ TEST(Animations, GoToDiskAsTheyComeAndAreNotThereBeforeTheyAreWhole) {
 TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
     for (const char* name : {"a.png", "a.gif"}) {
         const ScratchFolder folder;
-        feed(*animation(folder.path() / name), three_pictures(8, 8));
+        feed(*animation(folder.path() / name), three_images(8, 8));
         const std::string earlier = bytes_of(folder.path() / name);
         std::mt19937 random(3);
-        const std::vector<Picture> pictures(6, noise(200, 150, random));
+        const std::vector<Image> images(6, noise(200, 150, random));
         {
             const campuswalk::test::FullDisk full(100000);
-            EXPECT_THROW(feed(*animation(folder.path() / name), pictures), std::runtime_error) << name;
+            EXPECT_THROW(feed(*animation(folder.path() / name), images), std::runtime_error) << name;
         }
         EXPECT_EQ(folder.contents(), std::vector<std::filesystem::path>{name});
         EXPECT_EQ(bytes_of(folder.path() / name), earlier);
@@ -168,10 +168,10 @@ TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
 
 TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
     const ScratchFolder folder;
-    const std::vector<Picture> pictures = three_pictures(48, 32);
+    const std::vector<Image> images = three_images(48, 32);
     {
         AnimatedGif animation(folder.path() / "a.gif", 0.5);
-        feed(animation, pictures);
+        feed(animation, images);
     }
     int error = 0;
     const auto close = [](GifFileType* gif) { DGifCloseFile(gif, nullptr); };
@@ -191,7 +191,7 @@ TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
         for (int y = 0; y < 32; ++y) {
             for (int x = 0; x < 48; ++x) {
                 const GifColorType& color = gif->SColorMap->Colors[pixels[48 * y + x]];
-                const auto exact = pictures[static_cast<std::size_t>(i)].pixel(x, y);
+                const auto exact = images[static_cast<std::size_t>(i)].pixel(x, y);
                 const std::array<int, 3> got = {color.Red, color.Green, color.Blue};
                 for (std::size_t c = 0; c < 3; ++c) {
                     // A step of 5 or 6 between the levels is 51 or 42.5.
@@ -210,10 +210,10 @@ TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
 TEST(ContactSheet, ShowsFramesInRows) {
     const ScratchFolder folder;
     ContactSheet sheet(folder.path() / "sheet.png");
-    std::vector<Picture> pictures(7, plain_picture(480, 270, {200, 0, 0}));
-    pictures[6] = plain_picture(480, 270, {0, 0, 200});
-    feed(sheet, pictures);
-    const Picture drawn = read_png(folder.path() / "sheet.png");
+    std::vector<Image> images(7, plain_image(480, 270, {200, 0, 0}));
+    images[6] = plain_image(480, 270, {0, 0, 200});
+    feed(sheet, images);
+    const Image drawn = read_png(folder.path() / "sheet.png");
     // Three columns of thumbnails 240 x 135 with gaps of 8.
     EXPECT_EQ(drawn.width, 3 * 248 + 8);
     EXPECT_EQ(drawn.height, 3 * 143 + 8);
@@ -225,8 +225,8 @@ TEST(ContactSheet, ShowsFramesInRows) {
 TEST(ContactSheet, LeavesFramesOutOfALongWalk) {
     const ScratchFolder folder;
     ContactSheet sheet(folder.path() / "sheet.png");
-    feed(sheet, std::vector<Picture>(500, plain_picture(16, 9, {200, 0, 0})));
-    const Picture drawn = read_png(folder.path() / "sheet.png");
+    feed(sheet, std::vector<Image>(500, plain_image(16, 9, {200, 0, 0})));
+    const Image drawn = read_png(folder.path() / "sheet.png");
     EXPECT_LE(drawn.width, 10 * 24 + 8);
     EXPECT_LE(drawn.height, 13 * 17 + 8) << "120 frames at most, ten a row";
 }
@@ -235,11 +235,11 @@ TEST(FrameFiles, ReplaceThoseOfAnEarlierWalk) {
     const ScratchFolder folder;
     {
         FrameFiles files(folder.path() / "frames");
-        feed(files, std::vector<Picture>(12, plain_picture(8, 8, {1, 2, 3})));
+        feed(files, std::vector<Image>(12, plain_image(8, 8, {1, 2, 3})));
     }
     std::ofstream(folder.path() / "frames" / "frame-mine.png") << "not one of ours";
     FrameFiles files(folder.path() / "frames");
-    feed(files, three_pictures(8, 8));
+    feed(files, three_images(8, 8));
     EXPECT_EQ(folder.contents(), (std::vector<std::filesystem::path>{
                                      "frames", "frames/frame-00001.png", "frames/frame-00002.png",
                                      "frames/frame-00003.png", "frames/frame-mine.png"}));

@@ -10,7 +10,7 @@ namespace {
 Frame small_frame() {
     Frame frame{{3, 2, {}}, 70'000'000'000, 0.1};
     for (int i = 0; i < 24; ++i) {
-        frame.picture.rgba.push_back(static_cast<std::uint8_t>(i == 5 ? 0 : 200 + i));
+        frame.image.rgba.push_back(static_cast<std::uint8_t>(i == 5 ? 0 : 200 + i));
     }
     return frame;
 }
@@ -19,9 +19,9 @@ TEST(FrameBytes, ComeBackAsTheFrameTheyWere) {
     const Frame back = frame_from_bytes(to_bytes(small_frame()));
     EXPECT_EQ(back.number, small_frame().number);
     EXPECT_EQ(back.time, small_frame().time);
-    EXPECT_EQ(back.picture.width, 3);
-    EXPECT_EQ(back.picture.height, 2);
-    EXPECT_EQ(back.picture.rgba, small_frame().picture.rgba);
+    EXPECT_EQ(back.image.width, 3);
+    EXPECT_EQ(back.image.height, 2);
+    EXPECT_EQ(back.image.rgba, small_frame().image.rgba);
 }
 
 TEST(FrameBytes, OfAnythingElseAreRefused) {

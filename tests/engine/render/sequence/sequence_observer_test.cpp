@@ -44,7 +44,7 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
     settings.every = every;
     settings.camera.width = 32;
     settings.camera.height = 18;
-    PainterStore painters([](const scene::Campus&) {
+    RendererStore renderers([](const scene::Campus&) {
         SnapshotSettings drawing;
         drawing.light = quick_settings();
         return drawing;
@@ -53,9 +53,9 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
     std::vector<std::unique_ptr<FrameSink>> sinks;
     sinks.push_back(std::make_unique<Times>(frames));
     settings.share = share;
-    SequenceObserver observer(campus, settings, painters, std::move(sinks), std::move(others));
+    SequenceObserver observer(campus, settings, renderers, std::move(sinks), std::move(others));
     observer.begin(walk);
-    FrameRecord record;
+    TickRecord record;
     for (int i = 0; i < ticks; ++i) {
         record.tick = static_cast<Tick>(i);
         record.time = static_cast<double>(i) / ticks_per_second;
@@ -73,9 +73,9 @@ TEST(SequenceObserver, TakesFramesAtEvenTimes) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         EXPECT_EQ(frames[i].number, i);
         EXPECT_NEAR(frames[i].time, 0.1 * static_cast<double>(i), 1e-12);
-        EXPECT_EQ(frames[i].picture.width, 32);
+        EXPECT_EQ(frames[i].image.width, 32);
     }
-    EXPECT_NE(frames.front().picture.rgba, frames.back().picture.rgba);
+    EXPECT_NE(frames.front().image.rgba, frames.back().image.rgba);
 }
 
 TEST(SequenceObserver, TakesThemAtTheTickAfterWhereNoneFalls) {
@@ -92,8 +92,8 @@ TEST(SequenceObserver, DrawsByTheWalksLight) {
     dark.light.sun_color = dark.light.sky_light = dark.light.ground_light = Eigen::Vector3d::Zero();
     dark.light.zenith_color = dark.light.horizon_color = Eigen::Vector3d::Zero();
     const auto brightness_of = [](const std::vector<Frame>& frames) {
-        const Picture& picture = frames.at(0).picture;
-        return std::accumulate(picture.rgba.begin(), picture.rgba.end(), 0.0);
+        const Image& image = frames.at(0).image;
+        return std::accumulate(image.rgba.begin(), image.rgba.end(), 0.0);
     };
     EXPECT_LT(brightness_of(frames_of(1.0, 2, 60, dark)), 0.7 * brightness_of(frames_of(1.0, 2, 60)));
 }
@@ -110,7 +110,7 @@ TEST(SequenceObserver, SharesTheFramesOfAWalk) {
     for (std::size_t i = 0; i < whole.size(); ++i) {
         EXPECT_EQ(shared[i].number, i);
         EXPECT_EQ(shared[i].time, whole[i].time);
-        EXPECT_EQ(shared[i].picture.rgba, whole[i].picture.rgba) << i;
+        EXPECT_EQ(shared[i].image.rgba, whole[i].image.rgba) << i;
     }
 }
 

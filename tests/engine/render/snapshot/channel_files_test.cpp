@@ -53,21 +53,21 @@ TEST(ChannelFiles, DepthKeepsAllSixteenBits) {
     EXPECT_EQ(decoded<std::uint16_t>(encode_depth_png(20, 15, values), SPNG_FMT_PNG), values);
 }
 
-TEST(ChannelFiles, SayWhatThePictureShows) {
+TEST(ChannelFiles, SayWhatTheImageShows) {
     scene::Building tower;
     tower.id = "tower";
     const scene::Campus campus = campus_of(tower_scene(), {tower});
     SnapshotSettings settings;
     settings.light = quick_settings();
-    SnapshotPainter painter(campus, settings);
+    SnapshotRenderer snapshot_renderer(campus, settings);
     Shot shot;
     shot.camera.width = kWidth;
     shot.camera.height = kHeight;
     shot.avatar.position = {1, 0, 2};
-    const PictureChannels wanted{.depth = true, .ids = true, .normals = true};
-    const Channels channels = painter.draw_channels(shot, choice_of(wanted));
+    const ImageChannels wanted{.depth = true, .ids = true, .normals = true};
+    const Channels channels = snapshot_renderer.draw_channels(shot, choice_of(wanted));
     const ScratchFolder folder;
-    const auto files = write_channels(painter, campus, channels, wanted, folder.path() / "view");
+    const auto files = write_channels(snapshot_renderer, campus, channels, wanted, folder.path() / "view");
     ASSERT_EQ(files.size(), 4U);
     EXPECT_EQ(files[0].filename(), "view-depth.png");
     EXPECT_EQ(decoded<std::uint16_t>(bytes(files[0]), SPNG_FMT_PNG), millimetres(channels.depth));

@@ -8,8 +8,8 @@ namespace campuswalk::engine::render::test {
 namespace {
 
 /// Counts in `made` how many painters it makes.
-PainterStore counting_store(std::size_t& made) {
-    return PainterStore([&made](const scene::Campus&) {
+RendererStore counting_store(std::size_t& made) {
+    return RendererStore([&made](const scene::Campus&) {
         ++made;
         SnapshotSettings settings;
         settings.light = quick_settings();
@@ -17,11 +17,11 @@ PainterStore counting_store(std::size_t& made) {
     });
 }
 
-TEST(PainterStore, KeepsOneACampusAndLight) {
+TEST(RendererStore, KeepsOneACampusAndLight) {
     const scene::Campus tower = campus_of(tower_scene());
     const scene::Campus other = campus_of(SceneBuilder().paint(kRed).ground(10.0).model());
     std::size_t made = 0;
-    PainterStore store = counting_store(made);
+    RendererStore store = counting_store(made);
     LightSettings no_shadows;
     no_shadows.shadows = false;
     for (int i = 0; i < 3; ++i) {
@@ -32,10 +32,10 @@ TEST(PainterStore, KeepsOneACampusAndLight) {
     EXPECT_EQ(made, 3U);
 }
 
-TEST(PainterStore, ForgetsThemWhenTheyAreMany) {
+TEST(RendererStore, ForgetsThemWhenTheyAreMany) {
     const scene::Campus tower = campus_of(tower_scene());
     std::size_t made = 0;
-    PainterStore store = counting_store(made);
+    RendererStore store = counting_store(made);
     for (int i = 0; i < 6; ++i) {
         LightSettings light;
         light.fog_distance = 100.0 + i;

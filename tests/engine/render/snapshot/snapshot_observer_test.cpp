@@ -19,15 +19,15 @@ protected:
         gate_.camera.height = kHeight;
     }
 
-    // A walk of `ticks` with a picture at the last one.
-    void walk(SnapshotObserver& observer, int ticks, bool picture = true) const {
+    // A walk of `ticks` with an image at the last one.
+    void walk(SnapshotObserver& observer, int ticks, bool image = true) const {
         observer.begin(walk_);
         const std::vector<const SnapshotStep*> steps = {&gate_};
-        FrameRecord record;
+        TickRecord record;
         for (int i = 0; i < ticks; ++i) {
             record.tick = static_cast<Tick>(i);
             record.avatar.position = {1.0, 0.0, 2.0 - 0.02 * i};
-            if (picture && i + 1 == ticks) {
+            if (image && i + 1 == ticks) {
                 record.snapshots = steps;
             }
             observer.frame(record);
@@ -41,7 +41,7 @@ protected:
     }
 
     scene::Campus campus_ = campus_of(tower_scene());
-    PainterStore painters_{[](const scene::Campus&) {
+    RendererStore renderers_{[](const scene::Campus&) {
         SnapshotSettings settings;
         settings.light = quick_settings();
         return settings;
@@ -51,8 +51,8 @@ protected:
     ScratchFolder folder_;
 };
 
-TEST_F(SnapshotObserverTest, WritesAPictureNamedByItsStep) {
-    SnapshotObserver observer(campus_, folder_.path() / "out", painters_);
+TEST_F(SnapshotObserverTest, WritesAImageNamedByItsStep) {
+    SnapshotObserver observer(campus_, folder_.path() / "out", renderers_);
     walk(observer, 5);
     const std::filesystem::path file = folder_.path() / "out" / "gate.png";
     EXPECT_EQ(observer.files(), std::vector<std::filesystem::path>{file});
@@ -62,7 +62,7 @@ TEST_F(SnapshotObserverTest, WritesAPictureNamedByItsStep) {
 TEST_F(SnapshotObserverTest, TheSameWalkGivesTheSameFile) {
     std::vector<std::string> files;
     for (const char* out : {"a", "b"}) {
-        SnapshotObserver observer(campus_, folder_.path() / out, painters_);
+        SnapshotObserver observer(campus_, folder_.path() / out, renderers_);
         walk(observer, 20);
         files.push_back(bytes(observer.files().at(0)));
     }
@@ -71,7 +71,7 @@ TEST_F(SnapshotObserverTest, TheSameWalkGivesTheSameFile) {
 }
 
 TEST_F(SnapshotObserverTest, EveryWalkHasItsOwnLight) {
-    SnapshotObserver observer(campus_, folder_.path(), painters_);
+    SnapshotObserver observer(campus_, folder_.path(), renderers_);
     walk(observer, 5);
     const std::string day = bytes(observer.files().at(0));
     walk_.light.shadows = false;
@@ -82,8 +82,8 @@ TEST_F(SnapshotObserverTest, EveryWalkHasItsOwnLight) {
     EXPECT_EQ(bytes(observer.files().at(2)), day);
 }
 
-TEST_F(SnapshotObserverTest, MakesNoFolderForAWalkWithoutPictures) {
-    SnapshotObserver observer(campus_, folder_.path() / "out", painters_);
+TEST_F(SnapshotObserverTest, MakesNoFolderForAWalkWithoutImages) {
+    SnapshotObserver observer(campus_, folder_.path() / "out", renderers_);
     walk(observer, 5, false);
     EXPECT_TRUE(observer.files().empty());
     EXPECT_TRUE(folder_.contents().empty());
@@ -91,7 +91,7 @@ TEST_F(SnapshotObserverTest, MakesNoFolderForAWalkWithoutPictures) {
 
 TEST_F(SnapshotObserverTest, AnUnwritableFolderIsNamedAndNothingIsLeft) {
     std::ofstream(folder_.path() / "out") << "in the way";
-    SnapshotObserver observer(campus_, folder_.path() / "out", painters_);
+    SnapshotObserver observer(campus_, folder_.path() / "out", renderers_);
     try {
         walk(observer, 5);
         FAIL() << "nothing was thrown";

@@ -239,13 +239,13 @@ TEST_F(GltfSourceTest, RefusesLoops) {
 
 TEST_F(GltfSourceTest, NamesNumbersThatAreTooLargeForOne) {
     folder_.write("x.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"translation": [0, 1e309, 0]}]})");
-    const std::string complaint = test::text_of(test::errors_of([&] { import("x.gltf"); }));
-    EXPECT_TRUE(contains(complaint, "its JSON text has a number that is too large: '1e309'")) << complaint;
+    const std::string diagnostic = test::text_of(test::errors_of([&] { import("x.gltf"); }));
+    EXPECT_TRUE(contains(diagnostic, "its JSON contains a number out of range: '1e309'")) << diagnostic;
 }
 
 // ---- materials
 
-/// A triangle with texture coordinates (0,0), (1,0), (0,1) and a material with a picture.
+/// A triangle with texture coordinates (0,0), (1,0), (0,1) and a material with an image.
 GltfText textured_triangle(const Json& image, const Json& texture) {
     GltfText text;
     const std::size_t positions = text.add_triangle_positions();
@@ -260,7 +260,7 @@ GltfText textured_triangle(const Json& image, const Json& texture) {
 }
 
 TEST_F(GltfSourceTest, AppliesTextureTransforms) {
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     const Storage<Eigen::Vector2f> plain = import(text).meshes[0].uvs;
     EXPECT_EQ(plain[1], Eigen::Vector2f(1, 0));
@@ -268,15 +268,15 @@ TEST_F(GltfSourceTest, AppliesTextureTransforms) {
         {"KHR_texture_transform",
          {{"offset", {0.25, 0.5}}, {"rotation", std::numbers::pi / 2}, {"scale", {2, 4}}}}};
     const Storage<Eigen::Vector2f> moved = import(text).meshes[0].uvs;
-    // Anticlockwise on a picture whose v runs down: right becomes up, down becomes right.
+    // Anticlockwise on an image whose v runs down: right becomes up, down becomes right.
     EXPECT_LT((moved[0] - Eigen::Vector2f(0.25F, 0.5F)).norm(), 1e-6F);
     EXPECT_LT((moved[1] - Eigen::Vector2f(0.25F, 0.5F - 2.0F)).norm(), 1e-6F);
     EXPECT_LT((moved[2] - Eigen::Vector2f(0.25F + 4.0F, 0.5F)).norm(), 1e-6F);
 }
 
 TEST_F(GltfSourceTest, DecodesWebp) {
-    const std::string picture = test::webp_picture(3, 2, {10, 200, 30, 255});
-    folder_.write("wood.webp", picture);
+    const std::string image = test::webp_image(3, 2, {10, 200, 30, 255});
+    folder_.write("wood.webp", image);
     const Json texture = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
     const Model model = import(textured_triangle({{"uri", "wood.webp"}}, texture));
     ASSERT_EQ(model.textures.size(), 1U);
@@ -284,13 +284,13 @@ TEST_F(GltfSourceTest, DecodesWebp) {
     EXPECT_EQ(model.textures[0].height, 2);
     EXPECT_EQ(model.textures[0].rgba.size(), 24U);
     EXPECT_EQ(model.textures[0].rgba[21], 200);
-    folder_.write("wood.webp", picture.substr(0, picture.size() / 2));
+    folder_.write("wood.webp", image.substr(0, image.size() / 2));
     EXPECT_TRUE(contains(refusal(textured_triangle({{"uri", "wood.webp"}}, texture)), "WebP"));
 }
 
 TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
     folder_.write("wood.ktx2", "\xABKTX 20\xBB\r\n\x1A\n and so on");
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     Json texture = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
     GltfText text = textured_triangle({{"uri", "wood.ktx2"}}, texture);
     text.json["extensionsUsed"] = {"KHR_texture_basisu"};
@@ -303,9 +303,9 @@ TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
     EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(GltfSourceTest, ReadsAllOfAMaterialsPictures) {
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
-    folder_.write("bumps.tga", test::tga_picture(1, 1, {128, 128, 255, 255}));
+TEST_F(GltfSourceTest, ReadsAllOfAMaterialsImages) {
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
+    folder_.write("bumps.tga", test::tga_image(1, 1, {128, 128, 255, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     text.json["images"].push_back({{"uri", "bumps.tga"}});
     text.json["textures"].push_back({{"source", 1}});
@@ -332,8 +332,8 @@ TEST_F(GltfSourceTest, ReadsAllOfAMaterialsPictures) {
     EXPECT_TRUE(material.unlit);
 }
 
-TEST_F(GltfSourceTest, LeavesOutPicturesThatLieOtherwiseAndSaysSo) {
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+TEST_F(GltfSourceTest, LeavesOutImagesThatLieOtherwiseAndSaysSo) {
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     Json& wall = text.json["materials"][0];
     wall["emissiveFactor"] = {1, 1, 1};
@@ -344,8 +344,8 @@ TEST_F(GltfSourceTest, LeavesOutPicturesThatLieOtherwiseAndSaysSo) {
     EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0})) << "not all over";
 }
 
-TEST_F(GltfSourceTest, DoesWithoutAMissingPictureOfGlowOrBumps) {
-    folder_.write("wood.tga", test::tga_picture(1, 1, {1, 2, 3, 255}));
+TEST_F(GltfSourceTest, DoesWithoutAMissingImageOfGlowOrBumps) {
+    folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     text.json["images"].push_back({{"uri", "gone.tga"}});
     text.json["textures"].push_back({{"source", 1}});

@@ -122,7 +122,7 @@ GltfText meshopt_gltf(const GridMesh& grid) {
     return text;
 }
 
-std::string webp_picture(int width, int height, std::array<std::uint8_t, 4> rgba) {
+std::string webp_image(int width, int height, std::array<std::uint8_t, 4> rgba) {
     std::vector<std::uint8_t> pixels;
     for (int i = 0; i < width * height; ++i) {
         pixels.insert(pixels.end(), rgba.begin(), rgba.end());

@@ -29,6 +29,6 @@ GltfText draco_gltf(const GridMesh& mesh);
 GltfText meshopt_gltf(const GridMesh& mesh);
 
 /// A lossless WebP file of one colour.
-std::string webp_picture(int width, int height, std::array<std::uint8_t, 4> rgba);
+std::string webp_image(int width, int height, std::array<std::uint8_t, 4> rgba);
 
 }  // namespace campuswalk::scene::test

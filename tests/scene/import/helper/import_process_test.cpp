@@ -121,7 +121,8 @@ TEST(ImportRequest, ComesBackAsItWasWritten) {
 /// As a forger would: the checksum is right again.
 void seal_anew(std::vector<std::byte>& bytes) {
     constexpr std::size_t kChecksumAt = 24;
-    const std::uint64_t checksum = checksum_of(std::span<const std::byte>(bytes).subspan(kSealBytes));
+    const std::uint64_t checksum =
+        checksum_of(std::span<const std::byte>(bytes).subspan(kArchiveHeaderBytes));
     std::memcpy(bytes.data() + kChecksumAt, &checksum, sizeof checksum);
 }
 
@@ -129,7 +130,7 @@ void seal_anew(std::vector<std::byte>& bytes) {
 /// mutants.
 template <typename Call>
 void with_forgeries(const std::vector<std::byte>& whole, const Call& call) {
-    for (std::size_t at = kSealBytes; at < whole.size(); ++at) {
+    for (std::size_t at = kArchiveHeaderBytes; at < whole.size(); ++at) {
         for (const int value : {0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0xFF}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(value);

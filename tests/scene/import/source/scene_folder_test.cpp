@@ -44,16 +44,16 @@ TEST_F(SceneFolderTest, RefusesWhatLiesOutside) {
     EXPECT_FALSE(folder().find_file("..%2Fsecret.bin"));
     EXPECT_FALSE(folder().find_file("..\\secret.bin"));
     EXPECT_FALSE(folder().find_file("../../outside.bin"));
-    EXPECT_FALSE(folder().find_file("../materials/textures/wood.png"));  // pictures only as pictures
-    EXPECT_FALSE(folder().find_picture("../private/secret.png"));
-    EXPECT_FALSE(folder().find_picture("/etc/passwd"));
+    EXPECT_FALSE(folder().find_file("../materials/textures/wood.png"));  // images only as images
+    EXPECT_FALSE(folder().find_image("../private/secret.png"));
+    EXPECT_FALSE(folder().find_image("/etc/passwd"));
 }
 
 TEST_F(SceneFolderTest, KeepsWhatItWasAskedFor) {
     const SceneFolder asked = folder();
     const SceneFolder copy = asked;  // NOLINT(performance-unnecessary-copy-initialization): that is the point
     EXPECT_TRUE(asked.find_file("a%20b.bin"));
-    EXPECT_FALSE(copy.find_picture("nothing.png"));
+    EXPECT_FALSE(copy.find_image("nothing.png"));
     EXPECT_FALSE(copy.find_file("nothing.png"));
     EXPECT_TRUE(copy.find_file("a%20b.bin"));
     const std::vector<FileRequest> expected = {
@@ -71,14 +71,14 @@ TEST_F(SceneFolderTest, RefusesSymbolicLinksThatLeadOutside) {
     EXPECT_TRUE(folder().find_file("inner.bin"));
 }
 
-TEST_F(SceneFolderTest, FindsPicturesWhereExportersPutThem) {
-    EXPECT_TRUE(folder().find_picture("textures/own.png"));
-    EXPECT_TRUE(folder().find_picture("../materials/textures/wood.png"));
-    EXPECT_TRUE(folder().find_picture("../Textures/stone.png"));
-    EXPECT_TRUE(folder().find_picture("wood.png"));                 // a bare name
-    EXPECT_TRUE(folder().find_picture("C:\\Users\\ann\\own.png"));  // another machine's path
-    EXPECT_TRUE(folder().find_picture("own.png\r"));
-    EXPECT_FALSE(folder().find_picture("marble.png"));
+TEST_F(SceneFolderTest, FindsImagesWhereExportersPutThem) {
+    EXPECT_TRUE(folder().find_image("textures/own.png"));
+    EXPECT_TRUE(folder().find_image("../materials/textures/wood.png"));
+    EXPECT_TRUE(folder().find_image("../Textures/stone.png"));
+    EXPECT_TRUE(folder().find_image("wood.png"));                 // a bare name
+    EXPECT_TRUE(folder().find_image("C:\\Users\\ann\\own.png"));  // another machine's path
+    EXPECT_TRUE(folder().find_image("own.png\r"));
+    EXPECT_FALSE(folder().find_image("marble.png"));
 }
 
 TEST(SceneFolder, OfASceneThatIsNotThereFindsNothing) {

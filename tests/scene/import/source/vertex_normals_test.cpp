@@ -22,9 +22,9 @@ struct Fold {
     }
 };
 
-TEST(CornerNormals, AreSmoothAcrossAGentleEdge) {
+TEST(VertexNormals, AreSmoothAcrossAGentleEdge) {
     const Fold fold(-0.3);
-    const auto normals = corner_normals(fold.positions, fold.triangles, kCrease);
+    const auto normals = vertex_normals(fold.positions, fold.triangles, kCrease);
     ASSERT_EQ(normals.size(), 6U);
     // At the shared edge both faces' corners agree, halfway between the two; away from it the face's own.
     const double half = 0.15;
@@ -35,26 +35,26 @@ TEST(CornerNormals, AreSmoothAcrossAGentleEdge) {
     EXPECT_LT((normals[1].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
 }
 
-TEST(CornerNormals, KeepSharpEdges) {
+TEST(VertexNormals, KeepSharpEdges) {
     const Fold fold(-std::numbers::pi / 3);
-    const auto normals = corner_normals(fold.positions, fold.triangles, kCrease);
+    const auto normals = vertex_normals(fold.positions, fold.triangles, kCrease);
     for (std::size_t corner = 0; corner < 3; ++corner) {
         EXPECT_LT((normals[corner].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
     }
 }
 
-TEST(CornerNormals, AreFlatOnRequest) {
+TEST(VertexNormals, AreFlatOnRequest) {
     const Fold fold(-0.3);
-    const auto normals = corner_normals(fold.positions, fold.triangles, 1.0);
+    const auto normals = vertex_normals(fold.positions, fold.triangles, 1.0);
     EXPECT_EQ(normals[0], normals[1]);
     EXPECT_EQ(normals[0], normals[2]);
     EXPECT_NE(normals[0], normals[3]);
 }
 
-TEST(CornerNormals, OfATriangleWithoutAreaPointUp) {
+TEST(VertexNormals, OfATriangleWithoutAreaPointUp) {
     const std::vector<Eigen::Vector3f> positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}};
-    for (const Eigen::Vector3f& normal : corner_normals(positions, triangles, kCrease)) {
+    for (const Eigen::Vector3f& normal : vertex_normals(positions, triangles, kCrease)) {
         EXPECT_EQ(normal, Eigen::Vector3f::UnitY());
     }
 }

@@ -12,7 +12,7 @@
 
 namespace campuswalk::tools::bench {
 
-using engine::render::Picture;
+using engine::render::Image;
 using engine::render::Renderer;
 using engine::render::Viewpoint;
 
@@ -59,9 +59,9 @@ OurDrawing draw_ours(const scene::Model& model, const std::vector<DrawnView>& vi
         drawing.looks.back().engine = kOurs;
         drawing.looks.back().look = look.name;
         drawing.heap_bytes = heap_in_use() - before;
-        const Picture picture = renderer.draw(points.front(), kDrawnWidth, kDrawnHeight);
-        drawing.encode_ms = 1e-3 * microseconds_of([&] { engine::render::encode_png(picture); });
-        engine::render::write_png(picture, folder / ("campuswalk-" + look.name + ".png"));
+        const Image image = renderer.draw(points.front(), kDrawnWidth, kDrawnHeight);
+        drawing.encode_ms = 1e-3 * microseconds_of([&] { engine::render::encode_png(image); });
+        engine::render::write_png(image, folder / ("campuswalk-" + look.name + ".png"));
     }
     return drawing;
 }

@@ -11,7 +11,7 @@ namespace campuswalk::tools::bench {
 
 struct OurDrawing {
     std::vector<DrawTimes> looks;
-    double encode_ms = 0.0;      ///< to make a PNG of a picture, beside drawing when it is done in a walk
+    double encode_ms = 0.0;      ///< to make a PNG of an image, beside drawing when it is done in a walk
     std::size_t heap_bytes = 0;  ///< what drawing took besides the model: geometry, textures, maps, targets
 };
 

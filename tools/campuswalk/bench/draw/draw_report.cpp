@@ -43,7 +43,7 @@ struct Allowance {
 };
 constexpr Allowance kAllowances[] = {{1000000, 50.0, 110.0}, {4000000, 85.0, 187.0}};
 
-void judge_times(const DrawnCampus& campus, const char* our_way, std::vector<DrawVerdict>& verdicts) {
+void evaluate_times(const DrawnCampus& campus, const char* our_way, std::vector<DrawVerdict>& verdicts) {
     const std::string of = ", " + campus.name + " of " + std::to_string(campus.triangles) + " triangles" +
                            (our_way == std::string_view(kOurProcesses) ? ", by processes" : "");
     const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
@@ -99,8 +99,8 @@ void print_draw_table(const DrawnCampus& campus) {
 std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses) {
     std::vector<DrawVerdict> verdicts;
     for (const DrawnCampus& campus : campuses) {
-        judge_times(campus, kOurs, verdicts);
-        judge_times(campus, kOurProcesses, verdicts);
+        evaluate_times(campus, kOurs, verdicts);
+        evaluate_times(campus, kOurProcesses, verdicts);
     }
     if (campuses.empty()) {
         return verdicts;

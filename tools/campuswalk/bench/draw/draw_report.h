@@ -33,7 +33,7 @@ struct DrawVerdict {
 };
 
 /// Milliseconds and ratios are of medians. Memory is what the triangles of the last campus take more than
-/// those of the first: textures, shadow maps and the picture's own buffers are the same.
+/// those of the first: textures, shadow maps and the image's own buffers are the same.
 std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses);
 void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts);
 

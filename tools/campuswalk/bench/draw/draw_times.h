@@ -7,13 +7,13 @@
 
 namespace campuswalk::tools::bench {
 
-/// One picture of one view.
+/// One image of one view.
 struct DrawnFrame {
     std::size_t view = 0;
     double ms = 0.0;  ///< wall clock, until the pixels are there
 };
 
-/// Ours, a picture after the other.
+/// Ours, an image after the other.
 inline constexpr const char* kOurs = "campuswalk";
 /// Ours by several processes at the same time.
 inline constexpr const char* kOurProcesses = "processes";

@@ -24,20 +24,20 @@ constexpr std::size_t kMostViews = 24;  ///< three on each of eight ways
 constexpr int kStreetViews = 12;        ///< on each of two walks
 constexpr float kLevel = 0.7F;          ///< a face whose normal rises more is walked on, hence paved
 
-/// After the surface pictures' own, a material without a picture.
+/// After the surface images' own, a material without an image.
 constexpr std::size_t kPaint = 5;
 
 std::size_t material_of(CampusPart part, const Vector3f& normal) {
-    const auto picture = [](SurfacePicture it) { return static_cast<std::size_t>(it); };
+    const auto image = [](SurfaceImage it) { return static_cast<std::size_t>(it); };
     switch (part) {
         case CampusPart::terrain:
-            return picture(SurfacePicture::grass);
+            return image(SurfaceImage::grass);
         case CampusPart::building:
-            return picture(std::abs(normal.y()) > kLevel ? SurfacePicture::paving : SurfacePicture::bricks);
+            return image(std::abs(normal.y()) > kLevel ? SurfaceImage::paving : SurfaceImage::bricks);
         case CampusPart::tree:
-            return picture(SurfacePicture::leaves);
+            return image(SurfaceImage::leaves);
         case CampusPart::bench:
-            return picture(SurfacePicture::planks);
+            return image(SurfaceImage::planks);
         case CampusPart::lamp:
             break;
     }
@@ -49,9 +49,9 @@ bool is_smooth(CampusPart part) {
 }
 
 /// Flat on the face's widest side.
-Vector2f picture_place(const Vector3f& at, const Vector3f& normal) {
+Vector2f image_place(const Vector3f& at, const Vector3f& normal) {
     const Vector3f side = normal.cwiseAbs();
-    const Vector3f p = at / static_cast<float>(kPictureMetres);
+    const Vector3f p = at / static_cast<float>(kImageMetres);
     if (side.y() >= std::max(side.x(), side.z())) {
         return {p.x(), p.z()};
     }
@@ -98,7 +98,7 @@ public:
             }
         }
         scene::Model model;
-        model.textures = surface_pictures();
+        model.textures = surface_images();
         for (std::size_t i = 0; i <= kPaint; ++i) {
             scene::Material material;
             material.name = i < kPaint ? model.textures[i].name : "paint";
@@ -107,7 +107,7 @@ public:
             } else {
                 material.base_color = {0.06F, 0.09F, 0.08F, 1.0F};
             }
-            material.double_sided = i == static_cast<std::size_t>(SurfacePicture::leaves);
+            material.double_sided = i == static_cast<std::size_t>(SurfaceImage::leaves);
             model.materials.push_back(material);
         }
         for (auto& [key, piece] : pieces_) {
@@ -125,25 +125,25 @@ public:
     }
 
 private:
-    using Corners = std::array<std::uint32_t, 3>;
+    using Vertices = std::array<std::uint32_t, 3>;
 
     const Vector3f& at(std::uint32_t position) const { return mesh_.positions[position]; }
 
-    Vector3f across(const Corners& t) const { return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])); }
+    Vector3f across(const Vertices& t) const { return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])); }
 
-    void add(const Corners& triangle, CampusPart part) {
+    void add(const Vertices& triangle, CampusPart part) {
         const Vector3f face = across(triangle).normalized();
         const Vector3f middle = (at(triangle[0]) + at(triangle[1]) + at(triangle[2])) / 3.0F;
         const auto lot = [&](float coordinate) {
             return static_cast<int>(std::floor(coordinate / lot_ + 500.0));
         };
         Piece& piece = pieces_[{lot(middle.z()), lot(middle.x()), material_of(part, face)}];
-        Corners corners{};
+        Vertices corners{};
         for (std::size_t i = 0; i < 3; ++i) {
             const Vector3f normal = is_smooth(part) ? Vector3f(smooth_[triangle[i]].normalized()) : face;
             const Vector3f flat = part == CampusPart::terrain ? Vector3f::UnitY() : face;
             corners[i] =
-                piece.corner(triangle[i], at(triangle[i]), normal, picture_place(at(triangle[i]), flat));
+                piece.corner(triangle[i], at(triangle[i]), normal, image_place(at(triangle[i]), flat));
         }
         piece.mesh.triangles.push_back(corners);
     }

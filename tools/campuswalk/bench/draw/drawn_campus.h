@@ -15,7 +15,7 @@ namespace campuswalk::tools::bench {
 scene::Model drawn_campus(const collision::TriangleMesh& mesh, std::span<const scene::CampusRun> runs,
                           double lot);
 
-/// Where a picture is taken from and what is in its middle, metres.
+/// Where an image is taken from and what is in its middle, metres.
 struct DrawnView {
     Eigen::Vector3d eye = Eigen::Vector3d::Zero();
     Eigen::Vector3d target = Eigen::Vector3d::Zero();

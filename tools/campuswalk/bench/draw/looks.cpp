@@ -12,7 +12,7 @@ Look look(const char* name, int samples, bool fxaa, bool shadows) {
     settings.samples = samples;
     settings.fxaa = fxaa;
     settings.shadows = shadows;
-    settings.occlusion_radius = 0.0;
+    settings.ambient_occlusion_radius = 0.0;
     return {name, settings};
 }
 

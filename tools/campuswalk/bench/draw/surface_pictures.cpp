@@ -65,7 +65,7 @@ int shade(const Look& look, int x, int y, unsigned seed) {
     return shade;
 }
 
-scene::Texture picture_of(const Look& look, unsigned seed) {
+scene::Texture image_of(const Look& look, unsigned seed) {
     scene::Texture texture;
     texture.name = look.name;
     texture.width = texture.height = kSide;
@@ -84,13 +84,13 @@ scene::Texture picture_of(const Look& look, unsigned seed) {
 
 }  // namespace
 
-std::vector<scene::Texture> surface_pictures() {
-    std::vector<scene::Texture> pictures;
-    pictures.reserve(std::size(kLooks));
+std::vector<scene::Texture> surface_images() {
+    std::vector<scene::Texture> images;
+    images.reserve(std::size(kLooks));
     for (const Look& look : kLooks) {
-        pictures.push_back(picture_of(look, 10U * static_cast<unsigned>(pictures.size())));
+        images.push_back(image_of(look, 10U * static_cast<unsigned>(images.size())));
     }
-    return pictures;
+    return images;
 }
 
 }  // namespace campuswalk::tools::bench

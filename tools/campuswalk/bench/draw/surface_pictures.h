@@ -6,13 +6,13 @@
 
 namespace campuswalk::tools::bench {
 
-/// How many metres a picture covers, each way.
-constexpr double kPictureMetres = 3.0;
+/// How many metres an image covers, each way.
+constexpr double kImageMetres = 3.0;
 
-/// Pictures of what a campus is made of, 512 pixels a side, that repeat without a seam. The same everywhere.
-enum class SurfacePicture : std::uint8_t { grass, paving, bricks, leaves, planks };
+/// Images of what a campus is made of, 512 pixels a side, that repeat without a seam. The same everywhere.
+enum class SurfaceImage : std::uint8_t { grass, paving, bricks, leaves, planks };
 
-/// In the order of SurfacePicture.
-std::vector<scene::Texture> surface_pictures();
+/// In the order of SurfaceImage.
+std::vector<scene::Texture> surface_images();
 
 }  // namespace campuswalk::tools::bench

@@ -25,7 +25,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Triangles placed(const TriangleMesh& mesh, const Pose& X) {
     const auto corner = [&](std::uint32_t k) {
-        const collision::Vec3 p = b_corner_in_a(X, mesh.positions[k]);
+        const collision::Vec3 p = b_vertex_in_a(X, mesh.positions[k]);
         return Kernel::Point_3(p.x(), p.y(), p.z());
     };
     Triangles triangles;

@@ -71,7 +71,7 @@ WalkedCampus walk_campus(int lots, int rounds) {
     for (const auto& [name, engine] : peers) {
         walkers.push_back({name, engine.get()});
     }
-    walked.scores = run_walks(walkers, campus.paths, body, WalkJudge(campus.mesh), rounds);
+    walked.scores = run_walks(walkers, campus.paths, body, WalkEvaluator(campus.mesh), rounds);
     walked.working_memory = ours.weigh();
     if (walked.scores.size() == 3) {
         WalkScore best = better(walked.scores[1], walked.scores[2]);

@@ -81,7 +81,7 @@ double distance(const Vec3& low, const Vec3& high, const Triangle& t) {
 
 }  // namespace
 
-WalkJudge::WalkJudge(const collision::TriangleMesh& mesh) : mesh_(mesh) {
+WalkEvaluator::WalkEvaluator(const collision::TriangleMesh& mesh) : mesh_(mesh) {
     Aabb all;
     for (const Eigen::Vector3f& position : mesh.positions) {
         all.extend(position.cast<double>());
@@ -110,7 +110,7 @@ WalkJudge::WalkJudge(const collision::TriangleMesh& mesh) : mesh_(mesh) {
     each_column([&](std::size_t column, std::uint32_t triangle) { triangles_[next[column]++] = triangle; });
 }
 
-WalkJudge::Columns WalkJudge::columns_of(const Aabb& box) const {
+WalkEvaluator::Columns WalkEvaluator::columns_of(const Aabb& box) const {
     const auto column = [&](double away) {
         return static_cast<std::size_t>(std::clamp(away / width_, 0.0, static_cast<double>(side_ - 1)));
     };
@@ -120,7 +120,7 @@ WalkJudge::Columns WalkJudge::columns_of(const Aabb& box) const {
 
 /// Some more than once.
 template <typename Visit>
-void WalkJudge::visit_near(const Aabb& box, const Visit& visit) const {
+void WalkEvaluator::visit_near(const Aabb& box, const Visit& visit) const {
     const Columns over = columns_of(box);
     for (std::size_t z = over.low_z; z <= over.high_z; ++z) {
         for (std::size_t x = over.low_x; x <= over.high_x; ++x) {
@@ -135,7 +135,7 @@ void WalkJudge::visit_near(const Aabb& box, const Visit& visit) const {
     }
 }
 
-double WalkJudge::penetration(const Vec3& foot, double radius, double height) const {
+double WalkEvaluator::penetration(const Vec3& foot, double radius, double height) const {
     const Vec3 low = foot + Vec3(0.0, radius, 0.0);
     const Vec3 high = foot + Vec3(0.0, height - radius, 0.0);
     double deepest = 0.0;
@@ -144,7 +144,7 @@ double WalkJudge::penetration(const Vec3& foot, double radius, double height) co
     return deepest;
 }
 
-bool WalkJudge::crosses(const Vec3& from, const Vec3& to) const {
+bool WalkEvaluator::crosses(const Vec3& from, const Vec3& to) const {
     Aabb way;
     way.extend(from);
     way.extend(to);

@@ -11,10 +11,10 @@ namespace campuswalk::tools::bench {
 
 /// Says whether a walker is in a mesh or went through it, from the raw triangles in columns of a grid and by
 /// the plainest formulas: it shares no function with what it judges.
-class WalkJudge {
+class WalkEvaluator {
 public:
     /// The mesh must outlive it.
-    explicit WalkJudge(const collision::TriangleMesh& mesh);
+    explicit WalkEvaluator(const collision::TriangleMesh& mesh);
 
     /// How deep an upright capsule is in the triangle that it is in deepest, metres; 0 if it is in none.
     double penetration(const collision::Vec3& foot, double radius, double height) const;

@@ -38,19 +38,19 @@ void repeat(Contestant& it, const WalkPath& path, const WalkBody& body, int roun
     }
 }
 
-void judge_motion(Contestant& it, const WalkBody& body, const WalkJudge& judge) {
+void evaluate_motion(Contestant& it, const WalkBody& body, const WalkEvaluator& evaluator) {
     const Vec3 middle(0.0, 0.5 * body.height, 0.0);
     Vec3 before = it.first.start;
     for (const WalkTick& tick : it.first.ticks) {
         it.score.max_penetration =
-            std::max(it.score.max_penetration, judge.penetration(tick.foot, body.radius, body.height));
-        it.score.crossings += judge.crosses(before + middle, tick.foot + middle) ? 1U : 0U;
+            std::max(it.score.max_penetration, evaluator.penetration(tick.foot, body.radius, body.height));
+        it.score.crossings += evaluator.crosses(before + middle, tick.foot + middle) ? 1U : 0U;
         before = tick.foot;
         it.us.push_back(tick.us);
     }
 }
 
-void judge_goals(Contestant& it, const WalkPath& path) {
+void evaluate_goals(Contestant& it, const WalkPath& path) {
     for (std::size_t i = 0; i < path.goals.size(); ++i) {
         const bool forbidden = path.goals[i].forbidden;
         const bool arrived = it.first.arrived[i] != 0;
@@ -93,7 +93,7 @@ void walk_by_turns(std::vector<Contestant>& all, const WalkPath& path, const Wal
 }  // namespace
 
 std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers, const std::vector<WalkPath>& paths,
-                                 const WalkBody& body, const WalkJudge& judge, int rounds) {
+                                 const WalkBody& body, const WalkEvaluator& evaluator, int rounds) {
     std::vector<Contestant> all;
     for (const Walker& walker : walkers) {
         all.emplace_back().walker = walker;
@@ -102,8 +102,8 @@ std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers, const std::
     for (const WalkPath& path : paths) {
         walk_by_turns(all, path, body, rounds);
         for (Contestant& it : all) {
-            judge_motion(it, body, judge);
-            judge_goals(it, path);
+            evaluate_motion(it, body, evaluator);
+            evaluate_goals(it, path);
             it.score.unrepeated += it.is_repeated ? 0U : 1U;
         }
     }

@@ -44,6 +44,6 @@ struct WalkScore {
 /// counts, and its times.
 std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers,
                                  const std::vector<scene::WalkPath>& paths, const WalkBody& body,
-                                 const WalkJudge& judge, int rounds);
+                                 const WalkEvaluator& evaluator, int rounds);
 
 }  // namespace campuswalk::tools::bench

@@ -26,7 +26,7 @@ WalkVerdict at_least(std::string what, std::optional<double> value, const char* 
     return verdict;
 }
 
-void judge_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVerdict>& verdicts) {
+void evaluate_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVerdict>& verdicts) {
     WalkScore all;
     for (const WalkedCampus& campus : campuses) {
         const WalkScore& ours = campus.scores.front();
@@ -57,7 +57,8 @@ void judge_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVe
 }
 
 /// From the smallest campus to the largest.
-void judge_growth(const WalkedCampus& small, const WalkedCampus& large, std::vector<WalkVerdict>& verdicts) {
+void evaluate_growth(const WalkedCampus& small, const WalkedCampus& large,
+                     std::vector<WalkVerdict>& verdicts) {
     verdicts.push_back(at_most(
         "growth of working memory",
         static_cast<double>(large.working_memory) / static_cast<double>(small.working_memory), "x", 1.2));
@@ -95,9 +96,9 @@ std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses
         verdicts.push_back(at_least("mean tick, " + std::to_string(campus.triangles) + " triangles", ratio,
                                     "x Bullet's", 40.0, 100.0));
     }
-    judge_quality(campuses, verdicts);
+    evaluate_quality(campuses, verdicts);
     if (campuses.size() > 1) {
-        judge_growth(campuses.front(), campuses.back(), verdicts);
+        evaluate_growth(campuses.front(), campuses.back(), verdicts);
     }
     verdicts.push_back(at_most("two minutes of the demo tour", tour_ms, " ms", 50.0));
     return verdicts;
