@@ -29,7 +29,7 @@ namespace campuswalk::engine::render {
 namespace {
 
 // Around the campus on a plan, linear: the grey of paper.
-const Eigen::Vector3d kPaper(0.60, 0.61, 0.59);
+const Eigen::Vector3d kBackground(0.60, 0.61, 0.59);
 
 // Shares of open sky: with less the camera is in a room, with more it is outside.
 constexpr double kInside = 0.06;
@@ -42,10 +42,10 @@ std::unique_ptr<GlContext> made_current(std::unique_ptr<GlContext> context) {
 
 }  // namespace
 
-class Renderer::Drawing {
+class Renderer::Impl {
 public:
-    Drawing(std::span<const scene::Model> models, const RenderSettings& settings,
-            std::unique_ptr<GlContext> context)
+    Impl(std::span<const scene::Model> models, const RenderSettings& settings,
+         std::unique_ptr<GlContext> context)
         : settings_(settings),
           context_(made_current(std::move(context))),
           gl_(load_gl_functions(*context_)),
@@ -67,11 +67,11 @@ public:
           hierarchical_z_(gl_, settings_.samples) {
         gl_.GenVertexArrays(1, &no_vertices_);
     }
-    Drawing(const Drawing&) = delete;
-    Drawing& operator=(const Drawing&) = delete;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     // Members free their GL objects by number: those of this context, not of whichever is current.
-    ~Drawing() {
+    ~Impl() {
         try {
             context_->make_current();
         } catch (const RenderError&) {
@@ -87,7 +87,7 @@ public:
             return halved(draw_once(view, 2 * width, 2 * height, figure, lines));
         }
         Image image = draw_once(view, width, height, figure, lines);
-        return settings_.fxaa ? with_smooth_edges(image) : std::move(image);
+        return settings_.fxaa ? apply_fxaa(image) : std::move(image);
     }
 
     Image draw_once(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
@@ -109,9 +109,9 @@ public:
             occlusion_.draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
                             settings_.ambient_occlusion_radius);
         } else {
-            occlusion_.leave_open();
+            occlusion_.clear_to_unoccluded();
         }
-        target_->begin(kPaper);
+        target_->begin(kBackground);
         // What covers a pixel is written as its byte; what is mixed with what is there, as light.
         gl_.Disable(GL_FRAMEBUFFER_SRGB);
         draw_solid(frame);
@@ -206,7 +206,7 @@ private:
 
     void draw_solid(const Frame& frame) {
         const Frustum frustum(frame.clip_campus);
-        HierarchicalZ* depth = settings_.leave_out_hidden && frame.perspective ? &hierarchical_z_ : nullptr;
+        HierarchicalZ* depth = settings_.occlusion_culling && frame.perspective ? &hierarchical_z_ : nullptr;
         if (depth != nullptr) {
             depth->begin(*target_, frame.clip_campus);
         }
@@ -218,7 +218,7 @@ private:
             frame.figure->bind();
             frame.figure->draw(0, figure_indices_);
         }
-        const ProgramChoice program_of = begun_programs(frame);
+        const ProgramSelector program_of = prepared_programs(frame);
         campus_.draw_solid(program_of, scene::AlphaMode::opaque, frustum, frame.eye, depth);
         if (settings_.samples > 1) {
             gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
@@ -241,7 +241,7 @@ private:
     }
 
     // Each with the frame's light, set when it is first asked for.
-    ProgramChoice begun_programs(const Frame& frame) {
+    ProgramSelector prepared_programs(const Frame& frame) {
         return [this, &frame, begun = std::set<const ShaderProgram*>()](
                    const scene::Material& material) mutable -> const ShaderProgram& {
             const ShaderProgram& program = surfaces_.of(kind_of(material));
@@ -260,7 +260,7 @@ private:
         gl_.Enable(GL_BLEND);
         gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_.DepthMask(GL_FALSE);
-        campus_.draw_blend(begun_programs(frame), Frustum(frame.clip_campus), frame.eye);
+        campus_.draw_blend(prepared_programs(frame), Frustum(frame.clip_campus), frame.eye);
         gl_.DepthMask(GL_TRUE);
         gl_.Disable(GL_BLEND);
     }
@@ -287,7 +287,7 @@ private:
 
 Renderer::Renderer(std::span<const scene::Model> models, const RenderSettings& settings,
                    std::unique_ptr<GlContext> context)
-    : drawing_(std::make_unique<Drawing>(models, settings, std::move(context))) {}
+    : impl_(std::make_unique<Impl>(models, settings, std::move(context))) {}
 
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -295,16 +295,16 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Image Renderer::draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
                      std::span<const OverlayLine> lines) {
-    return drawing_->draw(view, width, height, figure, lines);
+    return impl_->draw(view, width, height, figure, lines);
 }
 
 Channels Renderer::draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,
                                  const std::optional<Figure>& figure) {
-    return drawing_->draw_channels(view, width, height, choice, figure);
+    return impl_->draw_channels(view, width, height, choice, figure);
 }
 
 const scene::Bounds& Renderer::bounds() const {
-    return drawing_->bounds();
+    return impl_->bounds();
 }
 
 }  // namespace campuswalk::engine::render

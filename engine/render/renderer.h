@@ -48,8 +48,8 @@ public:
     const scene::Bounds& bounds() const;
 
 private:
-    class Drawing;
-    std::unique_ptr<Drawing> drawing_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace campuswalk::engine::render

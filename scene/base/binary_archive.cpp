@@ -24,10 +24,10 @@ static_assert(sizeof(Seal) == kArchiveHeaderBytes);
 }  // namespace
 
 ArchiveWriter::ArchiveWriter(const FileKind& kind) {
-    Seal seal;
-    seal.magic = kind.magic;
-    seal.version = kind.version;
-    put_bytes(&seal, sizeof seal);
+    Seal finish;
+    finish.magic = kind.magic;
+    finish.version = kind.version;
+    put_bytes(&finish, sizeof finish);
 }
 
 void ArchiveWriter::put_bytes(const void* from, std::size_t count) {
@@ -57,7 +57,7 @@ void ArchiveWriter::align(std::size_t alignment) {
     size_ += zeros;
 }
 
-Parts ArchiveWriter::seal() {
+Parts ArchiveWriter::finish() {
     Parts parts;
     std::size_t done = kArchiveHeaderBytes;
     const std::span<const std::byte> bytes(bytes_);
@@ -67,11 +67,11 @@ Parts ArchiveWriter::seal() {
         done = left.after;
     }
     parts.push_back(bytes.subspan(done));
-    Seal seal;
-    std::memcpy(&seal, bytes_.data(), sizeof seal);
-    seal.payload_bytes = size_ - kArchiveHeaderBytes;
-    seal.checksum = checksum_of(parts);
-    std::memcpy(bytes_.data(), &seal, sizeof seal);
+    Seal finish;
+    std::memcpy(&finish, bytes_.data(), sizeof finish);
+    finish.payload_bytes = size_ - kArchiveHeaderBytes;
+    finish.checksum = checksum_of(parts);
+    std::memcpy(bytes_.data(), &finish, sizeof finish);
     parts.insert(parts.begin(), bytes.first(kArchiveHeaderBytes));
     return parts;
 }
@@ -87,29 +87,29 @@ std::vector<std::byte> joined(const Parts& parts) {
 ArchiveReader::ArchiveReader(std::span<const std::byte> bytes, const FileKind& kind,
                              std::shared_ptr<const void> owner)
     : bytes_(bytes), owner_(std::move(owner)) {
-    Seal seal;
-    if (bytes.size() < sizeof seal) {
+    Seal finish;
+    if (bytes.size() < sizeof finish) {
         throw DamagedFile("it is truncated");
     }
-    std::memcpy(&seal, bytes.data(), sizeof seal);
-    if (seal.magic != kind.magic) {
+    std::memcpy(&finish, bytes.data(), sizeof finish);
+    if (finish.magic != kind.magic) {
         throw DamagedFile("it is another kind of file");
     }
-    if (seal.byte_order == kOtherByteOrder) {
+    if (finish.byte_order == kOtherByteOrder) {
         throw DamagedFile("it was written on a machine with a different byte order");
     }
-    if (seal.version != kind.version) {
-        throw DamagedFile("it is of version " + std::to_string(seal.version) + ", not " +
+    if (finish.version != kind.version) {
+        throw DamagedFile("it is of version " + std::to_string(finish.version) + ", not " +
                           std::to_string(kind.version));
     }
-    if (seal.payload_bytes > bytes.size() - kArchiveHeaderBytes) {
+    if (finish.payload_bytes > bytes.size() - kArchiveHeaderBytes) {
         throw DamagedFile("it is truncated");
     }
-    if (seal.payload_bytes < bytes.size() - kArchiveHeaderBytes) {
+    if (finish.payload_bytes < bytes.size() - kArchiveHeaderBytes) {
         throw DamagedFile("it has trailing bytes");
     }
-    if (seal.byte_order != kByteOrder || seal.zeros != Seal{}.zeros ||
-        seal.checksum != checksum_of(bytes.subspan(kArchiveHeaderBytes))) {
+    if (finish.byte_order != kByteOrder || finish.zeros != Seal{}.zeros ||
+        finish.checksum != checksum_of(bytes.subspan(kArchiveHeaderBytes))) {
         throw DamagedFile("its checksum is wrong");
     }
 }

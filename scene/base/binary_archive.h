@@ -67,7 +67,7 @@ public:
     void align(std::size_t alignment);
 
     /// The whole file, to be written part by part. Nothing is to be put from now on; the writer stays.
-    Parts seal();
+    Parts finish();
 
 private:
     /// Elements that are elsewhere, after so many bytes of those here.

@@ -29,7 +29,7 @@ std::FILE* open_part(const fs::path& file, fs::path& part) {
     std::FILE* stream = nullptr;
     for (int i = 0; i < kTries && stream == nullptr && (i == 0 || errno == EEXIST); ++i) {
         part = file;
-        part += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kPartSuffix);
+        part += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kTemporarySuffix);
         stream = std::fopen(part.c_str(), "wbx");
     }
     return stream;
@@ -37,7 +37,7 @@ std::FILE* open_part(const fs::path& file, fs::path& part) {
 
 }  // namespace
 
-WholeFile::WholeFile(fs::path file) : file_(std::move(file)) {
+AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
     std::error_code error;
     if (fs::exists(file_, error) && !fs::is_regular_file(file_, error)) {
         fail(file_, "it is not a regular file");  // the rename would put one in its place
@@ -54,7 +54,7 @@ WholeFile::WholeFile(fs::path file) : file_(std::move(file)) {
     }
 }
 
-WholeFile::~WholeFile() {
+AtomicFile::~AtomicFile() {
     if (!part_.empty()) {
         stream_.reset();
         std::error_code ignored;
@@ -62,13 +62,13 @@ WholeFile::~WholeFile() {
     }
 }
 
-void WholeFile::write(std::span<const std::byte> bytes) {
+void AtomicFile::write(std::span<const std::byte> bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), stream_.get()) != bytes.size()) {
         fail(file_, last_error().message());
     }
 }
 
-void WholeFile::replace(std::size_t offset, std::span<const std::byte> bytes) {
+void AtomicFile::replace(std::size_t offset, std::span<const std::byte> bytes) {
     if (std::fseek(stream_.get(), static_cast<long>(offset), SEEK_SET) != 0) {
         fail(file_, last_error().message());
     }
@@ -78,7 +78,7 @@ void WholeFile::replace(std::size_t offset, std::span<const std::byte> bytes) {
     }
 }
 
-void WholeFile::finish() {
+void AtomicFile::finish() {
     // Closing flushes: a full disk may only show here.
     if (std::fclose(stream_.release()) != 0) {
         fail(file_, last_error().message());
@@ -91,20 +91,20 @@ void WholeFile::finish() {
     part_.clear();
 }
 
-void write_whole_file(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
-    WholeFile whole(file);
+void write_file_atomically(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
+    AtomicFile whole(file);
     for (const std::span<const std::byte> part : parts) {
         whole.write(part);
     }
     whole.finish();
 }
 
-void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
-    write_whole_file(file, std::span(&bytes, 1));
+void write_file_atomically(const fs::path& file, std::span<const std::byte> bytes) {
+    write_file_atomically(file, std::span(&bytes, 1));
 }
 
-void write_whole_file(const fs::path& file, std::string_view text) {
-    write_whole_file(file, std::as_bytes(std::span(text)));
+void write_file_atomically(const fs::path& file, std::string_view text) {
+    write_file_atomically(file, std::as_bytes(std::span(text)));
 }
 
 }  // namespace campuswalk::scene

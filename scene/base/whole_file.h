@@ -13,20 +13,21 @@ namespace campuswalk::scene {
 /// over it, so that several processes may write the same file at a time, and who reads it meanwhile reads the
 /// old one or the new. Throws std::runtime_error with the file and the system's reason; what is there but is
 /// no regular file, such as a device, is left alone.
-void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-void write_whole_file(const std::filesystem::path& file, std::string_view text);
+void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& file, std::string_view text);
 /// Of bytes that lie in several places.
-void write_whole_file(const std::filesystem::path& file, std::span<const std::span<const std::byte>> parts);
+void write_file_atomically(const std::filesystem::path& file,
+                           std::span<const std::span<const std::byte>> parts);
 
 /// Likewise a file whose bytes come one after the other: they go into the neighbour, which is gone again
 /// unless all ends well. Everything throws as above.
-class WholeFile {
+class AtomicFile {
 public:
     /// Makes the neighbour.
-    explicit WholeFile(std::filesystem::path file);
-    ~WholeFile();
-    WholeFile(const WholeFile&) = delete;
-    WholeFile& operator=(const WholeFile&) = delete;
+    explicit AtomicFile(std::filesystem::path file);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::span<const std::byte> bytes);
     /// In the place of others that were written there.
@@ -44,6 +45,6 @@ private:
 };
 
 /// How the neighbours' names end, should a process be killed and leave one behind.
-inline constexpr std::string_view kPartSuffix = ".part";
+inline constexpr std::string_view kTemporarySuffix = ".part";
 
 }  // namespace campuswalk::scene

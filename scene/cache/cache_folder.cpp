@@ -36,7 +36,7 @@ bool is_ours(const std::string& name) {
     const bool hashed =
         name.size() > kHashDigits && name.find_first_not_of("0123456789abcdef") == kHashDigits;
     return hashed && name.find(kSuffix) != std::string::npos &&
-           (name.ends_with(kSuffix) || name.ends_with(kPartSuffix));
+           (name.ends_with(kSuffix) || name.ends_with(kTemporarySuffix));
 }
 
 /// Regular files of ours, those used longest ago first.
@@ -77,7 +77,7 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
     for (const std::span<const std::byte> part : parts) {
         bytes += part.size();
     }
-    if (bytes > most_bytes_) {
+    if (bytes > max_bytes_) {
         return;
     }
     std::error_code error;
@@ -86,13 +86,13 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
     }
     const fs::path file = path_of(key, kind);
     try {
-        write_whole_file(file, parts);
+        write_file_atomically(file, parts);
         // What others may write to has to be copied when it is read.
         fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove,
                         error);
     } catch (const std::runtime_error& failure) {
-        if (unwritable_) {
-            unwritable_(failure.what());
+        if (on_write_error_) {
+            on_write_error_(failure.what());
         }
     }
     make_room();
@@ -104,7 +104,7 @@ void CacheFolder::make_room() const {
     for (const Entry& entry : entries) {
         bytes += entry.bytes;
     }
-    for (auto entry = entries.begin(); entry != entries.end() && bytes > most_bytes_; ++entry) {
+    for (auto entry = entries.begin(); entry != entries.end() && bytes > max_bytes_; ++entry) {
         std::error_code ignored;  // another process may have been faster
         fs::remove(entry->path, ignored);
         bytes -= entry->bytes;

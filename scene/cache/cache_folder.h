@@ -21,12 +21,12 @@ namespace campuswalk::scene {
 /// none; nothing fails because of it.
 class CacheFolder {
 public:
-    static constexpr std::uint64_t kUsualLimit = std::uint64_t{4} << 30U;
+    static constexpr std::uint64_t kDefaultLimit = std::uint64_t{4} << 30U;
 
     /// `unwritable`: told why, each time that something can't be kept.
-    explicit CacheFolder(std::filesystem::path folder, std::uint64_t most_bytes = kUsualLimit,
+    explicit CacheFolder(std::filesystem::path folder, std::uint64_t max_bytes = kDefaultLimit,
                          std::function<void(const std::string&)> unwritable = {})
-        : folder_(std::move(folder)), most_bytes_(most_bytes), unwritable_(std::move(unwritable)) {}
+        : folder_(std::move(folder)), max_bytes_(max_bytes), on_write_error_(std::move(unwritable)) {}
 
     /// Such as "model"; letters alone.
     using Kind = std::string;
@@ -45,8 +45,8 @@ private:
     void make_room() const;
 
     std::filesystem::path folder_;
-    std::uint64_t most_bytes_;
-    std::function<void(const std::string&)> unwritable_;
+    std::uint64_t max_bytes_;
+    std::function<void(const std::string&)> on_write_error_;
 };
 
 }  // namespace campuswalk::scene

@@ -109,10 +109,10 @@ LoadedModel import_and_keep(const SceneFile& file, EmptyModel if_empty, const Im
     const ContentHash key = key_of(file, if_empty, contents);
     if (hash_of_file(file.path) == contents) {  // nobody has saved it meanwhile
         loaded.contents = key_with(key, file, contents, loaded.imported.requests);
-        ArchiveWriter model = lay_out_model(loaded.imported);
-        cache.store(*loaded.contents, kModelKind, model.seal());
+        ArchiveWriter model = archive_model(loaded.imported);
+        cache.store(*loaded.contents, kModelKind, model.finish());
         ArchiveWriter requests = lay_out(loaded.imported.requests);
-        cache.store(key, kRequestsKind, requests.seal());
+        cache.store(key, kRequestsKind, requests.finish());
     }
     return loaded;
 }

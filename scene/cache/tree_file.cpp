@@ -113,7 +113,7 @@ PlacedMesh take_mesh(ArchiveReader& in) {
 
 }  // namespace
 
-ArchiveWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
+ArchiveWriter archive_trees(std::span<const PlacedMesh> meshes) {
     ArchiveWriter out(kTreeFile);
     out.put(std::uint64_t{meshes.size()});
     for (const PlacedMesh& placed : meshes) {
@@ -123,8 +123,8 @@ ArchiveWriter lay_out_trees(std::span<const PlacedMesh> meshes) {
 }
 
 std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
-    ArchiveWriter out = lay_out_trees(meshes);
-    return joined(out.seal());
+    ArchiveWriter out = archive_trees(meshes);
+    return joined(out.finish());
 }
 
 std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {

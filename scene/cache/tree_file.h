@@ -26,7 +26,7 @@ inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'},
 std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes);
 
 /// The same, yet to be sealed: what is large in it is left where it is.
-ArchiveWriter lay_out_trees(std::span<const PlacedMesh> meshes);
+ArchiveWriter archive_trees(std::span<const PlacedMesh> meshes);
 
 /// Reads bytes that may be anything. Throws DamagedFile; what it returns can be asked anything safely (see
 /// bvh8_check.h). With an `owner` that keeps the bytes as they are, meshes and trees are used where they

@@ -77,8 +77,8 @@ void CachedMeshes::add(const PlacedShape& made) {
 
 void CachedMeshes::keep() const {
     if (cache_ != nullptr && !complete_) {
-        ArchiveWriter trees = lay_out_trees(meshes_);
-        cache_->store(key_, kTreesKind, trees.seal());
+        ArchiveWriter trees = archive_trees(meshes_);
+        cache_->store(key_, kTreesKind, trees.finish());
     }
 }
 

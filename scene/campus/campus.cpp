@@ -37,7 +37,7 @@ ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList
                              const CacheFolder* cache, std::size_t imports_at_once) {
     std::vector<LoadedModel> models(files.size());
     std::vector<std::exception_ptr> failures(files.size());
-    do_at_once(files.size(), imports_at_once, [&](std::size_t i) {
+    parallel_for(files.size(), imports_at_once, [&](std::size_t i) {
         try {
             models[i] = load_model(files[i], EmptyModel::refuse, importer, cache);
         } catch (...) {
@@ -197,7 +197,7 @@ std::uint32_t Campus::layer_index(const std::string& layer) const {
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings) {
-    return load_campus(std::move(description), std::move(broad_phase), warnings, import_scene);
+    return load_campus(std::move(description), std::move(broad_phase), warnings, import_model);
 }
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,

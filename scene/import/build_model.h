@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "scene/base/diagnostic.h"
+#include "scene/model/scene_file.h"
 #include "scene/import/import_model.h"
 #include "scene/import/source/model_source.h"
-#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 

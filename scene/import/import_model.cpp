@@ -25,7 +25,7 @@ std::unique_ptr<ModelSource> open_source(const SceneFile& file) {
 
 }  // namespace
 
-ImportedModel import_scene(const SceneFile& file, EmptyModel if_empty) {
+ImportedModel import_model(const SceneFile& file, EmptyModel if_empty) {
     try {
         ImportedModel imported;
         const std::unique_ptr<ModelSource> source = open_source(file);
@@ -42,7 +42,7 @@ ImportedModel import_scene(const SceneFile& file, EmptyModel if_empty) {
 }
 
 Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
-    ImportedModel imported = import_scene(file, if_empty);
+    ImportedModel imported = import_model(file, if_empty);
     warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
     return std::move(imported.model);
 }

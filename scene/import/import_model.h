@@ -37,9 +37,9 @@ Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings,
                    EmptyModel if_empty = EmptyModel::refuse);
 
 /// Likewise, with the files that the model depends on besides `file` itself.
-ImportedModel import_scene(const SceneFile& file, EmptyModel if_empty = EmptyModel::refuse);
+ImportedModel import_model(const SceneFile& file, EmptyModel if_empty = EmptyModel::refuse);
 
-/// How a scene file becomes a model, with import_model's errors: by import_scene in this process, by a helper
+/// How a scene file becomes a model, with import_model's errors: by import_model in this process, by a helper
 /// process (helper/import_process.h), out of a cache.
 using Importer = std::function<ImportedModel(const SceneFile& file, EmptyModel if_empty)>;
 

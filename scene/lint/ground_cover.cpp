@@ -246,7 +246,7 @@ GroundCover measure_ground(const Model& model, const Bounds& bounds) {
             share_of_area_below(model, *low - kBelow)};
 }
 
-bool is_no_ground(const GroundCover& cover) {
+bool lacks_ground(const GroundCover& cover) {
     constexpr double kLeastShare = 0.25;
     constexpr double kRoof = 0.3;
     return cover.share < kLeastShare || cover.share_below > kRoof;

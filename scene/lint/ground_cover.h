@@ -15,6 +15,6 @@ struct GroundCover {
 GroundCover measure_ground(const Model& model, const Bounds& bounds);
 
 /// Whether that is no ground: shreds, tops of walls, or a roof.
-bool is_no_ground(const GroundCover& cover);
+bool lacks_ground(const GroundCover& cover);
 
 }  // namespace campuswalk::scene

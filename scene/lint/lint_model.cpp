@@ -106,7 +106,7 @@ void check_nodes(const Model& model, std::vector<ModelLint>& out) {
         if (node.meshes.empty()) {
             continue;
         }
-        if (is_made_up_name(node.name)) {
+        if (is_generated_name(node.name)) {
             ++unnamed;
         } else {
             ++uses[node.name];
@@ -174,7 +174,7 @@ void check_ground(const Model& model, const Bounds& bounds, std::vector<ModelLin
         return;
     }
     const GroundCover cover = measure_ground(model, bounds);
-    if (is_no_ground(cover)) {
+    if (lacks_ground(cover)) {
         const std::string share = short_number(std::round(100.0 * cover.share)) + " %";
         const std::string what = cover.share >= 0.25
                                      ? "the largest level surface is a roof, at " + in_metres(cover.height)
@@ -205,7 +205,7 @@ ModelLint solid_doors(std::vector<ModelLint::Place> doors) {
     return {"solid-door", message, std::move(doors)};
 }
 
-bool is_made_up_name(const std::string& name) {
+bool is_generated_name(const std::string& name) {
     return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||
            name.starts_with("<") || name == "defaultobject";
 }
@@ -223,7 +223,7 @@ std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report)
     check_duplicates(model, report.bounds, lints);
     check_outliers(model, report, lints);
     const bool lies = std::ranges::any_of(lints, [](const ModelLint& odd) { return odd.code == "z-up"; });
-    const std::vector<ModelLint> odd_sizes = find_odd_sizes(model, report.nodes, lies ? 2 : 1);
+    const std::vector<ModelLint> odd_sizes = lint_named_sizes(model, report.nodes, lies ? 2 : 1);
     lints.insert(lints.end(), odd_sizes.begin(), odd_sizes.end());
     // Of a model that lies on its side or has another unit these would only say the same again.
     const bool upright = std::ranges::none_of(lints, [](const ModelLint& odd) {

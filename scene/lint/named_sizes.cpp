@@ -144,7 +144,7 @@ double riser_of(std::vector<double> heights) {
     return risers[risers.size() / 2];
 }
 
-std::vector<ModelLint> find_odd_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
+std::vector<ModelLint> lint_named_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
     std::vector<ModelLint> lints;
     check_doors(model, nodes, up, lints);
     if (up == 1) {
@@ -153,7 +153,7 @@ std::vector<ModelLint> find_odd_sizes(const Model& model, const std::vector<Node
     return lints;
 }
 
-std::optional<double> scale_by_doors(const Model& model, const std::vector<NodeReport>& nodes) {
+std::optional<double> scale_from_doors(const Model& model, const std::vector<NodeReport>& nodes) {
     std::vector<double> heights;
     for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
         heights.push_back(nodes[n].bounds.max.y() - nodes[n].bounds.min.y());

@@ -32,7 +32,7 @@ struct ImportedModel {
 inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 4};
 
 /// An imported model as the bytes of a file, yet to be sealed: what is large in it is left where it is.
-ArchiveWriter lay_out_model(const ImportedModel& imported);
+ArchiveWriter archive_model(const ImportedModel& imported);
 
 /// An imported model as bytes, and back to the bit: how the import's helper process hands it over, and how
 /// the cache keeps it. Floats are stored as they lie in memory.

@@ -80,7 +80,7 @@ std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report)
 ModelLint solid_doors(std::vector<ModelLint::Place> doors);
 
 /// Whether an importer made the name up, where the file has none: it changes when the file does.
-bool is_made_up_name(const std::string& name);
+bool is_generated_name(const std::string& name);
 
 /// Indices of the nodes that stretch the model's bounds to four times (along some axis) what 99 % of its
 /// triangles fill.

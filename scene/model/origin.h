@@ -16,8 +16,8 @@ struct GeographicPlace {
     friend bool operator==(const GeographicPlace&, const GeographicPlace&) = default;
 };
 
-constexpr double kMostLatitude = 90.0;
-constexpr double kMostLongitude = 180.0;
+constexpr double kMaxLatitude = 90.0;
+constexpr double kMaxLongitude = 180.0;
 
 /// Where a campus lies outside of itself.
 struct Origin {

@@ -162,8 +162,8 @@ std::optional<GeographicPlace> take_geographic(ArchiveReader& in) {
     for (double& along : place.at) {
         along = in.take<double>();
     }
-    const bool on_earth = std::abs(place.latitude_deg) <= kMostLatitude &&
-                          std::abs(place.longitude_deg) <= kMostLongitude && std::isfinite(place.height);
+    const bool on_earth = std::abs(place.latitude_deg) <= kMaxLatitude &&
+                          std::abs(place.longitude_deg) <= kMaxLongitude && std::isfinite(place.height);
     if (!on_earth || !place.at.allFinite()) {
         refuse("a geographic place in it is out of range");
     }

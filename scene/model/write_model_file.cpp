@@ -96,7 +96,7 @@ void put_each(ArchiveWriter& out, const std::vector<Item>& items) {
 
 }  // namespace
 
-ArchiveWriter lay_out_model(const ImportedModel& imported) {
+ArchiveWriter archive_model(const ImportedModel& imported) {
     ArchiveWriter out(kModelFile);
     put_each(out, imported.warnings);
     put_each(out, imported.requests);
@@ -111,8 +111,8 @@ ArchiveWriter lay_out_model(const ImportedModel& imported) {
 }
 
 std::vector<std::byte> write_model_file(const ImportedModel& imported) {
-    ArchiveWriter out = lay_out_model(imported);
-    return joined(out.seal());
+    ArchiveWriter out = archive_model(imported);
+    return joined(out.finish());
 }
 
 }  // namespace campuswalk::scene

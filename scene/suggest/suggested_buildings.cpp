@@ -31,7 +31,7 @@ double ground_of(const Bounds& bounds) {
 
 /// By its name and its box alone.
 bool may_be_building(const NodeReport& node, double whole) {
-    if (node.bounds.empty() || is_made_up_name(node.name) || is_surroundings_name(node.name)) {
+    if (node.bounds.empty() || is_generated_name(node.name) || is_surroundings_name(node.name)) {
         return false;
     }
     const Vector3d size = node.bounds.max - node.bounds.min;

@@ -160,23 +160,23 @@ void WalkableGround::measure_edges() {
     constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
     std::queue<std::uint32_t> waiting;
     for (std::uint32_t s = 0; s < spots_.size(); ++s) {
-        spots_[s].from_edge = spots_[s].next.size() < 4 ? 0 : kUnknown;
-        if (spots_[s].from_edge == 0) {
+        spots_[s].edge_distance = spots_[s].next.size() < 4 ? 0 : kUnknown;
+        if (spots_[s].edge_distance == 0) {
             waiting.push(s);
         }
     }
     for (; !waiting.empty(); waiting.pop()) {
         for (const std::uint32_t next : spots_[waiting.front()].next) {
-            if (spots_[next].from_edge == kUnknown) {
-                spots_[next].from_edge = spots_[waiting.front()].from_edge + 1;
+            if (spots_[next].edge_distance == kUnknown) {
+                spots_[next].edge_distance = spots_[waiting.front()].edge_distance + 1;
                 waiting.push(next);
             }
         }
     }
 }
 
-std::optional<std::uint32_t> WalkableGround::best_spot(const Vec3& middle,
-                                                       const std::vector<UprightBox>& boxes) const {
+std::optional<std::uint32_t> WalkableGround::best_spawn_spot(const Vec3& middle,
+                                                             const std::vector<UprightBox>& boxes) const {
     std::vector<std::size_t> weight(spots_.size() + 1);
     for (const Spot& spot : spots_) {
         weight[spot.part] += spot.upstairs ? 1 : spot.open_sky ? 8 : 2;
@@ -188,7 +188,7 @@ std::optional<std::uint32_t> WalkableGround::best_spot(const Vec3& middle,
     const auto merit = [&](const Spot& spot) {
         const bool outside = std::ranges::none_of(
             boxes, [&](const UprightBox& box) { return box.depth_of(spot.foot) > -kAside; });
-        return Merit(!spot.upstairs, spot.open_sky, outside, std::min(spot.from_edge, kFarEnough),
+        return Merit(!spot.upstairs, spot.open_sky, outside, std::min(spot.edge_distance, kFarEnough),
                      -(spot.foot - middle).squaredNorm());
     };
     std::optional<std::uint32_t> best;
@@ -210,7 +210,7 @@ std::size_t WalkableGround::count_reachable(std::uint32_t spot) const {
     return static_cast<std::size_t>(std::ranges::count(spots_, spots_[spot].part, &Spot::part));
 }
 
-std::vector<std::uint32_t> WalkableGround::ways_from(std::uint32_t start) const {
+std::vector<std::uint32_t> WalkableGround::shortest_paths_from(std::uint32_t start) const {
     std::vector<std::uint32_t> before(spots_.size());
     std::vector<std::uint32_t> cost(spots_.size(), std::numeric_limits<std::uint32_t>::max());
     for (std::uint32_t s = 0; s < before.size(); ++s) {
@@ -228,7 +228,7 @@ std::vector<std::uint32_t> WalkableGround::ways_from(std::uint32_t start) const 
         }
         for (const std::uint32_t next : spots_[spot].next) {
             constexpr std::uint32_t kAlongAnEdge = 8;
-            const std::uint32_t there = so_far + (spots_[next].from_edge > 0 ? 1 : kAlongAnEdge);
+            const std::uint32_t there = so_far + (spots_[next].edge_distance > 0 ? 1 : kAlongAnEdge);
             if (there < cost[next]) {
                 cost[next] = there;
                 before[next] = spot;
@@ -247,7 +247,7 @@ bool WalkableGround::is_straight(const Vec3& from, const Vec3& to) const {
         const Column& column = column_at(std::llround((p.x() - corner_.x()) / kSquare),
                                          std::llround((p.z() - corner_.z()) / kSquare));
         const auto on = std::find_if(column.spots.begin(), column.spots.end(), [&](std::uint32_t s) {
-            return std::abs(spots_[s].foot.y() - y) <= kStep && (spots_[s].from_edge > 0 || i == steps);
+            return std::abs(spots_[s].foot.y() - y) <= kStep && (spots_[s].edge_distance > 0 || i == steps);
         });
         if (on == column.spots.end()) {
             return false;
@@ -257,8 +257,7 @@ bool WalkableGround::is_straight(const Vec3& from, const Vec3& to) const {
     return std::abs(y - to.y()) < kStep;
 }
 
-std::vector<Vec3> WalkableGround::corners_of_way(const std::vector<std::uint32_t>& ways,
-                                                 std::uint32_t end) const {
+std::vector<Vec3> WalkableGround::waypoints(const std::vector<std::uint32_t>& ways, std::uint32_t end) const {
     std::vector<Vec3> way = {spots_[end].foot};
     for (std::uint32_t s = end; ways[s] != s; s = ways[s]) {
         way.push_back(spots_[ways[s]].foot);

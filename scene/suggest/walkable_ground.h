@@ -23,7 +23,7 @@ public:
         bool upstairs = false;            ///< a roof or an upper floor: there is a spot below it
         std::vector<std::uint32_t> next;  ///< connected neighbours, one or, over a step, two squares away
         std::uint32_t part = 0;           ///< spots of one part can be reached from one another
-        std::uint32_t from_edge = 0;      ///< steps to the nearest spot that lacks a neighbour
+        std::uint32_t edge_distance = 0;  ///< steps to the nearest spot that lacks a neighbour
     };
 
     /// Looks at a square of 150 m about `middle`, or all of the mesh if that is less.
@@ -36,20 +36,19 @@ public:
     /// There, each if it can be: not
     /// upstairs, under the open sky, half a metre from all `boxes`, as far as eight metres from every edge;
     /// near `middle`. None if nobody can stand anywhere.
-    std::optional<std::uint32_t> best_spot(const collision::Vec3& middle,
-                                           const std::vector<UprightBox>& boxes) const;
+    std::optional<std::uint32_t> best_spawn_spot(const collision::Vec3& middle,
+                                                 const std::vector<UprightBox>& boxes) const;
 
     /// How many spots can be reached from one of them, itself included.
     std::size_t count_reachable(std::uint32_t spot) const;
 
     /// By spot: the one before it on a shortest way from `start`, itself for the start and for what can't be
     /// reached. Ways keep a step from edges where that is possible.
-    std::vector<std::uint32_t> ways_from(std::uint32_t start) const;
+    std::vector<std::uint32_t> shortest_paths_from(std::uint32_t start) const;
 
     /// A few of the spots on the way from `start` to `end`, both included, between which a straight line
     /// stays on the ground.
-    std::vector<collision::Vec3> corners_of_way(const std::vector<std::uint32_t>& ways,
-                                                std::uint32_t end) const;
+    std::vector<collision::Vec3> waypoints(const std::vector<std::uint32_t>& ways, std::uint32_t end) const;
 
 private:
     struct Column {

@@ -40,10 +40,10 @@ fs::path folder() {
     return home.is_absolute() ? home / ".cache" / "campuswalk" : fs::path();
 }
 
-std::uint64_t most_bytes() {
+std::uint64_t max_bytes() {
     const std::string text = variable("CAMPUSWALK_CACHE_SIZE");
     if (text.empty()) {
-        return scene::CacheFolder::kUsualLimit;
+        return scene::CacheFolder::kDefaultLimit;
     }
     constexpr std::uint64_t kMost = 1U << 20U;  // in any of the units: far from overflow
     std::uint64_t count = 0;
@@ -85,7 +85,7 @@ void warn_once(const std::string& reason) {
 const scene::CacheFolder* wanted_cache() {
     static const std::optional<scene::CacheFolder> cache = [] {
         const fs::path where = folder();
-        const std::uint64_t size = refused || where.empty() ? 0 : most_bytes();
+        const std::uint64_t size = refused || where.empty() ? 0 : max_bytes();
         return size > 0 ? std::optional(scene::CacheFolder(where, size, warn_once)) : std::nullopt;
     }();
     return cache ? &*cache : nullptr;

@@ -58,17 +58,17 @@ public:
     void draw(const engine::TickRecord& record, const render::WalkTrail& trail, const std::string& caption) {
         ++moments_;
         const std::vector<Eigen::Vector3d> path = trail.path();
-        render::Shot shot;
-        shot.camera = walk_.camera;
-        shot.camera.view = engine::View::first_person;
-        shot.camera.width = kWidth;
-        shot.camera.height = kHeight;
-        shot.avatar = record.avatar;
-        shot.profile = walk_.avatar;
-        shot.open_popups = record.open_popups;
-        shot.caption = caption;
-        shot.minimap = false;  // the image from above says more
-        keep(snapshot_renderer_.draw(shot), "eyes", "from the eyes", record.time);
+        render::SnapshotRequest request;
+        request.camera = walk_.camera;
+        request.camera.view = engine::View::first_person;
+        request.camera.width = kWidth;
+        request.camera.height = kHeight;
+        request.avatar = record.avatar;
+        request.profile = walk_.avatar;
+        request.open_popups = record.open_popups;
+        request.caption = caption;
+        request.minimap = false;  // the image from above says more
+        keep(snapshot_renderer_.draw(request), "eyes", "from the eyes", record.time);
         keep(draw_map(campus_, snapshot_renderer_, {record.avatar, walk_.avatar, path, caption}, kWidth,
                       kHeight),
              "above", "from above", record.time);

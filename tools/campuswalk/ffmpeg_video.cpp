@@ -34,7 +34,7 @@ void write_all(int to, const std::vector<std::uint8_t>& bytes, bool& well) {
 }
 
 /// What ffmpeg is told; H.264 halves the colours, so a side that is odd loses its last pixel.
-std::vector<std::string> arguments(const engine::render::Image& image, double seconds_a_frame,
+std::vector<std::string> arguments(const engine::render::Image& image, double seconds_per_frame,
                                    const fs::path& file) {
     return {"ffmpeg",
             "-hide_banner",
@@ -48,7 +48,7 @@ std::vector<std::string> arguments(const engine::render::Image& image, double se
             "-video_size",
             std::to_string(image.width) + "x" + std::to_string(image.height),
             "-framerate",
-            engine::fixed(1.0 / seconds_a_frame, 6),
+            engine::fixed(1.0 / seconds_per_frame, 6),
             "-i",
             "pipe:0",
             "-an",
@@ -79,8 +79,8 @@ bool has_ffmpeg() {
     return false;
 }
 
-FfmpegVideo::FfmpegVideo(fs::path file, double seconds_a_frame)
-    : file_(std::move(file)), part_(file_), seconds_a_frame_(seconds_a_frame) {
+FfmpegVideo::FfmpegVideo(fs::path file, double seconds_per_frame)
+    : file_(std::move(file)), part_(file_), seconds_a_frame_(seconds_per_frame) {
     part_ += ".part";
 }
 

@@ -16,7 +16,7 @@ bool has_ffmpeg();
 class FfmpegVideo final : public engine::render::FrameSink {
 public:
     /// A frame is shown for so many seconds.
-    FfmpegVideo(std::filesystem::path file, double seconds_a_frame);
+    FfmpegVideo(std::filesystem::path file, double seconds_per_frame);
     /// Ends ffmpeg, and leaves no half-written file.
     ~FfmpegVideo() override;
     FfmpegVideo(const FfmpegVideo&) = delete;

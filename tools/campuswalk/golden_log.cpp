@@ -153,7 +153,7 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
             check.withheld = file;
             return;
         }
-        scene::write_whole_file(file, joined(lines));
+        scene::write_file_atomically(file, joined(lines));
         check.written = file;
     };
     if (mode == UpdateSnapshots::all) {

@@ -34,7 +34,7 @@ Verdict compare(const render::Image& a, const render::Image& b, const engine::Im
     }
     Verdict verdict;
     verdict.comparison = render::compare_images(a, b, tolerance);
-    verdict.why = render::why_different(*verdict.comparison, tolerance);
+    verdict.why = render::describe_violations(*verdict.comparison, tolerance);
     return verdict;
 }
 

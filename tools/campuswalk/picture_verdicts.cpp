@@ -61,7 +61,7 @@ Pair compare(const fs::path& actual, const fs::path& kept, const engine::ImageTo
         return pair;
     }
     const auto comparison = render::compare_images(*pair.kept, pair.actual, tolerance);
-    pair.why = render::why_different(comparison, tolerance);
+    pair.why = render::describe_violations(comparison, tolerance);
     if (!pair.why.empty()) {
         pair.difference = render::draw_difference(*pair.kept, pair.actual, comparison, tolerance);
     }
@@ -110,7 +110,7 @@ public:
                  "the walk ended before it took the snapshot '" + expected.snapshot + "'");
             return;
         }
-        const render::SnapshotSight& sight = trial_.sights.at(expected.snapshot);
+        const render::VisibleBuildings& sight = trial_.visible_buildings.at(expected.snapshot);
         const std::size_t seen = pixels_of(expected.building.glob, sight);
         const double ratio = static_cast<double>(seen) / static_cast<double>(sight.pixels);
         const bool enough = seen >= static_cast<std::size_t>(expected.min_pixels) &&
@@ -140,11 +140,11 @@ private:
         return words + " expected";
     }
 
-    std::size_t pixels_of(const std::string& glob, const render::SnapshotSight& sight) const {
+    std::size_t pixels_of(const std::string& glob, const render::VisibleBuildings& sight) const {
         std::size_t pixels = 0;
-        for (std::size_t i = 0; i < sight.of_building.size(); ++i) {
+        for (std::size_t i = 0; i < sight.pixels_of_building.size(); ++i) {
             if (scene::glob_matches(glob, trial_.campus.description.buildings[i].id)) {
-                pixels += sight.of_building[i];
+                pixels += sight.pixels_of_building[i];
             }
         }
         return pixels;
@@ -163,7 +163,7 @@ private:
     }
 
     void keep(const fs::path& actual, const fs::path& kept) {
-        scene::write_whole_file(kept, bytes_of(actual));
+        scene::write_file_atomically(kept, bytes_of(actual));
         evaluated_.written.push_back(kept);
     }
 
@@ -176,10 +176,10 @@ private:
     }
 
     void show(const std::string& snapshot, const fs::path& actual, const fs::path& kept, const Pair& pair) {
-        scene::write_whole_file(own_file(snapshot, "-actual"), bytes_of(actual));
+        scene::write_file_atomically(own_file(snapshot, "-actual"), bytes_of(actual));
         tell_of(snapshot, "-actual");
         if (pair.kept) {
-            scene::write_whole_file(own_file(snapshot, "-expected"), bytes_of(kept));
+            scene::write_file_atomically(own_file(snapshot, "-expected"), bytes_of(kept));
             tell_of(snapshot, "-expected");
         }
         if (pair.difference) {

@@ -25,7 +25,7 @@ struct ImageEvaluation {
     UpdateSnapshots update;            ///< of the kept images
     engine::ImageTolerance tolerance;  ///< where an expectation doesn't say
     const engine::SnapshotStates& moments;
-    const engine::render::SnapshotSights& sights;
+    const engine::render::VisibleBuildingsBySnapshot& visible_buildings;
 };
 
 struct EvaluatedImages {

@@ -32,7 +32,7 @@ bool can_draw();
 class SnapshotTaker : public engine::Observer {
 public:
     /// What is to be seen in those snapshots that an ExpectVisible names.
-    virtual const engine::render::SnapshotSights& sights() const = 0;
+    virtual const engine::render::VisibleBuildingsBySnapshot& visible_buildings() const = 0;
 };
 
 /// What draws the images of the walks that a process plays. Opens nothing before the first image.

@@ -64,7 +64,9 @@ public:
     void begin(const engine::Walk& walk) override { taker_.begin(walk); }
     void frame(const engine::TickRecord& record) override { taker_.frame(record); }
     void end() override { taker_.end(); }
-    const engine::render::SnapshotSights& sights() const override { return taker_.sights(); }
+    const engine::render::VisibleBuildingsBySnapshot& visible_buildings() const override {
+        return taker_.visible_buildings();
+    }
 
 private:
     engine::render::SnapshotObserver taker_;
@@ -109,22 +111,23 @@ void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
 void draw_campus(const scene::Campus& campus, const CampusImage& image) {
     namespace render = engine::render;
     SnapshotSettings settings = settings_for(campus, image.backend);
-    settings.light = render::lit(settings.light, image.light);
+    settings.light = render::apply_light(settings.light, image.light);
     render::SnapshotRenderer snapshot_renderer(campus, settings);
-    render::Shot shot;
-    shot.camera = image.camera;
-    shot.avatar = image.avatar;
-    shot.nobody = true;
-    shot.overlays = image.overlays;
+    render::SnapshotRequest request;
+    request.camera = image.camera;
+    request.avatar = image.avatar;
+    request.nobody = true;
+    request.overlays = image.overlays;
     const int width = image.camera.width;
     const int height = image.camera.height;
-    render::write_png(image.plan ? snapshot_renderer.draw_plan(width, height) : snapshot_renderer.draw(shot),
-                      image.file);
+    render::write_png(
+        image.plan ? snapshot_renderer.draw_plan(width, height) : snapshot_renderer.draw(request),
+        image.file);
     if (image.channels.any()) {
         const render::ChannelChoice choice = render::choice_of(image.channels);
         render::write_channels(snapshot_renderer, campus,
                                image.plan ? snapshot_renderer.draw_plan_channels(width, height, choice)
-                                          : snapshot_renderer.draw_channels(shot, choice),
+                                          : snapshot_renderer.draw_channels(request, choice),
                                image.channels, image.file.parent_path() / image.file.stem());
     }
 }

@@ -83,7 +83,7 @@ public:
     explicit OtherParts(FrameSharing sharing) : sharing_(std::move(sharing)) {}
 
     render::Frame take(std::size_t number) override {
-        render::Frame frame = render::frame_from_bytes(sharing_.take(number % sharing_.parts));
+        render::Frame frame = render::deserialize_frame(sharing_.take(number % sharing_.parts));
         if (frame.number != number) {
             throw std::runtime_error("processes that draw the same walk's frames don't agree on them");
         }
@@ -97,7 +97,7 @@ private:
 class HandedOver final : public render::FrameSink {
 public:
     explicit HandedOver(std::function<void(std::string_view)> hand_over) : hand_over_(std::move(hand_over)) {}
-    void add(const render::Frame& frame) override { hand_over_(render::to_bytes(frame)); }
+    void add(const render::Frame& frame) override { hand_over_(render::serialize(frame)); }
     void finish() override {}
 
 private:

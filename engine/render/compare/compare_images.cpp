@@ -40,7 +40,7 @@ ImageComparison compare_images(const Image& a, const Image& b, const ImageTolera
     return comparison;
 }
 
-std::string why_different(const ImageComparison& comparison, const ImageTolerance& tolerance) {
+std::string describe_violations(const ImageComparison& comparison, const ImageTolerance& tolerance) {
     std::string why;
     const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : "; ") + reason; };
     const std::size_t pixels = comparison.pixels.different;

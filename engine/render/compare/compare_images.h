@@ -23,7 +23,7 @@ struct ImageComparison {
 ImageComparison compare_images(const Image& a, const Image& b, const ImageTolerance& tolerance);
 
 /// Which rules of the tolerance don't hold, in words; empty when they all do.
-std::string why_different(const ImageComparison& comparison, const ImageTolerance& tolerance);
+std::string describe_violations(const ImageComparison& comparison, const ImageTolerance& tolerance);
 
 /// An image for the eye. Grey and pale: the same. Orange: other colours, within the threshold. Yellow:
 /// smoothed otherwise. Red: different. Hatched: masked. Tiles that aren't alike enough have a magenta frame.

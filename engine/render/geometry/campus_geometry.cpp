@@ -123,7 +123,7 @@ private:
             geometry_.batches.push_back(batch);
             return;
         }
-        SharedMesh& mesh = shared_[shared - 1];
+        InstancedMesh& mesh = shared_[shared - 1];
         const std::vector<InstanceGroup> groups = mesh.group(batch.bounds, cell_size_);
         for (const InstanceGroup& group : groups) {
             Batch& added = geometry_.batches.emplace_back(batch);
@@ -217,7 +217,7 @@ private:
     bool instancing_;
     std::uint32_t node_ = 0;  // number of the node that is being added
     CampusGeometry geometry_;
-    std::vector<SharedMesh> shared_;
+    std::vector<InstancedMesh> shared_;
     std::vector<SortedTriangle> triangles_;
 };
 

@@ -72,7 +72,7 @@ std::vector<bool> meshes_to_share(const scene::Model& model) {
     return share;
 }
 
-SharedMesh::SharedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node) {
+InstancedMesh::InstancedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node) {
     const Eigen::Matrix4d inverse = X_campus_first.inverse();
     if (inverse.allFinite()) {
         X_mesh_campus_ = inverse;
@@ -80,7 +80,7 @@ SharedMesh::SharedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node
     instances_.push_back({.node = node});
 }
 
-bool SharedMesh::add(const Eigen::Matrix4d& X_campus_mesh, std::uint32_t node) {
+bool InstancedMesh::add(const Eigen::Matrix4d& X_campus_mesh, std::uint32_t node) {
     if (!X_mesh_campus_) {
         return false;
     }
@@ -99,7 +99,7 @@ bool SharedMesh::add(const Eigen::Matrix4d& X_campus_mesh, std::uint32_t node) {
     return true;
 }
 
-std::vector<InstanceGroup> SharedMesh::group(const Eigen::AlignedBox3d& first, double cell_size) {
+std::vector<InstanceGroup> InstancedMesh::group(const Eigen::AlignedBox3d& first, double cell_size) {
     std::vector<PlacedInstance> sorted;
     for (const Instance& instance : instances_) {
         const Eigen::AlignedBox3d bounds = placed(first, instance);

@@ -18,16 +18,16 @@ std::vector<bool> meshes_to_share(const scene::Model& model);
 
 /// Instances that are culled together.
 struct InstanceGroup {
-    std::size_t first = 0;  ///< index into SharedMesh::instances
+    std::size_t first = 0;  ///< index into InstancedMesh::instances
     std::size_t count = 0;
     Eigen::AlignedBox3d bounds;  ///< metres from CampusGeometry::origin
 };
 
 /// A mesh whose vertices are kept where its first placement has them, and its placements.
-class SharedMesh {
+class InstancedMesh {
 public:
     /// `X_campus_first` places the mesh first, at this node. It must have an inverse, or nothing is added.
-    SharedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node);
+    InstancedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node);
 
     /// False for a placement that isn't the first one turned, moved and scaled alike in every direction: its
     /// normals would need more than that.

@@ -94,7 +94,7 @@ struct GlFunctions {
 };
 
 /// Where something is in the buffer that is bound, as GL wants to be told.
-inline const void* in_buffer(std::size_t bytes) {
+inline const void* buffer_offset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's interface
 }
 

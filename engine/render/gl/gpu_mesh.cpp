@@ -27,10 +27,10 @@ GpuMesh::GpuMesh(const GlFunctions& gl, GLuint vertices)
 void GpuMesh::describe_vertices() const {
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
     constexpr GLsizei stride = sizeof(Vertex);
-    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, in_buffer(offsetof(Vertex, position)));
-    gl_.VertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, stride, in_buffer(offsetof(Vertex, normal)));
-    gl_.VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, in_buffer(offsetof(Vertex, uv)));
-    gl_.VertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, in_buffer(offsetof(Vertex, color)));
+    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, buffer_offset(offsetof(Vertex, position)));
+    gl_.VertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, stride, buffer_offset(offsetof(Vertex, normal)));
+    gl_.VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, buffer_offset(offsetof(Vertex, uv)));
+    gl_.VertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, buffer_offset(offsetof(Vertex, color)));
     for (GLuint i = 0; i < 4; ++i) {
         gl_.EnableVertexAttribArray(i);
     }
@@ -42,9 +42,9 @@ void GpuMesh::describe_instances() const {
     constexpr GLsizei stride = sizeof(Instance);
     for (GLuint row = 0; row < 3; ++row) {
         gl_.VertexAttribPointer(4 + row, 4, GL_FLOAT, GL_FALSE, stride,
-                                in_buffer(offsetof(Instance, rows) + row * sizeof(in_place.rows[row])));
+                                buffer_offset(offsetof(Instance, rows) + row * sizeof(in_place.rows[row])));
     }
-    gl_.VertexAttribIPointer(7, 1, GL_UNSIGNED_INT, stride, in_buffer(offsetof(Instance, node)));
+    gl_.VertexAttribIPointer(7, 1, GL_UNSIGNED_INT, stride, buffer_offset(offsetof(Instance, node)));
     for (GLuint i = 4; i < 8; ++i) {
         gl_.VertexAttribDivisor(i, 1);
         gl_.EnableVertexAttribArray(i);
@@ -71,12 +71,12 @@ void GpuMesh::upload_indices(std::span<const std::uint32_t> indices) const {
 
 void GpuMesh::draw(std::size_t first, std::size_t count) const {
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                     in_buffer(first * sizeof(std::uint32_t)));
+                     buffer_offset(first * sizeof(std::uint32_t)));
 }
 
 void GpuMesh::draw(const Batch& batch) const {
     gl_.DrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(batch.count), GL_UNSIGNED_INT,
-                                          in_buffer(batch.first * sizeof(std::uint32_t)),
+                                          buffer_offset(batch.first * sizeof(std::uint32_t)),
                                           static_cast<GLsizei>(batch.instances),
                                           static_cast<GLuint>(batch.first_instance));
 }

@@ -26,7 +26,7 @@ void upload_level(const GlFunctions& gl, int level, int width, int height, const
 
 // Linear light for the smaller copies, but bytes as they are for the shaders, which decode them after
 // filtering: before it, the driver would decode each of a look-up's eight texels.
-void leave_encoded(const GlFunctions& gl) {
+void skip_srgb_decode(const GlFunctions& gl) {
     while (gl.GetError() != GL_NO_ERROR) {
     }
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
@@ -38,15 +38,15 @@ void leave_encoded(const GlFunctions& gl) {
 
 }  // namespace
 
-GLuint upload_colors(const GlFunctions& gl, const scene::Texture& texture) {
+GLuint upload_color_texture(const GlFunctions& gl, const scene::Texture& texture) {
     const GLuint name = make_texture(gl, texture.repeat);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
     gl.GenerateMipmap(GL_TEXTURE_2D);
-    leave_encoded(gl);  // after the copies: else they would be means of bytes, not of light
+    skip_srgb_decode(gl);  // after the copies: else they would be means of bytes, not of light
     return name;
 }
 
-GLuint upload_numbers(const GlFunctions& gl, const scene::Texture& texture) {
+GLuint upload_data_texture(const GlFunctions& gl, const scene::Texture& texture) {
     const GLuint name = make_texture(gl, texture.repeat);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.width, texture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                   texture.rgba.data());
@@ -54,10 +54,10 @@ GLuint upload_numbers(const GlFunctions& gl, const scene::Texture& texture) {
     return name;
 }
 
-GLuint upload_cutout(const GlFunctions& gl, const scene::Texture& texture, float alpha_cutoff) {
+GLuint upload_cutout_texture(const GlFunctions& gl, const scene::Texture& texture, float alpha_cutoff) {
     const GLuint name = make_texture(gl, texture.repeat);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
-    leave_encoded(gl);
+    skip_srgb_decode(gl);
     int level = 0;
     for (const MipLevel& mip : cutout_mip_chain(texture, alpha_cutoff)) {
         upload_level(gl, ++level, mip.width, mip.height, mip.rgba.data());
@@ -65,11 +65,11 @@ GLuint upload_cutout(const GlFunctions& gl, const scene::Texture& texture, float
     return name;
 }
 
-GLuint upload_white(const GlFunctions& gl) {
+GLuint upload_white_texture(const GlFunctions& gl) {
     const GLuint name = make_texture(gl, true);
     std::array<std::uint8_t, 16> white{};
     white.fill(255);
-    leave_encoded(gl);
+    skip_srgb_decode(gl);
     upload_level(gl, 0, 2, 2, white.data());
     upload_level(gl, 1, 1, 1, white.data());
     return name;

@@ -23,9 +23,9 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Drawing goes here from now on; cleared to `background` (linear) and the far plane.
+    /// Impl goes here from now on; cleared to `background` (linear) and the far plane.
     void begin(const Eigen::Vector3d& background) const;
-    /// Drawing goes here again, after it went elsewhere.
+    /// Impl goes here again, after it went elsewhere.
     void resume() const;
     /// Binds the depth of what has been drawn to the active texture unit: a 2D texture, multisampled when the
     /// target is.

@@ -238,7 +238,7 @@ Image halved(const Image& image) {
     return half;
 }
 
-Image with_smooth_edges(const Image& image) {
+Image apply_fxaa(const Image& image) {
     return FxaaFilter(image).smooth();
 }
 

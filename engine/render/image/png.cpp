@@ -9,7 +9,7 @@ namespace campuswalk::engine::render {
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
     PixelCompressor compressor;
-    PngFile file(image.width, image.height);
+    PngWriter file(image.width, image.height);
     file.chunk("IDAT", {compressor.compress(image)});
     file.end();
     return file.take();
@@ -17,7 +17,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 
 void write_png(const Image& image, const std::filesystem::path& file) {
     const std::vector<std::uint8_t> bytes = encode_png(image);
-    scene::write_whole_file(file, std::as_bytes(std::span(bytes)));
+    scene::write_file_atomically(file, std::as_bytes(std::span(bytes)));
 }
 
 }  // namespace campuswalk::engine::render

@@ -27,30 +27,30 @@ void filter_row(const std::uint8_t* rgba, std::size_t width, std::uint8_t* out) 
 
 }  // namespace
 
-std::array<std::uint8_t, 4> png_number(std::uint32_t value) {
+std::array<std::uint8_t, 4> png_uint32(std::uint32_t value) {
     return {static_cast<std::uint8_t>(value >> 24U), static_cast<std::uint8_t>(value >> 16U),
             static_cast<std::uint8_t>(value >> 8U), static_cast<std::uint8_t>(value)};
 }
 
-PngFile::PngFile(int width, int height) : bytes_(kSignature.begin(), kSignature.end()) {
+PngWriter::PngWriter(int width, int height) : bytes_(kSignature.begin(), kSignature.end()) {
     const std::array<std::uint8_t, 5> kind = {8, 2, 0, 0, 0};  // bits, RGB, the only methods there are
-    chunk("IHDR", {png_number(static_cast<std::uint32_t>(width)),
-                   png_number(static_cast<std::uint32_t>(height)), kind});
+    chunk("IHDR", {png_uint32(static_cast<std::uint32_t>(width)),
+                   png_uint32(static_cast<std::uint32_t>(height)), kind});
 }
 
-void PngFile::chunk(std::string_view kind, std::initializer_list<std::span<const std::uint8_t>> parts) {
+void PngWriter::chunk(std::string_view kind, std::initializer_list<std::span<const std::uint8_t>> parts) {
     std::size_t size = 0;
     for (const std::span<const std::uint8_t> part : parts) {
         size += part.size();
     }
     const auto put = [this](const auto& bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); };
-    put(png_number(static_cast<std::uint32_t>(size)));
+    put(png_uint32(static_cast<std::uint32_t>(size)));
     const std::size_t kind_at = bytes_.size();
     put(kind);
     for (const std::span<const std::uint8_t> part : parts) {
         put(part);
     }
-    put(png_number(libdeflate_crc32(0, &bytes_[kind_at], bytes_.size() - kind_at)));
+    put(png_uint32(libdeflate_crc32(0, &bytes_[kind_at], bytes_.size() - kind_at)));
 }
 
 PixelCompressor::PixelCompressor() : compressor_(libdeflate_alloc_compressor(kCompressionLevel)) {

@@ -16,10 +16,10 @@ namespace campuswalk::engine::render {
 
 /// Puts a PNG file of 8-bit RGB together in memory, chunk by chunk: an image or, with the chunks of
 /// animations, several of one size. (libspng writes neither those nor as fast as libdeflate compresses.)
-class PngFile {
+class PngWriter {
 public:
     /// Writes the signature and the header.
-    PngFile(int width, int height);
+    PngWriter(int width, int height);
 
     /// `kind` has four letters. The data are the parts, one after the other.
     void chunk(std::string_view kind, std::initializer_list<std::span<const std::uint8_t>> parts);
@@ -33,7 +33,7 @@ private:
 };
 
 /// Four bytes as PNG has its numbers, the highest first.
-std::array<std::uint8_t, 4> png_number(std::uint32_t value);
+std::array<std::uint8_t, 4> png_uint32(std::uint32_t value);
 
 /// Compresses images as PNG files have them. Keeps its memory from one to the next.
 class PixelCompressor {

@@ -55,8 +55,8 @@ double Canvas::scale() const {
     return std::clamp(std::min(height_ / 720.0, width_ / 960.0), 0.5, 4.0);
 }
 
-void Canvas::set_ink(const Ink& ink) const {
-    cairo_set_source_rgba(cairo(), ink.red, ink.green, ink.blue, ink.alpha);
+void Canvas::set_color(const Rgba& color) const {
+    cairo_set_source_rgba(cairo(), color.red, color.green, color.blue, color.alpha);
 }
 
 void Canvas::rounded_rectangle(double x, double y, double width, double height, double radius) const {
@@ -68,7 +68,7 @@ void Canvas::rounded_rectangle(double x, double y, double width, double height, 
     cairo_close_path(cairo());
 }
 
-void Canvas::render_image(const Image& image, double scale, const Eigen::Vector2d& offset) const {
+void Canvas::draw_image(const Image& image, double scale, const Eigen::Vector2d& offset) const {
     const std::unique_ptr<_cairo_surface, Release> surface(to_surface(image));
     cairo_save(cairo());
     cairo_translate(cairo(), offset.x(), offset.y());
@@ -110,7 +110,7 @@ Eigen::Vector2d Canvas::text_size(const std::string& text, const TextStyle& styl
 
 double Canvas::text(double x, double y, const std::string& text, const TextStyle& style) const {
     const auto layout = set_text(text, style);
-    set_ink(style.ink);
+    set_color(style.color);
     cairo_move_to(cairo(), x, y);
     pango_cairo_show_layout(cairo(), layout.get());
     int height = 0;
@@ -127,9 +127,9 @@ void Canvas::label(double x, double y, const std::string& text, const TextStyle&
     pango_cairo_layout_path(cairo(), layout.get());
     cairo_set_line_join(cairo(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo(), 0.22 * style.size);
-    set_ink({0.05, 0.07, 0.09, 0.75});
+    set_color({0.05, 0.07, 0.09, 0.75});
     cairo_stroke_preserve(cairo());
-    set_ink(style.ink);
+    set_color(style.color);
     cairo_fill(cairo());
 }
 

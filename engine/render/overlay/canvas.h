@@ -17,7 +17,7 @@ struct _PangoLayout;
 namespace campuswalk::engine::render {
 
 /// An opaque or translucent colour, sRGB, each 0 to 1.
-struct Ink {
+struct Rgba {
     double red = 0.0;
     double green = 0.0;
     double blue = 0.0;
@@ -48,7 +48,7 @@ private:
 struct TextStyle {
     double size = 16.0;  ///< pixels
     bool bold = false;
-    Ink ink = {1, 1, 1, 1};
+    Rgba color = {1, 1, 1, 1};
     double width = 0.0;  ///< pixels to wrap at; 0 = one line
     int max_lines = 0;   ///< more are cut with an ellipsis; 0 = no limit
 };
@@ -64,10 +64,10 @@ public:
     double scale() const;
     _cairo* cairo() const { return cairo_.get(); }
 
-    void set_ink(const Ink& ink) const;
+    void set_color(const Rgba& color) const;
     void rounded_rectangle(double x, double y, double width, double height, double radius) const;
     /// Paints `image` so that its pixel p lands on scale * p + offset; only inside the current clip.
-    void render_image(const Image& image, double scale, const Eigen::Vector2d& offset) const;
+    void draw_image(const Image& image, double scale, const Eigen::Vector2d& offset) const;
 
     /// Width and height in pixels of the text as set.
     Eigen::Vector2d text_size(const std::string& text, const TextStyle& style) const;

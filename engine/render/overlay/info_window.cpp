@@ -10,12 +10,12 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr Ink kPanel = {0.067, 0.094, 0.133, 0.90};
-constexpr Ink kBorder = {1.0, 1.0, 1.0, 0.34};
-constexpr Ink kAccent = {0.62, 0.78, 1.0, 1.0};
-constexpr Ink kBright = {1.0, 1.0, 1.0, 1.0};
-constexpr Ink kBody = {0.90, 0.92, 0.95, 1.0};
-constexpr Ink kShade = {0.0, 0.0, 0.0, 0.10};
+constexpr Rgba kPanel = {0.067, 0.094, 0.133, 0.90};
+constexpr Rgba kBorder = {1.0, 1.0, 1.0, 0.34};
+constexpr Rgba kAccent = {0.62, 0.78, 1.0, 1.0};
+constexpr Rgba kBright = {1.0, 1.0, 1.0, 1.0};
+constexpr Rgba kBody = {0.90, 0.92, 0.95, 1.0};
+constexpr Rgba kShade = {0.0, 0.0, 0.0, 0.10};
 
 // Pixels in an image 720 high.
 constexpr double kWidth = 440.0;
@@ -61,15 +61,15 @@ public:
     void draw(double x, double y) const {
         const double h = height();
         for (int i = 4; i >= 1; --i) {  // a soft shade lifts the window off the image
-            canvas_.set_ink(kShade);
+            canvas_.set_color(kShade);
             canvas_.rounded_rectangle(x - i * s_, y - (i - 2) * s_, width_ + 2.0 * i * s_, h + 2.0 * i * s_,
                                       (12.0 + i) * s_);
             cairo_fill(canvas_.cairo());
         }
         canvas_.rounded_rectangle(x, y, width_, h, 12.0 * s_);
-        canvas_.set_ink(kPanel);
+        canvas_.set_color(kPanel);
         cairo_fill_preserve(canvas_.cairo());
-        canvas_.set_ink(kBorder);
+        canvas_.set_color(kBorder);
         cairo_set_line_width(canvas_.cairo(), 1.5 * s_);
         cairo_stroke(canvas_.cairo());
         cross(x + width_ - 27.0 * s_, y + 30.0 * s_);
@@ -77,8 +77,8 @@ public:
     }
 
 private:
-    TextStyle style(double size, bool bold, const Ink& ink, double width, int max_lines) const {
-        return {size * s_, bold, ink, width, max_lines};
+    TextStyle style(double size, bool bold, const Rgba& color, double width, int max_lines) const {
+        return {size * s_, bold, color, width, max_lines};
     }
 
     double piece(double x, double y, const std::string& text, const TextStyle& text_style, bool paint) const {
@@ -124,7 +124,7 @@ private:
         cairo_line_to(canvas_.cairo(), x + r, y + r);
         cairo_move_to(canvas_.cairo(), x + r, y - r);
         cairo_line_to(canvas_.cairo(), x - r, y + r);
-        canvas_.set_ink({1, 1, 1, 0.75});
+        canvas_.set_color({1, 1, 1, 0.75});
         cairo_set_line_width(canvas_.cairo(), 1.7 * s_);
         cairo_stroke(canvas_.cairo());
     }
@@ -139,14 +139,14 @@ private:
 };
 
 // From the window's side to the building, ending in a dot; not when the window covers the place.
-void draw_leader(const Canvas& canvas, const WindowFrame& frame, const Eigen::Vector2d& anchor) {
+void draw_leader(const Canvas& canvas, const WindowRect& frame, const Eigen::Vector2d& anchor) {
     const double s = canvas.scale();
     if (anchor.x() > frame.x - 12.0 * s || anchor.x() < 0 || anchor.y() < 0 || anchor.y() > canvas.height()) {
         return;
     }
     const double y = frame.y + std::min(42.0 * s, 0.5 * frame.height);
     for (const bool rim : {true, false}) {
-        canvas.set_ink(rim ? Ink{0.05, 0.07, 0.09, 0.55} : Ink{1, 1, 1, 0.9});
+        canvas.set_color(rim ? Rgba{0.05, 0.07, 0.09, 0.55} : Rgba{1, 1, 1, 0.9});
         cairo_set_line_width(canvas.cairo(), (rim ? 4.0 : 1.8) * s);
         cairo_move_to(canvas.cairo(), frame.x, y);
         cairo_line_to(canvas.cairo(), anchor.x(), anchor.y());
@@ -164,9 +164,9 @@ void draw_more(const Canvas& canvas, double right, double y, std::size_t count) 
     const double width = size.x() + 24.0 * s;
     const double height = size.y() + 10.0 * s;
     canvas.rounded_rectangle(right - width, y, width, height, 0.5 * height);
-    canvas.set_ink(kPanel);
+    canvas.set_color(kPanel);
     cairo_fill_preserve(canvas.cairo());
-    canvas.set_ink(kBorder);
+    canvas.set_color(kBorder);
     cairo_set_line_width(canvas.cairo(), 1.2 * s);
     cairo_stroke(canvas.cairo());
     canvas.text(right - width + 12.0 * s, y + 5.0 * s, text, style);
@@ -211,17 +211,17 @@ InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popu
             std::nullopt};
 }
 
-std::vector<WindowFrame> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
-                                           std::size_t max_windows) {
+std::vector<WindowRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
+                                          std::size_t max_windows) {
     const double s = canvas.scale();
-    std::vector<WindowFrame> frames;
+    std::vector<WindowRect> frames;
     double y = kTop * s;
     double right = canvas.width() - kMargin * s;
     std::size_t drawn = 0;
     for (const InfoWindow& window : windows.first(std::min(windows.size(), max_windows))) {
         const WindowRenderer snapshot_renderer(canvas, window, drawn == 0);
-        const WindowFrame frame = {right - snapshot_renderer.width(), y, snapshot_renderer.width(),
-                                   snapshot_renderer.height()};
+        const WindowRect frame = {right - snapshot_renderer.width(), y, snapshot_renderer.width(),
+                                  snapshot_renderer.height()};
         // Always the first; a later one only if a "+n more" still fits under it.
         if (drawn > 0 && frame.y + frame.height + 50.0 * s > canvas.height()) {
             break;

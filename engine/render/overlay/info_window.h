@@ -30,7 +30,7 @@ InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popu
 std::string readable_hours(const std::string& hours);
 
 /// The rectangle that a window took, pixels.
-struct WindowFrame {
+struct WindowRect {
     double x = 0.0;
     double y = 0.0;
     double width = 0.0;
@@ -39,7 +39,7 @@ struct WindowFrame {
 
 /// Draws the windows down the right side without overlapping: the first in full, the next ones short, and
 /// "+n more" for those that don't fit or exceed `max_windows`. Returns the frames of those drawn.
-std::vector<WindowFrame> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
-                                           std::size_t max_windows);
+std::vector<WindowRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
+                                          std::size_t max_windows);
 
 }  // namespace campuswalk::engine::render

@@ -11,20 +11,20 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr Ink kLine = {1.0, 1.0, 1.0, 0.95};
-constexpr Ink kRim = {0.05, 0.07, 0.09, 0.70};
-constexpr Ink kPathColor = {1.0, 0.80, 0.16, 0.95};
-constexpr Ink kArrow = {0.93, 0.23, 0.16, 1.0};
+constexpr Rgba kLine = {1.0, 1.0, 1.0, 0.95};
+constexpr Rgba kRim = {0.05, 0.07, 0.09, 0.70};
+constexpr Rgba kPathColor = {1.0, 0.80, 0.16, 0.95};
+constexpr Rgba kArrow = {0.93, 0.23, 0.16, 1.0};
 constexpr double kEdge = 26.0;  // pixels from the image's border, in an image 720 high
 
-void stroke_twice(const Canvas& canvas, const Ink& ink, double width, double rim) {
+void stroke_twice(const Canvas& canvas, const Rgba& color, double width, double rim) {
     cairo_t* cr = canvas.cairo();
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
-    canvas.set_ink(kRim);
+    canvas.set_color(kRim);
     cairo_set_line_width(cr, width + rim);
     cairo_stroke_preserve(cr);
-    canvas.set_ink(ink);
+    canvas.set_color(color);
     cairo_set_line_width(cr, width);
     cairo_stroke(cr);
 }
@@ -96,9 +96,9 @@ void draw_north_arrow(const Canvas& canvas) {
     cairo_line_to(cr, x, y + 4.0 * s);
     cairo_line_to(cr, x - 9.0 * s, y + 10.0 * s);
     cairo_close_path(cr);
-    canvas.set_ink(kLine);
+    canvas.set_color(kLine);
     cairo_fill_preserve(cr);
-    canvas.set_ink(kRim);
+    canvas.set_color(kRim);
     cairo_set_line_width(cr, 1.6 * s);
     cairo_stroke(cr);
     canvas.label(x, y - 32.0 * s, "N", {16.0 * s, true, kLine, 0.0, 1});
@@ -115,11 +115,11 @@ void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<cons
 }
 
 void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
-                 std::span<const WindowFrame> windows) {
+                 std::span<const WindowRect> windows) {
     const double s = canvas.scale();
     const TextStyle style = {14.0 * s, true, kLine, 0.0, 1};
     std::vector<Eigen::Vector4d> taken;
-    for (const WindowFrame& window : windows) {
+    for (const WindowRect& window : windows) {
         taken.emplace_back(window.x, window.y, window.x + window.width, window.y + window.height);
     }
     for (const PixelLabel& label : labels) {
@@ -131,11 +131,11 @@ void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
     }
 }
 
-void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame> windows) {
+void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowRect> windows) {
     const double s = canvas.scale();
     const double radius = 30.0 * s;
     double right = canvas.width();
-    for (const WindowFrame& window : windows) {
+    for (const WindowRect& window : windows) {
         right = std::min(right, window.x);
     }
     if (right < 0.5 * canvas.width()) {
@@ -145,10 +145,10 @@ void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame>
     const double y = kEdge * s + radius;
     cairo_t* cr = canvas.cairo();
     constexpr double kFullTurn = 6.283185307179586;
-    canvas.set_ink({0.05, 0.07, 0.09, 0.45});
+    canvas.set_color({0.05, 0.07, 0.09, 0.45});
     cairo_arc(cr, x, y, radius, 0.0, kFullTurn);
     cairo_fill_preserve(cr);
-    canvas.set_ink(kLine);
+    canvas.set_color(kLine);
     cairo_set_line_width(cr, 2.0 * s);
     cairo_stroke(cr);
     cairo_save(cr);
@@ -160,7 +160,7 @@ void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame>
         cairo_line_to(cr, 0.2 * radius, 0.0);
         cairo_line_to(cr, -0.2 * radius, 0.0);
         cairo_close_path(cr);
-        canvas.set_ink(north ? kArrow : kLine);
+        canvas.set_color(north ? kArrow : kLine);
         cairo_fill(cr);
     }
     cairo_restore(cr);
@@ -193,10 +193,10 @@ void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, do
     cairo_close_path(cr);
     cairo_restore(cr);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-    canvas.set_ink({1, 1, 1, 0.95});
+    canvas.set_color({1, 1, 1, 0.95});
     cairo_set_line_width(cr, 0.28 * size);
     cairo_stroke_preserve(cr);
-    canvas.set_ink(kArrow);
+    canvas.set_color(kArrow);
     cairo_fill(cr);
 }
 

@@ -34,10 +34,10 @@ void draw_north_arrow(const Canvas& canvas);
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
 /// Likewise beside the windows, which stand there already.
 void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
-                 std::span<const WindowFrame> windows = {});
+                 std::span<const WindowRect> windows = {});
 /// Where north is for a camera with the heading `yaw`, in the upper right corner, or to the left of the
 /// windows there: up is ahead.
-void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowFrame> windows = {});
+void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowRect> windows = {});
 /// The way walked so far, world points.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
 /// An arrow head of `size` pixels at (x, y) that points along the heading `yaw` on a north-up map.

@@ -26,21 +26,21 @@ void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarStat
         return;
     }
     cairo_t* cr = canvas.cairo();
-    canvas.set_ink({0, 0, 0, 0.28});  // a soft edge against bright ground
+    canvas.set_color({0, 0, 0, 0.28});  // a soft edge against bright ground
     cairo_arc(cr, centre.x(), centre.y() + 1.5 * s, circle + 4.0 * s, 0.0, kFullTurn);
     cairo_fill(cr);
 
     cairo_save(cr);
     cairo_arc(cr, centre.x(), centre.y(), circle, 0.0, kFullTurn);
     cairo_clip_preserve(cr);
-    canvas.set_ink({0.797, 0.803, 0.791, 1.0});  // beyond the campus: as plans have it
+    canvas.set_color({0.797, 0.803, 0.791, 1.0});  // beyond the campus: as plans have it
     cairo_fill(cr);
     const double metres_per_plan_pixel = minimap.view.height / minimap.plan.height;
     const double scale = circle / minimap.radius * metres_per_plan_pixel;
-    canvas.render_image(minimap.plan, scale, centre - scale * *here);
+    canvas.draw_image(minimap.plan, scale, centre - scale * *here);
     cairo_restore(cr);
 
-    canvas.set_ink({1, 1, 1, 0.92});
+    canvas.set_color({1, 1, 1, 0.92});
     cairo_set_line_width(cr, 2.4 * s);
     cairo_arc(cr, centre.x(), centre.y(), circle, 0.0, kFullTurn);
     cairo_stroke(cr);

@@ -55,7 +55,7 @@ bool only_trigger(const scene::Campus& campus, std::size_t object) {
 
 }  // namespace
 
-NodeNames name_nodes(const scene::Campus& campus) {
+NodeOwners name_nodes(const scene::Campus& campus) {
     const std::size_t nodes = first_numbers(campus.models).back() - 1;
     std::vector<Claim> of_buildings;
     for (std::size_t i = 0; i < campus.description.buildings.size(); ++i) {
@@ -69,22 +69,22 @@ NodeNames name_nodes(const scene::Campus& campus) {
     const auto buildings = settle(std::move(of_buildings), nodes);
     const auto objects = settle(std::move(of_objects), nodes);
 
-    std::vector<ImageName> owners(nodes + 1);
+    std::vector<PixelOwner> owners(nodes + 1);
     for (std::size_t n = 1; n <= nodes; ++n) {
         owners[n] = {buildings[n], objects[n]};
         if (!buildings[n] && objects[n]) {
             owners[n].building = campus.objects[*objects[n]].building;
         }
     }
-    NodeNames result;
+    NodeOwners result;
     result.names = owners;
     // none is less than any index, so the nameless come first.
-    const auto rank = [](const ImageName& name) { return std::tie(name.building, name.object); };
+    const auto rank = [](const PixelOwner& name) { return std::tie(name.building, name.object); };
     std::ranges::sort(result.names, {}, rank);
     result.names.erase(std::unique(result.names.begin(), result.names.end()), result.names.end());
-    for (const ImageName& owner : owners) {
+    for (const PixelOwner& owner : owners) {
         const auto found = std::ranges::lower_bound(result.names, rank(owner), {}, rank);
-        result.name_of_node.push_back(static_cast<std::uint32_t>(found - result.names.begin()));
+        result.owner_of_node.push_back(static_cast<std::uint32_t>(found - result.names.begin()));
     }
     return result;
 }

@@ -113,7 +113,7 @@ void AmbientOcclusionPass::draw(const GpuCampus& campus, const GpuMesh* figure, 
     gl_.Enable(GL_DEPTH_TEST);
 }
 
-void AmbientOcclusionPass::leave_open() const {
+void AmbientOcclusionPass::clear_to_unoccluded() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, smooth_.framebuffer);
     gl_.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
     gl_.Clear(GL_COLOR_BUFFER_BIT);

@@ -19,7 +19,7 @@ public:
     AmbientOcclusionPass& operator=(const AmbientOcclusionPass&) = delete;
     ~AmbientOcclusionPass();
 
-    /// Makes the map fit images of `width` x `height` pixels; before `draw` or `leave_open`.
+    /// Makes the map fit images of `width` x `height` pixels; before `draw` or `clear_to_unoccluded`.
     void fit(int width, int height);
 
     /// Draws the map for what `view` sees; `radius` in metres. `figure` (null for none) counts too.
@@ -28,7 +28,7 @@ public:
 
     /// Makes the map say that all light reaches everything. A plain white texture would do, but of another
     /// format: the driver compiles every shader again for that, which takes longer than drawing an image.
-    void leave_open() const;
+    void clear_to_unoccluded() const;
 
     /// Sets the surface shader's uniforms; binds the map to texture unit 3.
     void bind(const ShaderProgram& surface) const;

@@ -91,7 +91,7 @@ private:
 };
 
 /// Numbers don't depend on what a surface is made of.
-ProgramChoice always(const ShaderProgram& program) {
+ProgramSelector always(const ShaderProgram& program) {
     return [&program](const scene::Material&) -> const ShaderProgram& { return program; };
 }
 

@@ -36,8 +36,8 @@ public:
             use == &scene::Material::base_color_texture && material.alpha_mode == scene::AlphaMode::mask;
         GLuint& name = (cutout ? cutouts_ : colors_)[texture];
         if (name == 0) {
-            name =
-                cutout ? upload_cutout(gl_, *texture, material.alpha_cutoff) : upload_colors(gl_, *texture);
+            name = cutout ? upload_cutout_texture(gl_, *texture, material.alpha_cutoff)
+                          : upload_color_texture(gl_, *texture);
         }
         return name;
     }
@@ -49,7 +49,7 @@ public:
         }
         GLuint& name = numbers_[texture];
         if (name == 0) {
-            name = upload_numbers(gl_, *texture);
+            name = upload_data_texture(gl_, *texture);
         }
         return name;
     }
@@ -89,7 +89,7 @@ GpuCampus::GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry)
       geometry_(geometry),
       mesh_(gl),
       blend_mesh_(mesh_.sharing_vertices()),
-      white_(upload_white(gl)) {
+      white_(upload_white_texture(gl)) {
     mesh_.upload_vertices(geometry.vertices);
     mesh_.upload_indices(geometry.indices);
     mesh_.upload_instances(geometry.instances);
@@ -163,7 +163,7 @@ void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index, bo
     set_culling(gl_, both_sides);
 }
 
-void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
+void GpuCampus::draw_solid(const ProgramSelector& program_of, scene::AlphaMode mode, const Frustum& frustum,
                            const Eigen::Vector3d& eye, HierarchicalZ* depth) const {
     std::vector<std::pair<double, const Batch*>> order;
     for (const Batch& batch : geometry_.batches) {
@@ -195,7 +195,7 @@ void GpuCampus::draw_solid(const ProgramChoice& program_of, scene::AlphaMode mod
     }
 }
 
-void GpuCampus::draw_blend(const ProgramChoice& program_of, const Frustum& frustum,
+void GpuCampus::draw_blend(const ProgramSelector& program_of, const Frustum& frustum,
                            const Eigen::Vector3d& eye) const {
     std::vector<std::pair<float, const BlendTriangle*>> order;
     const Eigen::Vector3f from = eye.cast<float>();

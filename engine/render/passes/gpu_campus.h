@@ -13,7 +13,7 @@
 namespace campuswalk::engine::render {
 
 /// Which program draws a material.
-using ProgramChoice = std::function<const ShaderProgram&(const scene::Material&)>;
+using ProgramSelector = std::function<const ShaderProgram&(const scene::Material&)>;
 
 /// The campus in the driver's memory and the ways to draw it. Lives as long as its context.
 class GpuCampus {
@@ -29,11 +29,11 @@ public:
     /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `program_of`
     /// is asked for each material that is drawn, and must have set what isn't the material's. `depth`, null
     /// for none, leaves out what is hidden.
-    void draw_solid(const ProgramChoice& program_of, scene::AlphaMode mode, const Frustum& frustum,
+    void draw_solid(const ProgramSelector& program_of, scene::AlphaMode mode, const Frustum& frustum,
                     const Eigen::Vector3d& eye, HierarchicalZ* depth = nullptr) const;
 
     /// See-through triangles, the farthest from `eye` first.
-    void draw_blend(const ProgramChoice& program_of, const Frustum& frustum,
+    void draw_blend(const ProgramSelector& program_of, const Frustum& frustum,
                     const Eigen::Vector3d& eye) const;
 
     /// For drawing a mesh without a texture of its own.

@@ -14,7 +14,7 @@ void replace(Value& value, const std::optional<Value>& by) {
     }
 }
 
-void smooth_by(AntiAliasing how, RenderSettings& settings) {
+void set_anti_aliasing(AntiAliasing how, RenderSettings& settings) {
     settings.samples = how == AntiAliasing::msaa ? kMsaaSamples : 1;
     settings.fxaa = how == AntiAliasing::fxaa;
     settings.supersampling = how == AntiAliasing::supersampling ? 2 : 1;
@@ -22,7 +22,7 @@ void smooth_by(AntiAliasing how, RenderSettings& settings) {
 
 }  // namespace
 
-RenderSettings lit(const RenderSettings& base, const LightSettings& light) {
+RenderSettings apply_light(const RenderSettings& base, const LightSettings& light) {
     RenderSettings settings = base;
     if (light.sun_azimuth || light.sun_elevation) {
         const Eigen::Vector3d& from = base.to_sun;
@@ -43,7 +43,7 @@ RenderSettings lit(const RenderSettings& base, const LightSettings& light) {
     replace(settings.shadows, light.shadows);
     replace(settings.ambient_occlusion_radius, light.ambient_occlusion);
     if (light.anti_aliasing) {
-        smooth_by(*light.anti_aliasing, settings);
+        set_anti_aliasing(*light.anti_aliasing, settings);
     }
     return settings;
 }

@@ -6,6 +6,6 @@
 namespace campuswalk::engine::render {
 
 /// `base` with what `light` says in the place of its own.
-RenderSettings lit(const RenderSettings& base, const LightSettings& light);
+RenderSettings apply_light(const RenderSettings& base, const LightSettings& light);
 
 }  // namespace campuswalk::engine::render

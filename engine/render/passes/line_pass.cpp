@@ -36,7 +36,7 @@ LinePass::LinePass(const GlFunctions& gl)
     constexpr GLsizei stride = sizeof(LineVertex);
     const std::array<std::size_t, 2> offsets = {offsetof(LineVertex, position), offsetof(LineVertex, color)};
     for (GLuint i = 0; i < offsets.size(); ++i) {
-        gl.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, stride, in_buffer(offsets[i]));
+        gl.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, stride, buffer_offset(offsets[i]));
         gl.EnableVertexAttribArray(i);
     }
 }

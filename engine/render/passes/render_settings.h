@@ -44,7 +44,7 @@ struct RenderSettings {
     /// Ambient light is dimmed in corners and under things closer than this, metres; 0 = nowhere.
     double ambient_occlusion_radius = 0.9;
     /// What is behind other things is left out as soon as that is known. Images are the same either way.
-    bool leave_out_hidden = true;
+    bool occlusion_culling = true;
     /// A mesh that is placed very often is kept once. Images are the same but for rounding.
     bool instancing = true;
     /// Metres a side of the cells that triangles are sorted into for culling and drawing front to back.

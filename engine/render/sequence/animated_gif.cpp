@@ -66,9 +66,9 @@ void dither_row(const Image& image, int y, std::vector<GifPixelType>& row) {
 
 }  // namespace
 
-AnimatedGif::AnimatedGif(std::filesystem::path file, double seconds_a_frame)
+AnimatedGif::AnimatedGif(std::filesystem::path file, double seconds_per_frame)
     : file_(std::move(file)),
-      hundredths_(static_cast<int>(std::clamp(std::round(100.0 * seconds_a_frame), 2.0, 65535.0))) {}
+      hundredths_(static_cast<int>(std::clamp(std::round(100.0 * seconds_per_frame), 2.0, 65535.0))) {}
 
 void AnimatedGif::Close::operator()(GifFileType* gif) const {
     int error = 0;
@@ -96,7 +96,7 @@ void AnimatedGif::check(int status) const {
 }
 
 void AnimatedGif::begin(const Image& image) {
-    output_ = std::unique_ptr<Output>(new Output{scene::WholeFile(file_), nullptr});
+    output_ = std::unique_ptr<Output>(new Output{scene::AtomicFile(file_), nullptr});
     int error = 0;
     gif_.reset(EGifOpen(output_.get(), write, &error));
     check(gif_ ? GIF_OK : GIF_ERROR);

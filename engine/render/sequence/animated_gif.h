@@ -17,7 +17,7 @@ namespace campuswalk::engine::render {
 class AnimatedGif final : public FrameSink {
 public:
     /// A frame is shown for so many seconds, in steps of 1/100, 2/100 at least: viewers show less as 10/100.
-    AnimatedGif(std::filesystem::path file, double seconds_a_frame);
+    AnimatedGif(std::filesystem::path file, double seconds_per_frame);
     void add(const Frame& frame) override;
     /// Puts it where it belongs unless there was no frame. Without this there is no file.
     void finish() override;
@@ -25,7 +25,7 @@ public:
 private:
     /// Where giflib's bytes go; it is C, so that what is thrown there has to wait.
     struct Output {
-        scene::WholeFile file;
+        scene::AtomicFile file;
         std::exception_ptr failure;
     };
     static int write(GifFileType* gif, const unsigned char* data, int size);

@@ -10,17 +10,17 @@
 
 namespace campuswalk::engine::render {
 
-AnimatedPng::AnimatedPng(std::filesystem::path file, double seconds_a_frame)
+AnimatedPng::AnimatedPng(std::filesystem::path file, double seconds_per_frame)
     : file_(std::move(file)),
       milliseconds_(
-          static_cast<std::uint16_t>(std::clamp(std::round(1000.0 * seconds_a_frame), 1.0, 65535.0))) {}
+          static_cast<std::uint16_t>(std::clamp(std::round(1000.0 * seconds_per_frame), 1.0, 65535.0))) {}
 
 void AnimatedPng::add(const Frame& frame) {
     const Image image = scaled_down(frame.image, kAnimationWidth);
     const bool first = !png_;
     if (first) {
-        written_ = std::make_unique<scene::WholeFile>(file_);
-        png_ = std::make_unique<PngFile>(image.width, image.height);
+        written_ = std::make_unique<scene::AtomicFile>(file_);
+        png_ = std::make_unique<PngWriter>(image.width, image.height);
         const std::vector<std::uint8_t> start = png_->take();
         written_->write(std::as_bytes(std::span(start)));
         count_at_ = start.size();
@@ -31,7 +31,7 @@ void AnimatedPng::add(const Frame& frame) {
     if (first) {
         png_->chunk("IDAT", {pixels});
     } else {
-        png_->chunk("fdAT", {png_number(sequence_++), pixels});
+        png_->chunk("fdAT", {png_uint32(sequence_++), pixels});
     }
     written_->write(std::as_bytes(std::span<const std::uint8_t>(png_->take())));
     ++frames_;
@@ -39,7 +39,7 @@ void AnimatedPng::add(const Frame& frame) {
 
 // The second number: how often, 0 is for ever.
 void AnimatedPng::put_count(std::uint32_t frames) {
-    png_->chunk("acTL", {png_number(frames), png_number(0)});
+    png_->chunk("acTL", {png_uint32(frames), png_uint32(0)});
 }
 
 void AnimatedPng::put_control(const Image& image) {
@@ -47,8 +47,8 @@ void AnimatedPng::put_control(const Image& image) {
                                                static_cast<std::uint8_t>(milliseconds_ & 0xFFU)};
     const std::array<std::uint8_t, 2> a_thousand = {1000 >> 8, 1000 & 0xFF};
     const std::array<std::uint8_t, 2> leave_and_replace = {0, 0};
-    png_->chunk("fcTL", {png_number(sequence_++), png_number(static_cast<std::uint32_t>(image.width)),
-                         png_number(static_cast<std::uint32_t>(image.height)), png_number(0), png_number(0),
+    png_->chunk("fcTL", {png_uint32(sequence_++), png_uint32(static_cast<std::uint32_t>(image.width)),
+                         png_uint32(static_cast<std::uint32_t>(image.height)), png_uint32(0), png_uint32(0),
                          delay, a_thousand, leave_and_replace});
 }
 

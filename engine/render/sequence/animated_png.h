@@ -19,7 +19,7 @@ constexpr int kAnimationWidth = 640;  // pixels
 class AnimatedPng final : public FrameSink {
 public:
     /// A frame is shown for so many seconds, 1/1000 at least.
-    AnimatedPng(std::filesystem::path file, double seconds_a_frame);
+    AnimatedPng(std::filesystem::path file, double seconds_per_frame);
     void add(const Frame& frame) override;
     /// Puts it where it belongs unless there was no frame. Without this there is no file.
     void finish() override;
@@ -31,8 +31,8 @@ private:
     std::filesystem::path file_;
     std::uint16_t milliseconds_;
     PixelCompressor compressor_;
-    std::unique_ptr<PngFile> png_;  ///< what is still to be written
-    std::unique_ptr<scene::WholeFile> written_;
+    std::unique_ptr<PngWriter> png_;  ///< what is still to be written
+    std::unique_ptr<scene::AtomicFile> written_;
     std::size_t count_at_ = 0;  ///< where the chunk is that holds the count of frames
     std::uint32_t frames_ = 0;
     std::uint32_t sequence_ = 0;  ///< numbers the chunks of frames

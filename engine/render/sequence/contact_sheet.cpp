@@ -16,7 +16,7 @@ namespace {
 constexpr int kThumbnail = 240;  // pixels wide
 constexpr int kGap = 8;          // between them and around
 constexpr int kMostColumns = 10;
-constexpr std::uint8_t kPaper = 0x24;
+constexpr std::uint8_t kBackground = 0x24;
 constexpr double kTextSize = 12.0;
 
 /// About as many columns as give a sheet of a screen's shape.
@@ -42,7 +42,7 @@ void ContactSheet::add(const Frame& frame) {
         return;
     }
     frames_.push_back({scaled_down(frame.image, kThumbnail), frame.number, frame.time});
-    if (frames_.size() > kMostFrames) {
+    if (frames_.size() > kMaxFrames) {
         every_ *= 2;
         std::erase_if(frames_, [this](const Frame& kept) { return kept.number % every_ != 0; });
     }
@@ -62,7 +62,7 @@ Image ContactSheet::sheet() const {
     sheet.width = columns * (first.width + kGap) + kGap;
     sheet.height = rows * (first.height + kGap) + kGap;
     sheet.rgba.assign(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height),
-                      kPaper);
+                      kBackground);
     for (std::size_t i = 3; i < sheet.rgba.size(); i += 4) {
         sheet.rgba[i] = 255;
     }

@@ -11,7 +11,7 @@ namespace campuswalk::engine::render {
 /// second, third, … is shown.
 class ContactSheet final : public FrameSink {
 public:
-    static constexpr std::size_t kMostFrames = 120;
+    static constexpr std::size_t kMaxFrames = 120;
 
     explicit ContactSheet(std::filesystem::path file);
     void add(const Frame& frame) override;

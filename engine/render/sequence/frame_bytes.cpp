@@ -16,7 +16,7 @@ struct Head {
 
 }  // namespace
 
-std::string to_bytes(const Frame& frame) {
+std::string serialize(const Frame& frame) {
     const Image& image = frame.image;
     const Head head = {frame.number, frame.time, image.width, image.height};
     std::string bytes(sizeof(head) + image.rgba.size(), '\0');
@@ -27,7 +27,7 @@ std::string to_bytes(const Frame& frame) {
     return bytes;
 }
 
-Frame frame_from_bytes(std::string_view bytes) {
+Frame deserialize_frame(std::string_view bytes) {
     Head head;
     if (bytes.size() >= sizeof(head)) {
         std::memcpy(&head, bytes.data(), sizeof(head));

@@ -8,9 +8,9 @@
 namespace campuswalk::engine::render {
 
 /// A frame on its way between two processes of one machine.
-std::string to_bytes(const Frame& frame);
+std::string serialize(const Frame& frame);
 
 /// Throws std::runtime_error for what isn't a frame.
-Frame frame_from_bytes(std::string_view bytes);
+Frame deserialize_frame(std::string_view bytes);
 
 }  // namespace campuswalk::engine::render

@@ -5,23 +5,20 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr std::size_t kMostWaiting = 4;  // images of one's own
+constexpr std::size_t kCapacity = 4;  // images of one's own
 
 }  // namespace
 
 FrameQueue::FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* others, std::size_t parts)
-    : sinks_(std::move(sinks)),
-      others_(others),
-      most_waiting_(kMostWaiting * parts),
-      thread_([this] { work(); }) {}
+    : sinks_(std::move(sinks)), others_(others), capacity_(kCapacity * parts), thread_([this] { work(); }) {}
 
 FrameQueue::~FrameQueue() {
     stop(true);
 }
 
-void FrameQueue::wait_for_turn(Waiting waiting) {
+void FrameQueue::push_when_free(Waiting waiting) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_.size() < most_waiting_ || failure_; });
+    changed_.wait(lock, [this] { return waiting_.size() < capacity_ || failure_; });
     if (failure_) {
         std::rethrow_exception(failure_);
     }
@@ -84,7 +81,7 @@ void FrameQueue::work() {
 }
 
 void FrameQueue::hand_over(Waiting waiting) {
-    const Frame frame = waiting.of_others ? others_->take(waiting.frame.number) : std::move(waiting.frame);
+    const Frame frame = waiting.is_remote ? others_->take(waiting.frame.number) : std::move(waiting.frame);
     for (const std::unique_ptr<FrameSink>& sink : sinks_) {
         sink->add(frame);
     }

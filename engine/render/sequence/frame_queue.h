@@ -29,26 +29,26 @@ public:
     FrameQueue& operator=(const FrameQueue&) = delete;
 
     /// Throws what a sink or the others threw at an earlier frame.
-    void add(Frame frame) { wait_for_turn({std::move(frame), false}); }
+    void add(Frame frame) { push_when_free({std::move(frame), false}); }
     /// The next is one that the others draw.
-    void add_of_others(std::size_t number) { wait_for_turn({{{}, number, 0.0}, true}); }
+    void add_remote(std::size_t number) { push_when_free({{{}, number, 0.0}, true}); }
     /// Waits for all of them. Throws likewise.
     void finish();
 
 private:
     struct Waiting {
         Frame frame;
-        bool of_others = false;  ///< of which only the number is known
+        bool is_remote = false;  ///< of which only the number is known
     };
 
-    void wait_for_turn(Waiting waiting);
+    void push_when_free(Waiting waiting);
     void work();
     void hand_over(Waiting waiting);
     void stop(bool give_up);
 
     std::vector<std::unique_ptr<FrameSink>> sinks_;
     FrameSource* others_;
-    std::size_t most_waiting_;
+    std::size_t capacity_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Waiting> waiting_;

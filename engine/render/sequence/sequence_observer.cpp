@@ -20,20 +20,21 @@ SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings
       queue_(std::move(sinks), others_.get(), settings_.share.parts) {}
 
 void SequenceObserver::begin(const Walk& walk) {
-    shots_.begin(walk);
+    requests_.begin(walk);
 }
 
 void SequenceObserver::frame(const TickRecord& record) {
-    shots_.follow(record.avatar);
+    requests_.follow(record.avatar);
     if (!is_due(record.time)) {
         return;
     }
     const std::size_t number = taken_++;
     if (settings_.share.has(number)) {
-        SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, shots_.light());
-        queue_.add({snapshot_renderer.draw(shots_.shot(record, settings_.camera)), number, record.time});
+        SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, requests_.light());
+        queue_.add(
+            {snapshot_renderer.draw(requests_.request(record, settings_.camera)), number, record.time});
     } else if (others_) {
-        queue_.add_of_others(number);
+        queue_.add_remote(number);
     }
 }
 

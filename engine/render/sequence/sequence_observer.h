@@ -39,7 +39,7 @@ private:
     const scene::Campus& campus_;
     SequenceSettings settings_;
     RendererStore& renderers_;
-    WalkShots shots_;
+    SnapshotRequestBuilder requests_;
     std::unique_ptr<FrameSource> others_;
     std::size_t taken_ = 0;  ///< by whomever
     double next_ = 0.0;      ///< times of `every`

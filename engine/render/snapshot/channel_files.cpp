@@ -49,7 +49,7 @@ std::string names_json(const scene::Campus& campus, const IdImage& ids) {
         entry["id"] = id;
         entry["color"] = hex_of(id_color(id));
         entry["pixels"] = pixels[id];
-        const ImageName& name = ids.names[id];
+        const PixelOwner& name = ids.names[id];
         if (name.building) {
             entry["building"] = campus.description.buildings[*name.building].id;
         }
@@ -114,12 +114,12 @@ std::vector<std::filesystem::path> write_channels(SnapshotRenderer& snapshot_ren
     auto file = files.begin();
     if (wanted.depth) {
         const auto png = encode_depth_png(channels.width, channels.height, millimetres(channels.depth));
-        scene::write_whole_file(*file++, std::as_bytes(std::span(png)));
+        scene::write_file_atomically(*file++, std::as_bytes(std::span(png)));
     }
     if (wanted.ids) {
         const IdImage ids = snapshot_renderer.ids_of(channels);
         write_png(colored(ids), *file++);
-        scene::write_whole_file(*file++, names_json(campus, ids));
+        scene::write_file_atomically(*file++, names_json(campus, ids));
     }
     if (wanted.normals) {
         write_png(channels.normals, *file++);

@@ -17,7 +17,7 @@ SnapshotRenderer& RendererStore::of(const scene::Campus& campus, const LightSett
         cached_.clear();
     }
     SnapshotSettings settings = settings_of_(campus);
-    settings.light = lit(settings.light, light);
+    settings.light = apply_light(settings.light, light);
     cached_.push_back({&campus, light, std::make_unique<SnapshotRenderer>(campus, std::move(settings))});
     return *cached_.back().snapshot_renderer;
 }

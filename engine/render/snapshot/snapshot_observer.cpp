@@ -8,18 +8,18 @@
 
 namespace campuswalk::engine::render {
 void SnapshotObserver::begin(const Walk& walk) {
-    shots_.begin(walk);
-    sights_.clear();
+    requests_.begin(walk);
+    visible_buildings_.clear();
     for (const Expectation& expectation : walk.expectations) {
         if (const auto* visible = std::get_if<ExpectVisible>(&expectation)) {
-            sights_[visible->snapshot] = {};
+            visible_buildings_[visible->snapshot] = {};
         }
     }
     contacts_.clear();
 }
 
 void SnapshotObserver::frame(const TickRecord& record) {
-    shots_.follow(record.avatar);
+    requests_.follow(record.avatar);
     for (const Event& event : record.events) {
         if (event.kind == EventKind::collision_enter) {
             contacts_.push_back(record.avatar.position);
@@ -31,36 +31,37 @@ void SnapshotObserver::frame(const TickRecord& record) {
 }
 
 void SnapshotObserver::take(const SnapshotStep& step, const TickRecord& record) {
-    Shot shot = shots_.shot(record, step.camera);
-    shot.overlays = step.overlays;
-    shot.contacts = contacts_;
-    SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, shots_.light());
+    SnapshotRequest request = requests_.request(record, step.camera);
+    request.overlays = step.overlays;
+    request.contacts = contacts_;
+    SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, requests_.light());
     const std::filesystem::path file = folder_ / (step.name + ".png");
-    write_png(snapshot_renderer.draw(shot), file);
+    write_png(snapshot_renderer.draw(request), file);
     files_.push_back(file);
     if (step.channels.any()) {
-        const Channels channels = snapshot_renderer.draw_channels(shot, choice_of(step.channels));
+        const Channels channels = snapshot_renderer.draw_channels(request, choice_of(step.channels));
         std::ranges::move(
             write_channels(snapshot_renderer, campus_, channels, step.channels, folder_ / step.name),
             std::back_inserter(files_));
     }
-    if (const auto wanted = sights_.find(step.name); wanted != sights_.end()) {
-        wanted->second = sight_of(snapshot_renderer, shot);
+    if (const auto wanted = visible_buildings_.find(step.name); wanted != visible_buildings_.end()) {
+        wanted->second = visible_buildings_of(snapshot_renderer, request);
     }
 }
 
-SnapshotSight SnapshotObserver::sight_of(SnapshotRenderer& snapshot_renderer, const Shot& shot) const {
-    const IdImage ids = snapshot_renderer.draw_ids(shot);
+VisibleBuildings SnapshotObserver::visible_buildings_of(SnapshotRenderer& snapshot_renderer,
+                                                        const SnapshotRequest& request) const {
+    const IdImage ids = snapshot_renderer.draw_ids(request);
     std::vector<std::size_t> pixels_of_name(ids.names.size(), 0);
     for (const std::uint32_t id : ids.ids) {
         ++pixels_of_name[id];
     }
-    SnapshotSight sight;
+    VisibleBuildings sight;
     sight.pixels = ids.ids.size();
-    sight.of_building.assign(campus_.description.buildings.size(), 0);
+    sight.pixels_of_building.assign(campus_.description.buildings.size(), 0);
     for (std::size_t i = 0; i < ids.names.size(); ++i) {
         if (const auto building = ids.names[i].building) {
-            sight.of_building[*building] += pixels_of_name[i];
+            sight.pixels_of_building[*building] += pixels_of_name[i];
         }
     }
     return sight;

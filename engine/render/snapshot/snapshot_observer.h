@@ -29,19 +29,20 @@ public:
     /// The images written since construction, in order.
     const std::vector<std::filesystem::path>& files() const { return files_; }
     /// What is to be seen in those that an ExpectVisible names.
-    const SnapshotSights& sights() const { return sights_; }
+    const VisibleBuildingsBySnapshot& visible_buildings() const { return visible_buildings_; }
 
 private:
     void take(const SnapshotStep& step, const TickRecord& record);
-    SnapshotSight sight_of(SnapshotRenderer& snapshot_renderer, const Shot& shot) const;
+    VisibleBuildings visible_buildings_of(SnapshotRenderer& snapshot_renderer,
+                                          const SnapshotRequest& request) const;
 
     const scene::Campus& campus_;
     std::filesystem::path folder_;
     RendererStore& renderers_;
-    WalkShots shots_;
+    SnapshotRequestBuilder requests_;
     std::vector<Eigen::Vector3d> contacts_;  // where the avatar touched something
     std::vector<std::filesystem::path> files_;
-    SnapshotSights sights_;  ///< of those wanted; empty ones until they are taken
+    VisibleBuildingsBySnapshot visible_buildings_;  ///< of those wanted; empty ones until they are taken
 };
 
 }  // namespace campuswalk::engine::render

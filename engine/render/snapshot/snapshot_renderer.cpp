@@ -26,8 +26,9 @@ constexpr double kLabelledShare = 0.002;  // of the image: a building that shows
 
 constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
 
-Eigen::Vector3d eyes_of(const Shot& shot) {
-    return shot.avatar.position + shot.avatar.stature * shot.profile.eye_height * Eigen::Vector3d::UnitY();
+Eigen::Vector3d eyes_of(const SnapshotRequest& request) {
+    return request.avatar.position +
+           request.avatar.stature * request.profile.eye_height * Eigen::Vector3d::UnitY();
 }
 
 bool is_from_avatar(View view) {
@@ -42,44 +43,46 @@ SnapshotRenderer::SnapshotRenderer(const scene::Campus& campus, SnapshotSettings
       renderer_(campus.models, settings_.light, make_gl_context(settings_.backend)),
       building_bounds_(building_bounds(campus)) {}
 
-Image SnapshotRenderer::draw(const Shot& shot) {
-    const Viewpoint view = viewpoint(shot);
-    const std::vector<OverlayLine> lines = overlay_lines(campus_, shot.overlays, shot.path, shot.contacts);
+Image SnapshotRenderer::draw(const SnapshotRequest& request) {
+    const Viewpoint view = viewpoint(request);
+    const std::vector<OverlayLine> lines =
+        overlay_lines(campus_, request.overlays, request.path, request.contacts);
     const Image image =
-        renderer_.draw(view, shot.camera.width, shot.camera.height, figure(shot, view), lines);
-    return draw_over(image, shot, view);
+        renderer_.draw(view, request.camera.width, request.camera.height, figure(request, view), lines);
+    return draw_overlays(image, request, view);
 }
 
-Channels SnapshotRenderer::draw_channels(const Shot& shot, const ChannelChoice& choice) {
-    const Viewpoint view = viewpoint(shot);
-    return renderer_.draw_channels(view, shot.camera.width, shot.camera.height, choice, figure(shot, view));
+Channels SnapshotRenderer::draw_channels(const SnapshotRequest& request, const ChannelChoice& choice) {
+    const Viewpoint view = viewpoint(request);
+    return renderer_.draw_channels(view, request.camera.width, request.camera.height, choice,
+                                   figure(request, view));
 }
 
-IdImage SnapshotRenderer::draw_ids(const Shot& shot) {
-    return ids_of(draw_channels(shot, {.nodes = true}));
+IdImage SnapshotRenderer::draw_ids(const SnapshotRequest& request) {
+    return ids_of(draw_channels(request, {.nodes = true}));
 }
 
 IdImage SnapshotRenderer::ids_of(const Channels& channels) {
-    if (!node_names_) {
-        node_names_ = name_nodes(campus_);
+    if (!node_owners_) {
+        node_owners_ = name_nodes(campus_);
     }
-    IdImage image{channels.width, channels.height, {}, node_names_->names};
+    IdImage image{channels.width, channels.height, {}, node_owners_->names};
     image.ids.reserve(channels.nodes.size());
     for (const std::uint32_t node : channels.nodes) {
-        image.ids.push_back(node_names_->name_of_node[node]);
+        image.ids.push_back(node_owners_->owner_of_node[node]);
     }
     return image;
 }
 
-std::optional<Figure> SnapshotRenderer::figure(const Shot& shot, const Viewpoint& view) {
-    const View from = shot.camera.view;
-    if (shot.nobody || from == View::first_person || from == View::top) {
+std::optional<Figure> SnapshotRenderer::figure(const SnapshotRequest& request, const Viewpoint& view) {
+    const View from = request.camera.view;
+    if (request.nobody || from == View::first_person || from == View::top) {
         return std::nullopt;
     }
-    if ((view.position - eyes_of(shot)).norm() <= kFigureFrom) {
+    if ((view.position - eyes_of(request)).norm() <= kFigureFrom) {
         return std::nullopt;
     }
-    return Figure{shot.avatar, shot.profile, shot.stride};
+    return Figure{request.avatar, request.profile, request.stride};
 }
 
 Image SnapshotRenderer::draw_plan(int width, int height) {
@@ -102,26 +105,26 @@ Image SnapshotRenderer::draw_view(const Viewpoint& view, int width, int height) 
     return renderer_.draw(view, width, height);
 }
 
-Viewpoint SnapshotRenderer::viewpoint(const Shot& shot) const {
-    const CameraSettings& camera = shot.camera;
+Viewpoint SnapshotRenderer::viewpoint(const SnapshotRequest& request) const {
+    const CameraSettings& camera = request.camera;
     switch (camera.view) {
         case View::third_person:
-            return third_person(shot.avatar, shot.profile, camera.fov, camera.distance.value_or(kBehind),
-                                settings_.free_distance);
+            return third_person(request.avatar, request.profile, camera.fov,
+                                camera.distance.value_or(kBehind), settings_.free_distance);
         case View::top:
-            return top(shot.avatar.position, camera.height_above, camera.fov, renderer_.bounds());
+            return top(request.avatar.position, camera.height_above, camera.fov, renderer_.bounds());
         case View::orbit:
-            return orbit_view(shot);
+            return orbit_view(request);
         case View::fixed:
-            return fixed_view(shot);
+            return fixed_view(request);
         case View::first_person:
             break;
     }
-    return first_person(shot.avatar, shot.profile, camera.fov);
+    return first_person(request.avatar, request.profile, camera.fov);
 }
 
-Viewpoint SnapshotRenderer::orbit_view(const Shot& shot) const {
-    const CameraSettings& camera = shot.camera;
+Viewpoint SnapshotRenderer::orbit_view(const SnapshotRequest& request) const {
+    const CameraSettings& camera = request.camera;
     const double yaw = camera.yaw.value_or(kOrbitYaw);
     const double pitch = camera.pitch.value_or(kOrbitPitch);
     const bool whole = camera.around && camera.around->building && !camera.distance;
@@ -130,16 +133,16 @@ Viewpoint SnapshotRenderer::orbit_view(const Shot& shot) const {
         return orbiting(building_bounds_[*camera.around->building], aspect, yaw, pitch, camera.fov);
     }
     const Eigen::Vector3d centre =
-        camera.around
-            ? point_of(*camera.around)
-            : Eigen::Vector3d(shot.avatar.position +
-                              0.5 * shot.avatar.stature * shot.profile.height * Eigen::Vector3d::UnitY());
+        camera.around ? point_of(*camera.around)
+                      : Eigen::Vector3d(request.avatar.position + 0.5 * request.avatar.stature *
+                                                                      request.profile.height *
+                                                                      Eigen::Vector3d::UnitY());
     return orbiting(centre, camera.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
 }
 
-Viewpoint SnapshotRenderer::fixed_view(const Shot& shot) const {
-    const CameraSettings& camera = shot.camera;
-    const Eigen::Vector3d position = camera.position.value_or(eyes_of(shot));
+Viewpoint SnapshotRenderer::fixed_view(const SnapshotRequest& request) const {
+    const CameraSettings& camera = request.camera;
+    const Eigen::Vector3d position = camera.position.value_or(eyes_of(request));
     if (camera.look_at) {
         return looking_at(position, point_of(*camera.look_at), camera.fov);
     }
@@ -154,48 +157,50 @@ Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {
     return box.empty() ? target.point : Eigen::Vector3d(0.5 * (box.min + box.max));
 }
 
-Image SnapshotRenderer::draw_over(const Image& image, const Shot& shot, const Viewpoint& view) {
+Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest& request,
+                                      const Viewpoint& view) {
     const Canvas canvas(image, fonts_);
-    if (shot.camera.view == View::top) {
-        draw_path(canvas, view, shot.path);
-        if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), shot.avatar.position)) {
-            draw_heading_arrow(canvas, pixel->x(), pixel->y(), shot.avatar.yaw, 13.0 * canvas.scale());
+    if (request.camera.view == View::top) {
+        draw_path(canvas, view, request.path);
+        if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), request.avatar.position)) {
+            draw_heading_arrow(canvas, pixel->x(), pixel->y(), request.avatar.yaw, 13.0 * canvas.scale());
         }
         draw_scale_bar(canvas, view);
         draw_north_arrow(canvas);
-    } else if (shot.minimap && is_from_avatar(shot.camera.view) && !renderer_.bounds().empty()) {
-        draw_minimap(canvas, minimap(), shot.avatar);
+    } else if (request.minimap && is_from_avatar(request.camera.view) && !renderer_.bounds().empty()) {
+        draw_minimap(canvas, minimap(), request.avatar);
     }
-    const std::vector<WindowFrame> frames =
-        draw_info_windows(canvas, windows(shot, view), settings_.max_windows);
-    if (shot.overlays.labels) {
-        draw_labels(canvas, labels_in(shot), frames);
+    const std::vector<WindowRect> frames =
+        draw_info_windows(canvas, windows(request, view), settings_.max_windows);
+    if (request.overlays.labels) {
+        draw_labels(canvas, labels_in(request), frames);
     }
-    if (shot.overlays.compass && view.projection == Projection::perspective) {
+    if (request.overlays.compass && view.projection == Projection::perspective) {
         const Eigen::Vector3d back = view.R_world_camera.col(2);
         const Eigen::Vector3d up = view.R_world_camera.col(1);
         const Eigen::Vector3d level = std::abs(back.y()) > kSteep ? Eigen::Vector3d(-up) : back;
         draw_compass(canvas, std::atan2(level.x(), level.z()), frames);
     }
-    if (!shot.caption.empty()) {
+    if (!request.caption.empty()) {
         const double s = canvas.scale();
         const TextStyle style = {14.0 * s, true, {1, 1, 1, 1}, 0.0, 1};
-        const Eigen::Vector2d size = canvas.text_size(shot.caption, style);
-        canvas.label(20.0 * s + 0.5 * size.x(), 24.0 * s, shot.caption, style);
+        const Eigen::Vector2d size = canvas.text_size(request.caption, style);
+        canvas.label(20.0 * s + 0.5 * size.x(), 24.0 * s, request.caption, style);
     }
     return canvas.image();
 }
 
-std::vector<InfoWindow> SnapshotRenderer::windows(const Shot& shot, const Viewpoint& view) const {
+std::vector<InfoWindow> SnapshotRenderer::windows(const SnapshotRequest& request,
+                                                  const Viewpoint& view) const {
     std::vector<InfoWindow> all;
-    for (auto i = shot.open_popups.rbegin(); i != shot.open_popups.rend(); ++i) {
+    for (auto i = request.open_popups.rbegin(); i != request.open_popups.rend(); ++i) {
         all.push_back(info_window_of(campus_.description.buildings[i->building], *i));
-        all.back().anchor = anchor(i->building, shot, view);
+        all.back().anchor = anchor(i->building, request, view);
     }
     return all;
 }
 
-std::optional<Eigen::Vector2d> SnapshotRenderer::anchor(std::size_t building, const Shot& shot,
+std::optional<Eigen::Vector2d> SnapshotRenderer::anchor(std::size_t building, const SnapshotRequest& request,
                                                         const Viewpoint& view) const {
     const scene::Bounds& box = building_bounds_[building];
     const auto inside =
@@ -206,7 +211,7 @@ std::optional<Eigen::Vector2d> SnapshotRenderer::anchor(std::size_t building, co
     // Two thirds up: above doors and passers-by, below the roof.
     Eigen::Vector3d point = 0.5 * (box.min + box.max);
     point.y() = box.min.y() + 0.66 * (box.max.y() - box.min.y());
-    return pixel_of(view, shot.camera.width, shot.camera.height, point);
+    return pixel_of(view, request.camera.width, request.camera.height, point);
 }
 
 std::string SnapshotRenderer::title_of(std::size_t index) const {
@@ -227,8 +232,8 @@ std::vector<MapLabel> SnapshotRenderer::labels() const {
 }
 
 // On what is seen of each building, as near to its middle as can be, the one that shows most first.
-std::vector<PixelLabel> SnapshotRenderer::labels_in(const Shot& shot) {
-    const IdImage ids = draw_ids(shot);
+std::vector<PixelLabel> SnapshotRenderer::labels_in(const SnapshotRequest& request) {
+    const IdImage ids = draw_ids(request);
     const auto buildings = static_cast<std::uint32_t>(campus_.description.buildings.size());
     std::vector<std::uint32_t> owners;
     owners.reserve(ids.ids.size());

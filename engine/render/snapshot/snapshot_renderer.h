@@ -36,7 +36,7 @@ struct SnapshotSettings {
 };
 
 /// One image to take of a walk.
-struct Shot {
+struct SnapshotRequest {
     CameraSettings camera;
     AvatarState avatar;
     AvatarProfile profile;
@@ -58,7 +58,7 @@ struct IdImage {
     std::vector<std::uint32_t> ids;  ///< indices into `names`, rows from top to bottom
     /// The same for all images of a campus, whatever they show. [0] is nobody's: sky, avatar, and whatever
     /// no building and no object takes.
-    std::vector<ImageName> names;
+    std::vector<PixelOwner> names;
 };
 
 /// Draws finished snapshots of one campus: the image, and over it windows, minimap and map marks. Holds the
@@ -68,10 +68,10 @@ public:
     /// `campus` must outlive the painter.
     SnapshotRenderer(const scene::Campus& campus, SnapshotSettings settings);
 
-    Image draw(const Shot& shot);
+    Image draw(const SnapshotRequest& request);
     /// The same image in numbers, and who owns its pixels.
-    Channels draw_channels(const Shot& shot, const ChannelChoice& choice);
-    IdImage draw_ids(const Shot& shot);
+    Channels draw_channels(const SnapshotRequest& request, const ChannelChoice& choice);
+    IdImage draw_ids(const SnapshotRequest& request);
     /// What Channels::nodes of this campus means.
     IdImage ids_of(const Channels& channels);
     /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
@@ -83,18 +83,18 @@ public:
     const scene::Bounds& bounds() const { return renderer_.bounds(); }
 
 private:
-    Viewpoint viewpoint(const Shot& shot) const;
-    Viewpoint orbit_view(const Shot& shot) const;
-    Viewpoint fixed_view(const Shot& shot) const;
+    Viewpoint viewpoint(const SnapshotRequest& request) const;
+    Viewpoint orbit_view(const SnapshotRequest& request) const;
+    Viewpoint fixed_view(const SnapshotRequest& request) const;
     Eigen::Vector3d point_of(const CameraTarget& target) const;
-    static std::optional<Figure> figure(const Shot& shot, const Viewpoint& view);
-    Image draw_over(const Image& image, const Shot& shot, const Viewpoint& view);
-    std::vector<InfoWindow> windows(const Shot& shot, const Viewpoint& view) const;
-    std::optional<Eigen::Vector2d> anchor(std::size_t building, const Shot& shot,
+    static std::optional<Figure> figure(const SnapshotRequest& request, const Viewpoint& view);
+    Image draw_overlays(const Image& image, const SnapshotRequest& request, const Viewpoint& view);
+    std::vector<InfoWindow> windows(const SnapshotRequest& request, const Viewpoint& view) const;
+    std::optional<Eigen::Vector2d> anchor(std::size_t building, const SnapshotRequest& request,
                                           const Viewpoint& view) const;
     std::vector<MapLabel> labels() const;
     std::string title_of(std::size_t building) const;
-    std::vector<PixelLabel> labels_in(const Shot& shot);
+    std::vector<PixelLabel> labels_in(const SnapshotRequest& request);
     const Minimap& minimap();
 
     const scene::Campus& campus_;
@@ -103,7 +103,7 @@ private:
     Renderer renderer_;
     std::vector<scene::Bounds> building_bounds_;  // one a building, empty for one without nodes
     std::optional<Minimap> minimap_;
-    std::optional<NodeNames> node_names_;  // none before the first id image
+    std::optional<NodeOwners> node_owners_;  // none before the first id image
 };
 
 }  // namespace campuswalk::engine::render

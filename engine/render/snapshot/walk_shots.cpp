@@ -2,22 +2,22 @@
 
 namespace campuswalk::engine::render {
 
-void WalkShots::begin(const Walk& walk) {
+void SnapshotRequestBuilder::begin(const Walk& walk) {
     profile_ = walk.avatar;
     light_ = walk.light;
     trail_.clear();
 }
 
-Shot WalkShots::shot(const TickRecord& record, const CameraSettings& camera) {
+SnapshotRequest SnapshotRequestBuilder::request(const TickRecord& record, const CameraSettings& camera) {
     path_ = trail_.path();
-    Shot shot;
-    shot.camera = camera;
-    shot.avatar = record.avatar;
-    shot.profile = profile_;
-    shot.stride = trail_.stride();
-    shot.open_popups = record.open_popups;
-    shot.path = path_;
-    return shot;
+    SnapshotRequest request;
+    request.camera = camera;
+    request.avatar = record.avatar;
+    request.profile = profile_;
+    request.stride = trail_.stride();
+    request.open_popups = record.open_popups;
+    request.path = path_;
+    return request;
 }
 
 }  // namespace campuswalk::engine::render

@@ -11,7 +11,7 @@ namespace campuswalk::engine::render {
 
 /// Follows a walk, and has what all images of it show alike: the avatar in its step, its way, the windows
 /// that are open.
-class WalkShots {
+class SnapshotRequestBuilder {
 public:
     void begin(const Walk& walk);
     /// Every tick, whether an image is taken or not.
@@ -19,7 +19,7 @@ public:
 
     const LightSettings& light() const { return light_; }
     /// Refers to this and to `record`: draw it before either changes.
-    Shot shot(const TickRecord& record, const CameraSettings& camera);
+    SnapshotRequest request(const TickRecord& record, const CameraSettings& camera);
 
 private:
     AvatarProfile profile_;

@@ -42,7 +42,7 @@ NodeTree AssimpSource::nodes() {
     const aiScene& scene = *read_.scene;
     Eigen::Matrix4d X_file_moved = Eigen::Matrix4d::Identity();
     X_file_moved.topRightCorner<3, 1>() = read_.files->origin();
-    NodeTree tree = convert_nodes(*scene.mRootNode, house_from_file(file_, scene) * X_file_moved);
+    NodeTree tree = convert_nodes(*scene.mRootNode, world_from_file(file_, scene) * X_file_moved);
     for (std::vector<std::size_t>& numbers : tree.mesh_numbers) {
         std::erase_if(numbers, [&](std::size_t number) { return number >= scene.mNumMeshes; });
     }
@@ -60,7 +60,7 @@ std::optional<GeographicPlace> AssimpSource::geographic() const {
 
 /// A COLLADA node may have an id and no name: its id is the author's word all the same.
 void AssimpSource::name_nodes(NodeTree& tree) const {
-    const auto is_made_up = [](const Node& node) { return node.name.starts_with(kMadeUpColladaName); };
+    const auto is_made_up = [](const Node& node) { return node.name.starts_with(kGeneratedColladaName); };
     if (!std::ranges::any_of(tree.nodes, is_made_up)) {
         return;
     }

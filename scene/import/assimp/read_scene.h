@@ -20,7 +20,7 @@ struct ReadScene {
 /// What COLLADA nodes are called by: the `name` that authors see, or the `id`. A node that lacks the one
 /// asked for gets a name that starts with kMadeUpColladaName.
 enum class ColladaNames { names, ids };
-constexpr const char* kMadeUpColladaName = "$ColladaAutoName$";
+constexpr const char* kGeneratedColladaName = "$ColladaAutoName$";
 
 /// Opens and parses the file; polygons are triangulated, nothing else is changed: no step runs that would
 /// merge nodes (their names are what colliders go by), and joining vertices and making normals are done

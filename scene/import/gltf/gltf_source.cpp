@@ -60,7 +60,7 @@ NodeTree GltfSource::nodes() {
         const CenterFrame frame = center_frame(parts_->document);
         parts_->geographic = frame.place;
         return read_node_graph(parts_->document, *parts_->primitives, accessors,
-                               house_from_file(file_) * frame.X_house_file, parts_->notes);
+                               world_from_file(file_) * frame.X_file_rtc, parts_->notes);
     });
 }
 

@@ -20,11 +20,11 @@ CenterFrame center_frame(const Document& document) {
         0, 0, -1,                   //
         0, 1, 0;
     const Eigen::Vector3d center((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-    if (const auto earth = earth_frame(center)) {
+    if (const auto earth = tangent_frame(center)) {
         frame.place = earth->place;
-        frame.X_house_file.topLeftCorner<3, 3>() = earth->R_house_earth * R_center_file;
+        frame.X_file_rtc.topLeftCorner<3, 3>() = earth->R_local_ecef * R_center_file;
     } else {
-        frame.X_house_file.topRightCorner<3, 1>() = R_center_file.transpose() * center;
+        frame.X_file_rtc.topRightCorner<3, 1>() = R_center_file.transpose() * center;
     }
     return frame;
 }

@@ -11,7 +11,7 @@ namespace campuswalk::scene::gltf {
 
 /// What CESIUM_RTC says of a file, in which coordinates are about a center far away.
 struct CenterFrame {
-    Eigen::Matrix4d X_house_file = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d X_file_rtc = Eigen::Matrix4d::Identity();
     std::optional<GeographicPlace> place;  ///< on the Earth; its `at` is yet unknown
 };
 

@@ -56,7 +56,9 @@ public:
     }
 
     /// Nobody changes it any more, not even a process that the helper left behind; false if one still could.
-    bool seal() const { return fcntl(number_, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) == 0; }
+    bool finish() const {
+        return fcntl(number_, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) == 0;
+    }
 
 private:
     int number_;
@@ -223,7 +225,7 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
     if (!trouble.empty()) {
         refuse(trouble);
     }
-    if (!answer.seal()) {
+    if (!answer.finish()) {
         refuse("its import left a process running; do not trust this file");
     }
     try {

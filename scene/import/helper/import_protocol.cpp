@@ -37,7 +37,7 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(request.limits.cpu_per_megabyte);
     out.put(request.limits.waiting);
     out.put(request.limits.answer);
-    return joined(out.seal());
+    return joined(out.finish());
 }
 
 ImportRequest read_request(std::span<const std::byte> bytes) {

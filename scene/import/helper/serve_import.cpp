@@ -39,8 +39,8 @@ bool write_all(int to, std::span<const std::byte> bytes) {
 }
 
 bool write_all(int to, const ImportedModel& answer) {
-    ArchiveWriter file = lay_out_model(answer);
-    for (const std::span<const std::byte> part : file.seal()) {
+    ArchiveWriter file = archive_model(answer);
+    for (const std::span<const std::byte> part : file.finish()) {
         if (!write_all(to, part)) {
             return false;
         }
@@ -50,7 +50,7 @@ bool write_all(int to, const ImportedModel& answer) {
 
 ImportedModel answer_to(const ImportRequest& request) {
     try {
-        return import_scene(request.file, request.if_empty);
+        return import_model(request.file, request.if_empty);
     } catch (const InputError& error) {
         return refusal_of(error);
     }

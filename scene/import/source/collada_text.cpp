@@ -47,7 +47,7 @@ ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
     if (!longitude || !latitude || !height) {
         return {std::nullopt, "lacks a numeric latitude or longitude"};
     }
-    if (std::abs(*latitude) > kMostLatitude || std::abs(*longitude) > kMostLongitude) {
+    if (std::abs(*latitude) > kMaxLatitude || std::abs(*longitude) > kMaxLongitude) {
         return {std::nullopt, "is out of range: latitude is at most 90 degrees, longitude at most 180"};
     }
     return {GeographicPlace{*latitude, *longitude, *height, Eigen::Vector3d::Zero()}, ""};

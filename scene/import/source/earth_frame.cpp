@@ -42,21 +42,21 @@ Direction latitude_of(double z, double from_axis) {
 
 }  // namespace
 
-std::optional<EarthFrame> earth_frame(const Eigen::Vector3d& p_earth) {
-    const double from_axis = std::sqrt(p_earth.x() * p_earth.x() + p_earth.y() * p_earth.y());
-    const Direction latitude = latitude_of(p_earth.z(), from_axis);
-    const Direction longitude = direction_of(p_earth.y(), p_earth.x());
-    const double height = from_axis * latitude.cosine + p_earth.z() * latitude.sine -
+std::optional<TangentFrame> tangent_frame(const Eigen::Vector3d& p_ecef) {
+    const double from_axis = std::sqrt(p_ecef.x() * p_ecef.x() + p_ecef.y() * p_ecef.y());
+    const Direction latitude = latitude_of(p_ecef.z(), from_axis);
+    const Direction longitude = direction_of(p_ecef.y(), p_ecef.x());
+    const double height = from_axis * latitude.cosine + p_ecef.z() * latitude.sine -
                           kEquator * std::sqrt(1.0 - kSquaredEccentricity * latitude.sine * latitude.sine);
     if (!(std::abs(height) <= kHighest)) {
         return std::nullopt;
     }
     constexpr double kDegrees = 180.0 / std::numbers::pi;
-    EarthFrame frame;
+    TangentFrame frame;
     frame.place.latitude_deg = collision::angle_of(latitude.sine, latitude.cosine) * kDegrees;
     frame.place.longitude_deg = collision::angle_of(longitude.sine, longitude.cosine) * kDegrees;
     frame.place.height = height;
-    frame.R_house_earth << -longitude.sine, longitude.cosine, 0.0,  //
+    frame.R_local_ecef << -longitude.sine, longitude.cosine, 0.0,  //
         latitude.cosine * longitude.cosine, latitude.cosine * longitude.sine, latitude.sine,
         latitude.sine * longitude.cosine, latitude.sine * longitude.sine, -latitude.cosine;
     return frame;

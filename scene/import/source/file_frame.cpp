@@ -23,7 +23,7 @@ double metres_per_file_unit(const aiMetadata& metadata) {
 
 /// The rotation that brings an FBX file's axes (right, up and towards the viewer) to +X, +Y and +Z; identity
 /// for every other format and for axes that make no right-handed frame.
-Eigen::Matrix3d house_from_file_axes(const aiMetadata& metadata) {
+Eigen::Matrix3d world_from_file_axes(const aiMetadata& metadata) {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
     int row = 0;
     for (const char* name : {"CoordAxis", "UpAxis", "FrontAxis"}) {
@@ -57,15 +57,15 @@ Eigen::Matrix3d upright(UpAxis up) {
 
 }  // namespace
 
-Eigen::Matrix4d house_from_file(const SceneFile& file) {
+Eigen::Matrix4d world_from_file(const SceneFile& file) {
     return placed(upright(file.up) * (file.metres_per_unit * file.scale), file.position);
 }
 
-Eigen::Matrix4d house_from_file(const SceneFile& file, const aiScene& scene) {
+Eigen::Matrix4d world_from_file(const SceneFile& file, const aiScene& scene) {
     if (scene.mMetaData == nullptr) {
-        return house_from_file(file);
+        return world_from_file(file);
     }
-    const Eigen::Matrix3d rotation = upright(file.up) * house_from_file_axes(*scene.mMetaData);
+    const Eigen::Matrix3d rotation = upright(file.up) * world_from_file_axes(*scene.mMetaData);
     const double scale = file.metres_per_unit * file.scale * metres_per_file_unit(*scene.mMetaData);
     return placed(rotation * scale, file.position);
 }

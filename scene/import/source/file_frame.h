@@ -15,9 +15,9 @@ namespace campuswalk::scene {
 /// passes over, are applied here. `up`, `unit`, `scale` and `position` of the campus file come on top and are
 /// neutral by default, so they are for formats that say nothing (OBJ, STL, PLY) and for files that are wrong
 /// about themselves.
-Eigen::Matrix4d house_from_file(const SceneFile& file, const aiScene& scene);
+Eigen::Matrix4d world_from_file(const SceneFile& file, const aiScene& scene);
 
 /// Likewise for a file that is in the house frame by itself: what the campus file says of it.
-Eigen::Matrix4d house_from_file(const SceneFile& file);
+Eigen::Matrix4d world_from_file(const SceneFile& file);
 
 }  // namespace campuswalk::scene

@@ -7,7 +7,7 @@
 
 namespace campuswalk::scene {
 
-void do_at_once(std::size_t count, std::size_t most, const std::function<void(std::size_t)>& work) {
+void parallel_for(std::size_t count, std::size_t most, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next = 0;
     const auto take_turns = [&] {
         for (std::size_t i = next++; i < count; i = next++) {

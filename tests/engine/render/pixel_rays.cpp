@@ -123,7 +123,7 @@ PixelRays::PixelRays(const scene::Model& model, const Viewpoint& view, int width
     }
 }
 
-bool PixelRays::amid_its_like(int x, int y) const {
+bool PixelRays::is_interior(int x, int y) const {
     if (x < 1 || y < 1 || x + 1 >= width_ || y + 1 >= height_) {
         return false;
     }

@@ -29,7 +29,7 @@ public:
                      static_cast<std::size_t>(x)];
     }
     /// Whether the pixel isn't on the image's rim and the eight around it show the same node.
-    bool amid_its_like(int x, int y) const;
+    bool is_interior(int x, int y) const;
     /// The largest difference of depth to the four pixels beside.
     double depth_change(int x, int y) const;
 

@@ -27,21 +27,21 @@ std::ptrdiff_t files_in(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-TEST(WholeFile, ReplacesAFileAndMakesItsFolders) {
+TEST(AtomicFile, ReplacesAFileAndMakesItsFolders) {
     const support::TemporaryFolder folder;
     const fs::path file = folder.path() / "a" / "b" / "c.txt";
-    write_whole_file(file, "first and long");
-    write_whole_file(file, "second");
+    write_file_atomically(file, "first and long");
+    write_file_atomically(file, "second");
     EXPECT_EQ(text_of(file), "second");
     EXPECT_EQ(files_in(file.parent_path()), 1);
 }
 
 /// A process of the same number may have been killed, here or in another container.
-TEST(WholeFile, LeavesNeighboursOfOthersAlone) {
+TEST(AtomicFile, LeavesNeighboursOfOthersAlone) {
     const support::TemporaryFolder folder;
     const std::string others = "c.txt." + std::to_string(getpid()) + "-0.part";
     folder.write(others, "of somebody else");
-    write_whole_file(folder.path() / "c.txt", "mine");
+    write_file_atomically(folder.path() / "c.txt", "mine");
     EXPECT_EQ(text_of(folder.path() / "c.txt"), "mine");
     EXPECT_EQ(text_of(folder.path() / others), "of somebody else");
     EXPECT_EQ(files_in(folder.path()), 2);
@@ -51,12 +51,12 @@ std::span<const std::byte> bytes(std::string_view text) {
     return std::as_bytes(std::span(text));
 }
 
-TEST(WholeFile, IsThereOnceItIsFinished) {
+TEST(AtomicFile, IsThereOnceItIsFinished) {
     const support::TemporaryFolder folder;
     const fs::path file = folder.path() / "c.txt";
-    write_whole_file(file, "before");
+    write_file_atomically(file, "before");
     {
-        WholeFile whole(file);
+        AtomicFile whole(file);
         whole.write(bytes("0000 and "));
         whole.replace(2, bytes("12"));
         whole.write(bytes("more"));
@@ -67,18 +67,18 @@ TEST(WholeFile, IsThereOnceItIsFinished) {
     EXPECT_EQ(files_in(folder.path()), 1);
 }
 
-TEST(WholeFile, IsNothingWhenItIsGivenUp) {
+TEST(AtomicFile, IsNothingWhenItIsGivenUp) {
     const support::TemporaryFolder folder;
     {
-        WholeFile whole(folder.path() / "c.txt");
+        AtomicFile whole(folder.path() / "c.txt");
         whole.write(bytes("half"));
         EXPECT_EQ(files_in(folder.path()), 1);
     }
     EXPECT_EQ(files_in(folder.path()), 0);
 }
 
-TEST(WholeFile, PutsNoFileInADevicesPlace) {
-    EXPECT_THROW(write_whole_file("/dev/null", "x"), std::runtime_error);
+TEST(AtomicFile, PutsNoFileInADevicesPlace) {
+    EXPECT_THROW(write_file_atomically("/dev/null", "x"), std::runtime_error);
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 

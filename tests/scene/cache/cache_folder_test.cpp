@@ -30,7 +30,7 @@ protected:
         cache.store(key, "model", Parts{bytes});
     }
     CacheFolder diagnosing(const fs::path& where) {
-        return CacheFolder(where, CacheFolder::kUsualLimit,
+        return CacheFolder(where, CacheFolder::kDefaultLimit,
                            [this](const std::string& reason) { diagnostics_.push_back(reason); });
     }
     fs::path file_of(const ContentHash& key) const { return where_ / (to_string(key) + ".model.campuswalk"); }

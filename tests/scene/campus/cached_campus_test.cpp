@@ -34,7 +34,7 @@ protected:
     Importer counting() {
         return [this](const SceneFile& file, EmptyModel if_empty) {
             ++imports_;
-            return import_scene(file, if_empty);
+            return import_model(file, if_empty);
         };
     }
     LoadedModel load() { return load_model(file_, EmptyModel::refuse, counting(), &cache_); }
@@ -208,7 +208,7 @@ TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
 TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
     std::vector<Diagnostic> warnings;
     std::vector<std::string> diagnostics;
-    const CacheFolder cache(where_, CacheFolder::kUsualLimit,
+    const CacheFolder cache(where_, CacheFolder::kDefaultLimit,
                             [&](const std::string& reason) { diagnostics.push_back(reason); });
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{200}}) {
         const campuswalk::test::FullDisk full(bytes);
@@ -234,7 +234,7 @@ TEST_F(CachedCampus, TellsTheSameHoweverManyImportsAreAtOnce) {
             if (broken && number % 2 == 0) {
                 throw InputError(file.mark, "bad-model", file.file + " is broken");
             }
-            ImportedModel imported = import_scene(file_, if_empty);
+            ImportedModel imported = import_model(file_, if_empty);
             imported.warnings = {{Severity::warning, {}, "odd", file.file + " is odd"}};
             return imported;
         };

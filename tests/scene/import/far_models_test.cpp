@@ -49,7 +49,7 @@ protected:
         all.modes.solid = true;
         description.colliders = {all};
         return load_campus(description, std::make_unique<collision::LinearBroadPhase>(), warnings_,
-                           import_scene, cache);
+                           import_model, cache);
     }
 
     test::TemporaryFolder folder_;
@@ -75,7 +75,7 @@ TEST_F(FarModels, ComeBackFromTheHelperAndTheCacheToTheBit) {
     EXPECT_EQ(place_of(apart(file, EmptyModel::refuse).model), here);
     const CacheFolder cache(folder_.path() / "cache");
     for (int time = 0; time < 2; ++time) {
-        EXPECT_EQ(place_of(load_model(file, EmptyModel::refuse, import_scene, &cache).imported.model), here);
+        EXPECT_EQ(place_of(load_model(file, EmptyModel::refuse, import_model, &cache).imported.model), here);
     }
 }
 

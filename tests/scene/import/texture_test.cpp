@@ -35,11 +35,11 @@ TEST_F(TextureTest, AreAmongTheFilesThatAModelDependsOn) {
     folder_.write("x.mtl", "newmtl wood\nmap_Kd wood.tga\n");
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) + "usemtl wood\nf 1/1 2/2 3/3\n");
-    const std::vector<FileRequest> requests = import_scene(scene_file(folder_, "x.obj")).requests;
+    const std::vector<FileRequest> requests = import_model(scene_file(folder_, "x.obj")).requests;
     EXPECT_EQ(std::ranges::count(requests, FileRequest{"x.mtl", false}), 1);
     EXPECT_EQ(std::ranges::count(requests, FileRequest{"wood.tga", true}), 1);
     std::filesystem::remove(folder_.path() / "x.mtl");
-    const std::vector<FileRequest> without = import_scene(scene_file(folder_, "x.obj")).requests;
+    const std::vector<FileRequest> without = import_model(scene_file(folder_, "x.obj")).requests;
     EXPECT_EQ(std::ranges::count(without, FileRequest{"x.mtl", false}), 1) << "it may come";
     EXPECT_EQ(std::ranges::count(without, FileRequest{"wood.tga", true}), 0);
 }

@@ -23,7 +23,7 @@ TEST(GroundCover, OfAFloorIsAllOfItButItsEdge) {
     EXPECT_NEAR(cover.share, (20.0 - 0.8) * (10.0 - 0.8) / 200.0, 0.03);
     EXPECT_NEAR(cover.height, 0.0, 1e-6);
     EXPECT_EQ(cover.share_below, 0.0);
-    EXPECT_FALSE(is_no_ground(cover));
+    EXPECT_FALSE(lacks_ground(cover));
 }
 
 TEST(GroundCover, CountsTheLargestOfSeveral) {
@@ -49,9 +49,9 @@ TEST(GroundCover, IsNoneOnTopsOfWalls) {
         test::add_box(model, "x", {0, 0, 5.0 * i}, {20.2, 2.8, 5.0 * i + 0.2});
         test::add_box(model, "z", {5.0 * i, 0, 0}, {5.0 * i + 0.2, 2.8, 20.2});
     }
-    EXPECT_TRUE(is_no_ground(cover_of(model)));
+    EXPECT_TRUE(lacks_ground(cover_of(model)));
     test::add_box(model, "floor", {0, -0.1, 0}, {20.2, 0, 20.2});
-    EXPECT_FALSE(is_no_ground(cover_of(model)));
+    EXPECT_FALSE(lacks_ground(cover_of(model)));
 }
 
 TEST(GroundCover, IsNoneOnARoof) {
@@ -61,22 +61,22 @@ TEST(GroundCover, IsNoneOnARoof) {
     EXPECT_GT(tower.share, 0.8);
     // Of 1,000 m2 all but the roof: the walls' triangles have their middles at a third and two thirds.
     EXPECT_NEAR(tower.share_below, 0.9, 1e-6);
-    EXPECT_TRUE(is_no_ground(tower));
+    EXPECT_TRUE(lacks_ground(tower));
     test::add_box(model, "lawn", {-20, -0.1, -20}, {30, 0, 30});
-    EXPECT_FALSE(is_no_ground(cover_of(model)));
+    EXPECT_FALSE(lacks_ground(cover_of(model)));
 }
 
 TEST(GroundCover, IsNoneOnTheRoofOfAHut) {
     Model model;
     test::add_box(model, "hut", {0, 0, 0}, {4, 3, 4});
-    EXPECT_TRUE(is_no_ground(cover_of(model)));
+    EXPECT_TRUE(lacks_ground(cover_of(model)));
 }
 
 TEST(GroundCover, MayHaveCellars) {
     Model model;
     test::add_box(model, "lawn", {-50, -0.2, -50}, {50, 0, 50});
     test::add_box(model, "tank", {0, -6, 0}, {20, -2, 20});
-    EXPECT_FALSE(is_no_ground(cover_of(model)));
+    EXPECT_FALSE(lacks_ground(cover_of(model)));
 }
 
 TEST(GroundCover, IsNoneUnderWhatIsTooLow) {
@@ -111,7 +111,7 @@ TEST(GroundCover, TellsRealModelsApart) {
     for (const auto& [file, none] : models) {
         std::vector<Diagnostic> warnings;
         const Model model = import_model(test::shared_scene(file), warnings);
-        EXPECT_EQ(is_no_ground(cover_of(model)), none) << file;
+        EXPECT_EQ(lacks_ground(cover_of(model)), none) << file;
     }
 }
 

@@ -8,7 +8,7 @@ namespace campuswalk::scene {
 namespace {
 
 std::vector<ModelLint> lints_of(const Model& model) {
-    return find_odd_sizes(model, report(model).nodes);
+    return lint_named_sizes(model, report(model).nodes);
 }
 
 /// Ten steps of 0.3 m depth.
@@ -44,18 +44,18 @@ TEST(NamedSizes, GuessTheUnitByTheMiddleDoor) {
         test::add_box(model, "door_1", {0, 0, 0}, {1, c.height, 1});
         test::add_box(model, "door_2", {5, 0, 0}, {6, c.height, 1});
         test::add_box(model, "church_door", {9, 0, 0}, {10, 3 * c.height, 1});
-        EXPECT_EQ(scale_by_doors(model, report(model).nodes), c.scale) << c.height;
+        EXPECT_EQ(scale_from_doors(model, report(model).nodes), c.scale) << c.height;
     }
     Model model;
     test::add_box(model, "house", {0, 0, 0}, {1000, 500, 1000});
-    EXPECT_EQ(scale_by_doors(model, report(model).nodes), std::nullopt);
+    EXPECT_EQ(scale_from_doors(model, report(model).nodes), std::nullopt);
 }
 
 TEST(NamedSizes, MeasureDoorsAlongTheAxisThatIsUp) {
     Model model;
     test::add_box(model, "door", {0, 0, 0}, {90, 5, 210});
     EXPECT_TRUE(lints_of(model).empty());
-    const auto odd = find_odd_sizes(model, report(model).nodes, 2);
+    const auto odd = lint_named_sizes(model, report(model).nodes, 2);
     ASSERT_EQ(odd.size(), 1U);
     EXPECT_NE(odd[0].message.find("with `unit: cm` it would be 2.1 m"), std::string::npos) << odd[0].message;
 }

@@ -25,7 +25,7 @@ Model lawn() {
 
 Vector3d best_foot(const Model& model, const Vector3d& middle, const std::vector<UprightBox>& boxes = {}) {
     const WalkableGround ground = ground_of(model, middle);
-    const auto best = ground.best_spot(middle, boxes);
+    const auto best = ground.best_spawn_spot(middle, boxes);
     return best ? ground.spots()[*best].foot : Vector3d::Constant(-999.0);
 }
 
@@ -114,7 +114,7 @@ TEST(WalkableGround, WaysGoAroundWallsAndEndWhereTheyShould) {
     };
     const std::uint32_t start = nearest({-10, 0, 10});
     const std::uint32_t end = nearest({-10, 0, -10});
-    const auto corners = ground.corners_of_way(ground.ways_from(start), end);
+    const auto corners = ground.waypoints(ground.shortest_paths_from(start), end);
     ASSERT_GE(corners.size(), 3U);
     EXPECT_EQ(corners.front(), ground.spots()[start].foot);
     EXPECT_EQ(corners.back(), ground.spots()[end].foot);
@@ -130,7 +130,7 @@ TEST(WalkableGround, WaysGoAroundWallsAndEndWhereTheyShould) {
 TEST(WalkableGround, OfNothingButAWallHasNoSpot) {
     Model model;
     test::add_turned_box(model, "wall", {0, 2, 0}, {6, 4, 0.05}, 0);
-    EXPECT_FALSE(ground_of(model).best_spot(Vector3d::Zero(), {}));
+    EXPECT_FALSE(ground_of(model).best_spawn_spot(Vector3d::Zero(), {}));
 }
 
 }  // namespace

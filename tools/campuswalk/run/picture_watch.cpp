@@ -59,7 +59,7 @@ std::vector<engine::Artifact> ImageWatch::evaluator(std::vector<engine::Failure>
     }
     EvaluatedImages evaluated =
         evaluate_images({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
-                         settings_.update, settings_.tolerance, moments_, taker_->sights()});
+                         settings_.update, settings_.tolerance, moments_, taker_->visible_buildings()});
     for (const std::filesystem::path& file : evaluated.written) {
         diagnostic_line("wrote " + file.generic_string());
     }

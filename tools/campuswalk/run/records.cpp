@@ -54,7 +54,7 @@ std::vector<engine::Artifact> Records::write(const std::filesystem::path& output
     std::vector<engine::Artifact> written;
     for (const auto& record : records_) {
         const std::string path = folder + "/" + record->kind->file;
-        scene::write_whole_file(output / path, record->text);
+        scene::write_file_atomically(output / path, record->text);
         written.push_back({record->kind->name, path, record->kind->media_type});
     }
     return written;

@@ -24,7 +24,7 @@ std::optional<std::uint32_t> nearest_spot(const WalkableGround& ground,
     for (std::uint32_t s = 0; s < ways.size(); ++s) {
         const Vector3d& foot = ground.spots()[s].foot;
         const double distance = (foot - from).norm();
-        if (ways[s] != s && ground.spots()[s].from_edge > 0 && distance < nearest && wanted(foot)) {
+        if (ways[s] != s && ground.spots()[s].edge_distance > 0 && distance < nearest && wanted(foot)) {
             nearest = distance;
             best = s;
         }
@@ -40,13 +40,13 @@ std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const WalkableGroun
     std::uint32_t at = spawn;
     const auto visit = [&](const std::string& building, const std::vector<std::uint32_t>& ways,
                            std::uint32_t end) {
-        std::vector<Vector3d> corners = ground.corners_of_way(ways, end);
+        std::vector<Vector3d> corners = ground.waypoints(ways, end);
         corners.erase(corners.begin());
         visits.push_back({building, std::move(corners)});
         at = end;
     };
     while (visits.size() < kMostVisits) {
-        const std::vector<std::uint32_t> ways = ground.ways_from(at);
+        const std::vector<std::uint32_t> ways = ground.shortest_paths_from(at);
         const Vector3d& here = ground.spots()[at].foot;
         std::optional<std::uint32_t> nearest;
         std::size_t chosen = 0;
@@ -69,7 +69,7 @@ std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const WalkableGroun
     }
     if (visits.empty()) {
         constexpr double kStroll = 5.0;  // metres
-        const std::vector<std::uint32_t> ways = ground.ways_from(spawn);
+        const std::vector<std::uint32_t> ways = ground.shortest_paths_from(spawn);
         const Vector3d& here = ground.spots()[spawn].foot;
         const auto end = nearest_spot(ground, ways, here,
                                       [&](const Vector3d& foot) { return (foot - here).norm() >= kStroll; });

@@ -128,7 +128,7 @@ bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampu
         triggers.push_back(trigger_about(building));
     }
     const scene::WalkableGround ground(solid.mesh, solid.p_world_origin, middle);
-    const std::optional<std::uint32_t> spawn = ground.best_spot(middle, triggers);
+    const std::optional<std::uint32_t> spawn = ground.best_spawn_spot(middle, triggers);
     if (!spawn || ground.count_reachable(*spawn) < kLeastGround) {
         return false;
     }
@@ -169,7 +169,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
     const bool tiny = is_odd(model.report, "odd-scale") && size < 1.0;
     bool placed = false;
     if (!tiny && !is_odd(model.report, "no-ground")) {
-        scene::write_whole_file(campus_file, campus_yaml(campus));  // with a spawn that is none yet
+        scene::write_file_atomically(campus_file, campus_yaml(campus));  // with a spawn that is none yet
         placed = place_visitor(model, solid_of(*loader.load_campus(campus_file)), campus);
     }
     if (!placed && !tiny) {
@@ -183,14 +183,14 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
             "nobody can stand anywhere in the middle of it; look at what `campuswalk info` says of its size "
             "and axes, and give --scale or --up");
     }
-    scene::write_whole_file(campus_file, campus_yaml(campus));
+    scene::write_file_atomically(campus_file, campus_yaml(campus));
 }
 
 /// Writes as many of the planned visits down as can be walked: they were planned on a grid.
 std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_file, const fs::path& walk_file,
                        WalkLoader& loader) {
     for (std::size_t visits = campus.visits.size();; --visits) {
-        scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
+        scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
         const LoadedWalk loaded = loader.load_walk(walk_file);
         if (engine::run_walk(*loaded.campus, loaded.walk, {}).passed) {
             return visits;
@@ -262,8 +262,8 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     const Drafts drafts(campus_file);
     write_campus(upright, drafts.campus, campus, loader);
     const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
-    scene::write_whole_file(campus_file, campus_yaml(campus));
-    scene::write_whole_file(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
+    scene::write_file_atomically(campus_file, campus_yaml(campus));
+    scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
     std::printf("%s: %s\n%s: %s, walked\n", campus_file.string().c_str(),
                 scene::plural(campus.buildings.size(), "building").c_str(), walk_file.string().c_str(),
                 scene::plural(visits, "way").c_str());

@@ -27,7 +27,7 @@ UprightModel load_upright(const scene::SceneFile& file) {
         upright.models.push_back(std::move(imported.model));
         if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
             upright.file.up = scene::UpAxis::z;
-        } else if (const auto scale = scene::scale_by_doors(upright.models[0], upright.report.nodes)) {
+        } else if (const auto scale = scene::scale_from_doors(upright.models[0], upright.report.nodes)) {
             upright.file.scale *= *scale;
         } else {
             break;

@@ -12,7 +12,7 @@ namespace {
 
 std::string why(const Image& a, const Image& b, const ImageTolerance& tolerance = {}) {
     const ImageComparison comparison = compare_images(a, b, tolerance);
-    return why_different(comparison, tolerance);
+    return describe_violations(comparison, tolerance);
 }
 
 /// The upper left `count` pixels, row by row, are white.

@@ -53,7 +53,7 @@ protected:
         std::printf("%-8s %8zu pixels beyond the threshold, worst tile %.4f at %d,%d\n", view.c_str(),
                     comparison.pixels.different, comparison.worst.ssim, comparison.worst.box.x,
                     comparison.worst.box.y);
-        return !why_different(comparison, tolerance).empty();
+        return !describe_violations(comparison, tolerance).empty();
     }
 
 private:

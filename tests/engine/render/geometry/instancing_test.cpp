@@ -197,7 +197,7 @@ TEST(Instancing, IsForWhatIsOftenThereOnly) {
 TEST(Instancing, BakesWhatIsStretchedOrFlat) {
     Eigen::Matrix4d first = Eigen::Matrix4d::Identity();
     first(0, 3) = 7.0;
-    SharedMesh mesh(first, 1);
+    InstancedMesh mesh(first, 1);
     Eigen::Matrix4d stretched = first;
     stretched(1, 1) = 1.01;
     EXPECT_FALSE(mesh.add(stretched, 2));
@@ -208,7 +208,7 @@ TEST(Instancing, BakesWhatIsStretchedOrFlat) {
     EXPECT_EQ(mesh.instances()[1].node, 3U);
     Eigen::Matrix4d flat = first;
     flat(2, 2) = 0.0;
-    EXPECT_FALSE(SharedMesh(flat, 1).add(flat, 2));
+    EXPECT_FALSE(InstancedMesh(flat, 1).add(flat, 2));
     EXPECT_FALSE(mesh.add(flat, 4));
 }
 

@@ -70,7 +70,7 @@ void hold_against_rays(const scene::Model& model, const Viewpoint& view, int wid
             const PixelHit& hit = rays.at(x, y);
             const std::size_t i = place_of(drawn, x, y);
             same += drawn.nodes[i] == hit.node ? 1 : 0;
-            if (!rays.amid_its_like(x, y)) {
+            if (!rays.is_interior(x, y)) {
                 continue;
             }
             ++amid;

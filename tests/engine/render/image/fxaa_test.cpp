@@ -64,7 +64,7 @@ TEST(SmoothEdges, StairsComeNearerToTheLineTheyStandFor) {
             const double offset = slope > 0 ? 10.3 : 50.4;
             const Image before = stairs(offset, slope, turned);
             const double rough = error(before, offset, slope, turned);
-            const double smooth = error(with_smooth_edges(before), offset, slope, turned);
+            const double smooth = error(apply_fxaa(before), offset, slope, turned);
             EXPECT_LT(smooth, 0.66 * rough) << "slope " << slope;
         }
     }
@@ -95,19 +95,19 @@ TEST(SmoothEdges, DrawnImagesComeNearerToSupersampledOnes) {
     const Image plain = renderer.draw(tower_view(), kAcross, kDown);
     const double rough = error_at_edges(plain, plain, many);
     ASSERT_GT(rough, 100.0) << "there are stairs";
-    EXPECT_LT(error_at_edges(with_smooth_edges(plain), plain, many), 0.75 * rough) << rough;
+    EXPECT_LT(error_at_edges(apply_fxaa(plain), plain, many), 0.75 * rough) << rough;
 }
 
 TEST(SmoothEdges, FlatPartsAndStraightEdgesStay) {
     const Image flat = plain_image(40, 30, {90, 120, 30});
-    EXPECT_EQ(with_smooth_edges(flat).rgba, flat.rgba);
+    EXPECT_EQ(apply_fxaa(flat).rgba, flat.rgba);
     const Image straight = stairs(20.0, 0.0, false);
-    EXPECT_EQ(differing_pixels(with_smooth_edges(straight), straight), 0U);
+    EXPECT_EQ(differing_pixels(apply_fxaa(straight), straight), 0U);
 }
 
 TEST(SmoothEdges, ImagesOfAPixelAreNoTrouble) {
-    EXPECT_EQ(with_smooth_edges(plain_image(1, 1, {9, 9, 9})).rgba, plain_image(1, 1, {9, 9, 9}).rgba);
-    EXPECT_EQ(with_smooth_edges(plain_image(3, 1, {9, 9, 9})).width, 3);
+    EXPECT_EQ(apply_fxaa(plain_image(1, 1, {9, 9, 9})).rgba, plain_image(1, 1, {9, 9, 9}).rgba);
+    EXPECT_EQ(apply_fxaa(plain_image(3, 1, {9, 9, 9})).width, 3);
 }
 
 TEST(Halved, IsTheMeanOfLight) {

@@ -92,12 +92,12 @@ TEST(Canvas, TextSizeCoversTheInkOfTheText) {
         const Canvas canvas(plain_image(200, 60, kGround), fonts);
         const Eigen::Vector2d size = canvas.text_size(text, style);
         EXPECT_NEAR(canvas.text(10, 10, text, style), size.y(), 1e-9);
-        const Ink2d ink = inked(canvas.image());
-        EXPECT_GE(ink.left, 9) << text;
-        EXPECT_GE(ink.top, 9) << text;
-        EXPECT_LE(ink.right, 11 + size.x()) << text;
-        EXPECT_LE(ink.bottom, 11 + size.y()) << text;
-        EXPECT_GT(ink.right - ink.left, 0.7 * size.x()) << text;
+        const Ink2d color = inked(canvas.image());
+        EXPECT_GE(color.left, 9) << text;
+        EXPECT_GE(color.top, 9) << text;
+        EXPECT_LE(color.right, 11 + size.x()) << text;
+        EXPECT_LE(color.bottom, 11 + size.y()) << text;
+        EXPECT_GT(color.right - color.left, 0.7 * size.x()) << text;
     }
 }
 
@@ -132,8 +132,8 @@ TEST(Canvas, LabelsAreCentredAndRimmed) {
     const Canvas canvas(plain_image(201, 61, kGround), fonts);
     canvas.label(100.5, 30.5, "HOH", {24.0, true, {1, 1, 1, 1}, 0.0, 1});
     const Image image = canvas.image();
-    const Ink2d ink = inked(image);
-    EXPECT_NEAR(0.5 * (ink.left + ink.right), 100.0, 1.5);
+    const Ink2d color = inked(image);
+    EXPECT_NEAR(0.5 * (color.left + color.right), 100.0, 1.5);
     int white = 0;
     int dark = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -152,7 +152,7 @@ TEST(Canvas, ImagesKeepTheirOrientationWhenScaled) {
     small.rgba[small.offset(1, 0) + 1] = 200;  // upper right: green
     const Fonts fonts;
     const Canvas canvas(plain_image(40, 40, kGround), fonts);
-    canvas.render_image(small, 10.0, {10, 10});
+    canvas.draw_image(small, 10.0, {10, 10});
     const Image image = canvas.image();
     EXPECT_EQ(color_name(image, 12, 12), "red");
     EXPECT_EQ(color_name(image, 27, 12), "green");

@@ -18,7 +18,7 @@ InfoWindow library() {
 
 struct Drawn {
     Image image;
-    std::vector<WindowFrame> frames;
+    std::vector<WindowRect> frames;
 };
 
 Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int height = kImageHeight,
@@ -31,7 +31,7 @@ Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int
     return result;
 }
 
-bool within(const WindowFrame& frame, double margin, int x, int y) {
+bool within(const WindowRect& frame, double margin, int x, int y) {
     return x >= frame.x - margin && y >= frame.y - margin && x < frame.x + frame.width + margin &&
            y < frame.y + frame.height + margin;
 }
@@ -41,7 +41,7 @@ std::size_t changed_outside(const Drawn& drawn) {
     for (int y = 0; y < drawn.image.height; ++y) {
         for (int x = 0; x < drawn.image.width; ++x) {
             const bool inside = std::ranges::any_of(
-                drawn.frames, [&](const WindowFrame& frame) { return within(frame, kShade, x, y); });
+                drawn.frames, [&](const WindowRect& frame) { return within(frame, kShade, x, y); });
             count += !inside && drawn.image.pixel(x, y) != kGround ? 1U : 0U;
         }
     }
@@ -50,7 +50,7 @@ std::size_t changed_outside(const Drawn& drawn) {
 
 // Pixels as bright as letters in the part of the frame from `top` to `bottom`, shares of its height.
 int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, double right = 0.85) {
-    const WindowFrame& frame = drawn.frames.at(0);
+    const WindowRect& frame = drawn.frames.at(0);
     int count = 0;
     for (int y = 0; y < drawn.image.height; ++y) {
         for (int x = 0; x < drawn.image.width; ++x) {
@@ -90,7 +90,7 @@ TEST(InfoWindow, TakesTheBuildingsRecordAndFallsBackToItsId) {
 TEST(InfoWindow, ShowsTitleAndBodyInsideItsFrameAndNothingOutside) {
     const Drawn full = drawn({library()});
     ASSERT_EQ(full.frames.size(), 1U);
-    const WindowFrame& frame = full.frames[0];
+    const WindowRect& frame = full.frames[0];
     EXPECT_GE(frame.x, 0.0);
     EXPECT_LE(frame.x + frame.width, kImageWidth);
     EXPECT_EQ(changed_outside(full), 0U);
@@ -165,7 +165,7 @@ TEST(InfoWindow, FitsSmallAndNarrowImages) {
     InfoWindow window = library();
     window.text = std::string(2000, 'x');
     for (const auto& [width, height] : {std::pair(320, 180), std::pair(200, 600), std::pair(3840, 2160)}) {
-        const WindowFrame frame = drawn({window}, width, height).frames.at(0);
+        const WindowRect frame = drawn({window}, width, height).frames.at(0);
         EXPECT_GE(frame.x, 0.0) << width;
         EXPECT_LE(frame.x + frame.width, width) << width;
         EXPECT_LE(frame.y + frame.height, height) << width;

@@ -108,8 +108,8 @@ TEST_F(MapMarks, ANameThatWouldCoverAnotherMovesAside) {
 }
 
 TEST_F(MapMarks, NamesAndTheCompassKeepClearOfWindows) {
-    const WindowFrame window = {250, 20, 140, 120};
-    const std::vector<WindowFrame> windows = {window};
+    const WindowRect window = {250, 20, 140, 120};
+    const std::vector<WindowRect> windows = {window};
     const std::vector<PixelLabel> labels = {{"Hall", {320, 80}}, {"Gate", {248, 80}}, {"Pond", {100, 80}}};
     draw_labels(canvas_, labels, windows);
     draw_compass(canvas_, 0.3, windows);

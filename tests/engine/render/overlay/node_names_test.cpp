@@ -38,69 +38,69 @@ void add_object(scene::Campus& campus, const char* id, std::vector<scene::NodeRe
     object.nodes.roots = std::move(nodes);
 }
 
-ImageName name_of(const NodeNames& names, std::size_t node) {
-    return names.names[names.name_of_node[node + 1]];
+PixelOwner name_of(const NodeOwners& names, std::size_t node) {
+    return names.names[names.owner_of_node[node + 1]];
 }
 
-TEST(NodeNames, ABuildingTakesTheSubtreesOfItsNodes) {
-    const NodeNames names = name_nodes(hall_campus());
-    ASSERT_EQ(names.name_of_node.size(), 6U);
+TEST(NodeOwners, ABuildingTakesTheSubtreesOfItsNodes) {
+    const NodeOwners names = name_nodes(hall_campus());
+    ASSERT_EQ(names.owner_of_node.size(), 6U);
     for (const std::size_t node : {0U, 1U, 2U}) {
-        EXPECT_EQ(name_of(names, node), (ImageName{0, std::nullopt}));
+        EXPECT_EQ(name_of(names, node), (PixelOwner{0, std::nullopt}));
     }
-    EXPECT_EQ(name_of(names, 3), ImageName{});
-    EXPECT_EQ(names.name_of_node[0], 0U);
+    EXPECT_EQ(name_of(names, 3), PixelOwner{});
+    EXPECT_EQ(names.owner_of_node[0], 0U);
     EXPECT_EQ(names.names.size(), 2U);
-    EXPECT_EQ(names.names[0], ImageName{});
+    EXPECT_EQ(names.names[0], PixelOwner{});
 }
 
-TEST(NodeNames, TheObjectOfFewestNodesTakesANodeInWhicheverOrder) {
+TEST(NodeOwners, TheObjectOfFewestNodesTakesANodeInWhicheverOrder) {
     for (const bool walls_first : {true, false}) {
         scene::Campus campus = hall_campus();
         add_object(campus, "a", {{0, walls_first ? 0U : 2U}});
         add_object(campus, "b", {{0, walls_first ? 2U : 0U}});
         const std::size_t walls = walls_first ? 0 : 1;
-        const NodeNames names = name_nodes(campus);
-        EXPECT_EQ(name_of(names, 0), (ImageName{0, walls}));
-        EXPECT_EQ(name_of(names, 1), (ImageName{0, walls}));
-        EXPECT_EQ(name_of(names, 2), (ImageName{0, 1 - walls}));
+        const NodeOwners names = name_nodes(campus);
+        EXPECT_EQ(name_of(names, 0), (PixelOwner{0, walls}));
+        EXPECT_EQ(name_of(names, 1), (PixelOwner{0, walls}));
+        EXPECT_EQ(name_of(names, 2), (PixelOwner{0, 1 - walls}));
     }
 }
 
-TEST(NodeNames, WhatAnObjectLeavesOutIsNotItsOwn) {
+TEST(NodeOwners, WhatAnObjectLeavesOutIsNotItsOwn) {
     scene::Campus campus = hall_campus();
     add_object(campus, "world", {{0, 0}});
     campus.objects[0].nodes.except = {{0, 1}};
-    const NodeNames names = name_nodes(campus);
-    EXPECT_EQ(name_of(names, 0), (ImageName{0, 0}));
-    EXPECT_EQ(name_of(names, 1), (ImageName{0, std::nullopt}));
-    EXPECT_EQ(name_of(names, 2), (ImageName{0, std::nullopt})) << "below it";
+    const NodeOwners names = name_nodes(campus);
+    EXPECT_EQ(name_of(names, 0), (PixelOwner{0, 0}));
+    EXPECT_EQ(name_of(names, 1), (PixelOwner{0, std::nullopt}));
+    EXPECT_EQ(name_of(names, 2), (PixelOwner{0, std::nullopt})) << "below it";
 }
 
-TEST(NodeNames, WhatIsOnlyATriggerNamesOnlyWhatNobodyElseDoes) {
+TEST(NodeOwners, WhatIsOnlyATriggerNamesOnlyWhatNobodyElseDoes) {
     scene::Campus campus = hall_campus();
     add_object(campus, "zone", {{0, 2}, {0, 3}}, collision::Detection::trigger);
     add_object(campus, "walls", {{0, 0}});
-    const NodeNames names = name_nodes(campus);
-    EXPECT_EQ(name_of(names, 2), (ImageName{0, 1}));
-    EXPECT_EQ(name_of(names, 3), (ImageName{std::nullopt, 0}));
+    const NodeOwners names = name_nodes(campus);
+    EXPECT_EQ(name_of(names, 2), (PixelOwner{0, 1}));
+    EXPECT_EQ(name_of(names, 3), (PixelOwner{std::nullopt, 0}));
 }
 
-TEST(NodeNames, ANodeWithoutABuildingBelongsToItsObjects) {
+TEST(NodeOwners, ANodeWithoutABuildingBelongsToItsObjects) {
     scene::Campus campus = hall_campus();
     add_object(campus, "tree", {{0, 3}});
     campus.objects[0].building = 0;
-    EXPECT_EQ(name_of(name_nodes(campus), 3), (ImageName{0, 0}));
+    EXPECT_EQ(name_of(name_nodes(campus), 3), (PixelOwner{0, 0}));
 }
 
-TEST(NodeNames, CountNodesOverAllModels) {
+TEST(NodeOwners, CountNodesOverAllModels) {
     scene::Campus campus = hall_campus();
     campus.models.insert(campus.models.begin(), SceneBuilder().paint(kGrey).ground(1.0).model());
     add_object(campus, "lamp", {{1, 4}});
-    const NodeNames names = name_nodes(campus);
-    EXPECT_EQ(names.names[names.name_of_node[1]], ImageName{});
-    EXPECT_EQ(names.names[names.name_of_node[2]], (ImageName{0, std::nullopt})) << "the hall's";
-    EXPECT_EQ(names.names[names.name_of_node[6]], (ImageName{std::nullopt, 0}));
+    const NodeOwners names = name_nodes(campus);
+    EXPECT_EQ(names.names[names.owner_of_node[1]], PixelOwner{});
+    EXPECT_EQ(names.names[names.owner_of_node[2]], (PixelOwner{0, std::nullopt})) << "the hall's";
+    EXPECT_EQ(names.names[names.owner_of_node[6]], (PixelOwner{std::nullopt, 0}));
 }
 
 }  // namespace

@@ -87,9 +87,9 @@ TEST(HierarchicalZ, ChangesNoPixel) {
     for (const int samples : {1, 4}) {
         RenderSettings settings = quick_settings();
         settings.samples = samples;
-        settings.leave_out_hidden = false;
+        settings.occlusion_culling = false;
         Renderer all(models, settings);
-        settings.leave_out_hidden = true;
+        settings.occlusion_culling = true;
         Renderer seen(models, settings);
         for (const Viewpoint& view : views_of_the_demo()) {
             // Wider than the test images, so that gaps are more than a pixel.

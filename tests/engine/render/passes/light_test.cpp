@@ -19,18 +19,19 @@ constexpr double kDegree = 3.141592653589793 / 180.0;
 
 Image drawn(const LightSettings& light, int width = kWidth, int height = kHeight) {
     const scene::Model model = tower_scene();
-    Renderer renderer(std::span(&model, 1), lit(quick_settings(), light));
+    Renderer renderer(std::span(&model, 1), apply_light(quick_settings(), light));
     return renderer.draw(tower_view(), width, height);
 }
 
 TEST(Light, WithoutAWordIsTheDay) {
-    EXPECT_EQ(lit({}, {}).to_sun, RenderSettings{}.to_sun);
+    EXPECT_EQ(apply_light({}, {}).to_sun, RenderSettings{}.to_sun);
     EXPECT_EQ(drawn({}).rgba, drawn({.anti_aliasing = AntiAliasing::msaa}).rgba);
 }
 
 TEST(Light, AzimuthGoesFromNorthTowardsEast) {
     const auto towards = [](double azimuth, double elevation) {
-        return lit({}, {.sun_azimuth = azimuth * kDegree, .sun_elevation = elevation * kDegree}).to_sun;
+        return apply_light({}, {.sun_azimuth = azimuth * kDegree, .sun_elevation = elevation * kDegree})
+            .to_sun;
     };
     EXPECT_TRUE(towards(0, 1e-9).isApprox(Eigen::Vector3d(0, 0, -1), 1e-9));
     EXPECT_TRUE(towards(90, 1e-9).isApprox(Eigen::Vector3d(1, 0, 0), 1e-9));
@@ -39,9 +40,9 @@ TEST(Light, AzimuthGoesFromNorthTowardsEast) {
 
 TEST(Light, OneAngleLeavesTheOtherAsItWas) {
     const Eigen::Vector3d day = RenderSettings{}.to_sun;
-    const Eigen::Vector3d turned = lit({}, {.sun_azimuth = 1.0}).to_sun;
+    const Eigen::Vector3d turned = apply_light({}, {.sun_azimuth = 1.0}).to_sun;
     EXPECT_NEAR(turned.y(), day.y(), 1e-12);
-    const Eigen::Vector3d lower = lit({}, {.sun_elevation = 0.2}).to_sun;
+    const Eigen::Vector3d lower = apply_light({}, {.sun_elevation = 0.2}).to_sun;
     EXPECT_NEAR(lower.x() / lower.z(), day.x() / day.z(), 1e-12);
 }
 
@@ -56,7 +57,7 @@ TEST(Light, GlowIsForEmissiveSurfacesOnly) {
     const auto image = [&](double glow) {
         RenderSettings settings = quick_settings();
         settings.fog_distance = 0.0;
-        Renderer renderer(std::span(&model, 1), lit(settings, {.glow = glow}));
+        Renderer renderer(std::span(&model, 1), apply_light(settings, {.glow = glow}));
         return renderer.draw(ahead(), kWidth, kHeight);
     };
     const Image bright = image(10.0);
@@ -78,7 +79,7 @@ TEST(Light, ShadowsFallAwayFromTheSun) {
          {std::tuple(90.0, Eigen::Vector3d(-4, 0, 0), Eigen::Vector3d(4, 0, 0)),
           std::tuple(0.0, Eigen::Vector3d(0, 0, 4), Eigen::Vector3d(0, 0, -4))}) {
         const LightSettings light{.sun_azimuth = azimuth * kDegree, .sun_elevation = 45 * kDegree};
-        Renderer renderer(std::span(&model, 1), lit(quick_settings(), light));
+        Renderer renderer(std::span(&model, 1), apply_light(quick_settings(), light));
         const Viewpoint view = plan(renderer.bounds(), 1.0);
         const Image image = renderer.draw(view, 120, 120);
         const auto at = [&](const Eigen::Vector3d& point) {
@@ -95,7 +96,8 @@ constexpr int kHigh = 270;
 
 TEST(Light, EverySmoothingIsNearerToManySamplesThanNone) {
     const scene::Model model = tower_scene();
-    Renderer renderer(std::span(&model, 1), lit(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
+    Renderer renderer(std::span(&model, 1),
+                      apply_light(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
     const Image fine = halved(halved(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
     const auto error = [&](AntiAliasing how) {
         const Image image = drawn({.anti_aliasing = how}, kWide, kHigh);
@@ -114,7 +116,7 @@ TEST(Light, EverySmoothingIsNearerToManySamplesThanNone) {
 TEST(Light, SupersamplingHasHalfTheRoom) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1),
-                      lit(quick_settings(), {.anti_aliasing = AntiAliasing::supersampling}));
+                      apply_light(quick_settings(), {.anti_aliasing = AntiAliasing::supersampling}));
     EXPECT_THROW(renderer.draw(tower_view(), 10'000, 16), RenderError);
     EXPECT_EQ(renderer.draw(tower_view(), 33, 17).width, 33);
 }

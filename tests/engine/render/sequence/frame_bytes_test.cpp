@@ -16,7 +16,7 @@ Frame small_frame() {
 }
 
 TEST(FrameBytes, ComeBackAsTheFrameTheyWere) {
-    const Frame back = frame_from_bytes(to_bytes(small_frame()));
+    const Frame back = deserialize_frame(serialize(small_frame()));
     EXPECT_EQ(back.number, small_frame().number);
     EXPECT_EQ(back.time, small_frame().time);
     EXPECT_EQ(back.image.width, 3);
@@ -25,12 +25,12 @@ TEST(FrameBytes, ComeBackAsTheFrameTheyWere) {
 }
 
 TEST(FrameBytes, OfAnythingElseAreRefused) {
-    const std::string bytes = to_bytes(small_frame());
-    EXPECT_THROW(frame_from_bytes(""), std::runtime_error);
-    EXPECT_THROW(frame_from_bytes(bytes.substr(0, 20)), std::runtime_error);
-    EXPECT_THROW(frame_from_bytes(bytes.substr(0, bytes.size() - 1)), std::runtime_error);
-    EXPECT_THROW(frame_from_bytes(bytes + "x"), std::runtime_error);
-    EXPECT_THROW(frame_from_bytes(to_bytes({{-1, -2, {}}, 0, 0.0})), std::runtime_error);
+    const std::string bytes = serialize(small_frame());
+    EXPECT_THROW(deserialize_frame(""), std::runtime_error);
+    EXPECT_THROW(deserialize_frame(bytes.substr(0, 20)), std::runtime_error);
+    EXPECT_THROW(deserialize_frame(bytes.substr(0, bytes.size() - 1)), std::runtime_error);
+    EXPECT_THROW(deserialize_frame(bytes + "x"), std::runtime_error);
+    EXPECT_THROW(deserialize_frame(serialize({{-1, -2, {}}, 0, 0.0})), std::runtime_error);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(FrameQueue, PutsFramesOfOthersBetweenItsOwn) {
     FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 3);
     for (std::size_t i = 0; i < 50; ++i) {
         ++seen.in_hand;
-        i % 3 == 0 ? queue.add({{}, i, 0.0}) : queue.add_of_others(i);
+        i % 3 == 0 ? queue.add({{}, i, 0.0}) : queue.add_remote(i);
     }
     queue.finish();
     ASSERT_EQ(seen.numbers.size(), 50U);
@@ -114,7 +114,7 @@ TEST(FrameQueue, TellsOfOthersThatAreGone) {
     EXPECT_THROW(
         {
             for (std::size_t i = 0; i < 100; ++i) {
-                i % 2 == 0 ? queue.add({{}, i, 0.0}) : queue.add_of_others(i);
+                i % 2 == 0 ? queue.add({{}, i, 0.0}) : queue.add_remote(i);
             }
         },
         std::runtime_error);

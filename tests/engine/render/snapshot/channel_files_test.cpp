@@ -60,12 +60,12 @@ TEST(ChannelFiles, SayWhatTheImageShows) {
     SnapshotSettings settings;
     settings.light = quick_settings();
     SnapshotRenderer snapshot_renderer(campus, settings);
-    Shot shot;
-    shot.camera.width = kWidth;
-    shot.camera.height = kHeight;
-    shot.avatar.position = {1, 0, 2};
+    SnapshotRequest request;
+    request.camera.width = kWidth;
+    request.camera.height = kHeight;
+    request.avatar.position = {1, 0, 2};
     const ImageChannels wanted{.depth = true, .ids = true, .normals = true};
-    const Channels channels = snapshot_renderer.draw_channels(shot, choice_of(wanted));
+    const Channels channels = snapshot_renderer.draw_channels(request, choice_of(wanted));
     const ScratchFolder folder;
     const auto files = write_channels(snapshot_renderer, campus, channels, wanted, folder.path() / "view");
     ASSERT_EQ(files.size(), 4U);

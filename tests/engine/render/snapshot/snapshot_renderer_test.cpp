@@ -22,25 +22,25 @@ SnapshotSettings settings() {
     return settings;
 }
 
-Shot shot(View view, int width = kWidth, int height = kHeight) {
-    Shot shot;
-    shot.camera.view = view;
-    shot.camera.width = width;
-    shot.camera.height = height;
-    shot.avatar.position = {1, 0, 2};
-    shot.minimap = false;
-    return shot;
+SnapshotRequest request(View view, int width = kWidth, int height = kHeight) {
+    SnapshotRequest request;
+    request.camera.view = view;
+    request.camera.width = width;
+    request.camera.height = height;
+    request.avatar.position = {1, 0, 2};
+    request.minimap = false;
+    return request;
 }
 
 TEST(SnapshotRenderer, DrawsTheThreeViews) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    const Image first = snapshot_renderer.draw(shot(View::first_person));
-    const Image third = snapshot_renderer.draw(shot(View::third_person));
-    const Image top = snapshot_renderer.draw(shot(View::top));
+    const Image first = snapshot_renderer.draw(request(View::first_person));
+    const Image third = snapshot_renderer.draw(request(View::third_person));
+    const Image top = snapshot_renderer.draw(request(View::top));
     EXPECT_GT(differing_pixels(first, third), first.rgba.size() / 4 / 10);
     EXPECT_GT(differing_pixels(first, top), first.rgba.size() / 4 / 2);
-    EXPECT_EQ(snapshot_renderer.draw(shot(View::first_person)).rgba, first.rgba);
+    EXPECT_EQ(snapshot_renderer.draw(request(View::first_person)).rgba, first.rgba);
 }
 
 TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
@@ -59,7 +59,7 @@ TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
         }
         return count;
     };
-    Shot away = shot(View::third_person);
+    SnapshotRequest away = request(View::third_person);
     away.avatar.yaw = 3.141592653589793;  // the tower is behind the camera
     EXPECT_GT(orange(roomy.draw(away)), 20);
     EXPECT_EQ(orange(cramped.draw(away)), 0);
@@ -68,7 +68,7 @@ TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
 TEST(SnapshotRenderer, DrawsTheOpenPopupOverTheImage) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    Shot open = shot(View::first_person, 640, 360);
+    SnapshotRequest open = request(View::first_person, 640, 360);
     const Image closed_image = snapshot_renderer.draw(open);
     const std::vector<OpenPopup> popups = {{0, "Tower", "As it opened."}};
     open.open_popups = popups;
@@ -82,7 +82,7 @@ TEST(SnapshotRenderer, DrawsTheOpenPopupOverTheImage) {
 TEST(SnapshotRenderer, OrbitFillsTheImageWithTheBuilding) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    Shot around = shot(View::orbit);
+    SnapshotRequest around = request(View::orbit);
     around.nobody = true;
     around.camera.around = CameraTarget{"tower", 0, {}};
     const IdImage ids = snapshot_renderer.draw_ids(around);
@@ -102,9 +102,9 @@ TEST(SnapshotRenderer, OrbitFillsTheImageWithTheBuilding) {
 TEST(SnapshotRenderer, OrbitWithoutATargetGoesAroundTheAvatar) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    Shot around = shot(View::orbit);
+    SnapshotRequest around = request(View::orbit);
     around.camera.distance = 4.0;
-    Shot empty = around;
+    SnapshotRequest empty = around;
     empty.nobody = true;
     const Channels with = snapshot_renderer.draw_channels(around, {.depth = true});
     const Channels without = snapshot_renderer.draw_channels(empty, {.depth = true});
@@ -116,7 +116,7 @@ TEST(SnapshotRenderer, OrbitWithoutATargetGoesAroundTheAvatar) {
 TEST(SnapshotRenderer, FixedStandsWhereItIsPutAndLooksWhereItIsTold) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    Shot fixed = shot(View::fixed);
+    SnapshotRequest fixed = request(View::fixed);
     fixed.nobody = true;
     fixed.camera.position = Eigen::Vector3d(8, 3, 2);
     fixed.camera.look_at = CameraTarget{"tower", 0, {}};
@@ -130,7 +130,7 @@ TEST(SnapshotRenderer, FixedStandsWhereItIsPutAndLooksWhereItIsTold) {
 TEST(SnapshotRenderer, IdsTellWhoseThePixelsAre) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    Shot camera = shot(View::first_person);
+    SnapshotRequest camera = request(View::first_person);
     const std::vector<OpenPopup> popups = {{0, "Tower", "It hides nothing here."}};
     camera.open_popups = popups;
     const IdImage image = snapshot_renderer.draw_ids(camera);
@@ -150,7 +150,7 @@ TEST(SnapshotRenderer, IdsTellWhoseThePixelsAre) {
 TEST(SnapshotRenderer, TheAvatarHidesWhatIsBehindItInIdsToo) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    Shot behind = shot(View::third_person);
+    SnapshotRequest behind = request(View::third_person);
     behind.avatar.position = {0, 0, -4};
     behind.camera.distance = 2.0;
     // From the same place without the figure.
@@ -165,7 +165,7 @@ TEST(SnapshotRenderer, AddsAMinimapToViewsFromTheAvatarOnly) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     for (const View view : {View::first_person, View::top}) {
-        Shot camera = shot(view, 480, 270);
+        SnapshotRequest camera = request(view, 480, 270);
         const Image b = snapshot_renderer.draw(camera);
         camera.minimap = true;
         const Image a = snapshot_renderer.draw(camera);

@@ -39,7 +39,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST_F(ImportProcess, GivesWhatAnImportInThisProcessGives) {
     folder_.write("lines.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 2, 3}) + "l 1 2\n");
-    const ImportedModel here = import_scene(test::scene_file(folder_, "lines.obj"));
+    const ImportedModel here = import_model(test::scene_file(folder_, "lines.obj"));
     ASSERT_EQ(here.warnings.size(), 2U);
     EXPECT_EQ(write_model_file(import("serve", "lines.obj")), write_model_file(here));
 }
@@ -52,7 +52,7 @@ TEST_F(ImportProcess, ThrowsTheMistakesThatTheHelperFound) {
     folder_.write("nan.obj", "o a\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 inf 0\nf 2 3 4\n");
     const Importer apart = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
     for (const char* name : {"nan.obj", "gone.glb", "box.ifc"}) {
-        EXPECT_EQ(mistakes_of(apart, name), mistakes_of(import_scene, name));
+        EXPECT_EQ(mistakes_of(apart, name), mistakes_of(import_model, name));
         EXPECT_NE(mistakes_of(apart, name), "");
     }
 }

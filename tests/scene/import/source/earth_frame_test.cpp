@@ -24,12 +24,12 @@ Eigen::Vector3d earth_point(double latitude_deg, double longitude_deg, double he
             (curvature * (1.0 - kSquared) + height) * sine};
 }
 
-TEST(EarthFrame, FindsThePlaceThatTheClosedFormPutsThere) {
+TEST(TangentFrame, FindsThePlaceThatTheClosedFormPutsThere) {
     constexpr double kTenthOfMillimetre = 1e-9;  // degrees
     for (double latitude = -90.0; latitude <= 90.0; latitude += 7.5) {
         for (double longitude = -165.0; longitude <= 180.0; longitude += 34.5) {
             for (const double height : {-400.0, 0.0, 43.25, 8848.0, 90e3}) {
-                const auto frame = earth_frame(earth_point(latitude, longitude, height));
+                const auto frame = tangent_frame(earth_point(latitude, longitude, height));
                 ASSERT_TRUE(frame) << latitude << ' ' << longitude << ' ' << height;
                 EXPECT_NEAR(frame->place.latitude_deg, latitude, kTenthOfMillimetre);
                 EXPECT_NEAR(frame->place.height, height, 1e-6);
@@ -41,10 +41,10 @@ TEST(EarthFrame, FindsThePlaceThatTheClosedFormPutsThere) {
     }
 }
 
-TEST(EarthFrame, TurnsEastUpAndNorthToTheHousesAxes) {
-    const auto frame = earth_frame(earth_point(52.0, 4.375, 10.0));
+TEST(TangentFrame, TurnsEastUpAndNorthToTheHousesAxes) {
+    const auto frame = tangent_frame(earth_point(52.0, 4.375, 10.0));
     ASSERT_TRUE(frame);
-    const Eigen::Matrix3d& R = frame->R_house_earth;
+    const Eigen::Matrix3d& R = frame->R_local_ecef;
     EXPECT_TRUE((R * R.transpose()).isIdentity(1e-15));
     EXPECT_NEAR(R.determinant(), 1.0, 1e-15);
     const auto seen = [&](double latitude, double longitude, double height) {
@@ -56,11 +56,11 @@ TEST(EarthFrame, TurnsEastUpAndNorthToTheHousesAxes) {
     EXPECT_NEAR(seen(52.001, 4.375, 10.0).normalized().z(), -1.0, 1e-6);
 }
 
-TEST(EarthFrame, KnowsWhatIsNoPlaceOnTheEarth) {
+TEST(TangentFrame, KnowsWhatIsNoPlaceOnTheEarth) {
     for (const Eigen::Vector3d& point :
          {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(84500, 447400, 0), Eigen::Vector3d(6378137, 200e3, 3e6),
           Eigen::Vector3d(1e308, 1e308, 1e308)}) {
-        EXPECT_FALSE(earth_frame(point)) << point.transpose();
+        EXPECT_FALSE(tangent_frame(point)) << point.transpose();
     }
 }
 

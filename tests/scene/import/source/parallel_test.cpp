@@ -13,16 +13,16 @@ namespace {
 TEST(AtOnce, DoesEverythingOnce) {
     for (const std::size_t most : {0U, 1U, 3U, 100U}) {
         std::vector<int> done(20);
-        do_at_once(done.size(), most, [&](std::size_t i) { ++done[i]; });
+        parallel_for(done.size(), most, [&](std::size_t i) { ++done[i]; });
         EXPECT_EQ(done, std::vector<int>(20, 1)) << most;
     }
-    do_at_once(0, 4, [](std::size_t) { FAIL(); });
+    parallel_for(0, 4, [](std::size_t) { FAIL(); });
 }
 
 TEST(AtOnce, DoesNoMoreThanAllowedAtATime) {
     std::atomic<int> now = 0;
     std::atomic<int> highest = 0;
-    do_at_once(12, 3, [&](std::size_t) {
+    parallel_for(12, 3, [&](std::size_t) {
         const int others = now++;
         for (int seen = highest; others + 1 > seen && !highest.compare_exchange_weak(seen, others + 1);) {
         }
