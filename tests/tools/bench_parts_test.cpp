@@ -5,13 +5,13 @@
 #include "collision/mesh/mesh_contacts.h"
 #include "collision/mesh/mesh_query.h"
 #include "scene/procedural/table1_scene.h"
-#include "tools/campuswalk/bench/differ.h"
-#include "tools/campuswalk/bench/heap.h"
-#include "tools/campuswalk/bench/judge.h"
-#include "tools/campuswalk/bench/our_builders.h"
-#include "tools/campuswalk/bench/pair_scenes.h"
-#include "tools/campuswalk/bench/survey.h"
-#include "tools/campuswalk/bench/targets.h"
+#include "tools/campuswalk_bench/campus/differ.h"
+#include "tools/campuswalk_bench/campus/judge.h"
+#include "tools/campuswalk_bench/campus/survey.h"
+#include "tools/campuswalk_bench/measure/heap.h"
+#include "tools/campuswalk_bench/measure/targets.h"
+#include "tools/campuswalk_bench/pairs/pair_scenes.h"
+#include "tools/campuswalk_bench/trees/our_builders.h"
 
 namespace campuswalk::tools::bench {
 namespace {

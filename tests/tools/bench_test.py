@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""What `campuswalk bench` prints and writes, with as few rounds as can be."""
+"""What `campuswalk-bench` prints and writes, with as few rounds as can be."""
 
 import csv
 import io
 import json
+import os
 import shutil
 import sys
 
@@ -27,9 +28,19 @@ def is_ours(row):
 class Bench(ProgramCase):
     """Exit codes, the tables, the CSV and the plot."""
 
-    def refused(self, complaint, *arguments, where="bench"):
-        outcome = self.run_program("bench", *arguments)
-        self.assertEqual(outcome.complaints, ["error: " + complaint, f"see campuswalk {where} --help"])
+    bench = ""
+
+    def run_bench(self, *arguments, **options):
+        return self.run_program(*arguments, **{"executable": self.bench, **options})
+
+    def passes_bench(self, *arguments):
+        outcome = self.run_bench(*arguments)
+        self.assertEqual((outcome.code, outcome.err if outcome.code else ""), (0, ""))
+        return outcome
+
+    def refused(self, complaint, *arguments, where=""):
+        outcome = self.run_bench(*arguments)
+        self.assertEqual(outcome.complaints, ["error: " + complaint, f"see campuswalk-bench {where}--help"])
         self.assertEqual((outcome.code, outcome.out), (2, ""))
 
     def test_bad_usage(self):
@@ -38,35 +49,35 @@ class Bench(ProgramCase):
         for complaint, option, *value in (("--rounds: Value 0 not in range 1 to 100000", "--rounds", "0"),
                                           ("--plot: 'a.jpg' is neither .svg nor .png", "--plot", "a.jpg"),
                                           ("--csv: 1 required FILE missing", "--csv")):
-            self.refused(complaint, "table1", option, *value, where="bench table1")
+            self.refused(complaint, "table1", option, *value, where="table1 ")
 
     def test_every_case_takes_the_same_options(self):
         self.write("file", "")
         for case in ("million", "nested", "trees", "campus", "import", "walk", "draw"):
             self.refused("--rounds: Value 100001 not in range 1 to 100000", case, "--quick", "--rounds", "100001",
-                         where="bench " + case)
-            outcome = self.run_program("bench", case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
+                         where=case + " ")
+            outcome = self.run_bench(case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
             self.assertEqual((outcome.code, outcome.out), (2, ""))
             self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: ")
 
     def test_cases_in_small(self):
         for name, cases in (("trees", ["build", "memory"]), ("campus", ["rays", "probes", "avatars", "points"]),
                             ("import", ["import"])):
-            self.passes("bench", name, "--quick", "--csv", name + ".csv")
+            self.passes_bench(name, "--quick", "--csv", name + ".csv")
             self.assertEqual(list(dict.fromkeys(row["case"] for row in self.rows(name + ".csv"))), cases)
 
     def test_models_of_ones_own_are_imported_too(self):
-        out = self.passes("bench", "import", "--quick", "--model", "room.obj", "--model", "room.obj", "--csv", "m.csv").out
+        out = self.passes_bench("import", "--quick", "--model", "room.obj", "--model", "room.obj", "--csv", "m.csv").out
         self.assertEqual(out.count("room.obj: 14 triangles\n"), 2)
         self.assertEqual(out.count("room.obj, milliseconds\n"), 2)
         rows = [row for row in self.rows("m.csv") if row["query"] == "room.obj" and row["engine"] == "helper"]
         self.assertEqual(len(rows), 2)
-        outcome = self.run_program("bench", "import", "--quick", "--model", "gone.obj")
+        outcome = self.run_bench("import", "--quick", "--model", "gone.obj")
         self.assertEqual((outcome.code, outcome.complaints), (2, ["gone.obj: error missing-file: 'gone.obj': no such file; check the path"]))
 
     def test_output_that_cannot_be_written_is_seen_before_the_run(self):
         self.write("file", "")
-        outcome = self.run_program("bench", "table1", "--csv", "file/a.csv")
+        outcome = self.run_bench("table1", "--csv", "file/a.csv")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
         self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: the results can't be written here: ")
 
@@ -79,7 +90,7 @@ class Bench(ProgramCase):
         return rows
 
     def test_table1(self):
-        out = self.passes("bench", "table1", "--rounds", "1", "--csv", "new/t.csv").out
+        out = self.passes_bench("table1", "--rounds", "1", "--csv", "new/t.csv").out
         for heading in ("All pairs", "First pair", "paper: Cv = ", "obb: Cv = ", "sphere: Cv = ",
                         "What the sphere test does (paper)"):
             self.assertRegex(out, "(?m)^" + heading.replace("(", r"\(").replace(")", r"\)"))
@@ -107,7 +118,7 @@ class Bench(ProgramCase):
             self.assertEqual(engines[:5], OF_THE_PAPER + ["mixed", "wide_sse42"])
 
     def test_everything_in_small(self):
-        out = self.passes("bench", "all", "--quick", "--csv", "all.csv").out
+        out = self.passes_bench("all", "--quick", "--csv", "all.csv").out
         rows = self.rows("all.csv")
         self.assertEqual(list(dict.fromkeys(row["case"] for row in rows)), CASES)
         for row in rows:
@@ -134,13 +145,13 @@ class Bench(ProgramCase):
             self.assertAlmostEqual(sizes[engine, "data_bytes"] - sizes[engine, "tree_bytes"], 18.0, delta=0.2)
 
     def test_a_single_case(self):
-        out = self.passes("bench", "nested", "--rounds", "1", "--csv", "n.csv").out
+        out = self.passes_bench("nested", "--rounds", "1", "--csv", "n.csv").out
         self.assertEqual({row["case"] for row in self.rows("n.csv")}, {"nested"})
         self.assertEqual(len(out[out.index("Against what is to be reached"):].splitlines()), 2)
 
     def test_a_walk(self):
         """On a campus of some thousand triangles; whether it is quick enough says nothing here."""
-        outcome = self.run_program("bench", "walk", "--quick", "--csv", "new/w.csv")
+        outcome = self.run_bench("walk", "--quick", "--csv", "new/w.csv")
         self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
         rows = list(csv.DictReader(io.StringIO(self.read("new/w.csv").decode())))
         self.assertEqual(list(rows[0]), WALK_COLUMNS)
@@ -171,7 +182,7 @@ class Bench(ProgramCase):
                    "print('# says hello')\n"
                    "[print('frame', 'no-aa', i, 1e6) for i in range(len(views['views']) * views['rounds'])]\n")
         peer = f"peer={sys.executable} {self.path('peer.py')}"
-        outcome = self.run_program("bench", "draw", "--quick", "--csv", "new/d.csv", "--folder", "scenes", "--peer", peer,
+        outcome = self.run_bench("draw", "--quick", "--csv", "new/d.csv", "--folder", "scenes", "--peer", peer,
                                    "--peer", "broken=false", "--peer", "silent=true")
         if HAS_NO_RENDERING in outcome.err:
             self.assertEqual((outcome.code, outcome.out), (3, ""))
@@ -197,11 +208,11 @@ class Bench(ProgramCase):
 
     def test_peers_have_a_name_and_a_command(self):
         for peer in ("three.js", "=node", "three.js="):
-            self.refused(f"--peer: '{peer}' is no NAME=COMMAND", "draw", "--peer", peer, where="bench draw")
+            self.refused(f"--peer: '{peer}' is no NAME=COMMAND", "draw", "--peer", peer, where="draw ")
 
     def plots(self, name, start, *arguments, **options):
         """What table1 prints while it plots; nothing where there is no rendering."""
-        outcome = self.run_program("bench", "table1", "--rounds", "1", "--plot", name, *arguments, **options)
+        outcome = self.run_bench("table1", "--rounds", "1", "--plot", name, *arguments, **options)
         if HAS_NO_RENDERING in outcome.err:
             self.assertEqual((outcome.code, outcome.out), (3, ""))
         else:
@@ -211,8 +222,8 @@ class Bench(ProgramCase):
         return outcome.out
 
     def test_a_plot_and_a_peer_that_cannot_be_opened(self):
-        copy = self.path("campuswalk")
-        shutil.copy(self.program, copy)
+        copy = self.path("campuswalk-bench")
+        shutil.copy(self.bench, copy)
         self.write("peers/ode.so", "no library")
         out = self.plots("fig4.svg", b"<?xml", executable=copy)
         if out:
@@ -220,4 +231,5 @@ class Bench(ProgramCase):
 
 
 if __name__ == "__main__":
+    Bench.bench = os.path.abspath(sys.argv.pop(2))  # PROGRAM BENCH [unittest's arguments]
     main()

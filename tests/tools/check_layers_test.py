@@ -8,6 +8,8 @@ import tempfile
 import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+from check_layers import table  # pylint: disable=wrong-import-position
 HEADER = "#pragma once\n"
 
 
@@ -47,28 +49,43 @@ class CheckLayers(unittest.TestCase):
     def test_an_empty_tree_is_in_order(self):
         self.finds({})
 
+    def test_the_table_lists_folders_that_depend_one_way(self):
+        for place in set(table.PROJECT).union(*table.THIRD_PARTY.values(), *table.PROJECT.values()) - {table.ANYWHERE}:
+            self.assertNotRegex(place, r"\.\w+$")
+            self.assertTrue(os.path.isdir(os.path.join(ROOT, place)), place)
+        places = [place for place in table.PROJECT if table.ANYWHERE not in table.PROJECT[place]]
+        below = {place: {other for other in places if other != place
+                         and table.is_in(other, [place] + table.PROJECT[place])} for place in places}
+        while below:
+            lowest = {place for place, others in below.items() if not others}
+            self.assertTrue(lowest, "these depend on one another: %s" % sorted(below))
+            below = {place: others - lowest for place, others in below.items() if place not in lowest}
+
     def test_a_lower_layer_includes_a_higher_one(self):
-        self.finds({"scene/campus/campus.h": HEADER, "collision/world/world.cpp": '\n  #include "scene/campus/campus.h"\n'},
-                   'collision/world/world.cpp:2:12: error layer: collision may not include "scene/campus/campus.h"; '
-                   'it may include collision')
+        [complaint] = self.complaints({"scene/campus/campus.h": HEADER,
+                                       "collision/world/world.cpp": '\n  #include "scene/campus/campus.h"\n'})
+        self.assertTrue(complaint.startswith(
+            'collision/world/world.cpp:2:12: error layer: collision/world may not include "scene/campus/campus.h"; '
+            'it may include collision/world, '), complaint)
 
     def test_the_core_includes_the_renderer(self):
         [complaint] = self.complaints({"engine/render/overlay/canvas.h": HEADER,
                                        "engine/simulation/simulation.cpp": '#include "engine/render/overlay/canvas.h"\n'})
         self.assertTrue(complaint.startswith(
-            'engine/simulation/simulation.cpp:1:10: error layer: engine may not include "engine/render/overlay/canvas.h"; '), complaint)
+            'engine/simulation/simulation.cpp:1:10: error layer: engine/simulation may not include "engine/render/overlay/canvas.h"; '), complaint)
 
     def test_the_core_knows_the_observer_but_no_observers(self):
         [complaint] = self.complaints({
             "engine/record/observer.h": HEADER, "engine/observers/text_log.h": HEADER,
             "engine/simulation/run_walk.cpp": '#include "engine/record/observer.h"\n#include "engine/observers/text_log.h"\n'})
         self.assertTrue(complaint.startswith(
-            'engine/simulation/run_walk.cpp:2:10: error layer: engine may not include "engine/observers/text_log.h"; '), complaint)
+            'engine/simulation/run_walk.cpp:2:10: error layer: engine/simulation may not include "engine/observers/text_log.h"; '), complaint)
 
     def test_the_product_includes_tests(self):
-        self.finds({"tests/support/village.h": HEADER, "scene/import/x.cpp": '#include "tests/support/village.h"\n'},
-                   'scene/import/x.cpp:1:10: error layer: scene/import may not include "tests/support/village.h"; '
-                   'it may include scene/import, scene, scene/import/gltf, collision')
+        [complaint] = self.complaints({"tests/support/village.h": HEADER,
+                                       "scene/import/x.cpp": '#include "tests/support/village.h"\n'})
+        self.assertTrue(complaint.startswith(
+            'scene/import/x.cpp:1:10: error layer: scene/import may not include "tests/support/village.h"; '), complaint)
 
     def test_the_oracle_includes_the_mover(self):
         [complaint] = self.complaints({"collision/mover/mover.h": HEADER,
@@ -80,7 +97,7 @@ class CheckLayers(unittest.TestCase):
     def test_the_narrow_phase_of_bullet(self):
         narrow = "#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>\n"
         message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests, " \
-                  "tools/campuswalk/bench/peers only"
+                  "tools/campuswalk_bench/peers only"
         self.finds({"collision/world/bullet_broad_phase.cpp": narrow, "collision/world/cast.cpp": narrow,
                     "tests/collision/bullet_peer.cpp": narrow},
                    "collision/world/bullet_broad_phase.cpp:1:10: error third-party: " + message,
@@ -88,18 +105,18 @@ class CheckLayers(unittest.TestCase):
 
     def test_the_broad_phase_of_bullet(self):
         broad = "#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>\n"
-        self.finds({"collision/world/bullet_broad_phase.cpp": broad, "collision/world/bullet_broad_phase.h": HEADER + broad},
-                   "collision/world/bullet_broad_phase.h:2:10: error third-party: "
+        self.finds({"collision/world/bullet_broad_phase.cpp": broad, "collision/mover/mover.h": HEADER + broad},
+                   "collision/mover/mover.h:2:10: error third-party: "
                    "<BulletCollision/BroadphaseCollision/btDbvtBroadphase.h> may be included in "
-                   "collision/world/bullet_broad_phase.cpp, tools/campuswalk/bench/peers only")
+                   "collision/world, tools/campuswalk_bench/peers only")
 
     def test_a_folder_of_the_distribution_hides_nothing(self):
-        self.finds({"engine/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},
-                   "engine/x.cpp:1:10: error third-party: <btBulletDynamicsCommon.h> may be included in tests only")
+        self.finds({"engine/simulation/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},
+                   "engine/simulation/x.cpp:1:10: error third-party: <btBulletDynamicsCommon.h> may be included in tests only")
 
     def test_third_party_headers_have_one_place(self):
         for header, place in (("stb/stb_image.h", "scene/import"),
-                              ("yaml-cpp/yaml.h", "config/loader"), ("spdlog/spdlog.h", "tools/campuswalk"),
+                              ("yaml-cpp/yaml.h", "config/loader"), ("spdlog/spdlog.h", "tools/campuswalk/base"),
                               ("CLI/CLI.hpp", "tools/campuswalk/command_line")):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
@@ -109,9 +126,9 @@ class CheckLayers(unittest.TestCase):
 
     def test_a_benchmark_may_hold_us_to_a_library(self):
         line = "#include <assimp/scene.h>\n"
-        self.finds({"engine/simulation/contact_detector.cpp": line, "scene/import/x.cpp": line, "tools/campuswalk/bench/peers/x.cpp": line},
+        self.finds({"engine/simulation/contact_detector.cpp": line, "scene/import/x.cpp": line, "tools/campuswalk_bench/peers/x.cpp": line},
                    "engine/simulation/contact_detector.cpp:1:10: error third-party: <assimp/scene.h> may be included in "
-                   "scene/import, tools/campuswalk/bench/peers only")
+                   "scene/import, tools/campuswalk_bench/peers only")
 
     def test_drawing_has_one_place(self):
         for header in ("GL/osmesa.h", "pango/pangocairo.h", "spng.h", "fontconfig/fontconfig.h"):
@@ -125,36 +142,36 @@ class CheckLayers(unittest.TestCase):
         for header in ("fcl/fcl.h", "ode/ode.h", "embree3/rtcore.h", "tbb/global_control.h"):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
-                [complaint] = self.complaints({"tools/campuswalk/bench/bench_command.cpp": line,
-                                               "tools/campuswalk/bench/peers/x.cpp": line})
-                self.assertTrue(complaint.startswith("tools/campuswalk/bench/bench_command.cpp:1:10: error "
+                [complaint] = self.complaints({"tools/campuswalk_bench/benchmarks.cpp": line,
+                                               "tools/campuswalk_bench/peers/x.cpp": line})
+                self.assertTrue(complaint.startswith("tools/campuswalk_bench/benchmarks.cpp:1:10: error "
                                                      "third-party: "), complaint)
 
     def test_peers_see_one_header_of_the_benchmark(self):
         [complaint] = self.complaints({
-            "tools/campuswalk/bench/engine.h": HEADER, "tools/campuswalk/bench/measurement.h": HEADER,
-            "tools/campuswalk/bench/peers/x.cpp":
-                '#include "tools/campuswalk/bench/engine.h"\n#include "tools/campuswalk/bench/measurement.h"\n'})
-        self.assertTrue(complaint.startswith("tools/campuswalk/bench/peers/x.cpp:2:10: error layer: "), complaint)
+            "tools/campuswalk_bench/engine/engine.h": HEADER, "tools/campuswalk_bench/measure/measurement.h": HEADER,
+            "tools/campuswalk_bench/peers/x.cpp":
+                '#include "tools/campuswalk_bench/engine/engine.h"\n#include "tools/campuswalk_bench/measure/measurement.h"\n'})
+        self.assertTrue(complaint.startswith("tools/campuswalk_bench/peers/x.cpp:2:10: error layer: "), complaint)
 
     def test_a_header_nobody_declared(self):
-        self.finds({"engine/x.cpp": "#include <boost/asio.hpp>\n"},
-                   "engine/x.cpp:1:10: error third-party: <boost/asio.hpp> has no place in "
+        self.finds({"engine/simulation/x.cpp": "#include <boost/asio.hpp>\n"},
+                   "engine/simulation/x.cpp:1:10: error third-party: <boost/asio.hpp> has no place in "
                    "tools/check_layers/table.py")
 
     def test_includes_start_at_the_root(self):
-        self.finds({"engine/x.cpp": '#include "avatar.h"\n#include <engine/script/avatar.h>\n', "engine/script/avatar.h": HEADER},
-                   'engine/x.cpp:1:10: error include-path: "avatar.h" is no file from the repository\'s root',
-                   'engine/x.cpp:2:10: error include-path: files of the project are included as "engine/script/avatar.h"')
+        self.finds({"engine/simulation/x.cpp": '#include "avatar.h"\n#include <engine/script/avatar.h>\n', "engine/script/avatar.h": HEADER},
+                   'engine/simulation/x.cpp:1:10: error include-path: "avatar.h" is no file from the repository\'s root',
+                   'engine/simulation/x.cpp:2:10: error include-path: files of the project are included as "engine/script/avatar.h"')
 
     def test_files_that_include_each_other(self):
-        self.finds({"scene/a.h": HEADER + '#include "scene/b.h"\n', "scene/b.h": HEADER + '#include "scene/c.h"\n',
-                    "scene/c.h": HEADER + '#include "scene/a.h"\n'},
-                   "scene/c.h:2:10: error include-cycle: scene/a.h -> scene/b.h -> scene/c.h -> scene/a.h")
+        self.finds({"scene/model/a.h": HEADER + '#include "scene/model/b.h"\n', "scene/model/b.h": HEADER + '#include "scene/model/c.h"\n',
+                    "scene/model/c.h": HEADER + '#include "scene/model/a.h"\n'},
+                   "scene/model/c.h:2:10: error include-cycle: scene/model/a.h -> scene/model/b.h -> scene/model/c.h -> scene/model/a.h")
 
     def test_a_header_without_pragma_once(self):
-        self.finds({"scene/a.h": "// #pragma once\n", "scene/b.h": "// why\n" + HEADER},
-                   "scene/a.h:1:1: error pragma-once: a header needs #pragma once")
+        self.finds({"scene/model/a.h": "// #pragma once\n", "scene/model/b.h": "// why\n" + HEADER},
+                   "scene/model/a.h:1:1: error pragma-once: a header needs #pragma once")
 
     def test_libm_in_the_core(self):
         ends = " differs between machines; see collision/geometry/trigonometry.h for what doesn't"
@@ -164,18 +181,18 @@ class CheckLayers(unittest.TestCase):
                                    ("v = v.array().pow(3);", 15, "pow"),
                                    ("Eigen::AngleAxisd a(b, c);", 8, "AngleAxisd")):
             with self.subTest(code):
-                self.finds({"engine/x.cpp": code, "engine/render/x.cpp": code, "tests/x.cpp": code},
-                           "engine/x.cpp:1:%d: error same-bits: %s%s" % (column, name, ends))
+                self.finds({"engine/simulation/x.cpp": code, "engine/render/x.cpp": code, "tests/x.cpp": code},
+                           "engine/simulation/x.cpp:1:%d: error same-bits: %s%s" % (column, name, ends))
 
     def test_what_is_exact_is_allowed(self):
-        self.finds({"collision/x.cpp": "a = std::sqrt(b) + std::abs(c) + std::floor(d) + std::nextafter(e, f);\n"
+        self.finds({"collision/geometry/x.cpp": "a = std::sqrt(b) + std::abs(c) + std::floor(d) + std::nextafter(e, f);\n"
                                        "b = angle.sin + trace.log(c) + sin_cos(d).cos + text_log(e);\n"
                                        "if (std::isfinite(a)) {}  // no std::sin(x) here\n"
                                        'const char* s = "std::cos(x)"; /* pow(\n a, b) */ auto t = R"(exp(x))";\n'})
 
     def test_clocks_and_chance_in_the_core(self):
-        self.finds({"engine/x.cpp": "#include <chrono>\n", "engine/render/x.cpp": "#include <chrono>\n"},
-                   "engine/x.cpp:1:10: error same-bits: <chrono> is not for engine: a walk knows no clock but its ticks")
+        self.finds({"engine/simulation/x.cpp": "#include <chrono>\n", "engine/render/x.cpp": "#include <chrono>\n"},
+                   "engine/simulation/x.cpp:1:10: error same-bits: <chrono> is not for engine/simulation: a walk knows no clock but its ticks")
 
     def test_compiler_flags_that_change_results(self):
         self.finds({"CMakeLists.txt": "# never -march=native\nadd_compile_options(-O2 -march=native)\n",
@@ -187,7 +204,7 @@ class CheckLayers(unittest.TestCase):
                    "collision/bvh8/kernels/CMakeLists.txt:1:41: error compiler-flag: -Ofast changes results")
 
     def test_comments_include_nothing(self):
-        self.finds({"collision/x.cpp": '// #include "engine/a.h"\n/*\n#include <GL/gl.h>\n*/\nint a = 1\'000;\n'})
+        self.finds({"collision/geometry/x.cpp": '// #include "engine/a.h"\n/*\n#include <GL/gl.h>\n*/\nint a = 1\'000;\n'})
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import subprocess
 
 from program import CAMPUS, ROOM, WALK, ProgramCase, main
 
-COMMANDS = ("run", "merge-reports", "validate", "info", "snapshot", "diff", "replay", "bench")
+COMMANDS = ("run", "merge-reports", "validate", "info", "snapshot", "diff", "replay", "collide")
 
 
 class Help(ProgramCase):
@@ -45,7 +45,7 @@ class Usage(ProgramCase):
 
     def test_commands(self):
         self.refused([], "a command is needed: init, validate, run, merge-reports, diff, imgdiff, replay, info, "
-                          "snapshot, collide, bench, completion, help")
+                          "snapshot, collide, completion, help")
         self.refused(["rum"], "there is no command 'rum' (did you mean 'run'?)")
         self.refused(["dance"], "there is no command 'dance'")
         self.refused(["--verbose"], "there is no option '--verbose'")

@@ -98,13 +98,6 @@ class Completion(ProgramCase):
         self.assertEqual(self.bash("snapshot", "--output", "=", "ro"), ["room.obj"])
         self.assertEqual(self.bash("snapshot", "--width", ""), [])
 
-    def test_commands_below_a_command(self):
-        for name, ask in self.shells():
-            with self.subTest(shell=name):
-                self.assertIn("table1", ask("bench", ""))
-                self.assertIn("--plot", ask("bench", "table1", "--"))
-                self.assertNotIn("--plot", ask("bench", "rays", "--"))
-
     def test_unknown_shell(self):
         outcome = self.run_program("completion", "ksh")
         self.assertEqual(outcome.complaints[0], "error: SHELL: 'ksh' is none of bash|fish|zsh")

@@ -1,4 +1,4 @@
-// What `campuswalk bench draw` makes of times, on ones made up for it.
+// What `campuswalk-bench draw` makes of times, on ones made up for it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 
 #include "collision/mesh/mesh_query.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/campuswalk/bench/draw/draw_peers.h"
-#include "tools/campuswalk/bench/draw/draw_report.h"
-#include "tools/campuswalk/bench/draw/drawn_campus.h"
+#include "tools/campuswalk_bench/draw/draw_peers.h"
+#include "tools/campuswalk_bench/draw/draw_report.h"
+#include "tools/campuswalk_bench/draw/drawn_campus.h"
 
 namespace campuswalk::tools::bench {
 namespace {

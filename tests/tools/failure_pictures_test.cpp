@@ -10,8 +10,8 @@
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/campuswalk/map_picture.h"
-#include "tools/campuswalk/pictures.h"
+#include "tools/campuswalk/images/map_picture.h"
+#include "tools/campuswalk/images/pictures.h"
 
 namespace campuswalk::tools {
 namespace {
@@ -110,7 +110,8 @@ protected:
     support::TemporaryFolder folder_;
     scene::Campus campus_ = small_campus(false);
     // Must go before the campus.
-    std::shared_ptr<engine::render::RendererStore> renderers_ = make_renderers(Backend::automatic);
+    std::shared_ptr<engine::render::RendererStore> renderers_ =
+        make_renderers(engine::render::RenderingBackend::automatic);
     engine::Walk walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), engine::walk_to(0, -10)});
     std::vector<engine::Failure> failures_;
 };

@@ -1,4 +1,4 @@
-#include "tools/campuswalk/golden_log.h"
+#include "tools/campuswalk/logs/golden_log.h"
 
 #include <fstream>
 #include <iterator>

@@ -9,13 +9,13 @@
 
 #include "scene/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/campuswalk/run/find_walks.h"
-#include "tools/campuswalk/run/frame_helpers.h"
-#include "tools/campuswalk/run/messages.h"
-#include "tools/campuswalk/run/selector.h"
-#include "tools/campuswalk/run/shard.h"
-#include "tools/campuswalk/run/verdict.h"
-#include "tools/campuswalk/run/worker_pool.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/run/plan/selector.h"
+#include "tools/campuswalk/run/plan/shard.h"
+#include "tools/campuswalk/run/results/verdict.h"
+#include "tools/campuswalk/run/workers/frame_helpers.h"
+#include "tools/campuswalk/run/workers/messages.h"
+#include "tools/campuswalk/run/workers/worker_pool.h"
 
 namespace campuswalk::tools {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "tools/campuswalk/bench/cost_model.h"
-#include "tools/campuswalk/bench/pair_runs.h"
+#include "tools/campuswalk_bench/pairs/cost_model.h"
+#include "tools/campuswalk_bench/pairs/pair_runs.h"
 
 namespace campuswalk::tools::bench {
 namespace {

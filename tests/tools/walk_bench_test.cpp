@@ -1,4 +1,4 @@
-// What `campuswalk bench walk` says of walkers that are made up for it, and of ours on a small campus.
+// What `campuswalk-bench walk` says of walkers that are made up for it, and of ours on a small campus.
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/penetration_oracle.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/campuswalk/bench/heap.h"
-#include "tools/campuswalk/bench/walk/our_walker.h"
-#include "tools/campuswalk/bench/walk/walk_csv.h"
-#include "tools/campuswalk/bench/walk/walk_judge.h"
-#include "tools/campuswalk/bench/walk/walk_paths.h"
-#include "tools/campuswalk/bench/walk/walk_run.h"
-#include "tools/campuswalk/bench/walk/walk_verdicts.h"
+#include "tools/campuswalk_bench/measure/heap.h"
+#include "tools/campuswalk_bench/walk/our_walker.h"
+#include "tools/campuswalk_bench/walk/walk_csv.h"
+#include "tools/campuswalk_bench/walk/walk_judge.h"
+#include "tools/campuswalk_bench/walk/walk_paths.h"
+#include "tools/campuswalk_bench/walk/walk_run.h"
+#include "tools/campuswalk_bench/walk/walk_verdicts.h"
 
 namespace campuswalk::tools::bench {
 namespace {

@@ -1,9 +1,12 @@
-"""What is allowed where. A place is a folder or a file, from the repository's root.
+"""What is allowed where. A place is a folder, from the repository's root.
 
 A folder that isn't named here belongs to the nearest one above it that is.
 """
 
 ANYWHERE = "anywhere"
+
+# All that the tools stand on.
+_CORE = ["config/loader", "engine", "scene", "collision"]
 
 # Who may include whom: place -> places of the project, each with its subfolders. Every place may include itself.
 PROJECT = {
@@ -21,7 +24,8 @@ PROJECT = {
     "scene/import/source": ["scene/model", "scene/base", "collision"],
     "scene/import/assimp": ["scene/import/source", "scene/model", "scene/base", "collision"],
     "scene/import/gltf": ["scene/import/source", "scene/model", "scene/base", "collision"],
-    "scene/import": ["scene/model", "scene/base", "collision"],
+    "scene/process": ["scene/base"],
+    "scene/import": ["scene/model", "scene/process", "scene/base", "collision"],
     "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
     "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
@@ -48,10 +52,36 @@ PROJECT = {
     "config/loader": ["engine/simulation", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
                       "collision"],
     "tools": [],
-    "tools/campuswalk": ["config/loader", "engine", "scene", "collision"],
-    "tools/campuswalk/bench": ["tools/campuswalk", "engine", "scene", "collision"],
+    "tools/campuswalk/base": _CORE,
+    "tools/campuswalk/command_line": ["tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/loading": ["tools/campuswalk/command_line", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/logs": ["tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/images": ["tools/campuswalk/logs", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/run/workers": ["tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/run/plan": ["tools/campuswalk/images", "tools/campuswalk/loading", "tools/campuswalk/logs",
+                                  "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/run/results": ["tools/campuswalk/run/plan", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/run/cases": ["tools/campuswalk/run/plan", "tools/campuswalk/run/workers", "tools/campuswalk/images",
+                                   "tools/campuswalk/loading", "tools/campuswalk/logs", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/run": ["tools/campuswalk/images", "tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/collide": ["tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/completion": ["tools/campuswalk/command_line", "tools/campuswalk/base"],
+    "tools/campuswalk/help": ["tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/init": ["tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/suggest": ["tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/validate": ["tools/campuswalk/run/plan", "tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk": _CORE,
     # Other people's engines: of ours they see what they are given and what they are asked.
-    "tools/campuswalk/bench/peers": ["tools/campuswalk/bench/engine.h", "collision"],
+    "tools/campuswalk_bench/peers": ["tools/campuswalk_bench/engine", "collision"],
+    "tools/campuswalk_bench/engine": ["collision"],
+    "tools/campuswalk_bench/engines": ["tools/campuswalk_bench/engine", "collision"],
+    "tools/campuswalk_bench/files": ["scene", "collision"],
+    "tools/campuswalk_bench/measure": ["engine", "scene", "collision"],
+    "tools/campuswalk_bench/pairs": ["tools/campuswalk_bench/engine", "tools/campuswalk_bench/engines",
+                                     "tools/campuswalk_bench/measure", "engine", "scene", "collision"],
+    "tools/campuswalk_bench/trees": ["tools/campuswalk_bench/engine", "tools/campuswalk_bench/engines",
+                                     "tools/campuswalk_bench/measure", "tools/campuswalk_bench/pairs", "scene", "collision"],
+    "tools/campuswalk_bench": ["tools/campuswalk", "engine", "scene", "collision"],
     "tests": [ANYWHERE],
 }
 
@@ -67,28 +97,29 @@ STRICTER = {file: _ORACLE + ["collision/mesh/mesh_collider", "collision/geometry
 THIRD_PARTY = {
     "Eigen/": [ANYWHERE],
     "hwy/": ["collision/bvh8/kernels"],
-    "BulletCollision/BroadphaseCollision/": ["collision/world/bullet_broad_phase.cpp", "tools/campuswalk/bench/peers"],
-    "LinearMath/": ["collision/world/bullet_broad_phase.cpp"],
+    "BulletCollision/BroadphaseCollision/": ["collision/world", "tools/campuswalk_bench/peers"],
+    "LinearMath/": ["collision/world"],
     # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
-    "BulletCollision/": ["tests", "tools/campuswalk/bench/peers"],
-    "BulletDynamics/": ["tests", "tools/campuswalk/bench/peers"],
+    "BulletCollision/": ["tests", "tools/campuswalk_bench/peers"],
+    "BulletDynamics/": ["tests", "tools/campuswalk_bench/peers"],
     "BulletSoftBody/": ["tests"],
     "btBulletCollisionCommon.h": ["tests"],
     "btBulletDynamicsCommon.h": ["tests"],
-    "assimp/": ["scene/import", "tools/campuswalk/bench/peers"],
+    "assimp/": ["scene/import", "tools/campuswalk_bench/peers"],
     "stb/": ["scene/import"],
-    "xxhash.h": ["scene/base/content_hash.cpp"],
+    "xxhash.h": ["scene/base"],
     "draco/": ["scene/import/gltf", "tests/scene/import/gltf"],
     "meshoptimizer.h": ["scene/import/gltf", "tests/scene/import/gltf"],
     "webp/": ["scene/import", "tests/scene/import/gltf"],
-    "nlohmann/": ["scene/import/gltf", "engine/observers", "engine/render/snapshot/channel_files.cpp", "engine/report", "tools/campuswalk", "tests"],
-    "pugixml": ["engine/report", "scene/import/source/collada_text.cpp"],
+    "nlohmann/": ["scene/import/gltf", "engine/observers", "engine/render/snapshot", "engine/report", "tools/campuswalk",
+                  "tools/campuswalk_bench", "tests"],
+    "pugixml": ["engine/report", "scene/import/source"],
     "GL/": ["engine/render", "tests/engine/render"],
     "EGL/": ["engine/render"],
     "KHR/": ["engine/render"],
-    "malloc.h": ["tools/campuswalk/bench"],
-    "dlfcn.h": ["engine/render", "tools/campuswalk/bench"],
-    "cairo": ["engine/render", "tests/engine/render", "tools/campuswalk/bench"],
+    "malloc.h": ["tools/campuswalk_bench"],
+    "dlfcn.h": ["engine/render", "tools/campuswalk_bench"],
+    "cairo": ["engine/render", "tests/engine/render", "tools/campuswalk_bench"],
     "fontconfig/": ["engine/render", "tests/engine/render"],
     "pango/": ["engine/render", "tests/engine/render"],
     "libdeflate.h": ["engine/render"],
@@ -96,29 +127,30 @@ THIRD_PARTY = {
     "spng.h": ["engine/render", "tests/engine/render"],
     "yaml-cpp/": ["config/loader"],
     "CLI/": ["tools/campuswalk/command_line"],
-    "fmt/": ["tools/campuswalk"],
-    "spdlog/": ["tools/campuswalk"],
-    "re2/": ["tools/campuswalk/run"],
-    "poll.h": ["scene/import/helper", "tools/campuswalk/run"],
-    "spawn.h": ["scene/import/helper", "tools/campuswalk"],
-    "unistd.h": ["scene/cache", "scene/import", "scene/base/whole_file.cpp", "tools/campuswalk", "tests"],
-    "fcntl.h": ["scene/cache", "scene/import", "tools/campuswalk", "tests"],
-    "sys/mman.h": ["collision/base/large_pages.cpp", "scene/cache", "scene/import/helper", "tools/campuswalk/cache_choice.cpp"],
-    "sys/": ["scene/cache", "scene/import", "tools/campuswalk", "tests"],
+    "fmt/": ["tools/campuswalk/base"],
+    "spdlog/": ["tools/campuswalk/base"],
+    "re2/": ["tools/campuswalk/run/plan"],
+    "poll.h": ["scene/process", "tools/campuswalk/run"],
+    "spawn.h": ["scene/process"],
+    "unistd.h": ["scene/base", "scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tools/campuswalk_bench",
+                 "tests"],
+    "fcntl.h": ["scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tests"],
+    "sys/mman.h": ["collision/base", "scene/cache", "scene/import/helper", "tools/campuswalk/loading"],
+    "sys/": ["scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tools/campuswalk_bench", "tests"],
     "gtest/": ["tests"],
     "gmock/": ["tests", "engine/testing"],
     "doctest/": ["tests"],
-    "CGAL/": ["tests", "tools/campuswalk/bench/peers"],
-    "fcl/": ["tools/campuswalk/bench/peers"],
-    "embree3/": ["tools/campuswalk/bench/peers"],
-    "tbb/": ["tools/campuswalk/bench/peers"],
-    "ode/": ["tools/campuswalk/bench/peers"],
+    "CGAL/": ["tests", "tools/campuswalk_bench/peers"],
+    "fcl/": ["tools/campuswalk_bench/peers"],
+    "embree3/": ["tools/campuswalk_bench/peers"],
+    "tbb/": ["tools/campuswalk_bench/peers"],
+    "ode/": ["tools/campuswalk_bench/peers"],
 }
 SPELLED_AWAY = ("bullet/", "eigen3/")
 
 # Places whose results go into a walk's hash: no libm but sqrt and what is exact, no clock, no chance.
 SAME_EVERYWHERE = ["collision", "scene", "engine", "config/loader"]
-MAY_DIFFER = ["scene/import", "engine/render"]
+MAY_DIFFER = ["scene/import", "scene/process", "engine/render"]
 REFUSED_STANDARD = {
     "chrono": "a walk knows no clock but its ticks",
     "ctime": "a walk knows no clock but its ticks",

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/base/exit_codes.h"
 
 namespace campuswalk::tools {
 
@@ -109,10 +109,6 @@ Command Command::add(const std::string& name, const std::string& description) {
     CLI::App* command = app_->add_subcommand(name, description);
     command->set_version_flag("--version", kVersion);
     return Command(*command);
-}
-
-void Command::need_command() {
-    app_->require_subcommand(1);
 }
 
 void Command::choose(Chosen& chosen, Chosen action) {
@@ -225,9 +221,10 @@ void Command::worded_flag(const Spelling& spelling, const std::string& alone,
     finish(*flag, spelling);
 }
 
-int read_command_line(int argc, char** argv, const std::function<void(Command, Chosen&)>& add_commands,
+int read_command_line(int argc, char** argv, const ProgramName& name,
+                      const std::function<void(Command, Chosen&)>& add_commands,
                       const std::function<int(const Chosen&)>& guarded) {
-    CLI::App app("Walks scripted paths through virtual campuses without a screen.", "campuswalk");
+    CLI::App app(name.description, name.name);
     app.set_version_flag("--version", kVersion);
     app.require_subcommand(1);
     app.failure_message(explanation);

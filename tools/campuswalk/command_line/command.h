@@ -60,8 +60,6 @@ public:
     explicit Command(CLI::App& app) : app_(&app) {}
 
     Command add(const std::string& name, const std::string& description);
-    /// One of the commands below it must be named.
-    void need_command();
     /// Sets `chosen`, which must live until then, when the user names this command.
     void choose(Chosen& chosen, Chosen action);
     /// What the help says below the options.
@@ -130,9 +128,15 @@ private:
     CLI::App* app_;
 };
 
+struct ProgramName {
+    std::string name;
+    std::string description;
+};
+
 /// Reads the command line and does what it asks for. `add_commands` names what there is; `guarded` runs the
 /// chosen one, and what merely prints. Returns the exit code.
-int read_command_line(int argc, char** argv, const std::function<void(Command, Chosen&)>& add_commands,
+int read_command_line(int argc, char** argv, const ProgramName& name,
+                      const std::function<void(Command, Chosen&)>& add_commands,
                       const std::function<int(const Chosen&)>& guarded);
 
 }  // namespace campuswalk::tools

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
+#include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/completion/scripts.h"
-#include "tools/campuswalk/exit_codes.h"
 
 namespace campuswalk::tools {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/help/topics.h"
 
 namespace campuswalk::tools {

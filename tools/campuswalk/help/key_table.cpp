@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/campuswalk/schemas.h"
+#include "tools/campuswalk/base/schemas.h"
 
 namespace campuswalk::tools::help {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/exit_codes.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/init/templates.h"
-#include "tools/campuswalk/writable_path.h"
 
 namespace campuswalk::tools {
 

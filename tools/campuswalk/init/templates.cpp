@@ -1,8 +1,8 @@
 #include "tools/campuswalk/init/templates.h"
 
+#include "tools/campuswalk/base/schemas.h"
 #include "tools/campuswalk/init/school.h"
 #include "tools/campuswalk/init/wavefront.h"
-#include "tools/campuswalk/schemas.h"
 
 namespace campuswalk::tools::init {
 

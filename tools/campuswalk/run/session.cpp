@@ -10,11 +10,11 @@
 
 #include "engine/report/result_json.h"
 #include "engine/script/planned_time.h"
-#include "tools/campuswalk/complaints.h"
-#include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/run/interrupt.h"
-#include "tools/campuswalk/run/verdict.h"
-#include "tools/campuswalk/standard_streams.h"
+#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/standard_streams.h"
+#include "tools/campuswalk/run/results/verdict.h"
+#include "tools/campuswalk/run/workers/interrupt.h"
 
 namespace campuswalk::tools {
 

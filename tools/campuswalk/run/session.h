@@ -6,14 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/campuswalk/log_output.h"
-#include "tools/campuswalk/run/frame_helpers.h"
-#include "tools/campuswalk/run/last_run.h"
-#include "tools/campuswalk/run/plan.h"
-#include "tools/campuswalk/run/play.h"
-#include "tools/campuswalk/run/progress.h"
-#include "tools/campuswalk/run/reports.h"
-#include "tools/campuswalk/run/worker_pool.h"
+#include "tools/campuswalk/base/log_output.h"
+#include "tools/campuswalk/run/cases/play.h"
+#include "tools/campuswalk/run/plan/plan.h"
+#include "tools/campuswalk/run/results/last_run.h"
+#include "tools/campuswalk/run/results/progress.h"
+#include "tools/campuswalk/run/results/reports.h"
+#include "tools/campuswalk/run/workers/frame_helpers.h"
+#include "tools/campuswalk/run/workers/worker_pool.h"
 
 namespace campuswalk::tools {
 
@@ -25,7 +25,7 @@ struct SessionSettings {
     bool require_identical = false;
     bool told_on_standard_error = false;  ///< how each walk ended
     bool progress = false;
-    Backend backend = Backend::automatic;  ///< of images
+    Backend backend = engine::render::RenderingBackend::automatic;  ///< of images
 };
 
 /// Plays a plan's cases and tells of them, in the plan's order.

@@ -20,11 +20,11 @@
 #include <system_error>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/complaints.h"
-#include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/run/dependencies.h"
-#include "tools/campuswalk/run/interrupt.h"
-#include "tools/campuswalk/run/worker.h"
+#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/run/plan/dependencies.h"
+#include "tools/campuswalk/run/workers/interrupt.h"
+#include "tools/campuswalk/run/workers/worker.h"
 
 namespace campuswalk::tools {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "tools/campuswalk/run/run_settings.h"
+#include "tools/campuswalk/run/plan/run_settings.h"
 
 namespace campuswalk::tools {
 

@@ -19,12 +19,12 @@
 #include "scene/model/model_report.h"
 #include "scene/suggest/first_view.h"
 #include "scene/suggest/walkable_ground.h"
-#include "tools/campuswalk/exit_codes.h"
-#include "tools/campuswalk/oddities_text.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
+#include "tools/campuswalk/suggest/oddities_text.h"
 #include "tools/campuswalk/suggest/plan_visits.h"
 #include "tools/campuswalk/suggest/upright_model.h"
-#include "tools/campuswalk/walk_loader.h"
 
 namespace campuswalk::tools {
 

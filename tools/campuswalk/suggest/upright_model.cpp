@@ -5,8 +5,8 @@
 #include "scene/cache/load_model.h"
 #include "scene/lint/named_sizes.h"
 #include "scene/model/name_words.h"
-#include "tools/campuswalk/cache_choice.h"
-#include "tools/campuswalk/model_importer.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/model_importer.h"
 
 namespace campuswalk::tools {
 

@@ -8,9 +8,9 @@
 
 #include "config/loader/walks_config.h"
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/run/find_walks.h"
-#include "tools/campuswalk/run/plan.h"
-#include "tools/campuswalk/run/run_settings.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/run/plan/plan.h"
+#include "tools/campuswalk/run/plan/run_settings.h"
 
 namespace campuswalk::tools {
 

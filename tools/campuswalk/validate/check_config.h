@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "tools/campuswalk/walk_loader.h"
+#include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
 

@@ -1,5 +1,5 @@
 // Draws a campus by three.js in a headless Chromium on llvmpipe: node draw.mjs FOLDER [CHROMIUM]
-// FOLDER holds campus.glb and views.json of `campuswalk bench draw`. Prints "frame LOOK VIEW MS" for each
+// FOLDER holds campus.glb and views.json of `campuswalk-bench draw`. Prints "frame LOOK VIEW MS" for each
 // picture, and leaves the first view's as FOLDER/three.js-LOOK.png.
 import { spawn } from 'node:child_process';
 import { createReadStream, existsSync, mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws a campus by VTK on Mesa's software driver: draw.py FOLDER
 
-FOLDER holds campus.glb and views.json of `campuswalk bench draw`. Prints "frame LOOK VIEW MS" for each picture,
+FOLDER holds campus.glb and views.json of `campuswalk-bench draw`. Prints "frame LOOK VIEW MS" for each picture,
 and leaves the first view's as FOLDER/vtk-LOOK.png. Debian's VTK draws through X alone, so it gets an Xvfb.
 """
 

@@ -1,0 +1,25 @@
+#include "tools/campuswalk/base/read_lines.h"
+
+#include <fstream>
+#include <utility>
+
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::tools {
+
+std::vector<std::string> read_lines(const std::filesystem::path& file) {
+    std::error_code none;
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(std::move(line));
+    }
+    if (!stream.eof()) {
+        throw scene::InputError(
+            {file.string(), 0, 0}, "unreadable",
+            std::filesystem::exists(file, none) ? "the file can't be read" : "there is no such file");
+    }
+    return lines;
+}
+
+}  // namespace campuswalk::tools

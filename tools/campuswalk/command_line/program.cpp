@@ -1,0 +1,67 @@
+#include "tools/campuswalk/command_line/program.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "collision/base/simd_target.h"
+#include "scene/base/diagnostic.h"
+#include "scene/import/helper/serve_import.h"
+#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/standard_streams.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+/// CAMPUSWALK_INSTRUCTIONS, where it is set: results are the same with any of them.
+void choose_simd_target() {
+    using collision::SimdTarget;
+    const char* wanted = std::getenv("CAMPUSWALK_INSTRUCTIONS");
+    if (wanted == nullptr || *wanted == '\0') {
+        return;
+    }
+    const std::map<std::string, SimdTarget> known = {
+        {"sse42", SimdTarget::sse42}, {"avx2", SimdTarget::avx2}, {"avx512", SimdTarget::avx512}};
+    const auto found = known.find(wanted);
+    const bool usable = found != known.end() && can_run(found->second);
+    if (!usable) {
+        const std::string why =
+            found == known.end() ? "' is none of sse42, avx2, avx512" : "': this processor can't";
+        throw scene::InputError({"CAMPUSWALK_INSTRUCTIONS", 0, 0}, "bad-value",
+                                "'" + std::string(wanted) + why);
+    }
+    collision::use_simd_target(found->second);
+}
+
+int guarded(const Chosen& command) {
+    try {
+        choose_simd_target();
+        const int exit_code = command();
+        check_standard_output();
+        return exit_code;
+    } catch (const scene::InputError& error) {
+        diagnose(error.diagnostics());
+        return kBadInput;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return kRunFailed;
+    }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const ProgramName& name,
+                const std::function<void(Command, Chosen&)>& add_commands) {
+    if (argc == 2 && argv[1] == std::string_view(scene::kImportHelperArgument)) {
+        return scene::serve_import();
+    }
+    guard_standard_streams();
+    return read_command_line(argc, argv, name, add_commands, guarded);
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "scene/campus/campus_description.h"
+#include "tools/campuswalk/command_line/command.h"
+#include "tools/campuswalk/images/rendering_backend.h"
+#include "tools/campuswalk/run/plan/run_options.h"
+
+namespace campuswalk::tools {
+
+// Each adds a command and its options, a file each; the one the user names sets `chosen`.
+
+void add_init(Command program, Chosen& chosen);
+void add_validate(Command program, Chosen& chosen);
+void add_run(Command program, Chosen& chosen);
+void add_merge_reports(Command program, Chosen& chosen);
+void add_diff(Command program, Chosen& chosen);
+void add_imgdiff(Command program, Chosen& chosen);
+void add_replay(Command program, Chosen& chosen);
+void add_info(Command program, Chosen& chosen);
+void add_snapshot(Command program, Chosen& chosen);
+void add_collide(Command program, Chosen& chosen);
+void add_completion(Command program, Chosen& chosen);
+void add_help(Command program, Chosen& chosen);
+
+// Options that several of them have; shared_options.cpp.
+
+/// How model files are to be read that nothing else describes; `whose` ends the descriptions.
+void add_file_frame(Command command, scene::SceneFile& file, const std::string& whose);
+/// `--rendering-backend`, for a command that draws.
+void add_rendering_backend(Command command, Backend& backend);
+/// `--color`, for a command that prints reports.
+void add_color(Command command, ColorChoice& color);
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/report/plain_text.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/read_lines.h"
+#include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/rendering_backend.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/logs/log_lines.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct DiffOptions {
+    std::filesystem::path a;
+    std::filesystem::path b;
+    std::optional<std::filesystem::path> images;                    ///< folder for a.png and b.png
+    std::optional<std::filesystem::path> walk;                      ///< of the logs; for its campus
+    Backend backend = engine::render::RenderingBackend::automatic;  ///< draws the images
+};
+
+constexpr std::size_t kLinesAround = 3;
+
+using Lines = std::vector<std::string>;
+
+scene::InputError about(const std::string& file, int line, const char* code, const std::string& message) {
+    return scene::InputError(scene::SourceMark{file, line, line > 0 ? 1 : 0}, code, message);
+}
+
+Lines read_log(const fs::path& file) {
+    Lines lines = read_lines(file);
+    if (lines.empty() || !is_log_header(lines.front())) {
+        throw about(file.string(), 1, "no-log",
+                    "this is no event log as JSON lines; make one with campuswalk run --jsonl FILE");
+    }
+    return lines;
+}
+
+/// Seen before anything is compared.
+void check_images(const DiffOptions& options) {
+    if (options.walk && !options.images) {
+        throw about("--walk", 0, "bad-value", "it is for pictures: add --pictures DIR");
+    }
+    if (!options.images) {
+        return;
+    }
+    if (!options.walk) {
+        throw about("--pictures", 0, "bad-value", "name the walk of these logs, for its campus: --walk FILE");
+    }
+    require_images(options.backend);
+    if (const std::string why = why_folder_unwritable(*options.images); !why.empty()) {
+        throw about(options.images->string(), 0, "output-unwritable", "pictures can't be saved here: " + why);
+    }
+}
+
+void print_line(char side, std::size_t index, const std::string& text) {
+    std::printf("%c %6zu  %s\n", side, index + 1, engine::printable(as_text_line(text)).c_str());
+}
+
+/// From the divergence on.
+void print_side(char side, const Lines& lines, std::size_t at) {
+    for (std::size_t i = at; i < std::min(at + kLinesAround, lines.size()); ++i) {
+        print_line(side, i, lines[i]);
+    }
+    if (at >= lines.size()) {
+        std::printf("%c %6zu  (the log ends)\n", side, at + 1);
+    }
+}
+
+/// The header of the walk that the line belongs to; a log may hold several walks.
+LogHeader walk_at(const Lines& lines, std::size_t at) {
+    for (std::size_t i = std::min(at + 1, lines.size()); i > 0; --i) {
+        if (const std::optional<LogHeader> header = log_header(lines[i - 1])) {
+            return *header;
+        }
+    }
+    return {};
+}
+
+std::string what_differs(const Lines& a, const Lines& b, std::size_t at) {
+    if (at >= a.size() || at >= b.size()) {
+        return std::string(at >= a.size() ? "A" : "B") + " ends";
+    }
+    return "in B " + engine::printable(difference(a[at], b[at]).value_or(""));
+}
+
+void print_divergence(const DiffOptions& options, const Lines& a, const Lines& b, std::size_t at) {
+    const LogHeader header = walk_at(at < a.size() ? a : b, at);
+    std::printf("%s and %s part in line %zu, in the walk %s%s: %s\n\n", options.a.string().c_str(),
+                options.b.string().c_str(), at + 1, header.walk.c_str(),
+                header.project.empty() ? "" : (" (" + header.project + ")").c_str(),
+                what_differs(a, b, at).c_str());
+    for (std::size_t i = at > kLinesAround ? at - kLinesAround : 0; i < at; ++i) {
+        print_line(' ', i, a[i]);
+    }
+    print_side('A', a, at);
+    print_side('B', b, at);
+}
+
+/// The way that a log tells up to a line, the walk's own: from its header on.
+std::vector<Eigen::Vector3d> way_until(const Lines& lines, std::size_t at) {
+    std::vector<Eigen::Vector3d> way;
+    for (std::size_t i = 0; i < std::min(at + 1, lines.size()); ++i) {
+        if (is_log_header(lines[i])) {
+            way.clear();
+        } else if (const std::optional<LoggedEvent> event = logged_event(lines[i]);
+                   event && event->position) {
+            way.push_back(*event->position);
+        }
+    }
+    return way;
+}
+
+void draw_side(const scene::Campus& campus, const engine::Walk& walk, const Lines& lines, std::size_t at,
+               const std::string& side, const DiffOptions& options) {
+    const std::vector<Eigen::Vector3d> way = way_until(lines, at);
+    if (way.empty()) {
+        std::printf("%s has no position up to there: no picture\n", side.c_str());
+        return;
+    }
+    const fs::path file = *options.images / (side + ".png");
+    draw_way(campus, walk.avatar, way, side + " \u00b7 line " + std::to_string(at + 1), file,
+             options.backend);
+    std::printf("%s\n", file.generic_string().c_str());
+}
+
+/// Prints the first divergence of two logs, both sides with some lines around it. Returns the exit code.
+int compare_logs(const DiffOptions& options) {
+    check_images(options);
+    const Lines a = read_log(options.a);
+    const Lines b = read_log(options.b);
+    std::optional<LoadedWalk> loaded;
+    if (options.walk) {
+        loaded = WalkLoader().load_walk(*options.walk);
+    }
+    const std::optional<std::size_t> at = first_divergence(a, b);
+    if (!at) {
+        std::printf("%s and %s are the same: %zu lines\n", options.a.string().c_str(),
+                    options.b.string().c_str(), a.size());
+        return kPass;
+    }
+    print_divergence(options, a, b, *at);
+    if (loaded) {
+        std::printf("\n");
+        draw_side(*loaded->campus, loaded->walk, a, *at, "a", options);
+        draw_side(*loaded->campus, loaded->walk, b, *at, "b", options);
+    }
+    return kDifferent;
+}
+
+}  // namespace
+
+void add_diff(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<DiffOptions>();
+    Command command = program.add("diff", "Show where two event logs part");
+    command.option(
+        {.names = "A", .help = "A log as JSON lines (run --jsonl)", .value = "FILE", .required = true},
+        options->a);
+    command.option({.names = "B", .help = "The log to compare with it", .value = "FILE", .required = true},
+                   options->b);
+    command.option({.names = "--pictures",
+                    .help = "Draw both sides of the parting from above: DIR/a.png, DIR/b.png",
+                    .value = "DIR"},
+                   options->images);
+    command.option({.names = "--walk", .help = "The walk of these logs, for --pictures", .value = "FILE"},
+                   options->walk);
+    add_rendering_backend(command, options->backend);
+    add_cache_flag(command);
+    command.footer("Exit code: 0 the same, 1 different, 2 bad usage or input, 3 something failed.");
+    command.choose(chosen, [options] { return compare_logs(*options); });
+}
+
+}  // namespace campuswalk::tools

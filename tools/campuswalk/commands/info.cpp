@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "collision/world/broad_phase.h"
+#include "engine/events/decimals.h"
+#include "scene/cache/load_model.h"
+#include "scene/campus/campus_description.h"
+#include "scene/model/model_report.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/rendering_backend.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk/suggest/oddities_text.h"
+#include "tools/campuswalk/suggest/suggest_campus.h"
+
+namespace campuswalk::tools {
+
+using scene::ModelReport;
+
+namespace {
+
+struct InfoOptions {
+    scene::SceneFile scene;
+    bool json = false;
+    std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
+    bool overwrite = false;                        ///< those two
+    std::optional<std::filesystem::path> map;      ///< an image from above to write
+    Backend backend = engine::render::RenderingBackend::automatic;  ///< that draws it
+};
+
+using Json = nlohmann::ordered_json;
+
+// In text; more than that nobody reads, and the warnings come below.
+constexpr std::size_t kMostMaterials = 50;
+constexpr std::size_t kMostNodes = 200;
+
+Json json_of(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+/// Null where there is nothing.
+Json json_of(const scene::Bounds& bounds) {
+    return bounds.empty() ? Json() : Json{{"min", json_of(bounds.min)}, {"max", json_of(bounds.max)}};
+}
+
+Json json_of(const std::optional<scene::GeographicPlace>& place) {
+    return place ? Json{{"latitude_deg", place->latitude_deg},
+                        {"longitude_deg", place->longitude_deg},
+                        {"height", place->height},
+                        {"at", json_of(place->at)}}
+                 : Json();
+}
+
+const char* name_of(scene::AlphaMode mode) {
+    switch (mode) {
+        case scene::AlphaMode::mask:
+            return "mask";
+        case scene::AlphaMode::blend:
+            return "blend";
+        default:
+            return "opaque";
+    }
+}
+
+/// As config/schema/info.schema.json says.
+Json json_of(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
+    Json json = {{"campuswalk_info", 1},
+                 {"file", report.file},
+                 {"meshes", report.meshes},
+                 {"placements", report.placements},
+                 {"triangles", report.triangles},
+                 {"vertices", report.vertices},
+                 {"bounds", json_of(report.bounds)},
+                 {"origin_near", json_of(scene::origin_near(report.bounds))},
+                 {"geographic", json_of(report.geographic)},
+                 {"materials", Json::array()},
+                 {"textures", Json::array()},
+                 {"nodes", Json::array()},
+                 {"warnings", Json::array()}};
+    for (const scene::MaterialReport& m : report.materials) {
+        json["materials"].push_back({{"name", m.name},
+                                     {"texture", m.texture.empty() ? Json() : Json(m.texture)},
+                                     {"triangles", m.triangles},
+                                     {"alpha_mode", name_of(m.alpha_mode)},
+                                     {"double_sided", m.double_sided}});
+    }
+    for (const scene::TextureReport& t : report.textures) {
+        json["textures"].push_back({{"name", t.name}, {"width", t.width}, {"height", t.height}});
+    }
+    for (const scene::NodeReport& n : report.nodes) {
+        json["nodes"].push_back({{"name", n.name},
+                                 {"parent", n.parent < 0 ? Json() : Json(n.parent)},
+                                 {"depth", n.depth},
+                                 {"triangles", n.triangles},
+                                 {"bounds", json_of(n.bounds)}});
+    }
+    for (const scene::ModelLint& w : warnings) {
+        Json& warning = json["warnings"].emplace_back(Json{{"code", w.code}, {"message", w.message}});
+        for (const scene::ModelLint::Place& place : w.places) {
+            warning["places"].push_back({{"node", place.node}, {"at", json_of(place.at)}});
+        }
+    }
+    return json;
+}
+
+void print_rest(std::size_t count, std::size_t shown) {
+    if (count > shown) {
+        std::printf("  and %zu more: see --json\n", count - shown);
+    }
+}
+
+std::string text_of(const scene::GeographicPlace& place) {
+    constexpr int kDigits = 8;  // a millimetre
+    return "latitude " + engine::fixed(place.latitude_deg, kDigits) + ", longitude " +
+           engine::fixed(place.longitude_deg, kDigits) + ", height " + engine::fixed(place.height, 3) +
+           " m, at " + engine::fixed(place.at);
+}
+
+void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
+    const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
+    std::printf("%s\n", report.file.c_str());
+    std::printf("meshes     %zu, placed %zu times\n", report.meshes, report.placements);
+    std::printf("triangles  %zu\n", report.triangles);
+    if (report.triangles > 0) {
+        std::printf("bounds     %s to %s m (%s x %s x %s m)\n", engine::fixed(report.bounds.min).c_str(),
+                    engine::fixed(report.bounds.max).c_str(), engine::fixed(size.x(), 3).c_str(),
+                    engine::fixed(size.y(), 3).c_str(), engine::fixed(size.z(), 3).c_str());
+    }
+    if (const Eigen::Vector3d origin = scene::origin_near(report.bounds); !origin.isZero(0.0)) {
+        std::printf("origin     %s m, with `origin: {at: near}`\n", engine::fixed(origin).c_str());
+    }
+    if (report.geographic) {
+        std::printf("on Earth   %s\n", text_of(*report.geographic).c_str());
+    }
+    std::printf("materials  %zu\n", report.materials.size());
+    for (std::size_t i = 0; i < std::min(report.materials.size(), kMostMaterials); ++i) {
+        const scene::MaterialReport& m = report.materials[i];
+        std::printf("  %-28s %8zu triangles  %s\n", m.name.c_str(), m.triangles,
+                    m.texture.empty() ? "no texture" : m.texture.c_str());
+    }
+    print_rest(report.materials.size(), kMostMaterials);
+    std::printf("nodes      %zu\n", report.nodes.size());
+    for (std::size_t i = 0; i < std::min(report.nodes.size(), kMostNodes); ++i) {
+        const scene::NodeReport& n = report.nodes[i];
+        std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
+    }
+    print_rest(report.nodes.size(), kMostNodes);
+    std::printf("warnings   %zu\n", warnings.size());
+    print_lints(warnings);
+}
+
+void draw_map(const InfoOptions& options, scene::Model model) {
+    if (model.meshes.empty()) {
+        throw scene::InputError(options.scene.mark, "empty-mesh",
+                                "'" + options.scene.file + "' has no triangle, so there is no map of it");
+    }
+    scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
+    campus.models.push_back(std::move(model));
+    CampusImage image;
+    image.plan = true;
+    image.file = *options.map;
+    image.backend = options.backend;
+    draw_campus(campus, image);
+}
+
+/// A model that seems to lie on its side, upright: from above it would be a line.
+scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
+    const bool lies =
+        std::ranges::any_of(report.warnings, [](const scene::ModelLint& odd) { return odd.code == "z-up"; });
+    if (!lies || scene.up != scene::UpAxis::y) {
+        return model;
+    }
+    std::fprintf(stderr, "%s: the map is drawn with --up z\n", scene.file.c_str());
+    scene::SceneFile upright = scene;
+    upright.up = scene::UpAxis::z;
+    return load_model(upright, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported.model;
+}
+
+/// Prints what is in a model file and what looks odd about it. Returns the exit code.
+int print_info(const InfoOptions& options) {
+    if (options.suggest) {
+        return suggest_campus(options.scene, *options.suggest, options.overwrite);
+    }
+    if (options.map) {
+        require_images(options.backend);
+        require_writable_image(*options.map);
+    }
+    scene::ImportedModel imported =
+        load_model(options.scene, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported;
+    const ModelReport report = scene::report(imported.model);
+    std::vector<scene::ModelLint> warnings;
+    for (const scene::Diagnostic& repair : imported.warnings) {
+        warnings.push_back({repair.code, repair.message});
+    }
+    warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+    if (options.json) {
+        const std::string text =
+            json_of(report, warnings).dump(2, ' ', false, Json::error_handler_t::replace);
+        std::printf("%s\n", text.c_str());
+    } else {
+        print_text(report, warnings);
+    }
+    if (options.map) {
+        draw_map(options, for_map(options.scene, report, std::move(imported.model)));
+    }
+    return kPass;
+}
+
+}  // namespace
+
+void add_info(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<InfoOptions>();
+    Command command = program.add("info", "Tell what is in a model file and what looks odd");
+    command.option({.names = "SCENE",
+                    .help = "A model file: glTF, OBJ, FBX, COLLADA, ...",
+                    .value = "FILE",
+                    .required = true},
+                   [&scene = options->scene](const std::string& file) {
+                       scene.file = file;
+                       scene.path = file;
+                       scene.mark.file = file;
+                   });
+    add_file_frame(command, options->scene, "the file");
+    command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    command.option(
+        {.names = "--suggest",
+         .help = "Write a first campus of it, with buildings, a spawn on open ground and triggers, and "
+                 "NAME.walk.yaml beside it that visits some of them",
+         .value = "NAME.campus.yaml"},
+        options->suggest);
+    command.flag({.names = "--overwrite", .help = "What --suggest writes may be there already"},
+                 options->overwrite);
+    command.option({.names = "--map", .help = "Draw it from above", .value = "FILE.png"}, options->map);
+    add_rendering_backend(command, options->backend);
+    add_cache_flag(command);
+    command.choose(chosen, [options] { return print_info(*options); });
+}
+
+}  // namespace campuswalk::tools

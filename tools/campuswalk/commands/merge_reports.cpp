@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "engine/report/result_json.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/run/plan/run_options.h"
+#include "tools/campuswalk/run/plan/run_settings.h"
+#include "tools/campuswalk/run/results/reports.h"
+#include "tools/campuswalk/run/results/verdict.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+using engine::RunReport;
+using engine::WalkResult;
+using scene::InputError;
+
+namespace {
+
+struct MergeOptions {
+    std::vector<std::filesystem::path> inputs;  ///< jsonl reports, or folders to look for them in
+    std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
+    std::filesystem::path output = "out";       ///< where the images are that reports name
+    ColorChoice color = ColorChoice::automatic;
+};
+
+/// The report of a shard.
+struct ShardReport {
+    std::size_t cases = 0;  ///< as announced; fewer came when the run ended early
+    std::vector<WalkResult> results;
+};
+
+InputError about(const fs::path& file, int line, const std::string& message) {
+    return InputError({file.generic_string(), line, line > 0 ? 1 : 0}, "bad-report", message);
+}
+
+std::optional<ShardReport> read_report(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string line;
+    std::getline(stream, line);
+    const std::optional<std::size_t> cases = engine::cases_of_header(line);
+    if (!cases) {
+        return std::nullopt;
+    }
+    ShardReport report{*cases, {}};
+    for (int number = 2; std::getline(stream, line); ++number) {
+        try {
+            report.results.push_back(engine::result_from_json_line(line));
+        } catch (const std::exception& error) {
+            throw about(file, number, std::string(error.what()) + "; make the report anew");
+        }
+    }
+    return report;
+}
+
+class Merge {
+public:
+    void add(const fs::path& input) {
+        std::error_code none;
+        const std::size_t before = files_;
+        if (fs::is_directory(input, none)) {
+            add_folder(input);
+            if (files_ == before) {
+                throw about(input, 0,
+                            "there is no jsonl report in here; make some with --reporter jsonl=FILE");
+            }
+        } else if (!fs::is_regular_file(input, none)) {
+            throw InputError({input.generic_string(), 0, 0}, "missing-file", "no such file; check the path");
+        } else if (!add_file(input)) {
+            throw about(input, 1, "this isn't what --reporter jsonl=FILE writes");
+        }
+    }
+
+    /// In the order in which one run would have told of them.
+    RunReport report() {
+        const auto place = [](const WalkResult& result) {
+            return std::tie(result.file, result.project, result.repetition);
+        };
+        std::ranges::stable_sort(results_, {}, place);
+        return {std::move(results_)};
+    }
+
+    std::size_t cases() const { return cases_; }
+
+private:
+    void add_folder(const fs::path& folder) {
+        std::set<fs::path> files;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+            if (entry.is_regular_file() && entry.path().extension() == ".jsonl") {
+                files.insert(entry.path());
+            }
+        }
+        for (const fs::path& file : files) {
+            add_file(file);  // logs of events lie about too
+        }
+    }
+
+    bool add_file(const fs::path& file) {
+        std::optional<ShardReport> report = read_report(file);
+        if (!report) {
+            return false;
+        }
+        ++files_;
+        cases_ += report->cases;
+        for (WalkResult& result : report->results) {
+            if (!ids_.insert(result.id).second) {
+                throw about(file, 0,
+                            "another report has '" + result.id +
+                                "' too; give each shard's report once, and those of one run only");
+            }
+            results_.push_back(std::move(result));
+        }
+        return true;
+    }
+
+    std::size_t files_ = 0;
+    std::size_t cases_ = 0;
+    std::set<std::string> ids_;
+    std::vector<WalkResult> results_;
+};
+
+/// The reports of a run's shards as those of the run. Returns the exit code that the run would have had.
+int merge_reports(const MergeOptions& options) {
+    Merge merge;
+    for (const fs::path& input : options.inputs) {
+        merge.add(input);
+    }
+    RunOptions run;
+    run.reporters = options.reporters;
+    run.color = options.color;
+    const RunSettings settings = settle_reports(run, environment_variable);
+    check_targets(settings.reports);
+    Reports reports(settings.reports,
+                    {settings.color, false, as_seen_from_here(options.output).generic_string()}, false);
+    reports.begin(merge.cases());
+    const RunReport report = merge.report();
+    for (const WalkResult& result : report.results) {
+        reports.result(result);
+    }
+    reports.end(report);
+    return exit_code_for(report.results);
+}
+
+}  // namespace
+
+void add_merge_reports(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<MergeOptions>();
+    Command command = program.add("merge-reports", "Make one report of those of a run's shards");
+    command.option({.names = "REPORT",
+                    .help = "What --reporter jsonl=FILE wrote, or folders to look for that in",
+                    .value = "PATH",
+                    .required = true},
+                   options->inputs);
+    command.option({.names = "--reporter",
+                    .help = "dot, github, json, jsonl, junit, list or tap; with =FILE there, several times "
+                            "[list]",
+                    .value = "NAME[=FILE]"},
+                   options->reporters);
+    command.option({.names = "--output",
+                    .help = "Where the pictures lie that the reports name",
+                    .value = "DIR",
+                    .show_default = true},
+                   options->output);
+    add_color(command, options->color);
+    command.footer("Exit code: that of the whole run.");
+    command.choose(chosen, [options] { return merge_reports(*options); });
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/loader/walks_config.h"
+#include "engine/observers/text_log.h"
+#include "engine/simulation/run_walk.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/log_output.h"
+#include "tools/campuswalk/base/read_lines.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/logs/recorded_walks.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ReplayOptions {
+    std::filesystem::path run;                 ///< a log or a report as JSON lines
+    std::vector<std::filesystem::path> walks;  ///< the walk files of a log
+    /// The walks.config.yaml with the walks' projects; otherwise the one that a report names or, for a log,
+    /// the one here or above.
+    std::optional<std::filesystem::path> config;
+    bool verify = false;  ///< compare hashes; otherwise the event log is printed
+};
+
+std::string title_of(const RecordedWalk& walk) {
+    return walk.file.generic_string() + (walk.project.empty() ? "" : " " + walk.project);
+}
+
+/// Makes walks as they were run: in their project, with their seed and time-out.
+class RecordedLoader {
+public:
+    explicit RecordedLoader(const ReplayOptions& options) : options_(options) {}
+
+    LoadedWalk load(const RecordedWalk& recorded) {
+        config::SharedRun run = loader_.read(recorded.file, overrides_of(recorded));
+        run.walk.project = recorded.project;
+        run.walk.sim.seed = recorded.seed;
+        run.walk.timeout = recorded.timeout;
+        return loader_.ready(std::move(run));
+    }
+
+private:
+    config::Overrides overrides_of(const RecordedWalk& recorded) {
+        if (recorded.project.empty()) {
+            return {};
+        }
+        const config::WalksConfig& config = config_of(recorded);
+        const auto found = std::ranges::find(config.projects, recorded.project, &config::ProjectConfig::name);
+        if (found == config.projects.end()) {
+            throw about(recorded, "unknown-name",
+                        config.file.generic_string() + " has no project '" + recorded.project +
+                            "' any more; name another file with --config");
+        }
+        return found->overrides;
+    }
+
+    const config::WalksConfig& config_of(const RecordedWalk& recorded) {
+        const std::optional<fs::path> file = options_.config           ? options_.config
+                                             : recorded.config.empty() ? config::find_walks_config(".")
+                                                                       : recorded.config;
+        if (!file) {
+            throw about(recorded, "missing-file",
+                        "it was run in the project '" + recorded.project +
+                            "', and there is no walks.config.yaml here or above; name it with --config");
+        }
+        const auto [known, is_new] = configs_.try_emplace(*file);
+        if (is_new) {
+            known->second = config::load_walks_config(as_seen_from_here(*file));
+        }
+        return known->second;
+    }
+
+    scene::InputError about(const RecordedWalk& recorded, const char* code,
+                            const std::string& message) const {
+        return scene::InputError({options_.run.string(), static_cast<int>(recorded.line), 1}, code, message);
+    }
+
+    const ReplayOptions& options_;
+    WalkLoader loader_;
+    std::map<fs::path, config::WalksConfig> configs_;
+};
+
+/// All of them, so that nothing is walked when one can't be.
+std::vector<LoadedWalk> load_all(const ReplayOptions& options, const std::vector<RecordedWalk>& recorded) {
+    RecordedLoader loader(options);
+    std::vector<LoadedWalk> loaded;
+    loaded.reserve(recorded.size());
+    for (const RecordedWalk& walk : recorded) {
+        loaded.push_back(walk.hash || !options.verify ? loader.load(walk) : LoadedWalk());
+    }
+    return loaded;
+}
+
+int print_again(const std::vector<LoadedWalk>& walks) {
+    LogOutput output(true, std::nullopt);
+    for (const LoadedWalk& loaded : walks) {
+        engine::TextLog log([&](std::string_view line) { output.line(line); });
+        const std::array<engine::Observer*, 1> observers = {&log};
+        engine::run_walk(*loaded.campus, loaded.walk, observers);
+    }
+    output.flush();
+    return kPass;
+}
+
+/// Whether the walk went as it did then.
+bool went_the_same(const RecordedWalk& recorded, const LoadedWalk& loaded) {
+    const std::uint64_t hash = engine::run_walk(*loaded.campus, loaded.walk, {}).hash;
+    if (hash == *recorded.hash) {
+        std::printf("same    %s\n", title_of(recorded).c_str());
+        return true;
+    }
+    std::printf("DIFFERS %s: hash %016" PRIx64 ", was %016" PRIx64 "\n", title_of(recorded).c_str(), hash,
+                *recorded.hash);
+    return false;
+}
+
+int verify(const std::vector<RecordedWalk>& recorded, const std::vector<LoadedWalk>& loaded) {
+    std::size_t same = 0;
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < recorded.size(); ++i) {
+        if (!recorded[i].hash) {
+            std::printf("no hash %s: %s\n", title_of(recorded[i]).c_str(), recorded[i].why_none.c_str());
+        } else {
+            ++(went_the_same(recorded[i], loaded[i]) ? same : different);
+        }
+    }
+    std::printf("%zu of %zu walks went the same again\n", same, recorded.size());
+    return different == 0 ? kPass : kDifferent;
+}
+
+/// Simulates the walks of a log or a report again. Returns the exit code.
+int replay_run(const ReplayOptions& options) {
+    const std::vector<RecordedWalk> recorded =
+        recorded_walks(options.run, read_lines(options.run), options.walks);
+    const bool some =
+        std::ranges::any_of(recorded, [](const RecordedWalk& walk) { return walk.hash.has_value(); });
+    if (recorded.empty() || (options.verify && !some)) {
+        throw scene::InputError({options.run.string(), 0, 0}, "nothing-to-replay",
+                                "no walk in it has come to its end");
+    }
+    const std::vector<LoadedWalk> loaded = load_all(options, recorded);
+    return options.verify ? verify(recorded, loaded) : print_again(loaded);
+}
+
+}  // namespace
+
+void add_replay(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<ReplayOptions>();
+    Command command = program.add("replay", "Walk once more what a log or a report tells of");
+    command.option({.names = "RUN",
+                    .help = "A log (run --jsonl) or a report (--reporter jsonl) as JSON lines",
+                    .value = "FILE",
+                    .required = true},
+                   options->run);
+    command.option(
+        {.names = "--walk", .help = "A walk file that a log tells of; reports name theirs", .value = "FILE"},
+        options->walks);
+    command.option({.names = "--config",
+                    .help = "The walks.config.yaml with the walks' projects; without, the one that a report "
+                            "names, for a log the one here or above",
+                    .value = "FILE"},
+                   options->config);
+    command.flag({.names = "--verify", .help = "Compare the hashes instead of printing the log"},
+                 options->verify);
+    add_cache_flag(command);
+    command.footer(
+        "Exit code: 0 all the same, 1 something differs, 2 bad usage or input, 3 something failed.");
+    command.choose(chosen, [options] { return replay_run(*options); });
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,196 @@
+#include <charconv>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/run/cases/records.h"
+#include "tools/campuswalk/run/run_walks.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+using Options = std::shared_ptr<RunOptions>;
+
+constexpr Limits<int> kWorkers{1, 1024};
+constexpr Limits<int> kTimes{1, 1'000'000};
+constexpr Limits<int> kFrameWidth{16, 8192};
+constexpr Limits<double> kSeconds{1e-3, 86'400.0};
+
+void add_selection(Command& command, const Options& options) {
+    command.option({.names = "PATH",
+                    .help = "NAME.walk.yaml files, or folders to look for them in; without any, those of "
+                            "walks.config.yaml or the current folder",
+                    .value = "PATH"},
+                   options->paths);
+    command.option(
+        {.names = "--config", .help = "In the place of the walks.config.yaml here or above", .value = "FILE"},
+        options->config);
+    command.option({.names = "-g,--grep",
+                    .help = "Only walks that the regular expression finds in 'FILE NAME TAGS'",
+                    .value = "REGEX"},
+                   options->grep);
+    command.option(
+        {.names = "-G,--grep-invert", .help = "Only walks that it doesn't find there", .value = "REGEX"},
+        options->grep_invert);
+    command.option({.names = "--tag", .help = "Only walks with one of these tags", .value = "TAG"},
+                   options->tags);
+    command.option({.names = "--project", .help = "Only these of walks.config.yaml", .value = "NAME"},
+                   options->projects);
+    command.option({.names = "--shard",
+                    .help = "The i-th of n parts, i from 1; without it the variables of Bazel, Slurm and "
+                            "indexed jobs are heard, and CAMPUSWALK_SHARD_INDEX (from 0) and _COUNT",
+                    .value = "I/N"},
+                   options->shard);
+    command.flag({.names = "--last-failed", .help = "Only what didn't pass the last time"},
+                 options->last_failed);
+    command.flag({.names = "--list", .help = "Say what would be run"}, options->list);
+    command.flag({.names = "--forbid-only", .help = "Refuse walks with 'status: only'"},
+                 options->forbid_only);
+    command.flag({.names = "--pass-with-no-tests", .help = "Exit code 0 when nothing is selected"},
+                 options->pass_with_no_tests);
+}
+
+std::string why_no_seed(const std::string& text) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end ? ""
+                                                         : "'" + text + "' is no whole number of 64 bits";
+}
+
+void add_running(Command& command, const Options& options) {
+    command.option(
+        {.names = "-j,--workers",
+         .help = "Processes that play walks or help to draw their frames; as many as there are cores",
+         .value = "N"},
+        options->workers, kWorkers);
+    command.flag({.names = "-x", .help = "Stop at the first failure"}, options->stop_at_first);
+    command.option({.names = "--max-failures", .help = "Stop after so many failures", .value = "N"},
+                   options->max_failures, kTimes);
+    command.option({.names = "--repeat-each", .help = "Play every walk so many times", .value = "N"},
+                   options->repeat_each, kTimes);
+    command.flag({.names = "--require-identical", .help = "Repetitions that differ are failures"},
+                 options->require_identical);
+    command.option({.names = "--seed",
+                    .help = "For all walks, in the place of their own",
+                    .value = "N",
+                    .check = why_no_seed},
+                   [options](const std::string& text) { options->seed = std::stoull(text); });
+    command.option({.names = "--timeout",
+                    .help = "Simulated seconds a walk without a timeout of its own may take",
+                    .value = "SECONDS"},
+                   options->timeout, kSeconds);
+    command.option({.names = "--kill-after",
+                    .help = "Seconds of wall clock after which a walk is stopped, with exit code 3",
+                    .value = "SECONDS"},
+                   options->kill_after, kSeconds);
+    command.flag({.names = "--resume", .help = "Go on with a run that was killed"}, options->resume);
+    command.flag({.names = "--watch", .help = "Run again the walks that a changed file is for"},
+                 options->watch);
+}
+
+std::vector<std::string> animation_names() {
+    std::vector<std::string> names;
+    for (const AnimationKind& kind : animation_kinds()) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
+/// Images at even times. What is to be made of them can be asked for alone.
+void add_sequence(Command& command, SequenceRequest& wish) {
+    command.option(
+        {.names = "--every",
+         .help = "Draw a frame each so many simulated seconds, to frames/ in the walk's folder below "
+                 "--output",
+         .value = "SECONDS"},
+        wish.every, kSeconds);
+    command.flag({.names = "--contact-sheet",
+                  .help = "The frames on one picture, contact-sheet.png; like the others below it takes one "
+                          "each 0.5 s unless --every says otherwise"},
+                 wish.contact_sheet);
+    command.choices({.names = "--animation",
+                     .help = "The frames as animation.png or .gif, 640 pixels wide at most; several times"},
+                    animation_names(), wish.animations);
+    command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"}, wish.video);
+    const std::map<std::string, std::optional<engine::View>> views = {
+        {"first_person", engine::View::first_person},
+        {"third_person", engine::View::third_person},
+        {"top", engine::View::top}};
+    command.choice({.names = "--frame-view", .help = "How frames are taken [as the walk's camera is set]"},
+                   views, wish.view);
+    command.option({.names = "--frame-width",
+                    .help = "Their pixels across, the height in proportion [as the walk's camera is set]",
+                    .value = "N"},
+                   wish.width, kFrameWidth);
+}
+
+std::vector<std::string> record_names() {
+    std::vector<std::string> names;
+    for (const RecordKind& kind : record_kinds()) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
+void add_output(Command& command, const Options& options) {
+    command.option({.names = "--output",
+                    .help = "Folder for pictures, DIR/WALK/SNAPSHOT.png, and for what --last-failed and "
+                            "--resume need [out]",
+                    .value = "DIR"},
+                   options->output);
+    command.option({.names = "--reporter",
+                    .help = "dot, github, json, jsonl, junit, list, log or tap; with =FILE there, several "
+                            "times. Without: the log of a single walk, a list of several",
+                    .value = "NAME[=FILE]"},
+                   options->reporters);
+    command.option({.names = "--log", .help = "Write the event log to this file too", .value = "FILE"},
+                   options->log);
+    command.option({.names = "--jsonl", .help = "Write the events as JSON lines", .value = "FILE"},
+                   options->jsonl);
+    command.choices(
+        {.names = "--record",
+         .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
+                 "or .tum, its costs as trace.json, for Chrome's trace viewer; several times"},
+        record_names(), options->records);
+    add_sequence(command, options->sequence);
+    const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
+                                                          {"changed", UpdateSnapshots::changed},
+                                                          {"missing", UpdateSnapshots::missing},
+                                                          {"none", UpdateSnapshots::none}};
+    command.choice_flag(
+        {.names = "-u,--update-snapshots",
+         .help =
+             "Which golden logs and kept pictures are written; alone it means changed [missing; none where "
+             "CI is set]"},
+        "changed", modes, options->update);
+    add_rendering_backend(command, options->backend);
+    command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},
+                 options->quiet);
+    command.flag({.names = "-v,--verbose", .help = "Say on standard error too how each walk ended"},
+                 options->verbose);
+    add_color(command, options->color);
+    command.flag({.names = "--print-config", .help = "Say, as JSON, how the run would be done"},
+                 options->print_config);
+}
+
+}  // namespace
+
+void add_run(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<RunOptions>();
+    Command command = program.add("run", "Play walks and tell what happens");
+    add_selection(command, options);
+    add_running(command, options);
+    add_output(command, options);
+    add_cache_flag(command);
+    command.footer(
+        "Exit code: 0 all passed, 1 an expectation failed, 2 bad usage or input (nothing of that walk was "
+        "run),\n"
+        "3 something failed while running, 5 nothing selected, 130 interrupted.");
+    command.choose(chosen, [options] { return run_walks(*options); });
+}
+
+}  // namespace campuswalk::tools

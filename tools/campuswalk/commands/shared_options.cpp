@@ -1,0 +1,34 @@
+#include <map>
+#include <string>
+
+#include "tools/campuswalk/commands/commands.h"
+
+namespace campuswalk::tools {
+
+void add_file_frame(Command command, scene::SceneFile& file, const std::string& whose) {
+    const std::map<std::string, scene::UpAxis> axes = {{"y", scene::UpAxis::y}, {"z", scene::UpAxis::z}};
+    command.choice({.names = "--up", .help = "Up axis of " + whose}, axes, file.up);
+    command.option({.names = "--scale", .help = "Metres per unit of " + whose, .show_default = true},
+                   file.scale, {1e-9, 1e9});
+}
+
+void add_rendering_backend(Command command, Backend& backend) {
+    using engine::render::RenderingBackend;
+    const std::map<std::string, Backend> backends = {{"auto", RenderingBackend::automatic},
+                                                     {"osmesa", RenderingBackend::osmesa},
+                                                     {"egl", RenderingBackend::egl},
+                                                     {"none", std::nullopt}};
+    command.choice({.names = "--rendering-backend",
+                    .help = "What draws the pictures; auto is osmesa where it can be opened, else egl",
+                    .environment = "CAMPUSWALK_RENDERING_BACKEND"},
+                   backends, backend);
+}
+
+void add_color(Command command, ColorChoice& color) {
+    const std::map<std::string, ColorChoice> colors = {
+        {"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}};
+    command.choice({.names = "--color", .help = "auto is on a terminal, unless NO_COLOR is set"}, colors,
+                   color);
+}
+
+}  // namespace campuswalk::tools

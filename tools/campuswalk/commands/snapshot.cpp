@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "config/loader/load_run.h"
+#include "engine/script/walk.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/rendering_backend.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+struct SnapshotOptions {
+    std::filesystem::path campus;
+    /// "top" for a plan of everything, a spawn's name to look from there, or a camera's keys as in a walk:
+    /// "{view: orbit, around: library}".
+    std::string camera = "top";
+    std::string light;  ///< as in a walk: a profile's name or what differs; empty: day
+    engine::ImageChannels channels;
+    engine::ImageOverlays overlays;
+    std::vector<std::string> overlay_names;  ///< go into `overlays` too
+    std::filesystem::path output;
+    int width = 1280;  ///< pixels
+    int height = 720;  ///< pixels
+    Backend backend = engine::render::RenderingBackend::automatic;
+};
+
+constexpr const char* kAsked = "--camera";
+
+const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const std::string& name) {
+    std::vector<std::string> known = {"top"};
+    for (const scene::Spawn& spawn : campus.spawns) {
+        if (spawn.name == name) {
+            return spawn;
+        }
+        known.push_back(spawn.name);
+    }
+    throw scene::InputError(
+        {kAsked, 0, 0}, "unknown-name",
+        "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
+}
+
+/// Fills in from where the image is taken.
+void aim(const SnapshotOptions& options, const scene::CampusDescription& campus, CampusImage& image) {
+    image.camera.width = options.width;
+    image.camera.height = options.height;
+    if (options.camera == "top") {
+        image.plan = true;
+        return;
+    }
+    if (!options.camera.starts_with('{')) {
+        const scene::Spawn& spawn = spawn_named(campus, options.camera);
+        image.avatar.position = spawn.position;
+        image.avatar.yaw = spawn.yaw;
+        return;
+    }
+    image.camera = config::read_camera_text(options.camera, kAsked, campus, image.camera);
+    const bool alone = (image.camera.view == engine::View::fixed && image.camera.position) ||
+                       (image.camera.view == engine::View::orbit && image.camera.around);
+    if (!alone) {
+        throw scene::InputError(
+            {kAsked, 1, 1}, "bad-value",
+            "nobody walks here whom a camera could follow: use {view: orbit, around: NAME} or "
+            "{view: fixed, position: [x, y, z]}");
+    }
+}
+
+engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
+    engine::ImageOverlays overlays = options.overlays;
+    const auto named = [&](const char* name) { return std::ranges::count(options.overlay_names, name) > 0; };
+    overlays.colliders = named("colliders");
+    overlays.compass = named("compass");
+    overlays.labels = named("labels");
+    overlays.triggers = named("triggers");
+    return overlays;
+}
+
+/// Draws one image of a campus nobody walks in. Returns the exit code.
+int draw_snapshot(const SnapshotOptions& options) {
+    require_images(options.backend);
+    require_writable_image(options.output);
+    WalkLoader loader;
+    const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
+    CampusImage image;
+    aim(options, campus->description, image);
+    if (!options.light.empty()) {
+        image.light =
+            config::read_light_text(options.light, "--light", options.campus.parent_path(), search_paths());
+    }
+    image.channels = options.channels;
+    image.overlays = overlays_of(options);
+    image.file = options.output;
+    image.backend = options.backend;
+    draw_campus(*campus, image);
+    return kPass;
+}
+
+/// None when a word is no channel.
+std::optional<engine::ImageChannels> channels_in(const std::string& list) {
+    engine::ImageChannels channels;
+    std::istringstream words(list);
+    for (std::string word; std::getline(words, word, ',');) {
+        if (word == "depth") {
+            channels.depth = true;
+        } else if (word == "ids") {
+            channels.ids = true;
+        } else if (word == "normals") {
+            channels.normals = true;
+        } else {
+            return std::nullopt;
+        }
+    }
+    return channels;
+}
+
+std::string why_no_channels(const std::string& list) {
+    return channels_in(list) ? "" : "'" + list + "' is no list of depth, ids and normals, as in depth,ids";
+}
+
+}  // namespace
+
+void add_snapshot(Command program, Chosen& chosen) {
+    const auto options = std::make_shared<SnapshotOptions>();
+    Command command = program.add("snapshot", "Draw one picture of a campus");
+    command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
+                   options->campus);
+    command.option({.names = "--camera",
+                    .help = "top for a plan of everything, a spawn to look from, or a camera as in a walk: "
+                            "'{view: orbit, around: library}'",
+                    .value = "CAMERA",
+                    .show_default = true},
+                   options->camera);
+    command.option(
+        {.names = "-o,--output", .help = "The PNG file to write", .value = "FILE", .required = true},
+        options->output);
+    const Limits<int> pixels{16, 8192};
+    command.option({.names = "--width", .help = "Pixels", .show_default = true}, options->width, pixels);
+    command.option({.names = "--height", .help = "Pixels", .show_default = true}, options->height, pixels);
+    command.option({.names = "--light",
+                    .help = "day, overcast, night or another NAME.light.yaml; or as in a walk: "
+                            "'{profile: night, anti_aliasing: fxaa}'",
+                    .value = "LIGHT"},
+                   options->light);
+    command.option(
+        {.names = "--channels",
+         .help = "Of depth, ids and normals, with commas: kept beside the picture, FILE-depth.png, "
+                 "-ids.png, -ids.json, -normals.png",
+         .value = "LIST",
+         .check = why_no_channels},
+        [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
+    command.choices(
+        {.names = "--overlay", .help = "Drawn over the picture, but not over a plan; several times"},
+        {"colliders", "compass", "labels", "triggers"}, options->overlay_names);
+    command.option({.names = "--tree-level",
+                    .help = "Draw the boxes at this level of the collision meshes' trees",
+                    .value = "N"},
+                   options->overlays.tree_level, Limits<int>{0, 40});
+    add_rendering_backend(command, options->backend);
+    add_cache_flag(command);
+    command.choose(chosen, [options] { return draw_snapshot(*options); });
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,100 @@
+#include "tools/campuswalk/images/compare_image_files.h"
+
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/events/decimals.h"
+#include "engine/render/compare/compare_images.h"
+#include "engine/render/image/png.h"
+#include "engine/render/image/read_png.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/writable_path.h"
+
+namespace campuswalk::tools {
+
+namespace render = engine::render;
+
+namespace {
+
+/// What the comparison gave; without one the sizes differ.
+struct Verdict {
+    std::optional<render::ImageComparison> comparison;
+    std::string why;  ///< they differ; empty: the same
+};
+
+std::string size_of(const render::Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+Verdict compare(const render::Image& a, const render::Image& b, const engine::ImageTolerance& tolerance) {
+    if (a.width != b.width || a.height != b.height) {
+        return {std::nullopt, "one has " + size_of(a) + " pixels, the other " + size_of(b)};
+    }
+    Verdict verdict;
+    verdict.comparison = render::compare_images(a, b, tolerance);
+    verdict.why = render::describe_violations(*verdict.comparison, tolerance);
+    return verdict;
+}
+
+void print_text(const ImgdiffOptions& options, const Verdict& verdict) {
+    const std::string names = options.a.string() + " and " + options.b.string();
+    if (!verdict.why.empty()) {
+        std::printf("%s differ: %s\n", names.c_str(), verdict.why.c_str());
+        return;
+    }
+    std::printf("%s are the same: %zu pixels differ, the least similar tile has %s\n", names.c_str(),
+                verdict.comparison->pixels.different,
+                engine::fixed(verdict.comparison->worst.ssim, 4).c_str());
+}
+
+void print_json(const ImgdiffOptions& options, const render::Image& a, const Verdict& verdict) {
+    nlohmann::ordered_json json = {
+        {"a", options.a.generic_string()}, {"b", options.b.generic_string()}, {"same", verdict.why.empty()}};
+    if (!verdict.why.empty()) {
+        json["why"] = verdict.why;
+    }
+    if (verdict.comparison) {
+        const render::TileSimilarity& worst = verdict.comparison->worst;
+        json["width"] = a.width;
+        json["height"] = a.height;
+        json["diff_pixels"] = verdict.comparison->pixels.different;
+        json["diff_pixel_ratio"] = verdict.comparison->ratio;
+        json["tile_ssim"] = worst.ssim;
+        json["worst_tile"] = {worst.box.x, worst.box.y, worst.box.width, worst.box.height};
+    }
+    const auto broken_bytes = nlohmann::ordered_json::error_handler_t::replace;  // of file names
+    std::printf("%s\n", json.dump(2, ' ', false, broken_bytes).c_str());
+}
+
+void check_diff_file(const ImgdiffOptions& options) {
+    if (!options.diff) {
+        return;
+    }
+    if (const std::string why = why_file_unwritable(*options.diff); !why.empty()) {
+        throw scene::InputError({options.diff->string(), 0, 0}, "output-unwritable",
+                                "the difference can't be drawn here: " + why);
+    }
+}
+
+}  // namespace
+
+int compare_image_files(const ImgdiffOptions& options) {
+    check_diff_file(options);
+    const render::Image a = render::read_png(options.a);
+    const render::Image b = render::read_png(options.b);
+    const Verdict verdict = compare(a, b, options.tolerance);
+    if (options.json) {
+        print_json(options, a, verdict);
+    } else {
+        print_text(options, verdict);
+    }
+    if (options.diff && verdict.comparison) {
+        render::write_png(render::draw_difference(a, b, *verdict.comparison, options.tolerance),
+                          *options.diff);
+    }
+    return verdict.why.empty() ? kPass : kDifferent;
+}
+
+}  // namespace campuswalk::tools

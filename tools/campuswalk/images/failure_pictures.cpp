@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/events/decimals.h"
+#include "engine/render/image/png.h"
+#include "engine/render/overlay/walk_trail.h"
+#include "engine/render/snapshot/renderer_store.h"
+#include "engine/simulation/simulation.h"
+#include "tools/campuswalk/images/map_picture.h"
+#include "tools/campuswalk/images/pictures.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+namespace render = engine::render;
+
+namespace {
+
+constexpr std::size_t kMostMoments = 4;
+constexpr int kWidth = 1280;  // pixels
+constexpr int kHeight = 720;  // pixels
+
+/// The first failures' ticks, in order.
+std::vector<engine::Tick> moments_of(std::span<const engine::Failure> failures) {
+    std::set<engine::Tick> ticks;
+    for (const engine::Failure& failure : failures) {
+        if (ticks.size() < kMostMoments) {
+            ticks.insert(failure.scene.tick);
+        }
+    }
+    return {ticks.begin(), ticks.end()};
+}
+
+std::string caption_of(std::span<const engine::Failure> failures, engine::Tick tick, double time) {
+    std::string codes;
+    for (const engine::Failure& failure : failures) {
+        if (failure.scene.tick == tick && codes.find(failure.code) == std::string::npos) {
+            codes += (codes.empty() ? "" : ", ") + failure.code;
+        }
+    }
+    return codes + " \u00b7 " + engine::fixed(time, 2) + " s";
+}
+
+/// Draws moments of one walk; they are shown in order.
+class FailureImageRenderer {
+public:
+    FailureImageRenderer(const scene::Campus& campus, const engine::Walk& walk,
+                         render::SnapshotRenderer& snapshot_renderer, fs::path output, fs::path folder)
+        : campus_(campus),
+          walk_(walk),
+          snapshot_renderer_(snapshot_renderer),
+          output_(std::move(output)),
+          folder_(std::move(folder)) {}
+
+    void draw(const engine::TickRecord& record, const render::WalkTrail& trail, const std::string& caption) {
+        ++moments_;
+        const std::vector<Eigen::Vector3d> path = trail.path();
+        render::SnapshotRequest request;
+        request.camera = walk_.camera;
+        request.camera.view = engine::View::first_person;
+        request.camera.width = kWidth;
+        request.camera.height = kHeight;
+        request.avatar = record.avatar;
+        request.profile = walk_.avatar;
+        request.open_popups = record.open_popups;
+        request.caption = caption;
+        request.minimap = false;  // the image from above says more
+        keep(snapshot_renderer_.draw(request), "eyes", "from the eyes", record.time);
+        keep(draw_map(campus_, snapshot_renderer_, {record.avatar, walk_.avatar, path, caption}, kWidth,
+                      kHeight),
+             "above", "from above", record.time);
+    }
+
+    const std::vector<engine::Artifact>& artifacts() const { return artifacts_; }
+
+private:
+    void keep(const render::Image& image, const std::string& view, const std::string& words, double time) {
+        const std::string number = moments_ == 1 ? "" : std::to_string(moments_) + "-";
+        const fs::path file = folder_ / ("failure-" + number + view + ".png");
+        render::write_png(image, output_ / file);
+        artifacts_.push_back(
+            {"failure at " + engine::fixed(time, 2) + " s " + words, file.generic_string(), "image/png"});
+    }
+
+    const scene::Campus& campus_;
+    const engine::Walk& walk_;
+    render::SnapshotRenderer& snapshot_renderer_;
+    fs::path output_;
+    fs::path folder_;
+    std::size_t moments_ = 0;
+    std::vector<engine::Artifact> artifacts_;
+};
+
+}  // namespace
+
+std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
+                                            std::span<const engine::Failure> failures, const fs::path& output,
+                                            const fs::path& folder, render::RendererStore& renderers) {
+    const std::vector<engine::Tick> moments = moments_of(failures);
+    if (moments.empty()) {
+        return {};
+    }
+    FailureImageRenderer snapshot_renderer(campus, walk, renderers.of(campus, walk.light), output, folder);
+    engine::Simulation simulation(campus, walk);
+    render::WalkTrail trail;
+    auto next = moments.begin();
+    while (next != moments.end() && !simulation.finished()) {
+        const engine::TickRecord& record = simulation.step();
+        trail.follow(record.avatar);
+        // A failure that the walk's end shows is one of its last tick, whatever comes after that.
+        if (record.tick == *next || (simulation.finished() && record.tick < *next)) {
+            snapshot_renderer.draw(record, trail, caption_of(failures, *next, record.time));
+            ++next;
+        }
+    }
+    return snapshot_renderer.artifacts();
+}
+
+}  // namespace campuswalk::tools

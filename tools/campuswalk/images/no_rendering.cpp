@@ -1,0 +1,76 @@
+// A build without rendering (CAMPUSWALK_RENDER=OFF): it says so, and the rest is never called.
+#include <cassert>
+#include <stdexcept>
+
+#include "tools/campuswalk/images/compare_image_files.h"
+#include "tools/campuswalk/images/picture_verdicts.h"
+#include "tools/campuswalk/images/pictures.h"
+
+namespace campuswalk::tools {
+
+bool can_draw() {
+    return false;
+}
+
+bool can_make_videos() {
+    return false;
+}
+
+int compare_image_files(const ImgdiffOptions&) {
+    throw std::runtime_error("this build reads no pictures: configure with CAMPUSWALK_RENDER=ON");
+}
+
+std::shared_ptr<engine::render::RendererStore> make_renderers(Backend) {
+    return nullptr;
+}
+
+std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
+                                                   engine::render::RendererStore&) {
+    assert(false);
+    return nullptr;
+}
+
+std::vector<std::string> files_of(const engine::SnapshotStep&) {
+    assert(false);
+    return {};
+}
+
+std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
+                                            std::span<const engine::Failure>, const std::filesystem::path&,
+                                            const std::filesystem::path&, engine::render::RendererStore&) {
+    assert(false);
+    return {};
+}
+
+std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus&, const engine::Walk&,
+                                                      const std::filesystem::path&, const SequenceRequest&,
+                                                      FrameSharing, engine::render::RendererStore&) {
+    assert(false);
+    return nullptr;
+}
+
+std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus&, const engine::Walk&,
+                                                       const SequenceRequest&, std::size_t, std::size_t,
+                                                       std::function<void(std::string_view)>,
+                                                       engine::render::RendererStore&) {
+    assert(false);
+    return nullptr;
+}
+
+void share_processors(std::size_t) {}
+
+EvaluatedImages evaluate_images(const ImageEvaluation&) {
+    assert(false);
+    return {};
+}
+
+void draw_way(const scene::Campus&, const engine::AvatarProfile&, std::span<const Eigen::Vector3d>,
+              const std::string&, const std::filesystem::path&, Backend) {
+    assert(false);
+}
+
+void draw_campus(const scene::Campus&, const CampusImage&) {
+    assert(false);
+}
+
+}  // namespace campuswalk::tools

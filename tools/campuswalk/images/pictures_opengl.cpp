@@ -1,0 +1,117 @@
+#include <cmath>
+
+#include "collision/world/cast.h"
+#include "engine/render/image/png.h"
+#include "engine/render/passes/light.h"
+#include "engine/render/snapshot/channel_files.h"
+#include "engine/render/snapshot/renderer_store.h"
+#include "engine/render/snapshot/snapshot_observer.h"
+#include "tools/campuswalk/images/map_picture.h"
+#include "tools/campuswalk/images/picture_settings.h"
+#include "tools/campuswalk/images/pictures.h"
+
+namespace campuswalk::tools {
+
+using engine::render::SnapshotSettings;
+
+SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
+    SnapshotSettings settings;
+    settings.backend = backend.value_or(engine::render::RenderingBackend::automatic);
+    settings.free_distance = [&campus](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        collision::QueryCounters counters;
+        const auto hit = collision::cast(campus.world, {collision::Detection::solid, 0}, {from, to},
+                                         collision::Detection::solid, counters);
+        return (to - from).norm() * (hit ? hit->fraction : 1.0);
+    };
+    return settings;
+}
+
+bool can_draw() {
+    return true;
+}
+
+std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend) {
+    return std::make_shared<engine::render::RendererStore>(
+        [backend](const scene::Campus& campus) { return settings_for(campus, backend); });
+}
+
+namespace {
+
+class Taker final : public SnapshotTaker {
+public:
+    Taker(const scene::Campus& campus, const std::filesystem::path& folder,
+          engine::render::RendererStore& renderers)
+        : taker_(campus, folder, renderers) {}
+
+    void begin(const engine::Walk& walk) override { taker_.begin(walk); }
+    void frame(const engine::TickRecord& record) override { taker_.frame(record); }
+    void end() override { taker_.end(); }
+    const engine::render::VisibleBuildingsBySnapshot& visible_buildings() const override {
+        return taker_.visible_buildings();
+    }
+
+private:
+    engine::render::SnapshotObserver taker_;
+};
+
+}  // namespace
+
+std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
+                                                   const std::filesystem::path& folder,
+                                                   engine::render::RendererStore& renderers) {
+    return std::make_unique<Taker>(campus, folder, renderers);
+}
+
+std::vector<std::string> files_of(const engine::SnapshotStep& step) {
+    std::vector<std::string> files = {step.name + ".png"};
+    for (const std::string& ending : engine::render::channel_endings(step.channels)) {
+        files.push_back(step.name + ending);
+    }
+    return files;
+}
+
+void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
+              std::span<const Eigen::Vector3d> way, const std::string& caption,
+              const std::filesystem::path& file, Backend backend) {
+    constexpr double kStep = 0.05;  // metres: less has no direction
+    MapState moment;
+    moment.avatar.position = way.back();
+    moment.profile = avatar;
+    moment.path = way;
+    moment.caption = caption;
+    for (std::size_t i = way.size(); i > 0; --i) {
+        const Eigen::Vector3d along = way.back() - way[i - 1];
+        if (std::hypot(along.x(), along.z()) > kStep) {
+            moment.avatar.yaw = std::atan2(-along.x(), -along.z());
+            break;
+        }
+    }
+    engine::render::SnapshotRenderer snapshot_renderer(campus, settings_for(campus, backend));
+    engine::render::write_png(draw_map(campus, snapshot_renderer, moment, 1280, 720), file);
+}
+
+void draw_campus(const scene::Campus& campus, const CampusImage& image) {
+    namespace render = engine::render;
+    SnapshotSettings settings = settings_for(campus, image.backend);
+    settings.light = render::apply_light(settings.light, image.light);
+    render::SnapshotRenderer snapshot_renderer(campus, settings);
+    render::SnapshotRequest request;
+    request.camera = image.camera;
+    request.avatar = image.avatar;
+    request.nobody = true;
+    request.overlays = image.overlays;
+    const int width = image.camera.width;
+    const int height = image.camera.height;
+    render::write_png(
+        image.plan ? snapshot_renderer.draw_plan(width, height) : snapshot_renderer.draw(request),
+        image.file);
+    if (image.channels.any()) {
+        const render::ChannelChoice choice = render::choice_of(image.channels);
+        render::write_channels(snapshot_renderer, campus,
+                               image.plan ? snapshot_renderer.draw_plan_channels(width, height, choice)
+                                          : snapshot_renderer.draw_channels(request, choice),
+                               image.channels, image.file.parent_path() / image.file.stem());
+    }
+}
+
+}  // namespace campuswalk::tools

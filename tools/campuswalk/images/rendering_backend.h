@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/render/gl/gl_context.h"
+
+namespace campuswalk::tools {
+
+/// What draws images, as `--rendering-backend` has it; nullopt: nothing does.
+using Backend = std::optional<engine::render::RenderingBackend>;
+
+/// Whether images are to be drawn. Throws scene::InputError for a backend that this build hasn't got.
+bool wants_images(Backend backend);
+
+/// For a command that is there to draw. Throws scene::InputError for `none`, std::runtime_error in a build
+/// without rendering.
+void require_images(Backend backend);
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,102 @@
+#include "tools/campuswalk/loading/cache_choice.h"
+
+#include <sys/mman.h>
+
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/complaints.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool refused = false;
+
+/// Empty if it isn't set.
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+fs::path folder() {
+    if (const std::string own = variable("CAMPUSWALK_CACHE_DIR"); !own.empty()) {
+        return own;
+    }
+    // The XDG specification has relative paths ignored.
+    if (const fs::path caches = variable("XDG_CACHE_HOME"); caches.is_absolute()) {
+        return caches / "campuswalk";
+    }
+    const fs::path home = variable("HOME");
+    return home.is_absolute() ? home / ".cache" / "campuswalk" : fs::path();
+}
+
+std::uint64_t max_bytes() {
+    const std::string text = variable("CAMPUSWALK_CACHE_SIZE");
+    if (text.empty()) {
+        return scene::CacheFolder::kDefaultLimit;
+    }
+    constexpr std::uint64_t kMost = 1U << 20U;  // in any of the units: far from overflow
+    std::uint64_t count = 0;
+    const char* end = text.data() + text.size();
+    const auto [unit, error] = std::from_chars(text.data(), end, count);
+    const std::string_view rest(unit, static_cast<std::size_t>(end - unit));
+    const std::optional<unsigned> shift = rest == "M"                  ? std::optional(20U)
+                                          : rest == "G"                ? std::optional(30U)
+                                          : rest.empty() && count == 0 ? std::optional(0U)
+                                                                       : std::nullopt;
+    if (error != std::errc() || !shift || count > kMost) {
+        throw scene::InputError({"CAMPUSWALK_CACHE_SIZE", 0, 0}, "bad-value",
+                                "'" + text + "' is no size; write such as 500M or 8G, or 0 for no cache");
+    }
+    return count << *shift;
+}
+
+/// Shared by the processes that this one starts with fork, so that one of them tells for all.
+std::atomic<bool>& told() {
+    static_assert(std::atomic<bool>::is_always_lock_free);
+    static std::atomic<bool> own;
+    static std::atomic<bool>& shared = [&]() -> std::atomic<bool>& {
+        void* memory = mmap(nullptr, sizeof own, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        return memory == MAP_FAILED ? own : *new (memory) std::atomic<bool>();
+    }();
+    return shared;
+}
+
+/// A cache that can't be written is no mistake of a campus: nothing but the next start's time depends on it.
+void warn_once(const std::string& reason) {
+    if (!told().exchange(true)) {
+        diagnostic_line("warning cache-unwritable: models are imported anew each time: " + reason +
+                        "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
+    }
+}
+
+}  // namespace
+
+const scene::CacheFolder* wanted_cache() {
+    static const std::optional<scene::CacheFolder> cache = [] {
+        const fs::path where = folder();
+        const std::uint64_t size = refused || where.empty() ? 0 : max_bytes();
+        return size > 0 ? std::optional(scene::CacheFolder(where, size, warn_once)) : std::nullopt;
+    }();
+    return cache ? &*cache : nullptr;
+}
+
+void add_cache_flag(Command command) {
+    told();  // before there are other processes
+    command.flag({.names = "--no-cache",
+                  .help = "Import models anew and keep nothing; else see CAMPUSWALK_CACHE_DIR and "
+                          "CAMPUSWALK_CACHE_SIZE (such as 8G)"},
+                 [] { refused = true; });
+}
+
+}  // namespace campuswalk::tools

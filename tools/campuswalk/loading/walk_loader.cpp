@@ -1,0 +1,81 @@
+#include "tools/campuswalk/loading/walk_loader.h"
+
+#include <thread>
+#include <utility>
+
+#include "collision/world/bullet_broad_phase.h"
+#include "engine/simulation/check_walk.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/model_importer.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+config::SearchPaths search_paths() {
+    std::error_code none;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+    config::SearchPaths paths;
+    for (const fs::path& config : {folder.parent_path().parent_path() / "config",
+                                   folder.parent_path() / "share" / "campuswalk" / "config"}) {
+        paths.avatars.push_back(config / "avatars");
+        paths.lights.push_back(config / "lights");
+    }
+    return paths;
+}
+
+WalkLoader::WalkLoader(Told warn) : warn_(std::move(warn)), loader_(search_paths()) {}
+
+LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
+    return ready(read(walk_file));
+}
+
+config::SharedRun WalkLoader::read(const fs::path& walk_file, const config::Overrides& overrides) {
+    return loader_.load(walk_file, overrides);
+}
+
+LoadedWalk WalkLoader::ready(config::SharedRun run) {
+    std::vector<scene::Diagnostic> warnings;
+    LoadedWalk loaded;
+    loaded.campus = build(run.walk.campus, *run.campus, warnings);
+    loaded.walk = std::move(run.walk);
+    loaded.walk.origin = loaded.campus->origin;
+    warn_(warnings);
+    if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(*loaded.campus, loaded.walk);
+        !mistakes.empty()) {
+        throw scene::InputError(std::move(mistakes));
+    }
+    return loaded;
+}
+
+std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {
+    std::vector<scene::Diagnostic> warnings;
+    const scene::CampusDescription description = config::load_campus_description(campus_file);
+    std::shared_ptr<const scene::Campus> campus = build(campus_file, description, warnings);
+    warn_(warnings);
+    return campus;
+}
+
+std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
+                                                       const scene::CampusDescription& description,
+                                                       std::vector<scene::Diagnostic>& warnings) {
+    std::error_code none;
+    const fs::path key = fs::weakly_canonical(file, none);
+    if (const auto known = broken_.find(key); known != broken_.end()) {
+        throw known->second;  // models take long to read, and a thousand walks may be on them
+    }
+    std::shared_ptr<const scene::Campus>& campus = campuses_[key];
+    if (!campus) {
+        try {
+            campus = std::make_shared<scene::Campus>(
+                scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
+                                   model_importer(), wanted_cache(), std::thread::hardware_concurrency()));
+        } catch (const scene::InputError& error) {
+            broken_.emplace(key, error);
+            throw;
+        }
+    }
+    return campus;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,183 @@
+#include "tools/campuswalk/logs/golden_log.h"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/base/whole_file.h"
+#include "tools/campuswalk/logs/log_lines.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kEventsBefore = 5;
+
+/// None when there is no such file.
+std::optional<std::vector<std::string>> read_lines(const fs::path& file) {
+    std::error_code error;
+    if (!fs::exists(file, error) && !error) {
+        return std::nullopt;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(std::move(line));
+    }
+    if (error || !stream.eof()) {
+        throw std::runtime_error("can't read '" + file.string() + "'");
+    }
+    return lines;
+}
+
+/// The header without what a command line may say: a time-out that isn't reached changes nothing.
+std::string without_timeout(const std::string& header) {
+    auto json = nlohmann::ordered_json::parse(header);
+    return json.erase("timeout") == 0 ? header : json.dump();
+}
+
+/// Without what was thought of the walk: expect.fail lines, and the end's result with the count of events.
+struct Story {
+    std::vector<std::string> lines;
+    std::vector<std::size_t> numbers;  ///< of each in the file, from 1
+};
+
+Story without_verdicts(std::span<const std::string> lines) {
+    Story story;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        // Few lines are worth the parsing.
+        const bool maybe = lines[i].find("expect.fail") != std::string::npos ||
+                           lines[i].find("walk.end") != std::string::npos;
+        const std::optional<LoggedEvent> event = maybe ? logged_event(lines[i]) : std::nullopt;
+        if (event && event->kind == "expect.fail") {
+            continue;
+        }
+        std::string line = lines[i];
+        if (i == 0 && is_log_header(line)) {
+            line = without_timeout(line);
+        } else if (event && event->kind == "walk.end") {
+            auto json = nlohmann::ordered_json::parse(line);
+            json.erase("result");
+            json.erase("events");
+            line = json.dump();
+        }
+        story.lines.push_back(std::move(line));
+        story.numbers.push_back(i + 1);
+    }
+    return story;
+}
+
+std::string how_they_differ(const Story& golden, const Story& run, std::size_t at) {
+    if (at >= run.lines.size()) {
+        return "the run ends there, and the golden log goes on with " + as_text_line(golden.lines[at]);
+    }
+    if (at >= golden.lines.size()) {
+        return "the golden log ends there, and the run goes on with " + as_text_line(run.lines[at]);
+    }
+    return difference(golden.lines[at], run.lines[at]).value_or("");
+}
+
+/// The moment as far as the run's log tells it.
+engine::FailureScene scene_of(const Story& run, std::size_t at) {
+    engine::FailureScene scene;
+    const std::size_t last = std::min(at + 1, run.lines.size());
+    for (std::size_t i = 0; i < last; ++i) {
+        const std::optional<LoggedEvent> event = logged_event(run.lines[i]);
+        if (!event) {
+            continue;
+        }
+        scene.tick = event->tick;
+        scene.time = event->time;
+        scene.position = event->position.value_or(scene.position);
+        if (i < at && i + kEventsBefore >= at) {
+            scene.last_events.push_back(as_text_line(run.lines[i]));
+        }
+    }
+    return scene;
+}
+
+engine::Failure failure_at(const fs::path& file, const Story& golden, const Story& run, std::size_t at) {
+    engine::Failure failure;
+    failure.code = "log";
+    const std::size_t number = at < golden.numbers.size() ? golden.numbers[at]
+                               : golden.numbers.empty()   ? 1
+                                                          : golden.numbers.back() + 1;
+    failure.message = "the log is not the golden one (" + file.filename().string() + ", line " +
+                      std::to_string(number) + "): " + how_they_differ(golden, run, at) +
+                      "; if that is meant, run with --update-snapshots=changed";
+    failure.scene = scene_of(run, at);
+    return failure;
+}
+
+engine::Failure missing(const fs::path& file) {
+    engine::Failure failure;
+    failure.code = "log";
+    failure.message = "there is no golden log '" + file.string() +
+                      "' yet; run with --update-snapshots=missing where you develop, and commit it";
+    return failure;
+}
+
+std::string joined(std::span<const std::string> lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += line;
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+fs::path cached_file(const fs::path& walk_file, const std::string& project, const std::string& file) {
+    fs::path folder = walk_file;
+    folder += "-snapshots";
+    return folder / ((project.empty() ? "" : project + "-") + file);
+}
+
+fs::path golden_log_file(const fs::path& walk_file, const std::string& project) {
+    return cached_file(walk_file, project, "log.jsonl");
+}
+
+GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
+                         std::span<const std::string> lines, UpdateSnapshots mode, bool fails) {
+    GoldenCheck check;
+    const fs::path file = golden_log_file(walk_file, project);
+    const auto update = [&] {
+        if (fails) {
+            check.withheld = file;
+            return;
+        }
+        scene::write_file_atomically(file, joined(lines));
+        check.written = file;
+    };
+    if (mode == UpdateSnapshots::all) {
+        update();
+        return check;
+    }
+    const std::optional<std::vector<std::string>> golden_lines = read_lines(file);
+    if (!golden_lines) {
+        if (mode == UpdateSnapshots::none) {
+            check.failure = missing(file);
+        } else {
+            update();
+        }
+        return check;
+    }
+    const Story golden = without_verdicts(*golden_lines);
+    const Story run = without_verdicts(lines);
+    const std::optional<std::size_t> at = first_divergence(golden.lines, run.lines);
+    if (at && mode == UpdateSnapshots::changed) {
+        update();
+    } else if (at) {
+        check.failure = failure_at(file, golden, run, *at);
+    }
+    return check;
+}
+
+}  // namespace campuswalk::tools

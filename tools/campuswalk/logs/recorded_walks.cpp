@@ -1,0 +1,103 @@
+#include "tools/campuswalk/logs/recorded_walks.h"
+
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/report/outcome_names.h"
+#include "engine/report/result_json.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/logs/log_lines.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kWalkSuffix = ".walk.yaml";
+
+scene::InputError about_line(const fs::path& file, std::size_t line, const char* code,
+                             const std::string& message) {
+    return scene::InputError(scene::SourceMark{file.string(), static_cast<int>(line), 1}, code, message);
+}
+
+std::map<std::string, fs::path> by_name(const std::vector<fs::path>& files) {
+    std::map<std::string, fs::path> named;
+    for (const fs::path& file : files) {
+        std::string name = file.filename().string();
+        if (name.ends_with(kWalkSuffix)) {
+            name.resize(name.size() - kWalkSuffix.size());
+        }
+        if (!named.emplace(name, file).second) {
+            throw scene::InputError({file.string(), 0, 0}, "duplicate-name",
+                                    "two walks called " + name + ": give --walk one of them");
+        }
+    }
+    return named;
+}
+
+std::optional<std::uint64_t> hash_of(const std::string& digits) {
+    std::uint64_t hash = 0;
+    const char* end = digits.data() + digits.size();
+    const bool read = !digits.empty() && std::from_chars(digits.data(), end, hash, 16).ptr == end;
+    return read ? std::optional(hash) : std::nullopt;
+}
+
+std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::vector<std::string>& lines) {
+    std::vector<RecordedWalk> walks;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        try {
+            const engine::WalkResult result = engine::result_from_json_line(lines[i]);
+            const bool ended =
+                result.outcome == engine::Outcome::passed || result.outcome == engine::Outcome::failed;
+            walks.push_back({result.name, result.project, result.config, result.file, result.seed,
+                             result.timeout, ended ? std::optional(result.hash) : std::nullopt,
+                             std::string(engine::name_of(result.outcome)), i + 1});
+        } catch (const std::runtime_error& error) {
+            throw about_line(source, i + 1, "no-result", error.what());
+        }
+    }
+    return walks;
+}
+
+std::vector<RecordedWalk> walks_of_log(const fs::path& source, const std::vector<std::string>& lines,
+                                       const std::vector<fs::path>& walk_files) {
+    const std::map<std::string, fs::path> files = by_name(walk_files);
+    std::vector<RecordedWalk> walks;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (const std::optional<LogHeader> header = log_header(lines[i])) {
+            const auto file = files.find(header->walk);
+            if (file == files.end()) {
+                throw about_line(source, i + 1, "unknown-walk",
+                                 "a log doesn't say where its walk is: add --walk .../" + header->walk +
+                                     std::string(kWalkSuffix));
+            }
+            walks.push_back({header->walk, header->project, fs::path(), file->second, header->seed,
+                             header->timeout, std::nullopt, "cut short", i + 1});
+        } else if (const std::optional<LoggedEvent> event = logged_event(lines[i]);
+                   event && event->kind == "walk.end") {
+            walks.back().hash = hash_of(event->hash);
+        }
+    }
+    return walks;
+}
+
+}  // namespace
+
+std::vector<RecordedWalk> recorded_walks(const fs::path& source, const std::vector<std::string>& lines,
+                                         const std::vector<fs::path>& walk_files) {
+    if (!lines.empty() && engine::cases_of_header(lines.front())) {
+        if (!walk_files.empty()) {
+            throw scene::InputError({"--walk", 0, 0}, "bad-value", "a report names its walks itself");
+        }
+        return walks_of_report(source, lines);
+    }
+    if (!lines.empty() && is_log_header(lines.front())) {
+        return walks_of_log(source, lines, walk_files);
+    }
+    throw about_line(source, 1, "no-log",
+                     "this is neither a log (run --jsonl FILE) nor a report (run --reporter jsonl=FILE)");
+}
+
+}  // namespace campuswalk::tools

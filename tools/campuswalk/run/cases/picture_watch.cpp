@@ -1,0 +1,90 @@
+#include "tools/campuswalk/run/cases/picture_watch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/images/picture_verdicts.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+bool expects_images(const engine::Walk& walk) {
+    return std::ranges::any_of(walk.expectations, engine::is_about_images);
+}
+
+}  // namespace
+
+bool must_fail_in_images(const engine::Walk& walk) {
+    const std::vector<std::string> codes = engine::image_failure_codes();
+    return walk.status.kind == engine::WalkStatus::Kind::xfail && expects_images(walk) &&
+           (walk.status.codes.empty() || std::ranges::any_of(walk.status.codes, [&](const std::string& code) {
+                return std::ranges::find(codes, code) != codes.end();
+            }));
+}
+
+ImageWatch::ImageWatch(const Case& played, const PlaySettings& settings, const ImageMakers& makers)
+    : played_(played), settings_(settings) {
+    const LoadedWalk& loaded = *played.walk;
+    const std::filesystem::path folder = settings.output / played.folder;
+    taker_ = make_snapshot_taker(*loaded.campus, folder, *makers.renderers);
+    if (settings.sequence.any()) {
+        FrameSharing sharing;
+        if (FrameHelpers* helpers = makers.helpers) {
+            sharing = {helpers->parts(), [helpers](std::size_t part) { return helpers->next_frame(part); }};
+        }
+        sequence_ = make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence,
+                                        std::move(sharing), *makers.renderers);
+    }
+}
+
+std::vector<engine::Observer*> ImageWatch::observers() {
+    std::vector<engine::Observer*> all = {taker_.get()};
+    if (sequence_) {
+        all.push_back(sequence_.get());
+    }
+    if (expects_images(played_.walk->walk)) {
+        all.push_back(&moments_);
+    }
+    return all;
+}
+
+std::vector<engine::Artifact> ImageWatch::evaluator(std::vector<engine::Failure>& failures) const {
+    const engine::Walk& walk = played_.walk->walk;
+    if (!expects_images(walk)) {
+        return {};
+    }
+    EvaluatedImages evaluated =
+        evaluate_images({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
+                         settings_.update, settings_.tolerance, moments_, taker_->visible_buildings()});
+    for (const std::filesystem::path& file : evaluated.written) {
+        diagnostic_line("wrote " + file.generic_string());
+    }
+    std::ranges::move(evaluated.failures, std::back_inserter(failures));
+    return std::move(evaluated.artifacts);
+}
+
+std::vector<engine::Artifact> ImageWatch::sequence_files() const {
+    const SequenceRequest& wish = settings_.sequence;
+    std::vector<engine::Artifact> files;
+    const auto add = [&](const std::string& name, const std::string& file, const std::string& media_type) {
+        files.push_back({name, played_.folder + "/" + file, media_type});
+    };
+    if (wish.contact_sheet) {
+        add("contact sheet", kContactSheetFile, "image/png");
+    }
+    for (const AnimationKind& kind : animation_kinds()) {
+        if (std::ranges::find(wish.animations, kind.name) != wish.animations.end()) {
+            add("animation", kind.file, kind.media_type);
+        }
+    }
+    if (wish.video) {
+        add("video", kVideoFile, "video/mp4");
+    }
+    return files;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/expect/failure.h"
+#include "engine/observers/snapshot_states.h"
+#include "engine/record/observer.h"
+#include "engine/report/walk_result.h"
+#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/run/cases/play.h"
+#include "tools/campuswalk/run/plan/plan.h"
+
+namespace campuswalk::tools {
+
+/// Without images nobody can tell whether such a walk fails as it says it must.
+bool must_fail_in_images(const engine::Walk& walk);
+
+/// The images of a walk that is played: they are taken, then judged, then told of.
+class ImageWatch {
+public:
+    /// All must outlive it.
+    ImageWatch(const Case& played, const PlaySettings& settings, const ImageMakers& makers);
+
+    /// Alive as long as this.
+    std::vector<engine::Observer*> observers();
+
+    /// When the walk has ended: appends what its expectations of images found, says on standard error what
+    /// was written to be kept, and gives the images that show what differs.
+    std::vector<engine::Artifact> evaluator(std::vector<engine::Failure>& failures) const;
+
+    /// What was made of the walk's frames; not each of them, which can be thousands.
+    std::vector<engine::Artifact> sequence_files() const;
+
+private:
+    const Case& played_;
+    const PlaySettings& settings_;
+    std::unique_ptr<SnapshotTaker> taker_;
+    std::unique_ptr<engine::Observer> sequence_;  ///< null when none is wished for
+    engine::SnapshotStates moments_;
+};
+
+}  // namespace campuswalk::tools

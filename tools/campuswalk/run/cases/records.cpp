@@ -1,0 +1,63 @@
+#include "tools/campuswalk/run/cases/records.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/observers/cost_trace.h"
+#include "engine/observers/trajectory.h"
+#include "scene/base/whole_file.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+template <typename Recorder>
+std::unique_ptr<engine::Observer> make(engine::LineSink sink) {
+    return std::make_unique<Recorder>(std::move(sink));
+}
+
+}  // namespace
+
+const std::vector<RecordKind>& record_kinds() {
+    static const std::vector<RecordKind> kinds = {
+        {"csv", "trajectory.csv", "text/csv", make<engine::TrajectoryCsv>},
+        {"tum", "trajectory.tum", "text/plain", make<engine::TrajectoryTum>},
+        {"trace", "trace.json", "application/json", make<engine::CostTrace>}};
+    return kinds;
+}
+
+Records::Records(const std::vector<std::string>& names) {
+    for (const RecordKind& kind : record_kinds()) {
+        if (std::ranges::find(names, kind.name) == names.end()) {
+            continue;
+        }
+        auto record = std::make_unique<Record>();
+        record->kind = &kind;
+        record->observer = kind.make([&text = record->text](std::string_view line) {
+            text.append(line);
+            text += '\n';
+        });
+        records_.push_back(std::move(record));
+    }
+}
+
+std::vector<engine::Observer*> Records::observers() const {
+    std::vector<engine::Observer*> observers;
+    for (const auto& record : records_) {
+        observers.push_back(record->observer.get());
+    }
+    return observers;
+}
+
+std::vector<engine::Artifact> Records::write(const std::filesystem::path& output,
+                                             const std::string& folder) const {
+    std::vector<engine::Artifact> written;
+    for (const auto& record : records_) {
+        const std::string path = folder + "/" + record->kind->file;
+        scene::write_file_atomically(output / path, record->text);
+        written.push_back({record->kind->name, path, record->kind->media_type});
+    }
+    return written;
+}
+
+}  // namespace campuswalk::tools

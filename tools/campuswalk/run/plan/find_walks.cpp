@@ -1,0 +1,117 @@
+#include "tools/campuswalk/run/plan/find_walks.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSuffix = ".walk.yaml";
+
+bool is_walk(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.size() > kSuffix.size() && name.ends_with(kSuffix) && name.front() != '.';
+}
+
+class Search {
+public:
+    void look_at(const fs::path& path) {
+        std::error_code none;
+        if (fs::is_directory(path, none)) {
+            look_into(path);
+        } else {
+            files_.insert(as_seen_from_here(path).generic_string());  // the loader says so if it isn't there
+        }
+    }
+
+    std::vector<fs::path> files() const { return {files_.begin(), files_.end()}; }
+
+private:
+    void look_into(const fs::path& folder) {
+        std::error_code error;
+        if (!seen_.insert(fs::canonical(folder, error)).second) {
+            return;
+        }
+        std::vector<fs::path> entries;
+        for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error)) {
+            entries.push_back(entry->path());
+        }
+        if (error) {
+            throw scene::InputError({folder.generic_string(), 0, 0}, "folder-unreadable",
+                                    "walks can't be looked for here: " + error.message());
+        }
+        std::ranges::sort(entries);  // which of two names of a folder counts doesn't depend on the disk
+        for (const fs::path& entry : entries) {
+            std::error_code none;
+            if (fs::is_directory(entry, none)) {
+                if (entry.filename().string().front() != '.') {
+                    look_into(entry);
+                }
+            } else if (is_walk(entry)) {
+                files_.insert(as_seen_from_here(entry).generic_string());
+            }
+        }
+    }
+
+    std::set<std::string> files_;
+    std::set<fs::path> seen_;
+};
+
+fs::path shared_beginning(const fs::path& a, const fs::path& b) {
+    fs::path shared;
+    const auto [end, other] = std::ranges::mismatch(a, b);
+    for (auto part = a.begin(); part != end; ++part) {
+        shared /= *part;
+    }
+    return shared;
+}
+
+}  // namespace
+
+fs::path as_seen_from_here(const fs::path& path) {
+    std::error_code error;
+    const fs::path here = fs::current_path(error);
+    if (error || !path.is_absolute()) {
+        return path.lexically_normal();
+    }
+    return path.lexically_normal().lexically_relative(here);
+}
+
+std::vector<fs::path> find_walks(const std::vector<fs::path>& paths) {
+    Search search;
+    for (const fs::path& path : paths) {
+        search.look_at(path);
+    }
+    return search.files();
+}
+
+std::vector<std::string> output_names(const std::vector<fs::path>& files) {
+    std::vector<fs::path> whole;
+    fs::path root;
+    for (const fs::path& file : files) {
+        std::error_code none;
+        whole.push_back(fs::absolute(file, none).lexically_normal());
+        const fs::path folder = whole.back().parent_path();
+        root = whole.size() == 1 ? folder : shared_beginning(root, folder);
+    }
+    std::vector<std::string> names;
+    names.reserve(whole.size());
+    for (const fs::path& file : whole) {
+        std::string name = file.lexically_relative(root).generic_string();
+        if (name.ends_with(kSuffix)) {
+            name.resize(name.size() - kSuffix.size());
+        }
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+}  // namespace campuswalk::tools

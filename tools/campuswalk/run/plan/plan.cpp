@@ -1,0 +1,230 @@
+#include "tools/campuswalk/run/plan/plan.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+using config::ProjectConfig;
+using engine::Outcome;
+using engine::WalkResult;
+using engine::WalkStatus;
+using scene::InputError;
+
+namespace {
+
+/// A walk in a project: as far as it could be read.
+struct Candidate {
+    WalkResult result;
+    std::string folder;
+    std::optional<config::SharedRun> run;  ///< none when it has mistakes
+};
+
+std::string name_of(const fs::path& file) {
+    constexpr std::string_view kSuffix = ".walk.yaml";
+    std::string name = file.filename().generic_string();
+    if (name.size() > kSuffix.size() && name.ends_with(kSuffix)) {
+        name.resize(name.size() - kSuffix.size());
+    }
+    return name;
+}
+
+class Planner {
+public:
+    Planner(const RunSettings& settings, PlanOptions options)
+        : settings_(settings), options_(std::move(options)) {}
+
+    Plan plan() {
+        Plan plan;
+        for (const ProjectConfig& project : settings_.projects) {
+            selectors_.push_back(selector_of(project));
+        }
+        read_all(plan);
+        keep_only_if_asked();
+        if (options_.ids) {
+            std::erase_if(candidates_, [&](const Candidate& candidate) { return !has_wanted_id(candidate); });
+        }
+        plan.selected = candidates_.size() * static_cast<std::size_t>(options_.repeat_each);
+        keep_shard();
+        for (Candidate& candidate : candidates_) {
+            add_cases(candidate, plan.cases);
+        }
+        return plan;
+    }
+
+private:
+    void read_all(Plan& plan) {
+        const std::vector<fs::path> files = find_walks(settings_.paths);
+        const std::vector<std::string> names = output_names(files);
+        plan.files = files.size();
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            for (std::size_t j = 0; j < settings_.projects.size(); ++j) {
+                Candidate candidate = read(files[i], names[i], settings_.projects[j]);
+                if (is_wanted(candidate, options_.selector) && is_wanted(candidate, selectors_[j])) {
+                    candidates_.push_back(std::move(candidate));
+                }
+            }
+        }
+    }
+
+    Candidate read(const fs::path& file, const std::string& folder, const ProjectConfig& project) {
+        Candidate candidate;
+        WalkResult& result = candidate.result;
+        result.file = file.generic_string();
+        result.name = name_of(file);
+        result.project = project.name;
+        result.config = project.name.empty() ? "" : settings_.config.generic_string();
+        result.id = result.file + (project.name.empty() ? "" : " " + project.name);
+        candidate.folder = folder + (project.name.empty() ? "" : "/" + project.name);
+        try {
+            config::SharedRun run = loader_.read(file, project.overrides);
+            settle_walk(run.walk, project);
+            describe(run.walk, result);
+            candidate.run = std::move(run);
+        } catch (const InputError& error) {
+            note_mistakes(result, error);
+        }
+        return candidate;
+    }
+
+    void settle_walk(engine::Walk& walk, const ProjectConfig& project) const {
+        walk.project = project.name;
+        walk.sim.seed = options_.seed.value_or(walk.sim.seed);
+        if (!walk.timeout) {
+            walk.timeout = project.timeout ? project.timeout : settings_.timeout;
+        }
+    }
+
+    static void describe(const engine::Walk& walk, WalkResult& result) {
+        result.tags = walk.tags;
+        result.status_reason = walk.status.reason;
+        result.expected_to_fail = walk.status.kind == WalkStatus::Kind::xfail;
+        result.campus = walk.campus_name;
+        result.ticks_per_second = walk.sim.ticks_per_second;
+        result.seed = walk.sim.seed;
+        result.timeout = walk.timeout;
+        if (walk.status.kind == WalkStatus::Kind::skip) {
+            result.outcome = Outcome::skipped;
+        }
+    }
+
+    static void note_mistakes(WalkResult& result, const InputError& error) {
+        result.outcome = Outcome::bad_input;
+        for (const scene::Diagnostic& diagnostic : error.diagnostics()) {
+            result.diagnostics.push_back(scene::to_string(diagnostic));
+        }
+    }
+
+    static bool is_wanted(const Candidate& candidate, const Selector& selector) {
+        const WalkResult& result = candidate.result;
+        return candidate.run ? selector.takes(result.file, result.name, result.tags)
+                             : selector.may_take(result.file, result.name);
+    }
+
+    static bool is_only(const Candidate& candidate) {
+        return candidate.run && candidate.run->walk.status.kind == WalkStatus::Kind::only;
+    }
+
+    /// What can't be read may be meant to be the only one, so it stays.
+    void keep_only_if_asked() {
+        const auto first = std::ranges::find_if(candidates_, is_only);
+        if (first == candidates_.end()) {
+            return;
+        }
+        if (settings_.forbid_only) {
+            throw InputError(
+                first->run->walk.status.mark, "only-forbidden",
+                "'status: only' keeps the other walks from being run; take it out (--forbid-only)");
+        }
+        std::erase_if(candidates_, [](const Candidate& candidate) {
+            return candidate.run.has_value() && !is_only(candidate);
+        });
+    }
+
+    std::string id_of(const Candidate& candidate, int repetition) const {
+        return candidate.result.id +
+               (options_.repeat_each > 1 ? " #" + std::to_string(repetition + 1) : std::string());
+    }
+
+    bool has_wanted_id(const Candidate& candidate) const {
+        for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
+            if (options_.ids->contains(id_of(candidate, repetition))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Repetitions stay together, to be compared.
+    void keep_shard() {
+        if (settings_.shard) {
+            const Slice slice = slice_of(candidates_.size(), *settings_.shard);
+            const auto begin = candidates_.begin();
+            candidates_.erase(begin + static_cast<std::ptrdiff_t>(slice.last), candidates_.end());
+            candidates_.erase(candidates_.begin(),
+                              candidates_.begin() + static_cast<std::ptrdiff_t>(slice.first));
+        }
+    }
+
+    void add_cases(Candidate& candidate, std::vector<Case>& cases) {
+        std::shared_ptr<const LoadedWalk> walk;
+        if (candidate.run && candidate.result.outcome != Outcome::skipped) {
+            try {
+                walk = std::make_shared<LoadedWalk>(loader_.ready(std::move(*candidate.run)));
+            } catch (const InputError& error) {
+                note_mistakes(candidate.result, error);
+            }
+        }
+        diagnose_once(candidate.result.diagnostics);
+        for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
+            Case& each = cases.emplace_back(Case{candidate.result, walk, candidate.folder});
+            each.result.repetition = repetition;
+            each.result.id = id_of(candidate, repetition);
+            if (options_.repeat_each > 1) {
+                each.folder += "/repeat-" + std::to_string(repetition + 1);
+            }
+        }
+    }
+
+    /// Many walks may share a campus with a mistake.
+    void diagnose_once(const std::vector<std::string>& diagnostics) {
+        for (const std::string& line : diagnostics) {
+            if (told_.insert(line).second) {
+                diagnostic_line(line);
+            }
+        }
+    }
+
+    const RunSettings& settings_;
+    PlanOptions options_;
+    std::vector<Selector> selectors_;  ///< of each project
+    WalkLoader loader_;
+    std::vector<Candidate> candidates_;
+    std::set<std::string> told_;
+};
+
+}  // namespace
+
+Selector selector_of(const ProjectConfig& project) {
+    Selector selector;
+    if (project.grep) {
+        selector.require(project.grep->text, project.grep->mark);
+    }
+    if (project.grep_invert) {
+        selector.refuse(project.grep_invert->text, project.grep_invert->mark);
+    }
+    selector.require_tag(project.tags);
+    return selector;
+}
+
+Plan make_plan(const RunSettings& settings, PlanOptions options) {
+    return Planner(settings, std::move(options)).plan();
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,186 @@
+#include "tools/campuswalk/run/plan/run_settings.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <thread>
+
+#include "engine/report/make_reporter.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+using config::ProjectConfig;
+using config::WalksConfig;
+using scene::InputError;
+using scene::SourceMark;
+
+namespace {
+
+SourceMark option(const char* name) {
+    return {name, 0, 0};
+}
+
+std::optional<WalksConfig> config_for(const RunOptions& options) {
+    const std::optional<fs::path> file = options.config ? options.config : config::find_walks_config(".");
+    return file ? std::optional(config::load_walks_config(as_seen_from_here(*file))) : std::nullopt;
+}
+
+/// All projects, or those named, in the order of their names.
+std::vector<ProjectConfig> projects_for(const RunOptions& options, const WalksConfig& config) {
+    std::vector<std::string> known;
+    for (const ProjectConfig& project : config.projects) {
+        known.push_back(project.name);
+    }
+    for (const std::string& name : options.projects) {
+        if (std::ranges::find(known, name) == known.end()) {
+            throw InputError(option("--project"), "unknown-name",
+                             "walks.config.yaml has no project '" + name + "'" +
+                                 scene::did_you_mean(name, known) +
+                                 (known.empty() ? "; it has none, or there is no such file" : ""));
+        }
+    }
+    std::vector<ProjectConfig> projects;
+    for (const ProjectConfig& project : config.projects) {
+        if (options.projects.empty() ||
+            std::ranges::find(options.projects, project.name) != options.projects.end()) {
+            projects.push_back(project);
+        }
+    }
+    return projects.empty() ? std::vector<ProjectConfig>(1) : projects;
+}
+
+std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConfig& config, bool single) {
+    std::vector<ReportTarget> reports;
+    for (const std::string& text : options.reporters) {
+        const std::size_t equals = text.find('=');
+        ReportTarget target{text.substr(0, equals), std::nullopt};
+        check_reporter(target.name, option("--reporter"));
+        if (equals != std::string::npos) {
+            target.file = as_seen_from_here(text.substr(equals + 1));
+        }
+        reports.push_back(std::move(target));
+    }
+    if (options.reporters.empty() && !single) {
+        for (const config::ConfiguredReporter& reporter : config.reporters) {
+            check_reporter(reporter.name, reporter.mark);
+            reports.push_back({reporter.name, reporter.file ? std::optional(as_seen_from_here(*reporter.file))
+                                                            : std::nullopt});
+        }
+    }
+    if (reports.empty() && !options.quiet) {
+        reports.push_back({single ? "log" : "list", std::nullopt});
+    }
+    if (options.log) {
+        reports.push_back({"log", options.log});
+    }
+    const auto printed = [](const ReportTarget& target) { return !target.file; };
+    if (std::ranges::count_if(reports, printed) > 1) {
+        throw InputError(option("--reporter"), "bad-value",
+                         "only one report can go to standard output; give the others a file, as in "
+                         "junit=junit.xml");
+    }
+    std::stable_partition(reports.begin(), reports.end(), printed);
+    return reports;
+}
+
+std::optional<Shard> shard_for(const RunOptions& options, const Environment& environment) {
+    if (!options.shard) {
+        return shard_from(environment);
+    }
+    if (std::optional<Shard> shard = parse_shard(*options.shard)) {
+        return shard;
+    }
+    throw InputError(option("--shard"), "bad-shard",
+                     "'" + *options.shard + "' must be i/n with i from 1 to n, as in 2/4");
+}
+
+bool wants_color(ColorChoice choice, const Environment& environment) {
+    if (choice != ColorChoice::automatic) {
+        return choice == ColorChoice::always;
+    }
+    return isatty(STDOUT_FILENO) == 1 && !environment("NO_COLOR") && environment("TERM") != "dumb";
+}
+
+/// What a machine compares with was written and looked at by a person.
+UpdateSnapshots updates_for(const RunOptions& options, const Environment& environment) {
+    const std::string ci = environment("CI").value_or("false");
+    if (ci == "false" || ci == "0") {
+        return options.update.value_or(UpdateSnapshots::missing);
+    }
+    if (options.update.value_or(UpdateSnapshots::none) != UpdateSnapshots::none) {
+        throw InputError(option("--update-snapshots"), "bad-value",
+                         "golden logs aren't written where CI is set; unset it if this isn't CI");
+    }
+    return UpdateSnapshots::none;
+}
+
+std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& config) {
+    std::vector<fs::path> paths = options.paths;
+    if (paths.empty()) {
+        std::ranges::transform(config.walks, std::back_inserter(paths), &config::MarkedPath::path);
+    }
+    std::ranges::transform(paths, paths.begin(), as_seen_from_here);
+    return paths.empty() ? std::vector<fs::path>{"."} : paths;
+}
+
+}  // namespace
+
+std::optional<std::string> environment_variable(const std::string& name) {
+    const char* value = std::getenv(name.c_str());
+    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
+}
+
+void check_reporter(const std::string& name, const SourceMark& mark) {
+    std::vector<std::string> known = engine::reporter_names();
+    known.emplace_back("log");
+    if (std::ranges::find(known, name) == known.end()) {
+        std::string list;
+        for (const std::string& each : known) {
+            list += (list.empty() ? "" : ", ") + each;
+        }
+        throw InputError(
+            mark, "unknown-name",
+            "a reporter must be one of " + list + ", not '" + name + "'" + scene::did_you_mean(name, known));
+    }
+}
+
+RunSettings settle(const RunOptions& options, const Environment& environment) {
+    const WalksConfig config = config_for(options).value_or(WalksConfig());
+    RunSettings settings;
+    std::error_code none;
+    settings.paths = paths_for(options, config);
+    settings.config = config.file;
+    settings.projects = projects_for(options, config);
+    settings.single = options.paths.size() == 1 && !fs::is_directory(options.paths.front(), none) &&
+                      settings.projects.size() == 1 && options.repeat_each == 1;
+    settings.shard = shard_for(options, environment);
+    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    settings.workers = options.workers.value_or(config.workers.value_or(cores));
+    settings.max_failures = options.stop_at_first  ? std::optional(1)
+                            : options.max_failures ? options.max_failures
+                                                   : config.max_failures;
+    settings.timeout = options.timeout ? options.timeout : config.timeout;
+    settings.kill_after = options.kill_after ? options.kill_after : config.kill_after;
+    settings.forbid_only = options.forbid_only || config.forbid_only;
+    settings.tolerance = engine::changed({}, config.snapshots);
+    settings.output = as_seen_from_here(options.output.value_or(config.output.value_or("out")));
+    settings.reports = reports_for(options, config, settings.single);
+    settings.update = updates_for(options, environment);
+    settings.color = wants_color(options.color, environment);
+    return settings;
+}
+
+RunSettings settle_reports(const RunOptions& options, const Environment& environment) {
+    RunSettings settings;
+    settings.reports = reports_for(options, WalksConfig(), false);
+    settings.color = wants_color(options.color, environment);
+    return settings;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,63 @@
+#include "tools/campuswalk/run/plan/selector.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+
+namespace campuswalk::tools {
+
+namespace {
+
+std::unique_ptr<re2::RE2> compiled(const std::string& regex, const scene::SourceMark& mark) {
+    re2::RE2::Options options;
+    options.set_log_errors(false);
+    auto expression = std::make_unique<re2::RE2>(regex, options);
+    if (!expression->ok()) {
+        throw scene::InputError(mark, "bad-regex",
+                                "'" + regex + "' is no regular expression: " + expression->error());
+    }
+    return expression;
+}
+
+}  // namespace
+
+Selector::Selector() = default;
+Selector::~Selector() = default;
+Selector::Selector(Selector&&) noexcept = default;
+Selector& Selector::operator=(Selector&&) noexcept = default;
+
+void Selector::require(const std::string& regex, const scene::SourceMark& mark) {
+    required_.push_back(compiled(regex, mark));
+}
+
+void Selector::refuse(const std::string& regex, const scene::SourceMark& mark) {
+    refused_.push_back(compiled(regex, mark));
+}
+
+void Selector::require_tag(const std::vector<std::string>& tags) {
+    if (!tags.empty()) {
+        tags_.push_back(tags);
+    }
+}
+
+bool Selector::found_by_expressions(const std::string& text) const {
+    const auto finds = [&](const auto& expression) { return re2::RE2::PartialMatch(text, *expression); };
+    return std::ranges::all_of(required_, finds) && std::ranges::none_of(refused_, finds);
+}
+
+bool Selector::takes(const std::string& file, const std::string& name,
+                     const std::vector<std::string>& tags) const {
+    std::string text = file + " " + name;
+    for (const std::string& tag : tags) {
+        text += " " + tag;
+    }
+    const auto has = [&](const std::string& tag) { return std::ranges::find(tags, tag) != tags.end(); };
+    return found_by_expressions(text) &&
+           std::ranges::all_of(tags_, [&](const auto& any) { return std::ranges::any_of(any, has); });
+}
+
+bool Selector::may_take(const std::string& file, const std::string& name) const {
+    return found_by_expressions(file + " " + name);
+}
+
+}  // namespace campuswalk::tools

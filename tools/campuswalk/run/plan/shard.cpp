@@ -1,0 +1,108 @@
+#include "tools/campuswalk/run/plan/shard.h"
+
+#include <charconv>
+
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+constexpr int kMostShards = 1'000'000;
+
+std::optional<int> whole_number(const std::string& text) {
+    int value = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    const bool holds = result.ec == std::errc() && result.ptr == end && !text.empty();
+    return holds && value >= 0 ? std::optional(value) : std::nullopt;
+}
+
+[[noreturn]] void refuse(const std::string& variable, const std::string& why) {
+    throw scene::InputError({variable, 0, 0}, "bad-shard",
+                            why + "; mend the variables, or say --shard=1/1 for all walks");
+}
+
+int number_in(const Environment& environment, const std::string& name) {
+    const std::optional<std::string> text = environment(name);
+    if (!text) {
+        refuse(name, "the variable isn't set, but others are that only make sense with it");
+    }
+    const std::optional<int> value = whole_number(*text);
+    if (!value) {
+        refuse(name, "'" + *text + "' is no whole number");
+    }
+    return *value;
+}
+
+Shard checked(int index, int count, const std::string& from) {
+    if (count < 1 || count > kMostShards || index >= count) {
+        refuse(from, "index " + std::to_string(index) + ", from 0, is none of " + std::to_string(count) +
+                         " shards");
+    }
+    return {index, count, from, ""};
+}
+
+Shard slurm_shard(const Environment& environment) {
+    const std::string name = "SLURM_ARRAY_TASK_ID";
+    const int least = number_in(environment, "SLURM_ARRAY_TASK_MIN");
+    const int step =
+        environment("SLURM_ARRAY_TASK_STEP") ? number_in(environment, "SLURM_ARRAY_TASK_STEP") : 1;
+    const int past = number_in(environment, name) - least;
+    if (step < 1 || past < 0 || past % step != 0) {
+        refuse(name, "it is none of those from SLURM_ARRAY_TASK_MIN on in SLURM_ARRAY_TASK_STEPs");
+    }
+    return checked(past / step, number_in(environment, "SLURM_ARRAY_TASK_COUNT"), name);
+}
+
+}  // namespace
+
+std::optional<Shard> parse_shard(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) {
+        return std::nullopt;
+    }
+    const std::optional<int> number = whole_number(text.substr(0, slash));
+    const std::optional<int> count = whole_number(text.substr(slash + 1));
+    if (!number || !count || *number < 1 || *number > *count || *count > kMostShards) {
+        return std::nullopt;
+    }
+    return Shard{*number - 1, *count, "--shard", ""};
+}
+
+std::optional<Shard> shard_from(const Environment& environment) {
+    const std::string index = "CAMPUSWALK_SHARD_INDEX";
+    const std::string count = "CAMPUSWALK_SHARD_COUNT";
+    if (environment(index)) {
+        return checked(number_in(environment, index), number_in(environment, count), index);
+    }
+    if (environment("TEST_TOTAL_SHARDS")) {
+        Shard shard = checked(number_in(environment, "TEST_SHARD_INDEX"),
+                              number_in(environment, "TEST_TOTAL_SHARDS"), "TEST_SHARD_INDEX");
+        shard.status_file = environment("TEST_SHARD_STATUS_FILE").value_or("");
+        return shard;
+    }
+    if (environment("SLURM_ARRAY_TASK_ID")) {
+        return slurm_shard(environment);
+    }
+    // Indexed jobs that have nothing to do with shards set the index too.
+    if (environment("JOB_COMPLETION_INDEX") && environment(count)) {
+        return checked(number_in(environment, "JOB_COMPLETION_INDEX"), number_in(environment, count),
+                       "JOB_COMPLETION_INDEX");
+    }
+    if (environment(count)) {
+        refuse(index, "CAMPUSWALK_SHARD_COUNT is set, but not which of them this is");
+    }
+    return std::nullopt;
+}
+
+Slice slice_of(std::size_t total, const Shard& shard) {
+    const auto count = static_cast<std::size_t>(shard.count);
+    const auto start = [&](std::size_t index) {
+        return total / count * index + total % count * index / count;
+    };
+    const auto index = static_cast<std::size_t>(shard.index);
+    return {start(index), start(index + 1)};
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,224 @@
+#include "tools/campuswalk/run/results/last_run.h"
+
+#include <unistd.h>
+
+#include <bit>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+#include <variant>
+
+#include "engine/report/result_json.h"
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+using engine::Outcome;
+
+namespace {
+
+constexpr const char* kHeaderKey = "campuswalk_last_run";
+constexpr double kSyncEvery = 0.2;  // seconds: a disk takes milliseconds for each, a walk less
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string contents_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+[[noreturn]] void refuse(const fs::path& file, int line, const std::string& why) {
+    throw scene::InputError({file.generic_string(), line, line > 0 ? 1 : 0}, "bad-last-run",
+                            why + "; delete the file and run everything once more");
+}
+
+/// FNV-1a.
+class Digest {
+public:
+    void add(std::string_view bytes) {
+        for (const char byte : bytes) {
+            value_ = (value_ ^ static_cast<unsigned char>(byte)) * 1'099'511'628'211U;
+        }
+        value_ = (value_ ^ 0xFFU) * 1'099'511'628'211U;  // so that "a", "b" isn't "ab"
+    }
+    void add(double number) { add(std::to_string(std::bit_cast<std::uint64_t>(number))); }
+    std::string text() const { return std::to_string(value_); }
+
+private:
+    std::uint64_t value_ = 14'695'981'039'346'656'037U;
+};
+
+/// Files are read once, models not at all.
+class PlanDigest {
+public:
+    void add(const Case& each) {
+        digest_.add(each.result.id);
+        if (!each.walk) {
+            return;
+        }
+        const engine::Walk& walk = each.walk->walk;
+        add_contents(walk.mark.file);
+        for (const engine::Step& step : walk.steps) {
+            add_contents(std::visit([](const auto& any) { return any.mark.file; }, step));
+        }
+        add_contents(walk.campus);
+        for (const scene::SceneFile& scene : each.walk->campus->description.scenes) {
+            add_stamp(scene.path);
+        }
+        add_avatar(walk.avatar);
+        digest_.add(std::to_string(walk.sim.seed));
+        digest_.add(walk.timeout.value_or(-1.0));
+    }
+
+    std::string text() const { return digest_.text(); }
+
+private:
+    void add_contents(const fs::path& file) {
+        const auto [known, is_new] = known_.try_emplace(file.generic_string());
+        if (is_new) {
+            Digest digest;
+            digest.add(contents_of(file));
+            known->second = digest.text();
+        }
+        digest_.add(known->second);
+    }
+
+    void add_stamp(const fs::path& file) {
+        std::error_code none;
+        digest_.add(std::to_string(fs::file_size(file, none)));
+        digest_.add(std::to_string(fs::last_write_time(file, none).time_since_epoch().count()));
+    }
+
+    void add_avatar(const engine::AvatarProfile& avatar) {
+        for (const double number : {avatar.height, avatar.radius, avatar.eye_height, avatar.speed,
+                                    avatar.run_speed.value_or(-1.0), avatar.step_height, avatar.max_slope,
+                                    avatar.skin_width, avatar.turn_speed, avatar.look_distance}) {
+            digest_.add(number);
+        }
+        for (const std::string& layer : avatar.ignore_layers) {
+            digest_.add(layer);
+        }
+    }
+
+    Digest digest_;
+    std::map<std::string, std::string> known_;
+};
+
+}  // namespace
+
+fs::path last_run_file(const fs::path& output) {
+    return output / "last-run.jsonl";
+}
+
+std::optional<LastRun> read_last_run(const fs::path& file) {
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) {
+        return std::nullopt;
+    }
+    const std::string bytes = contents_of(file);
+    LastRun run;
+    int number = 0;
+    for (std::size_t start = 0; start < bytes.size();) {
+        const std::size_t end = bytes.find('\n', start);
+        if (end == std::string::npos) {
+            break;  // cut short
+        }
+        const std::string line = bytes.substr(start, end - start);
+        ++number;
+        try {
+            if (number == 1) {
+                run.plan = nlohmann::json::parse(line).at(kHeaderKey).get<std::string>();
+            } else {
+                run.results.push_back(engine::result_from_json_line(line));
+            }
+        } catch (const std::exception& error) {
+            refuse(file, number, error.what());
+        }
+        start = end + 1;
+        run.whole_bytes = start;
+    }
+    if (number == 0) {
+        return std::nullopt;
+    }
+    return run;
+}
+
+std::set<std::string> failed_ids(const LastRun& run) {
+    std::set<std::string> ids;
+    for (const engine::WalkResult& result : run.results) {
+        if (result.outcome != Outcome::passed && result.outcome != Outcome::skipped) {
+            ids.insert(result.id);
+        } else {
+            ids.erase(result.id);  // a resumed run has played it again
+        }
+    }
+    return ids;
+}
+
+std::string fingerprint(const Plan& plan) {
+    PlanDigest digest;
+    for (const Case& each : plan.cases) {
+        digest.add(each);
+    }
+    return digest.text();
+}
+
+LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan) : name_(file) {
+    std::error_code none;
+    if (!file.parent_path().empty()) {
+        fs::create_directories(file.parent_path(), none);
+    }
+    file_.reset(std::fopen(file.c_str(), "wb"));
+    write_line(nlohmann::ordered_json{{kHeaderKey, plan}}.dump());
+    sync();
+}
+
+LastRunWriter::LastRunWriter(const fs::path& file, const LastRun& run) : name_(file) {
+    fs::resize_file(file, run.whole_bytes);
+    file_.reset(std::fopen(file.c_str(), "ab"));
+}
+
+void LastRunWriter::add(const std::string& result_line) {
+    write_line(result_line);
+    sync_if_due();
+}
+
+void LastRunWriter::write_line(const std::string& line) {
+    const bool written = file_ && std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
+                         std::fputc('\n', file_.get()) != EOF && std::fflush(file_.get()) == 0;
+    if (!written) {
+        throw std::runtime_error("results can't be kept in " + name_.generic_string() + ": " +
+                                 std::generic_category().message(errno));
+    }
+    unsynced_ = true;
+}
+
+void LastRunWriter::sync_if_due() {
+    if (unsynced_ && seconds_now() - synced_at_ > kSyncEvery) {
+        sync();
+    }
+}
+
+void LastRunWriter::sync() {
+    fdatasync(fileno(file_.get()));  // some file systems can't, and then nothing is lost that wasn't before
+    unsynced_ = false;
+    synced_at_ = seconds_now();
+}
+
+void LastRunWriter::close() {
+    if (unsynced_) {
+        sync();
+    }
+    file_.reset();
+}
+
+}  // namespace campuswalk::tools

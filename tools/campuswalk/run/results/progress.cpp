@@ -1,0 +1,67 @@
+#include "tools/campuswalk/run/results/progress.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "engine/events/decimals.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+constexpr std::size_t kWidth = 30;  // characters
+
+std::string bar(double share) {
+    const auto filled = static_cast<std::size_t>(kWidth * std::clamp(share, 0.0, 1.0));
+    return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] ";
+}
+
+}  // namespace
+
+Progress::Progress(bool wanted, std::size_t total) : wanted_(wanted), total_(total) {}
+
+void Progress::count(bool good) {
+    hide();
+    ++done_;
+    failed_ += good ? 0 : 1;
+    walk_.clear();
+}
+
+void Progress::walk_is_at(std::string_view walk, double seconds, std::optional<double> planned) {
+    hide();
+    walk_.assign(walk).append(" at ").append(engine::fixed(seconds, 1));
+    // It may have been held up, and then nobody knows how long it still takes.
+    const bool known = planned && *planned > 0.0 && seconds <= *planned;
+    walk_ += known ? " of " + engine::fixed(*planned, 1) + " s" : " s";
+    share_ = known ? std::optional(seconds / *planned) : std::nullopt;
+    show();
+}
+
+std::string Progress::line() const {
+    if (total_ == 1) {
+        return (share_ ? bar(*share_) : "") + walk_;
+    }
+    return bar(static_cast<double>(done_) / static_cast<double>(total_)) + std::to_string(done_) + "/" +
+           std::to_string(total_) + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "") +
+           (walk_.empty() ? "" : ", ") + walk_;
+}
+
+void Progress::show() {
+    if (!wanted_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
+        return;
+    }
+    std::fputs(line().c_str(), stderr);
+    std::fflush(stderr);
+    shown_ = true;
+}
+
+void Progress::hide() {
+    if (shown_) {
+        std::fputs("\r\x1b[K", stderr);
+        std::fflush(stderr);
+        shown_ = false;
+    }
+}
+
+}  // namespace campuswalk::tools

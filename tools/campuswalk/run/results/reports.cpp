@@ -1,0 +1,108 @@
+#include "tools/campuswalk/run/results/reports.h"
+
+#include <system_error>
+
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/writable_path.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* code_for(const ReportTarget& target) {
+    return target.name == "log" || target.name == "jsonl-log" ? "log-unwritable" : "report-unwritable";
+}
+
+scene::InputError about(const ReportTarget& target, const std::string& message) {
+    return scene::InputError({target.file->string(), 0, 0}, code_for(target), message);
+}
+
+std::string thing(const ReportTarget& target) {
+    return std::string(code_for(target)).starts_with("log") ? "log" : "report";
+}
+
+void check_target(const ReportTarget& target) {
+    if (target.file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
+        throw about(target, "a " + thing(target) + " would overwrite this YAML file; name another");
+    }
+    if (const std::string why = why_file_unwritable(*target.file); !why.empty()) {
+        throw about(target, "the " + thing(target) + " can't be written here: " + why);
+    }
+}
+
+}  // namespace
+
+void check_targets(const std::vector<ReportTarget>& reports) {
+    const auto same_for_all = [](const fs::path& file) {
+        std::error_code none;
+        return fs::weakly_canonical(fs::absolute(file, none), none);
+    };
+    std::vector<fs::path> taken;
+    for (const ReportTarget& target : reports) {
+        if (!target.file) {
+            continue;
+        }
+        check_target(target);
+        const fs::path file = same_for_all(*target.file);
+        for (const fs::path& other : taken) {
+            if (file == other) {
+                throw about(target, "another log or report goes here already; each needs a file of its own");
+            }
+        }
+        taken.push_back(file);
+    }
+}
+
+Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs) {
+    for (const ReportTarget& target : targets) {
+        const bool is_log = target.name == "log";
+        if (is_log && !with_logs) {
+            continue;
+        }
+        LogOutput* output =
+            outputs_.emplace_back(std::make_unique<LogOutput>(!target.file, target.file)).get();
+        if (is_log) {
+            logs_.push_back(output);
+            continue;
+        }
+        engine::ReportStyle own = style;
+        own.color = style.color && !target.file;
+        reporters_.push_back(engine::make_reporter(
+            target.name, [output](std::string_view text) { output->write(text); }, own));
+        prints_outcomes_ = prints_outcomes_ || !target.file;
+    }
+}
+
+void Reports::begin(std::size_t cases) {
+    for (const auto& reporter : reporters_) {
+        reporter->begin(cases);
+    }
+}
+
+void Reports::log(std::string_view lines) {
+    for (LogOutput* output : logs_) {
+        output->write(lines);
+    }
+}
+
+void Reports::result(const engine::WalkResult& result) {
+    for (const auto& reporter : reporters_) {
+        reporter->result(result);
+    }
+    for (LogOutput* output : logs_) {
+        output->flush();
+    }
+}
+
+void Reports::end(const engine::RunReport& report) {
+    for (const auto& reporter : reporters_) {
+        reporter->end(report);
+    }
+    for (const auto& output : outputs_) {
+        output->flush();
+    }
+}
+
+}  // namespace campuswalk::tools

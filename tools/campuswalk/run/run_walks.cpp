@@ -1,0 +1,281 @@
+#include "tools/campuswalk/run/run_walks.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/run/plan/list_cases.h"
+#include "tools/campuswalk/run/plan/plan.h"
+#include "tools/campuswalk/run/plan/run_settings.h"
+#include "tools/campuswalk/run/results/last_run.h"
+#include "tools/campuswalk/run/results/reports.h"
+#include "tools/campuswalk/run/session.h"
+#include "tools/campuswalk/run/watch.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+scene::InputError about(const fs::path& what, const char* code, const std::string& message) {
+    return scene::InputError(scene::SourceMark{what.string(), 0, 0}, code, message);
+}
+
+bool takes_images(const Case& each) {
+    return each.walk && std::ranges::any_of(each.walk->walk.steps, [](const engine::Step& step) {
+               return std::holds_alternative<engine::SnapshotStep>(step);
+           });
+}
+
+std::ptrdiff_t expectations_about_images(const Plan& plan) {
+    std::ptrdiff_t count = 0;
+    for (const Case& each : plan.cases) {
+        count += each.walk ? std::ranges::count_if(each.walk->walk.expectations, engine::is_about_images) : 0;
+    }
+    return count;
+}
+
+bool is_bad(const Case& each) {
+    return each.result.outcome == engine::Outcome::bad_input;
+}
+
+Selector selector_for(const RunOptions& options) {
+    Selector selector;
+    if (options.grep) {
+        selector.require(*options.grep, {"--grep", 0, 0});
+    }
+    if (options.grep_invert) {
+        selector.refuse(*options.grep_invert, {"--grep-invert", 0, 0});
+    }
+    selector.require_tag(options.tags);
+    return selector;
+}
+
+/// A run of one command line, from what is wanted to the exit code.
+class Run {
+public:
+    Run(const RunOptions& options, RunSettings settings)
+        : options_(options), settings_(std::move(settings)), keeps_results_(!settings_.single) {}
+
+    int run() {
+        images_ = wants_images(options_.backend);
+        check_sequence();
+        read_last_run_if_wanted();
+        Plan plan =
+            make_plan(settings_, {selector_for(options_), wanted_ids(), options_.repeat_each, options_.seed});
+        note_shard();
+        if (plan.selected == 0) {
+            return nothing_selected(plan);
+        }
+        if (options_.list) {
+            list_cases(plan);
+            return exit_code_of_list(plan);
+        }
+        plays_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
+        const bool bad = plan.cases.size() == 1 && is_bad(plan.cases.front());
+        if (settings_.single && bad && options_.reporters.empty()) {
+            return kBadInput;
+        }
+        check_outputs(plan);
+        return play(std::move(plan));
+    }
+
+private:
+    void check_sequence() const {
+        if (options_.sequence.any() && !images_) {
+            throw about("--every", "bad-value",
+                        can_draw() ? "no pictures are drawn with --rendering-backend none"
+                                   : "this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+        }
+        if (options_.sequence.video && !can_make_videos()) {
+            throw about(
+                "--video", "bad-value",
+                "the program ffmpeg makes videos, and it isn't installed: apt-get install ffmpeg, or use "
+                "--animation apng");
+        }
+    }
+
+    void read_last_run_if_wanted() {
+        if (!options_.last_failed && !options_.resume) {
+            return;
+        }
+        const fs::path file = last_run_file(settings_.output);
+        last_run_ = read_last_run(file);
+        if (!last_run_) {
+            throw about(file, "missing-file",
+                        "nothing is known of a last run; run without --last-failed and --resume first");
+        }
+        const auto is_log = [](const ReportTarget& target) { return target.name == "log"; };
+        if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
+            throw about("--resume", "bad-value",
+                        "logs of walks that have been played aren't kept; ask for reports alone, as in "
+                        "--reporter list");
+        }
+    }
+
+    std::optional<std::set<std::string>> wanted_ids() const {
+        return options_.last_failed ? std::optional(failed_ids(*last_run_)) : std::nullopt;
+    }
+
+    void note_shard() const {
+        if (!settings_.shard) {
+            return;
+        }
+        const Shard& shard = *settings_.shard;
+        if (!shard.status_file.empty()) {
+            const std::ofstream touched(shard.status_file, std::ios::app);
+        }
+        if (shard.from != "--shard") {
+            diagnostic_line("shard " + std::to_string(shard.index + 1) + " of " +
+                            std::to_string(shard.count) + " (" + shard.from + ")");
+        }
+    }
+
+    int nothing_selected(const Plan& plan) const {
+        if (options_.pass_with_no_tests) {
+            return kPass;
+        }
+        diagnostic_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
+                                        : "none of the walks found, " + std::to_string(plan.files) +
+                                              ", is selected; see --list");
+        return kNothingSelected;
+    }
+
+    static int exit_code_of_list(const Plan& plan) {
+        return std::ranges::any_of(plan.cases, is_bad) ? kBadInput : kPass;
+    }
+
+    /// What can't be written is seen before the walks, not after their first minute, and before anything is
+    /// overwritten.
+    void check_outputs(const Plan& plan) const {
+        std::vector<ReportTarget> targets = settings_.reports;
+        if (options_.jsonl) {
+            targets.push_back({"jsonl-log", options_.jsonl});
+        }
+        check_targets(targets);
+        for (const Case& each : plan.cases) {
+            const bool draws = images_ && (takes_images(each) || (each.walk && options_.sequence.any()));
+            if (!draws && options_.records.empty()) {
+                continue;
+            }
+            const fs::path folder = settings_.output / each.folder;
+            if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
+                throw about(folder, "output-unwritable",
+                            std::string(draws ? "pictures" : "records") + " can't be saved here: " + why);
+            }
+        }
+        if (!keeps_results_) {
+            return;
+        }
+        const fs::path file = last_run_file(settings_.output);
+        if (const std::string why = why_file_unwritable(file); !why.empty()) {
+            throw about(file, "output-unwritable", "results can't be kept here: " + why);
+        }
+    }
+
+    std::unique_ptr<LastRunWriter> open_last_run(const Plan& plan) const {
+        if (!keeps_results_) {
+            return nullptr;
+        }
+        const fs::path file = last_run_file(settings_.output);
+        const std::string print = fingerprint(plan);
+        if (!options_.resume) {
+            return std::make_unique<LastRunWriter>(file, print);
+        }
+        if (last_run_->plan != print) {
+            throw about(
+                file, "other-run",
+                "the last run had other walks, files or options than this one, so it can't be gone on "
+                "with; run without --resume");
+        }
+        return std::make_unique<LastRunWriter>(file, *last_run_);
+    }
+
+    int play(Plan plan) {
+        if (!images_ && options_.backend == engine::render::RenderingBackend::automatic &&
+            std::ranges::any_of(plan.cases, takes_images)) {
+            diagnostic_line("this build has no rendering: snapshots are logged but not drawn");
+        }
+        if (const std::ptrdiff_t not_evaluated = images_ ? 0 : expectations_about_images(plan);
+            not_evaluated > 0) {
+            diagnostic_line("no pictures are drawn: " + std::to_string(not_evaluated) +
+                            (not_evaluated == 1 ? " expectation about them isn't judged"
+                                                : " expectations about them aren't judged"));
+        }
+        const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
+        Reports reports(settings_.reports,
+                        {settings_.color, options_.quiet, settings_.output.generic_string()}, plays_);
+        std::unique_ptr<LogOutput> events;
+        if (options_.jsonl && plays_) {
+            events = std::make_unique<LogOutput>(false, options_.jsonl);
+        }
+        Session session(std::move(plan), session_settings(reports, events != nullptr), reports, events.get(),
+                        last_run.get());
+        if (options_.resume) {
+            session.take_over(last_run_->results);
+        }
+        return session.run();
+    }
+
+    SessionSettings session_settings(const Reports& reports, bool events) const {
+        SessionSettings session;
+        session.play.output = settings_.output;
+        session.play.images = images_;
+        session.backend = options_.backend;
+        session.play.log = reports.wants_log();
+        session.play.events = events;
+        session.play.records = options_.records;
+        session.play.sequence = options_.sequence;
+        session.play.update = settings_.update;
+        session.play.tolerance = settings_.tolerance;
+        session.pool.workers = static_cast<std::size_t>(settings_.workers);
+        session.pool.kill_after = settings_.kill_after;
+        session.max_failures = settings_.max_failures;
+        session.require_identical = options_.require_identical;
+        session.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
+        session.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
+        session.play.place = session.progress;
+        return session;
+    }
+
+    const RunOptions& options_;
+    RunSettings settings_;
+    bool keeps_results_;
+    bool images_ = false;
+    bool plays_ = false;
+    std::optional<LastRun> last_run_;
+};
+
+}  // namespace
+
+int run_walks(const RunOptions& options) {
+    RunSettings settings = settle(options, environment_variable);
+    if (options.print_config) {
+        std::printf("%s\n", to_json(settings, options).c_str());
+        return kPass;
+    }
+    if (options.watch) {
+        return watch_and_run(settings, [&](const std::vector<fs::path>& changed) {
+            RunSettings again = settle(options, environment_variable);
+            if (!changed.empty()) {
+                again.paths = changed;
+            }
+            return Run(options, std::move(again)).run();
+        });
+    }
+    return Run(options, std::move(settings)).run();
+}
+
+}  // namespace campuswalk::tools

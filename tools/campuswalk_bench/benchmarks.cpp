@@ -1,0 +1,143 @@
+#include "tools/campuswalk_bench/benchmarks.h"
+
+#include <cstdio>
+#include <iterator>
+#include <stdexcept>
+
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk_bench/campus/campus_cases.h"
+#include "tools/campuswalk_bench/draw/draw_bench.h"
+#include "tools/campuswalk_bench/import/import_cases.h"
+#include "tools/campuswalk_bench/measure/summary.h"
+#include "tools/campuswalk_bench/measure/write_csv.h"
+#include "tools/campuswalk_bench/pairs/pair_case.h"
+#include "tools/campuswalk_bench/pairs/table1_case.h"
+#include "tools/campuswalk_bench/trees/tree_cases.h"
+#include "tools/campuswalk_bench/walk/walk_bench.h"
+
+namespace campuswalk::tools {
+
+using namespace bench;
+
+namespace {
+
+constexpr int kMillionFineness = 11;
+constexpr int kLotsOfTwoMillion = 17;
+
+int rounds_of(const BenchOptions& options, int as_it_is_worth) {
+    if (options.rounds > 0) {
+        return options.rounds;
+    }
+    return options.quick ? 1 : as_it_is_worth;
+}
+
+CaseResult table1(const BenchOptions& options) {
+    return run_table1(rounds_of(options, 25), options.mixed, options.plot);
+}
+
+CaseResult million(const BenchOptions& options) {
+    return run_pair_case(finer_scene(options.quick ? 2 : kMillionFineness), rounds_of(options, 7));
+}
+
+CaseResult nested(const BenchOptions& options) {
+    return run_pair_case(nested_scene(), rounds_of(options, 25));
+}
+
+CaseResult trees(const BenchOptions& options) {
+    return run_tree_cases(rounds_of(options, 9));
+}
+
+CaseResult campus(const BenchOptions& options) {
+    return run_campus_cases(options.quick ? CampusSize{1, 100, 100, 50} : CampusSize{},
+                            rounds_of(options, 11));
+}
+
+CaseResult import(const BenchOptions& options) {
+    return run_import_cases(options.quick ? 1 : kLotsOfTwoMillion, rounds_of(options, 7), options.models);
+}
+
+constexpr BenchCommand kCommands[] = {
+    {"table1",
+     "The paper's Table I anew: a teapot goes through a cylinder, every variant of the tree and every other "
+     "engine that is built"},
+    {"million", "The same teapot and cylinder of a million triangles each, in one placement"},
+    {"nested", "A cylinder within a cylinder, 2 cm apart all around"},
+    {"trees", "Time and memory that the trees themselves take"},
+    {"campus", "Rays, avatars and closest points on a campus of half a million triangles"},
+    {"import", "GLB files of 2 million triangles, read by the import's helper and by assimp"},
+    {kBenchWalk,
+     "The avatar's mover beside Bullet's on campuses of up to 2 million triangles: where it gets to, where "
+     "it "
+     "mustn't, and how fast"},
+    {kBenchDraw,
+     "Pictures of campuses of half a million and two million triangles, beside other programs that draw"},
+};
+// `walk` and `draw` have a CSV of their own, so they are none of these.
+constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus, import};
+static_assert(std::size(kCommands) == std::size(kCases) + 2);
+
+void check_output(const std::filesystem::path& file) {
+    if (const std::string why = file.empty() ? "" : why_file_unwritable(file); !why.empty()) {
+        throw scene::InputError({file.string(), 0, 0}, "output-unwritable",
+                                "the results can't be written here: " + why);
+    }
+}
+
+/// Draws, as far as this build can.
+void draw(const BenchOptions& options) {
+    if (!can_draw()) {
+        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+    }
+    DrawBench bench{rounds_of(options, 5), options.quick, options.csv, options.folder, {}};
+    for (const std::string& peer : options.peers) {
+        const std::size_t equals = peer.find('=');
+        bench.peers.push_back({peer.substr(0, equals), peer.substr(equals + 1)});
+    }
+    run_draw_bench(bench);
+}
+
+}  // namespace
+
+std::span<const BenchCommand> bench_commands() {
+    return kCommands;
+}
+
+int run_bench(const BenchOptions& options) {
+    if (!options.plot.empty() && !can_draw()) {
+        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+    }
+    check_output(options.csv);
+    check_output(options.plot);
+    if (options.quick) {
+        std::printf("Small scenes and few rounds: this shows that it works, not how fast.\n");
+    }
+    if (options.which == kBenchWalk) {
+        const bool right = run_walk_bench(rounds_of(options, 7), options.quick, options.csv);
+        return right ? kPass : kExpectationFailed;
+    }
+    if (options.which == kBenchDraw) {
+        draw(options);
+        return kPass;
+    }
+    CaseResult all;
+    for (std::size_t i = 0; i < std::size(kCases); ++i) {
+        if (options.which == kBenchAll) {
+            std::printf("\n== %s\n", kCommands[i].name);
+        } else if (options.which != kCommands[i].name) {
+            continue;
+        }
+        const CaseResult one = kCases[i](options);
+        std::fflush(stdout);
+        all.rows.insert(all.rows.end(), one.rows.begin(), one.rows.end());
+        all.ours_right = all.ours_right && one.ours_right;
+    }
+    print_summary(all.rows);
+    if (!options.csv.empty()) {
+        write_csv(all.rows, options.csv);
+    }
+    return all.ours_right ? kPass : kExpectationFailed;
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,96 @@
+#include "tools/campuswalk_bench/draw/draw_peers.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/render/passes/render_settings.h"
+#include "tools/campuswalk_bench/draw/looks.h"
+
+namespace campuswalk::tools::bench {
+
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+
+nlohmann::json list_of(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+/// In the shell's quotes.
+std::string quoted(const std::string& text) {
+    std::string word = "'";
+    for (const char c : text) {
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return word + "'";
+}
+
+}  // namespace
+
+void write_views(const std::vector<DrawnView>& views, int rounds, const std::filesystem::path& folder) {
+    const engine::render::RenderSettings ours;
+    nlohmann::json all = {
+        {"width", kDrawnWidth}, {"height", kDrawnHeight},         {"fov_deg", kDrawnFov * kDegrees},
+        {"rounds", rounds},     {"to_sun", list_of(ours.to_sun)}, {"shadow_size", ours.shadow_size}};
+    for (const DrawnView& view : views) {
+        all["views"].push_back({{"eye", list_of(view.eye)}, {"target", list_of(view.target)}});
+    }
+    std::ofstream out(folder / "views.json");
+    out << all.dump(1) << '\n';
+    out.close();
+    if (!out) {
+        throw std::runtime_error("'" + (folder / "views.json").string() + "' couldn't be written");
+    }
+}
+
+std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& printed) {
+    std::vector<DrawTimes> looks;
+    std::istringstream lines(printed);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        std::string look;
+        DrawnFrame frame;
+        if (!(words >> kind >> look >> frame.view >> frame.ms) || kind != "frame") {
+            continue;
+        }
+        auto times = std::find_if(looks.begin(), looks.end(),
+                                  [&](const DrawTimes& each) { return each.look == look; });
+        if (times == looks.end()) {
+            times = looks.insert(looks.end(), DrawTimes{peer, look, {}, {}});
+        }
+        times->frames.push_back(frame);
+    }
+    if (looks.empty()) {
+        throw std::runtime_error("it drew no frame");
+    }
+    return looks;
+}
+
+std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::path& folder) {
+    const std::string line = peer.command + " " + quoted(std::filesystem::absolute(folder).string());
+    FILE* pipe = popen(line.c_str(), "r");  // NOLINT(cert-env33-c): the user's own command line
+    if (pipe == nullptr) {
+        throw std::runtime_error("its command can't be run");
+    }
+    std::string printed;
+    std::array<char, 4096> piece{};
+    while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), pipe)) {
+        printed.append(piece.data(), count);
+    }
+    const int status = pclose(pipe);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw std::runtime_error("its command failed");
+    }
+    return read_frames(peer.name, printed);
+}
+
+}  // namespace campuswalk::tools::bench

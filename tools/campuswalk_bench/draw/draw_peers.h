@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/campuswalk_bench/draw/draw_times.h"
+#include "tools/campuswalk_bench/draw/drawn_campus.h"
+
+namespace campuswalk::tools::bench {
+
+/// Another program that draws: `command` is a line for the shell.
+struct DrawPeer {
+    std::string name;
+    std::string command;
+};
+
+/// Writes `folder`/views.json: the size, the field of view and the views that peers draw, and how often.
+void write_views(const std::vector<DrawnView>& views, int rounds, const std::filesystem::path& folder);
+
+/// Runs the peer with the folder, which holds campus.glb and views.json, as its argument. It prints a line a
+/// frame, `frame LOOK VIEW MS`, and may print others. Throws std::runtime_error when it fails, or prints no
+/// frame.
+std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::path& folder);
+
+/// Likewise, from what it printed.
+std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& printed);
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,159 @@
+#include "tools/campuswalk_bench/draw/draw_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "engine/events/decimals.h"
+
+namespace campuswalk::tools::bench {
+
+namespace {
+
+const DrawTimes* find(const DrawnCampus& campus, const std::string& engine, const std::string& look) {
+    const auto found = std::find_if(campus.looks.begin(), campus.looks.end(), [&](const DrawTimes& times) {
+        return times.engine == engine && times.look == look;
+    });
+    return found == campus.looks.end() ? nullptr : &*found;
+}
+
+/// How many times as long as ours the engine takes for the same look.
+std::optional<double> times_ours(const DrawnCampus& campus, const std::string& engine,
+                                 const std::string& look, const char* our_way = kOurs) {
+    const DrawTimes* ours = find(campus, our_way, look);
+    const DrawTimes* theirs = find(campus, engine, look);
+    if (ours == nullptr || theirs == nullptr) {
+        return std::nullopt;
+    }
+    return median_ms(*theirs) / median_ms(*ours);
+}
+
+std::optional<double> ours_ms(const DrawnCampus& campus, const std::string& look, const char* our_way) {
+    const DrawTimes* ours = find(campus, our_way, look);
+    return ours == nullptr ? std::nullopt : std::optional(median_ms(*ours));
+}
+
+/// What a frame of a campus of at most so many triangles may take.
+struct Allowance {
+    std::size_t most_triangles = 0;
+    double fxaa_ms = 0.0;
+    double msaa_ms = 0.0;
+};
+constexpr Allowance kAllowances[] = {{1000000, 50.0, 110.0}, {4000000, 85.0, 187.0}};
+
+void evaluate_times(const DrawnCampus& campus, const char* our_way, std::vector<DrawVerdict>& verdicts) {
+    const std::string of = ", " + campus.name + " of " + std::to_string(campus.triangles) + " triangles" +
+                           (our_way == std::string_view(kOurProcesses) ? ", by processes" : "");
+    const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
+        return campus.triangles <= each.most_triangles;
+    });
+    if (allowed != std::end(kAllowances)) {
+        verdicts.push_back({"a frame, shadows+fxaa" + of,
+                            ours_ms(campus, "shadows+fxaa", our_way),
+                            " ms",
+                            false,
+                            allowed->fxaa_ms,
+                            {}});
+        verdicts.push_back({"a frame, shadows+msaa4" + of,
+                            ours_ms(campus, "shadows+msaa4", our_way),
+                            " ms",
+                            false,
+                            allowed->msaa_ms,
+                            {}});
+    }
+    for (const char* look : {"no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4"}) {
+        verdicts.push_back({std::string(look) + of, times_ours(campus, "three.js", look, our_way),
+                            "x as long in three.js", true, 2.0, 4.0});
+    }
+    for (const char* look : {"no-aa", "fxaa", "msaa4"}) {
+        verdicts.push_back({std::string(look) + of,
+                            times_ours(campus, "vtk", look, our_way),
+                            "x as long in VTK",
+                            true,
+                            3.0,
+                            {}});
+    }
+}
+
+}  // namespace
+
+void print_draw_table(const DrawnCampus& campus) {
+    std::printf("%-12s%-16s%9s%9s%9s%9s%12s\n", "", "ms a frame", "median", "mean", "least", "cpu",
+                "times ours");
+    for (const DrawTimes& times : campus.looks) {
+        std::printf("%-12s%-16s%9.1f%9.1f%9.1f", times.engine.c_str(), times.look.c_str(), median_ms(times),
+                    mean_ms(times), least_ms(times));
+        std::printf("%9s", times.cpu_ms ? engine::fixed(*times.cpu_ms, 1).c_str() : "");
+        const auto ratio = times_ours(campus, times.engine, times.look);
+        if (times.engine != kOurs && ratio) {
+            std::printf("%11.2fx", *ratio);
+        }
+        std::printf("\n");
+    }
+    std::printf("PNG of a picture: %.1f ms; memory of the default look, textures and maps too: %.1f MB\n",
+                campus.encode_ms, 1e-6 * static_cast<double>(campus.heap_bytes));
+}
+
+std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses) {
+    std::vector<DrawVerdict> verdicts;
+    for (const DrawnCampus& campus : campuses) {
+        evaluate_times(campus, kOurs, verdicts);
+        evaluate_times(campus, kOurProcesses, verdicts);
+    }
+    if (campuses.empty()) {
+        return verdicts;
+    }
+    const DrawnCampus& small = campuses.front();
+    const DrawnCampus& large = campuses.back();
+    std::optional<double> bytes;
+    if (large.triangles > small.triangles && small.heap_bytes > 0) {
+        bytes = (static_cast<double>(large.heap_bytes) - static_cast<double>(small.heap_bytes)) /
+                static_cast<double>(large.triangles - small.triangles);
+    }
+    verdicts.push_back({"memory a triangle, without textures", bytes, " bytes", false, 200.0, {}});
+    verdicts.push_back({"PNG of a picture", large.encode_ms, " ms", false, 20.0, {}});
+    return verdicts;
+}
+
+void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts) {
+    std::printf("\nAgainst what is to be reached, by medians\n");
+    for (const DrawVerdict& verdict : verdicts) {
+        if (!verdict.value) {
+            std::printf("  %-66snot measured\n", verdict.what.c_str());
+            continue;
+        }
+        std::printf("  %-66s%8.2f%-24s(must %g", verdict.what.c_str(), *verdict.value, verdict.unit,
+                    verdict.must);
+        if (verdict.aim) {
+            std::printf(", aim %g", *verdict.aim);
+        }
+        const bool is_aim = verdict.aim && *verdict.value >= *verdict.aim;
+        std::printf(")  %s\n", !verdict.holds() ? "MISSED" : is_aim ? "aim reached" : "reached");
+    }
+}
+
+void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesystem::path& file) {
+    if (file.has_parent_path()) {
+        std::filesystem::create_directories(file.parent_path());
+    }
+    std::ofstream out(file, std::ios::binary);
+    out << "campus,triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n";
+    for (const DrawnCampus& campus : campuses) {
+        for (const DrawTimes& times : campus.looks) {
+            const auto ratio = times_ours(campus, times.engine, times.look);
+            out << campus.name << ',' << campus.triangles << ',' << times.engine << ',' << times.look << ','
+                << engine::fixed(median_ms(times), 2) << ',' << engine::fixed(mean_ms(times), 2) << ','
+                << engine::fixed(least_ms(times), 2) << ','
+                << (times.cpu_ms ? engine::fixed(*times.cpu_ms, 2) : "") << ','
+                << (ratio ? engine::fixed(*ratio, 3) : "") << '\n';
+        }
+    }
+    out.close();
+    if (!out) {
+        throw std::runtime_error("'" + file.string() + "' couldn't be written");
+    }
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/campuswalk_bench/draw/draw_times.h"
+
+namespace campuswalk::tools::bench {
+
+/// All that was drawn of one campus.
+struct DrawnCampus {
+    std::string name;  ///< of its kind: "hills", "houses"
+    std::size_t triangles = 0;
+    std::vector<DrawTimes> looks;  ///< ours first
+    double encode_ms = 0.0;
+    std::size_t heap_bytes = 0;
+};
+
+void print_draw_table(const DrawnCampus& campus);
+
+/// What drawing is to reach.
+struct DrawVerdict {
+    std::string what;
+    std::optional<double> value;  ///< none when it wasn't measured
+    const char* unit = "";
+    bool more_is_better = false;
+    double must = 0.0;
+    std::optional<double> aim;
+
+    bool holds() const { return value && (more_is_better ? *value >= must : *value <= must); }
+};
+
+/// Milliseconds and ratios are of medians. Memory is what the triangles of the last campus take more than
+/// those of the first: textures, shadow maps and the image's own buffers are the same.
+std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses);
+void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts);
+
+/// A line a campus, engine and look. Throws std::runtime_error when it can't be written.
+void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesystem::path& file);
+
+}  // namespace campuswalk::tools::bench

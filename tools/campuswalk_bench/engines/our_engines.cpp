@@ -1,0 +1,107 @@
+#include "tools/campuswalk_bench/engines/our_engines.h"
+
+#include <map>
+#include <stdexcept>
+
+#include "collision/hybrid/hybrid_tree.h"
+#include "collision/mesh/mesh_collider.h"
+#include "collision/mesh/mesh_contacts.h"
+
+namespace campuswalk::tools::bench {
+
+using collision::HybridContactCounters;
+using collision::MeshCollider;
+using collision::NodeTest;
+using collision::Pose;
+using collision::SimdTarget;
+using collision::TriangleMesh;
+using collision::TrianglePair;
+
+namespace {
+
+class PaperEngine final : public Engine {
+public:
+    PaperEngine(const TriangleMesh& a, const TriangleMesh& b, NodeTest test)
+        : tree_a_(build_hybrid_tree(a)),
+          tree_b_(build_hybrid_tree(b)),
+          a_{a, tree_a_},
+          b_{b, tree_b_},
+          test_(test) {}
+
+    void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
+
+    void all_pairs(std::vector<TrianglePair>& out) override {
+        work_ = {};
+        all_contacts(a_, b_, X_a_b_, test_, out, work_);
+    }
+
+    std::optional<TrianglePair> first_pair() override {
+        work_ = {};
+        return first_contact(a_, b_, X_a_b_, test_, work_);
+    }
+
+    std::optional<HybridContactCounters> work() const override { return work_; }
+
+private:
+    collision::HybridTree tree_a_;
+    collision::HybridTree tree_b_;
+    collision::HybridMesh a_;
+    collision::HybridMesh b_;
+    NodeTest test_;
+    Pose X_a_b_;
+    HybridContactCounters work_;
+};
+
+class WideEngine final : public Engine {
+public:
+    WideEngine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
+        : a_(a), b_(b), simd_target_(simd_target) {}
+
+    void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
+
+    void all_pairs(std::vector<TrianglePair>& out) override {
+        work_ = {};
+        all_contacts(a_, b_, X_a_b_, out, work_, simd_target_);
+    }
+
+    std::optional<TrianglePair> first_pair() override {
+        work_ = {};
+        return first_contact(a_, b_, X_a_b_, work_, simd_target_);
+    }
+
+    std::optional<HybridContactCounters> work() const override { return work_; }
+
+private:
+    MeshCollider a_;
+    MeshCollider b_;
+    SimdTarget simd_target_;
+    Pose X_a_b_;
+    HybridContactCounters work_;
+};
+
+const std::map<std::string, NodeTest> kOnThePapersTree = {{"paper", NodeTest::hybrid},
+                                                          {"obb", NodeTest::box},
+                                                          {"sphere", NodeTest::sphere},
+                                                          {"mixed", NodeTest::mixed}};
+const std::map<std::string, SimdTarget> kOnBvh8 = {
+    {"wide_sse42", SimdTarget::sse42}, {"wide_avx2", SimdTarget::avx2}, {"wide_avx512", SimdTarget::avx512}};
+
+}  // namespace
+
+bool is_our_engine(const std::string& name) {
+    return kOnThePapersTree.contains(name) || kOnBvh8.contains(name);
+}
+
+std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleMesh& a,
+                                        const TriangleMesh& b) {
+    if (const auto test = kOnThePapersTree.find(name); test != kOnThePapersTree.end()) {
+        return std::make_unique<PaperEngine>(a, b, test->second);
+    }
+    const SimdTarget simd_target = kOnBvh8.at(name);
+    if (!can_run(simd_target)) {
+        throw std::runtime_error("this machine hasn't got the instructions");
+    }
+    return std::make_unique<WideEngine>(a, b, simd_target);
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,31 @@
+#include "tools/campuswalk_bench/engines/peer_engines.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace campuswalk::tools::bench {
+
+namespace fs = std::filesystem;
+
+void* find_in_peer(const std::string& peer, const char* function) {
+    std::error_code none;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path() / "peers";
+    const fs::path file = folder / (peer + ".so");
+    if (!fs::exists(file, none)) {
+        throw std::runtime_error("not built");
+    }
+    // Never closed: the libraries behind it keep threads and exit handlers.
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) {
+        throw std::runtime_error(dlerror());
+    }
+    void* found = dlsym(library, function);
+    if (found == nullptr) {
+        throw std::runtime_error("it has no " + std::string(function));
+    }
+    return found;
+}
+
+}  // namespace campuswalk::tools::bench

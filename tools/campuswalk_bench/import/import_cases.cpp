@@ -1,0 +1,152 @@
+#include "tools/campuswalk_bench/import/import_cases.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "scene/campus/campus_description.h"
+#include "scene/model/model.h"
+#include "scene/procedural/walkable_campus.h"
+#include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk_bench/engines/peer_engines.h"
+#include "tools/campuswalk_bench/files/scratch_folder.h"
+#include "tools/campuswalk_bench/files/write_glb.h"
+#include "tools/campuswalk_bench/measure/shuffled_runs.h"
+
+namespace campuswalk::tools::bench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+scene::Model one_mesh(const collision::TriangleMesh& triangles) {
+    scene::Model model;
+    scene::Mesh mesh;
+    mesh.name = "campus";
+    mesh.positions = triangles.positions;
+    mesh.triangles = triangles.triangles;
+    model.meshes.push_back(std::move(mesh));
+    scene::Node node;
+    node.name = "campus";
+    node.meshes.push_back(scene::MeshIndex{0});
+    model.nodes.push_back(std::move(node));
+    return model;
+}
+
+/// Unit normals of the positions, each the mean of those of the triangles around it, by area.
+std::vector<Eigen::Vector3f> smooth_normals(const collision::TriangleMesh& mesh) {
+    std::vector<Eigen::Vector3f> normals(mesh.positions.size(), Eigen::Vector3f::Zero());
+    for (const auto& t : mesh.triangles) {
+        const Eigen::Vector3f& a = mesh.positions[t[0]];
+        const Eigen::Vector3f n = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+        for (const std::uint32_t v : t) {
+            normals[v] += n;
+        }
+    }
+    for (Eigen::Vector3f& n : normals) {
+        n = n.squaredNorm() > 0.0F ? n.normalized() : Eigen::Vector3f(0, 1, 0);
+    }
+    return normals;
+}
+
+/// Who imports, and how many triangles that gives.
+struct Reader {
+    std::string name;
+    std::function<std::size_t()> read;
+};
+
+std::size_t import_by_helper(const fs::path& path) {
+    scene::SceneFile file;
+    file.mark.file = path.string();
+    file.file = path.filename().string();
+    file.path = path;
+    return scene::count_triangles(model_importer()(file, scene::EmptyModel::refuse).model);
+}
+
+/// What assimp is asked for: the data as they are, or normals for what has none and joined vertices.
+enum class Steps { none, join, each_way };
+
+std::vector<Reader> readers_of(const fs::path& file, Steps steps) {
+    std::vector<Reader> readers = {{"helper", [=] { return import_by_helper(file); }}};
+    try {
+        const auto peer = reinterpret_cast<ImportWithPeer>(find_in_peer("assimp", kImportWithPeer));
+        if (steps != Steps::join) {
+            readers.push_back({"assimp", [=] { return std::size_t{peer(file.c_str(), false)}; }});
+        }
+        if (steps != Steps::none) {
+            readers.push_back({steps == Steps::join ? "assimp" : "assimp-joined",
+                               [=] { return std::size_t{peer(file.c_str(), true)}; }});
+        }
+    } catch (const std::exception& error) {
+        std::printf("  absent: assimp: %s\n", error.what());
+    }
+    return readers;
+}
+
+void time_readers(const std::string& query, const fs::path& file, Steps steps, std::size_t triangles,
+                  int rounds, CaseResult& result) {
+    const std::vector<Reader> readers = readers_of(file, steps);
+    std::vector<bool> told(readers.size(), false);
+    const auto spreads = shuffled_runs(readers.size(), rounds, [&](std::size_t i) {
+        std::size_t found = 0;
+        const double microseconds = microseconds_of([&] { found = readers[i].read(); });
+        if (found != triangles && !told[i]) {
+            told[i] = true;
+            std::printf("  %s gives %zu triangles instead of %zu\n", readers[i].name.c_str(), found,
+                        triangles);
+            result.ours_right = result.ours_right && i != 0;
+        }
+        return microseconds;
+    });
+    std::printf("%s, milliseconds\n%14s%10s%10s\n", query.c_str(), "", "least", "median");
+    for (std::size_t i = 0; i < readers.size(); ++i) {
+        std::printf("%14s%10.1f%10.1f\n", readers[i].name.c_str(), spreads[i].least / 1000.0,
+                    spreads[i].median / 1000.0);
+        Row row;
+        row.case_name = "import";
+        row.engine = readers[i].name;
+        row.query = query;
+        row.least = spreads[i].least / static_cast<double>(triangles);
+        row.median = spreads[i].median / static_cast<double>(triangles);
+        result.rows.push_back(row);
+    }
+}
+
+}  // namespace
+
+CaseResult run_import_cases(int lots, int rounds, const std::vector<fs::path>& models) {
+    std::vector<std::size_t> found;  // first: what can't be read is to be told before minutes of measuring
+    found.reserve(models.size());
+    for (const fs::path& file : models) {
+        found.push_back(import_by_helper(file));
+    }
+    const ScratchFolder folder;
+    const collision::TriangleMesh mesh = scene::walkable_campus(lots).mesh;
+    const std::size_t triangles = mesh.triangles.size();
+    std::printf("GLB files of %zu triangles, into a model of ours and into assimp's scene; times of %d.\n",
+                triangles, rounds);
+    const fs::path with = folder.path() / "with-normals.glb";
+    const fs::path without = folder.path() / "without-normals.glb";
+    scene::Model model = one_mesh(mesh);
+    write_glb(model, without);
+    model.meshes[0].normals = smooth_normals(mesh);
+    write_glb(model, with);
+    CaseResult result;
+    time_readers("glb", with, Steps::none, triangles, rounds, result);
+    time_readers("glb_without_normals", without, Steps::join, triangles, rounds, result);
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const fs::path& file = models[i];
+        std::printf("%s: %zu triangles\n", file.string().c_str(), found[i]);
+        time_readers(file.filename().string(), file, Steps::each_way, found[i], rounds, result);
+    }
+    return result;
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tools/campuswalk_bench/measure/row.h"
+
+namespace campuswalk::tools::bench {
+
+/// How rows become one figure.
+enum class Measure : std::uint8_t {
+    mean_ratio,   ///< the peer's least time over ours, the geometric mean of all placements
+    worst_ratio,  ///< the same, the least of all placements
+    figure,       ///< ours as it is: less is better
+};
+
+/// What one of our engines is to reach.
+struct Target {
+    const char* what = "";
+    const char* case_name = "";
+    const char* query = "";
+    const char* ours = "";
+    const char* peer = "";
+    Measure measure = Measure::mean_ratio;
+    double must = 0.0;
+    double aim = 0.0;  ///< 0: none
+};
+
+std::span<const Target> targets();
+
+/// Nothing if one of the engines wasn't measured.
+std::optional<double> measured(const Target& target, const std::vector<Row>& rows);
+
+/// Whether the figure is as good as `bound`.
+bool reaches(const Target& target, double figure, double bound);
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tools/campuswalk_bench/measure/measurement.h"
+
+namespace campuswalk::tools::bench {
+
+/// The paper's figure 4 for our engines: time of all pairs over their number. *.svg or *.png. Throws
+/// std::runtime_error if it can't be written. A build without rendering (see can_draw) never calls it.
+void plot_figure4(const Results& results, const std::filesystem::path& file);
+
+}  // namespace campuswalk::tools::bench

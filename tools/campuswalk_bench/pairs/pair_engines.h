@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "collision/geometry/triangle_mesh.h"
+#include "tools/campuswalk_bench/engine/engine.h"
+
+namespace campuswalk::tools::bench {
+
+struct NamedEngine {
+    std::string name;
+    bool is_ours = false;
+    std::unique_ptr<Engine> engine;
+};
+
+struct PairEngines {
+    std::vector<NamedEngine> engines;
+    std::vector<std::string> absent;  ///< a line each: which, and why
+};
+
+/// Those of `names`, ours (our_engines.h) or others' (peer_engines.h), that this machine can run, in that
+/// order. Both meshes must outlive them.
+PairEngines make_engines(const collision::TriangleMesh& a, const collision::TriangleMesh& b,
+                         std::span<const char* const> names);
+
+}  // namespace campuswalk::tools::bench

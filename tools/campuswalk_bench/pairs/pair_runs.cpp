@@ -1,0 +1,134 @@
+#include "tools/campuswalk_bench/pairs/pair_runs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+
+#include "tools/campuswalk_bench/measure/shuffled_runs.h"
+
+namespace campuswalk::tools::bench {
+
+using collision::Pose;
+using collision::TrianglePair;
+
+namespace {
+
+using Pairs = std::vector<TrianglePair>;
+
+/// A measurement in the making.
+struct Run {
+    Measurement result;
+    Pairs answer;  ///< of the last time; query first: one pair or none
+};
+
+std::vector<Run> list_runs(std::size_t placements, const std::vector<NamedEngine>& engines) {
+    std::vector<Run> runs;
+    for (std::size_t placement = 0; placement < placements; ++placement) {
+        for (std::size_t engine = 0; engine < engines.size(); ++engine) {
+            for (const Query query : {Query::all, Query::first}) {
+                if (query == Query::all || engines[engine].engine->stops_at_first()) {
+                    Run run;
+                    run.result.placement = placement;
+                    run.result.engine = engine;
+                    run.result.query = query;
+                    runs.push_back(run);
+                }
+            }
+        }
+    }
+    return runs;
+}
+
+void ask(Run& run, Engine& engine, const Pose& X_a_b) {
+    engine.set_pose(X_a_b);
+    if (run.result.query == Query::all) {
+        engine.all_pairs(run.answer);
+    } else {
+        const std::optional<TrianglePair> first = engine.first_pair();
+        run.answer.assign(first ? 1U : 0U, first.value_or(TrianglePair{}));
+    }
+}
+
+void normalise(Pairs& pairs) {
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// Both sorted.
+Difference compare(const Pairs& answer, const Pairs& right, Query query) {
+    Pairs extra;
+    std::set_difference(answer.begin(), answer.end(), right.begin(), right.end(), std::back_inserter(extra));
+    if (query == Query::first) {
+        return {extra.size(), answer.empty() && !right.empty() ? 1U : 0U};
+    }
+    return {extra.size(), right.size() - (answer.size() - extra.size())};
+}
+
+/// Fills in the differences; returns how many pairs are right in each placement.
+std::vector<std::size_t> conclude(std::vector<Run>& runs) {
+    std::vector<std::size_t> found;
+    const Pairs* right = nullptr;
+    for (Run& run : runs) {
+        normalise(run.answer);
+        if (run.result.engine == 0 && run.result.query == Query::all) {
+            right = &run.answer;
+            found.push_back(right->size());
+        }
+        run.result.difference = compare(run.answer, *right, run.result.query);
+    }
+    return found;
+}
+
+}  // namespace
+
+Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines, int rounds) {
+    std::vector<Run> runs = list_runs(scene.placements.size(), engines);
+    const std::vector<Spread> spreads = shuffled_runs(runs.size(), rounds, [&](std::size_t i) {
+        Run& run = runs[i];
+        Engine& engine = *engines[run.result.engine].engine;
+        const Pose& X_a_b = scene.placements[run.result.placement].X_a_b;
+        const double microseconds = microseconds_of([&] { ask(run, engine, X_a_b); });
+        run.result.work = engine.work();
+        return microseconds;
+    });
+
+    Results results;
+    results.case_name = scene.name;
+    results.found = conclude(runs);
+    results.rounds = rounds;
+    for (std::size_t i = 0; i < scene.placements.size(); ++i) {
+        results.pairs.push_back(scene.placements[i].pairs.value_or(results.found[i]));
+    }
+    for (const NamedEngine& engine : engines) {
+        results.engines.push_back({engine.name, engine.is_ours});
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        runs[i].result.us_min = spreads[i].least;
+        runs[i].result.us_median = spreads[i].median;
+        results.measurements.push_back(runs[i].result);
+    }
+    return results;
+}
+
+bool diagnose_ours(const PairScene& scene, const Results& results) {
+    bool any = false;
+    for (std::size_t i = 0; i < scene.placements.size(); ++i) {
+        if (results.found[i] != results.pairs[i]) {
+            any = true;
+            std::fprintf(stderr, "error: %s: %s finds %zu pairs where there are %zu\n", scene.name.c_str(),
+                         results.engines.front().name.c_str(), results.found[i], results.pairs[i]);
+        }
+    }
+    for (const Measurement& m : results.measurements) {
+        const EngineName& engine = results.engines[m.engine];
+        if (engine.is_ours && !m.difference.none()) {
+            any = true;
+            std::fprintf(stderr, "error: %s: at %zu pairs %s differs from %s by %s\n", scene.name.c_str(),
+                         results.pairs[m.placement], engine.name.c_str(),
+                         results.engines.front().name.c_str(), to_string(m.difference).c_str());
+        }
+    }
+    return any;
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,53 @@
+#include "tools/campuswalk_bench/pairs/pair_scenes.h"
+
+#include "collision/geometry/trigonometry.h"
+#include "scene/procedural/cylinder.h"
+#include "scene/procedural/table1_scene.h"
+#include "scene/procedural/teapot.h"
+
+namespace campuswalk::tools::bench {
+
+PairScene table1_scene() {
+    const scene::Table1Scene table = scene::table1_scene();
+    PairScene made;
+    made.name = "table1";
+    made.a = table.cylinder;
+    made.b = table.teapot;
+    for (const scene::Table1Placement& placement : table.placements) {
+        made.placements.push_back({placement.X_cylinder_teapot, placement.pairs});
+    }
+    return made;
+}
+
+PairScene finer_scene(int fineness) {
+    constexpr std::uint32_t kPairs = 666;
+    scene::CylinderShape shape;
+    shape.sides *= fineness;
+    shape.stacks *= fineness;
+    PairScene made;
+    made.name = "million";
+    made.a = scene::cylinder(shape);
+    made.b = scene::teapot(fineness);
+    for (const scene::Table1Placement& placement : scene::table1_scene().placements) {
+        if (placement.pairs == kPairs) {
+            made.placements.push_back({placement.X_cylinder_teapot, std::nullopt});
+        }
+    }
+    return made;
+}
+
+PairScene nested_scene() {
+    constexpr double kHalfTurn = 3.141592653589793;
+    const scene::CylinderShape outer;
+    scene::CylinderShape inner = outer;
+    // The middle of a side is nearer to the axis than its edges are.
+    inner.radius = outer.radius * collision::sin_cos(kHalfTurn / outer.sides).cos - kNestedGap;
+    inner.height = outer.height - 2.0 * kNestedGap;
+    const auto [sin, cos] = collision::sin_cos(1.1 * kHalfTurn / outer.sides);
+    PairPlacement placement;
+    placement.X_a_b.rotation << cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0;
+    placement.pairs = 0;
+    return {"nested", scene::cylinder(outer), scene::cylinder(inner), {placement}};
+}
+
+}  // namespace campuswalk::tools::bench

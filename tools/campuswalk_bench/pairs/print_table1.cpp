@@ -1,0 +1,149 @@
+#include "tools/campuswalk_bench/pairs/print_table1.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tools/campuswalk_bench/pairs/cost_model.h"
+
+namespace campuswalk::tools::bench {
+
+using collision::HybridContactCounters;
+using collision::QueryCounters;
+
+namespace {
+
+/// Time of `slow` over time of `fast`, a placement each.
+std::vector<double> multiples(const Results& results, const char* slow, const char* fast, Query query) {
+    std::vector<double> ratios = results.least_times(slow, query);
+    const std::vector<double> times = results.least_times(fast, query);
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        ratios[i] /= times[i];
+    }
+    return ratios;
+}
+
+int width_of(const EngineName& engine) {
+    return std::max(9, static_cast<int>(engine.name.size()) + 2);
+}
+
+void print_times(const Results& results, Query query) {
+    const std::vector<double> lift = multiples(results, "obb", "paper", query);
+    std::printf("%7s", "pairs");
+    for (const EngineName& engine : results.engines) {
+        if (results.find(0, engine.name, query) != nullptr) {
+            std::printf("%*s", width_of(engine), engine.name.c_str());
+        }
+    }
+    std::printf("%11s\n", "obb/paper");
+    for (std::size_t i = 0; i < results.pairs.size(); ++i) {
+        std::printf("%7zu", results.pairs[i]);
+        for (const EngineName& engine : results.engines) {
+            if (const Measurement* m = results.find(i, engine.name, query)) {
+                std::printf("%*.1f", width_of(engine), m->us_min);
+            }
+        }
+        std::printf("%11.2f\n", lift[i]);
+    }
+    std::printf("%7s", "mean");
+    for (const EngineName& engine : results.engines) {
+        const std::vector<double> times = results.least_times(engine.name, query);
+        if (!times.empty()) {
+            std::printf("%*.1f", width_of(engine), geometric_mean(times));
+        }
+    }
+    std::printf("%11.2f\n\n", geometric_mean(lift));
+}
+
+void print_costs(const Results& results, const char* engine) {
+    std::vector<QueryCounters> work;
+    for (std::size_t i = 0; i < results.pairs.size(); ++i) {
+        work.push_back(results.find(i, engine, Query::all)->work.value());
+    }
+    const std::vector<double> times = results.least_times(engine, Query::all);
+    const CostModel costs = fit_costs(work, times);
+    std::printf("%s: Cv = %.2f ns, Cp = %.2f ns, Cu = %.2f ns\n", engine, 1e3 * costs.cv, 1e3 * costs.cp,
+                1e3 * costs.cu);
+    std::printf("%7s%10s%9s%9s%16s%15s\n", "pairs", "Nv", "Np", "Nu", "T predicted us", "T measured us");
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        std::printf("%7zu%10llu%9llu%9llu%16.1f%15.1f\n", results.pairs[i],
+                    static_cast<unsigned long long>(work[i].nv), static_cast<unsigned long long>(work[i].np),
+                    static_cast<unsigned long long>(work[i].nu), costs.predict(work[i]), times[i]);
+    }
+    std::printf("\n");
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+    return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void print_sphere_test(const Results& results) {
+    std::printf("What the sphere test does (paper): of the pairs of nodes, how many each layer parts\n");
+    std::printf("%7s%10s%10s%10s%10s%13s\n", "pairs", "outer %", "inner %", "boxes %", "none %", "obb/paper");
+    const std::vector<double> lift = multiples(results, "obb", "paper", Query::all);
+    HybridContactCounters sum;
+    for (std::size_t i = 0; i < results.pairs.size(); ++i) {
+        const HybridContactCounters w = results.find(i, "paper", Query::all)->work.value();
+        sum += w;
+        sum.outer += w.outer;
+        sum.inner += w.inner;
+        sum.box += w.box;
+        std::printf("%7zu%10.1f%10.1f%10.1f%10.1f%13.2f\n", results.pairs[i], percent(w.outer, w.nv),
+                    percent(w.inner, w.nv), percent(w.box, w.nv),
+                    percent(w.nv - w.outer - w.inner - w.box, w.nv), lift[i]);
+    }
+    std::uint64_t without = 0;
+    for (std::size_t i = 0; i < results.pairs.size(); ++i) {
+        without += results.find(i, "obb", Query::all)->work.value().nv;
+    }
+    const auto [least, most] = std::minmax_element(lift.begin(), lift.end());
+    const double mean = geometric_mean(lift);
+    std::printf(
+        "The outer spheres part %.1f %% of the pairs of nodes, the inner spheres another %.1f %%. Nearly all "
+        "of\n"
+        "those the boxes part too: without spheres (obb) %.1f %% more pairs of nodes are tested. With "
+        "spheres\n"
+        "first, the same query on the same tree is %.2f times as fast (geometric mean; %.2f to %.2f)%s\n\n",
+        percent(sum.outer, sum.nv), percent(sum.inner, sum.nv), percent(without, sum.nv) - 100.0, mean,
+        *least, *most, mean < 1.5 ? ":\nthe spheres alone don't make the tree twice as fast." : ".");
+}
+
+void print_sets(const Results& results) {
+    std::printf("Pairs, against those of %s:\n", results.engines.front().name.c_str());
+    for (const EngineName& engine : results.engines) {
+        std::string differences;
+        for (const Measurement& m : results.measurements) {
+            if (results.engines[m.engine].name == engine.name && !m.difference.none()) {
+                differences += (differences.empty() ? "" : ", ") +
+                               std::to_string(results.pairs[m.placement]) +
+                               (m.query == Query::first ? " (first)" : "") + ": " + to_string(m.difference);
+            }
+        }
+        std::printf("  %-15s %s\n", engine.name.c_str(),
+                    differences.empty() ? "the same in every placement" : differences.c_str());
+    }
+}
+
+}  // namespace
+
+void print_table1(const Results& results) {
+    std::printf(
+        "Table I anew. Microseconds a query, the least of %d, one thread; obb/paper is the paper's\n"
+        "efficiency lifting multiple; the last row holds geometric means.\n\nAll pairs\n",
+        results.rounds);
+    print_times(results, Query::all);
+    std::printf("First pair\n");
+    print_times(results, Query::first);
+    std::printf(
+        "Eq. (4), T = Nv Cv + Np Cp + Nu Cu. The costs are fitted to these ten times (least squares of\n"
+        "relative errors, none negative). All three counts rise together: what they add up to is sure,\n"
+        "what is whose share isn't.\n\n");
+    for (const char* engine : {"paper", "obb", "sphere", "mixed"}) {
+        if (results.find(0, engine, Query::all) != nullptr) {
+            print_costs(results, engine);
+        }
+    }
+    print_sphere_test(results);
+    print_sets(results);
+}
+
+}  // namespace campuswalk::tools::bench

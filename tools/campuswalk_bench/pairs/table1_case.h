@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tools/campuswalk_bench/measure/row.h"
+
+namespace campuswalk::tools::bench {
+
+/// Measures the paper's Table I anew and prints it. `mixed`: with the paper's mixed reading as one more
+/// engine. `plot`: the paper's figure 4, *.svg or *.png, unless it is empty.
+CaseResult run_table1(int rounds, bool mixed, const std::filesystem::path& plot);
+
+}  // namespace campuswalk::tools::bench

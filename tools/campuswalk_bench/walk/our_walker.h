@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "collision/mover/mover.h"
+#include "collision/world/world.h"
+#include "tools/campuswalk_bench/engine/engine.h"
+
+namespace campuswalk::tools::bench {
+
+/// Our mover, in a world that the mesh alone is in. One mover walks all paths, as one avatar would.
+class OurWalker final : public WalkEngine {
+public:
+    OurWalker(const collision::TriangleMesh& mesh, const WalkBody& body);
+
+    /// Throws std::runtime_error if there is no free place up to half a metre above.
+    void place(const collision::Vec3& foot) override;
+    void walk(const collision::Vec3& wish) override;
+    collision::Vec3 foot() const override { return state_.foot; }
+
+    /// What the mover keeps for itself after all it has done, bytes. It is gone then. Only itself, without
+    /// what it has allocated, where heaps aren't counted (heap.h).
+    std::size_t weigh();
+
+private:
+    collision::World world_;
+    WalkBody body_;
+    collision::MoverSettings settings_;
+    std::optional<collision::CapsuleMover> mover_;
+    std::optional<collision::MoveTrace> trace_;
+    collision::MoverState state_;
+    collision::QueryCounters counters_;
+};
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,123 @@
+#include "tools/campuswalk_bench/walk/walk_verdicts.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace campuswalk::tools::bench {
+
+namespace {
+
+constexpr double kAllowedPenetration = 1e-4;  ///< metres
+
+bool reaches(const WalkVerdict& verdict, double bound) {
+    return verdict.more_is_better ? *verdict.value >= bound : *verdict.value <= bound;
+}
+
+WalkVerdict at_most(std::string what, std::optional<double> value, const char* unit, double must) {
+    WalkVerdict verdict{std::move(what), value, unit, false, must, std::nullopt, false};
+    verdict.holds = value && reaches(verdict, must);
+    return verdict;
+}
+
+WalkVerdict at_least(std::string what, std::optional<double> value, const char* unit, double must,
+                     double aim) {
+    WalkVerdict verdict{std::move(what), value, unit, true, must, aim, false};
+    verdict.holds = value && reaches(verdict, must);
+    return verdict;
+}
+
+void evaluate_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVerdict>& verdicts) {
+    WalkScore all;
+    for (const WalkedCampus& campus : campuses) {
+        const WalkScore& ours = campus.scores.front();
+        all.goals += ours.goals;
+        all.reached += ours.reached;
+        all.forbidden += ours.forbidden;
+        all.crossings += ours.crossings;
+        all.unrepeated += ours.unrepeated;
+        if (ours.heap_growth) {
+            all.heap_growth = all.heap_growth.value_or(0) + *ours.heap_growth;
+        }
+        all.us_max = std::max(all.us_max, ours.us_max);
+        all.max_penetration = std::max(all.max_penetration, ours.max_penetration);
+    }
+    const auto count = [](std::size_t n) { return static_cast<double>(n); };
+    verdicts.push_back(at_most("waypoints missed", count(all.goals - all.reached), "", 0.0));
+    verdicts.push_back(at_most("forbidden goals reached", count(all.forbidden), "", 0.0));
+    verdicts.push_back(
+        at_most("deepest penetration", 1000.0 * all.max_penetration, " mm", 1000.0 * kAllowedPenetration));
+    verdicts.push_back(at_most("triangles crossed", count(all.crossings), "", 0.0));
+    verdicts.push_back(at_most("paths that differ when repeated", count(all.unrepeated), "", 0.0));
+    std::optional<double> growth;
+    if (all.heap_growth) {
+        growth = count(*all.heap_growth);
+    }
+    verdicts.push_back(at_most("heap growth in warm ticks", growth, " bytes", 0.0));
+    verdicts.push_back(at_most("worst tick", all.us_max, " us", 20.0));
+}
+
+/// From the smallest campus to the largest.
+void evaluate_growth(const WalkedCampus& small, const WalkedCampus& large,
+                     std::vector<WalkVerdict>& verdicts) {
+    verdicts.push_back(at_most(
+        "growth of working memory",
+        static_cast<double>(large.working_memory) / static_cast<double>(small.working_memory), "x", 1.2));
+    const double mean = large.scores.front().us_mean;
+    WalkVerdict growth = at_most("growth of the mean tick", mean / small.scores.front().us_mean, "x", 2.5);
+    if (large.fastest_peer && mean * 60.0 <= *large.fastest_peer) {
+        growth.what += " (at 1/60 of Bullet's)";
+        growth.holds = true;
+    }
+    verdicts.push_back(growth);
+}
+
+std::string value_of(const WalkVerdict& verdict) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.*f%s", *verdict.value >= 1000.0 ? 0 : 2, *verdict.value,
+                  verdict.unit);
+    return text;
+}
+
+}  // namespace
+
+bool walks_right(const WalkScore& ours) {
+    return ours.reached == ours.goals && ours.forbidden == 0 && ours.crossings == 0 && ours.unrepeated == 0 &&
+           ours.max_penetration <= kAllowedPenetration;
+}
+
+std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses,
+                                       std::optional<double> tour_ms) {
+    std::vector<WalkVerdict> verdicts;
+    for (const WalkedCampus& campus : campuses) {
+        std::optional<double> ratio;
+        if (campus.fastest_peer) {
+            ratio = *campus.fastest_peer / campus.scores.front().us_mean;
+        }
+        verdicts.push_back(at_least("mean tick, " + std::to_string(campus.triangles) + " triangles", ratio,
+                                    "x Bullet's", 40.0, 100.0));
+    }
+    evaluate_quality(campuses, verdicts);
+    if (campuses.size() > 1) {
+        evaluate_growth(campuses.front(), campuses.back(), verdicts);
+    }
+    verdicts.push_back(at_most("two minutes of the demo tour", tour_ms, " ms", 50.0));
+    return verdicts;
+}
+
+void print_verdicts(const std::vector<WalkVerdict>& verdicts) {
+    std::printf("\nAgainst what is to be reached; Bullet's is the faster of its two\n");
+    for (const WalkVerdict& verdict : verdicts) {
+        if (!verdict.value) {
+            std::printf("  %-46snot measured\n", verdict.what.c_str());
+            continue;
+        }
+        std::printf("  %-46s%20s  (must %g", verdict.what.c_str(), value_of(verdict).c_str(), verdict.must);
+        if (verdict.aim) {
+            std::printf(", aim %g", *verdict.aim);
+        }
+        const bool is_aim = verdict.aim && reaches(verdict, *verdict.aim);
+        std::printf(")  %s\n", !verdict.holds ? "MISSED" : is_aim ? "aim reached" : "reached");
+    }
+}
+
+}  // namespace campuswalk::tools::bench
