@@ -1,14 +1,13 @@
 #include "scene/import/helper/import_process.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <memory>
 #include <stdexcept>
@@ -19,7 +18,8 @@
 #include <vector>
 
 #include "scene/base/binary_archive.h"
-#include "scene/import/helper/wait_for_process.h"
+#include "scene/process/child_process.h"
+#include "scene/process/pipe.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -33,35 +33,28 @@ namespace {
 /// waits for the other.
 class MemoryFile {
 public:
-    explicit MemoryFile(const char* name) : number_(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
-        if (number_ < 0) {
+    explicit MemoryFile(const char* name) : file_(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
+        if (!file_.open()) {
             cannot_start(errno);
         }
     }
-    ~MemoryFile() { close(number_); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
 
-    int number() const { return number_; }
+    int number() const { return file_.number(); }
 
     void write(std::span<const std::byte> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t written = ::write(number_, bytes.data(), bytes.size());
-            if (written < 0 && errno != EINTR) {
-                cannot_start(errno);
-            }
-            bytes = bytes.subspan(written > 0 ? static_cast<std::size_t>(written) : 0);
+        if (!write_all(number(), bytes)) {
+            cannot_start(errno);
         }
-        lseek(number_, 0, SEEK_SET);
+        lseek(number(), 0, SEEK_SET);
     }
 
     /// Nobody changes it any more, not even a process that the helper left behind; false if one still could.
     bool finish() const {
-        return fcntl(number_, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) == 0;
+        return fcntl(number(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) == 0;
     }
 
 private:
-    int number_;
+    Descriptor file_;
 };
 
 /// The bytes of a sealed MemoryFile.
@@ -111,64 +104,22 @@ std::vector<std::string> helper_variables() {
     return variables;
 }
 
-/// The attributes and file actions of one start.
-class SpawnPlan {
-public:
-    SpawnPlan(const MemoryFile& request, const MemoryFile& answer) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_adddup2(&actions_, request.number(), STDIN_FILENO);
-        posix_spawn_file_actions_adddup2(&actions_, answer.number(), STDOUT_FILENO);
-        // What a crash prints is nobody's business: it is told in one line.
-        posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-        posix_spawnattr_init(&attributes_);
-        // A group of its own: Ctrl-C is for us, and our end ends the helper.
-        posix_spawnattr_setflags(
-            &attributes_,
-            static_cast<short>(POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
-        posix_spawnattr_setpgroup(&attributes_, 0);
-        sigset_t signals;
-        sigemptyset(&signals);
-        posix_spawnattr_setsigmask(&attributes_, &signals);
-        for (const int signal : {SIGXCPU, SIGXFSZ, SIGPIPE, SIGTERM}) {
-            sigaddset(&signals, signal);
-        }
-        posix_spawnattr_setsigdefault(&attributes_, &signals);
+/// The helper, with the request as its standard input and the answer as its standard output.
+ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request, const MemoryFile& answer) {
+    const Descriptor nowhere =
+        open_nowhere();  // what a crash prints is nobody's business: it is told in one line
+    try {
+        return start_program({.program = helper.program.string(),
+                              .arguments = helper.arguments,
+                              .environment = helper_variables(),
+                              .input = request.number(),
+                              .output = answer.number(),
+                              .error = nowhere.number(),
+                              .detached = true});
+    } catch (const std::system_error& error) {
+        cannot_start(error.code().value());
     }
-    ~SpawnPlan() {
-        posix_spawn_file_actions_destroy(&actions_);
-        posix_spawnattr_destroy(&attributes_);
-    }
-    SpawnPlan(const SpawnPlan&) = delete;
-    SpawnPlan& operator=(const SpawnPlan&) = delete;
-
-    pid_t start(const HelperProgram& helper) const {
-        std::string name = helper.program.string();
-        std::vector<std::string> words = helper.arguments;
-        std::vector<char*> arguments = {name.data()};
-        for (std::string& word : words) {
-            arguments.push_back(word.data());
-        }
-        arguments.push_back(nullptr);
-        std::vector<std::string> variables = helper_variables();
-        std::vector<char*> environment;
-        environment.reserve(variables.size() + 1);
-        for (std::string& variable : variables) {
-            environment.push_back(variable.data());
-        }
-        environment.push_back(nullptr);
-        pid_t process = 0;
-        const int error = posix_spawn(&process, name.c_str(), &actions_, &attributes_, arguments.data(),
-                                      environment.data());
-        if (error != 0) {
-            cannot_start(error);
-        }
-        return process;
-    }
-
-private:
-    posix_spawn_file_actions_t actions_{};
-    posix_spawnattr_t attributes_{};
-};
+}
 
 /// With the file's size taken into account.
 ImportLimits limits_for(const SceneFile& file, ImportLimits limits) {
@@ -186,8 +137,8 @@ std::string in_megabytes(std::uint64_t bytes) {
 }
 
 /// Why there is no answer, in words; empty when there should be one.
-std::string trouble_of(const Ending& ending, const ImportLimits& limits) {
-    if (ending.out_of_time) {
+std::string trouble_of(const ExitStatus& ending, bool out_of_time, const ImportLimits& limits) {
+    if (out_of_time) {
         return "its import was stopped after " + std::to_string(limits.cpu + limits.waiting) +
                " s; re-export, simplify or split it";
     }
@@ -219,9 +170,13 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
     const MemoryFile question("campuswalk-import-request");
     const MemoryFile answer("campuswalk-import-answer");
     question.write(write_request(request));
-    const pid_t process = SpawnPlan(question, answer).start(helper);
-    const std::string trouble =
-        trouble_of(wait_for_process(process, request.limits.cpu + request.limits.waiting), request.limits);
+    ChildProcess process = start_helper(helper, question, answer);
+    const std::chrono::seconds patience(request.limits.cpu + request.limits.waiting);
+    const bool out_of_time = !process.ends_within(patience);
+    if (out_of_time) {
+        process.send_signal(SIGKILL);
+    }
+    const std::string trouble = trouble_of(process.wait(), out_of_time, request.limits);
     if (!trouble.empty()) {
         refuse(trouble);
     }

@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <exception>
 
 #include "scene/import/helper/import_protocol.h"
 #include "scene/import/helper/limit_process.h"
 #include "scene/model/model_file.h"
+#include "scene/process/pipe.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -17,28 +17,13 @@ namespace {
 std::vector<std::byte> read_all(int from) {
     std::vector<std::byte> bytes;
     std::array<std::byte, 4096> part;
-    for (ssize_t got = 0; (got = read(from, part.data(), part.size())) != 0;) {
-        if (got > 0) {
-            bytes.insert(bytes.end(), part.begin(), part.begin() + got);
-        } else if (errno != EINTR) {
-            break;
-        }
+    while (const std::size_t got = read_some(from, part)) {
+        bytes.insert(bytes.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(got));
     }
     return bytes;
 }
 
-bool write_all(int to, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = write(to, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) {
-            return false;
-        }
-        bytes = bytes.subspan(written > 0 ? static_cast<std::size_t>(written) : 0);
-    }
-    return true;
-}
-
-bool write_all(int to, const ImportedModel& answer) {
+bool write_answer(int to, const ImportedModel& answer) {
     ArchiveWriter file = archive_model(answer);
     for (const std::span<const std::byte> part : file.finish()) {
         if (!write_all(to, part)) {
@@ -66,7 +51,7 @@ int serve_import() {
     try {
         const ImportRequest request = read_request(read_all(STDIN_FILENO));
         limit_process(request.limits);
-        _exit(write_all(STDOUT_FILENO, answer_to(request)) ? 0 : 1);  // nobody needs the memory given back
+        _exit(write_answer(STDOUT_FILENO, answer_to(request)) ? 0 : 1);  // nobody needs the memory given back
     } catch (const std::exception&) {
         return 1;
     }

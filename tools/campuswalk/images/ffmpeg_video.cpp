@@ -1,13 +1,9 @@
 #include "tools/campuswalk/images/ffmpeg_video.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <cstdlib>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -16,28 +12,16 @@
 
 #include "engine/events/decimals.h"
 
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
-
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-void write_all(int to, const std::vector<std::uint8_t>& bytes, bool& well) {
-    std::size_t written = 0;
-    while (well && written < bytes.size()) {
-        const ssize_t now = write(to, bytes.data() + written, bytes.size() - written);
-        well = now >= 0 || errno == EINTR;
-        written += now > 0 ? static_cast<std::size_t>(now) : 0;
-    }
-}
-
 /// What ffmpeg is told; H.264 halves the colours, so a side that is odd loses its last pixel.
 std::vector<std::string> arguments(const engine::render::Image& image, double seconds_per_frame,
                                    const fs::path& file) {
-    return {"ffmpeg",
-            "-hide_banner",
+    return {"-hide_banner",
             "-loglevel",
             "error",
             "-y",
@@ -85,7 +69,7 @@ FfmpegVideo::FfmpegVideo(fs::path file, double seconds_per_frame)
 }
 
 FfmpegVideo::~FfmpegVideo() {
-    if (process_ >= 0) {
+    if (process_.running()) {
         wait_for_end();
         std::error_code ignored;
         fs::remove(part_, ignored);
@@ -94,46 +78,31 @@ FfmpegVideo::~FfmpegVideo() {
 
 void FfmpegVideo::start(const engine::render::Image& image) {
     fs::create_directories(file_.parent_path());
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        fail(std::generic_category().message(errno));
-    }
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    std::vector<std::string> words = arguments(image, seconds_a_frame_, part_);
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words) {
-        pointers.push_back(word.data());
-    }
-    pointers.push_back(nullptr);
-    const int error = posix_spawnp(&process_, "ffmpeg", &actions, nullptr, pointers.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[0]);
-    pipe_ = ends[1];
-    if (error != 0) {
-        close(std::exchange(pipe_, -1));
-        process_ = -1;
-        fail("ffmpeg can't be started: " + std::generic_category().message(error));
+    try {
+        scene::Pipe pipe = scene::make_pipe();
+        process_ = scene::start_program({.program = "ffmpeg",
+                                         .arguments = arguments(image, seconds_a_frame_, part_),
+                                         .environment = {},
+                                         .input = pipe.reading.number(),
+                                         .output = STDERR_FILENO});
+        pipe_ = std::move(pipe.writing);
+    } catch (const std::system_error& error) {
+        fail("ffmpeg can't be started: " + error.code().message());
     }
 }
 
 void FfmpegVideo::add(const engine::render::Frame& frame) {
-    if (process_ < 0) {
+    if (!process_.running()) {
         start(frame.image);
     }
-    bool well = true;
-    write_all(pipe_, frame.image.rgba, well);
-    if (!well) {
+    if (!scene::write_all(pipe_.number(), std::as_bytes(std::span(frame.image.rgba)))) {
         wait_for_end();
         fail("ffmpeg ended before the walk did; see what it said");
     }
 }
 
 void FfmpegVideo::finish() {
-    if (process_ < 0) {
+    if (!process_.running()) {
         return;
     }
     if (!wait_for_end()) {
@@ -147,14 +116,8 @@ void FfmpegVideo::finish() {
 }
 
 bool FfmpegVideo::wait_for_end() {
-    close(std::exchange(pipe_, -1));
-    int status = 0;
-    pid_t ended = 0;
-    do {
-        ended = waitpid(process_, &status, 0);
-    } while (ended < 0 && errno == EINTR);
-    process_ = -1;
-    return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    pipe_.close();
+    return process_.wait().success();
 }
 
 void FfmpegVideo::fail(const std::string& why) const {

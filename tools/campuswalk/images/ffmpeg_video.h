@@ -1,11 +1,11 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <string>
 
 #include "engine/render/sequence/frame_sink.h"
+#include "scene/process/child_process.h"
+#include "scene/process/pipe.h"
 
 namespace campuswalk::tools {
 
@@ -34,8 +34,8 @@ private:
     std::filesystem::path file_;
     std::filesystem::path part_;  ///< what ffmpeg writes; renamed in the end
     double seconds_a_frame_;
-    pid_t process_ = -1;
-    int pipe_ = -1;
+    scene::ChildProcess process_;
+    scene::Descriptor pipe_;
 };
 
 }  // namespace campuswalk::tools
