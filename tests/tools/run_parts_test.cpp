@@ -9,12 +9,11 @@
 
 #include "scene/base/diagnostic.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/campuswalk/run/cases/frame_helpers.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/selector.h"
 #include "tools/campuswalk/run/plan/shard.h"
 #include "tools/campuswalk/run/results/verdict.h"
-#include "tools/campuswalk/run/workers/frame_helpers.h"
-#include "tools/campuswalk/run/workers/messages.h"
 #include "tools/campuswalk/run/workers/worker_pool.h"
 
 namespace campuswalk::tools {
@@ -221,7 +220,7 @@ struct Told {
     std::vector<std::string> lines;
     std::size_t enough = 1'000'000;
 
-    bool run(WorkerPool& pool, const std::vector<std::size_t>& tasks) {
+    bool run(const Work& work, const std::vector<std::size_t>& tasks, const PoolSettings& settings) {
         PoolListener listener;
         listener.ended_first = [](std::size_t, const Ending&) {};
         listener.heard = [this](std::size_t task, Topic, std::string_view body) {
@@ -233,7 +232,7 @@ struct Told {
             return lines.size() < enough;
         };
         listener.passing_time = [] {};
-        return pool.run(tasks, listener);
+        return WorkerPool([&work] { return work; }, tasks, listener, settings).run();
     }
 };
 
@@ -249,9 +248,8 @@ TEST(WorkerPool, TellsTheSameWhateverTheNumberOfWorkers) {
     const std::vector<std::size_t> tasks = {3, 4, 5, 19, 20, 27, 28, 29};
     std::vector<std::vector<std::string>> told;
     for (const std::size_t workers : {1U, 2U, 5U}) {
-        WorkerPool pool(talk, {workers, std::nullopt, std::size_t{1} << 20U});
         Told each;
-        EXPECT_TRUE(each.run(pool, tasks));
+        EXPECT_TRUE(each.run(talk, tasks, {workers, std::nullopt, std::size_t{1} << 20U}));
         told.push_back(each.lines);
     }
     ASSERT_EQ(told[0].size(), 3 * tasks.size());
@@ -270,9 +268,8 @@ TEST(WorkerPool, KeepsNoMoreThanItMayOfWhatCameTooEarly) {
         }
         say(Topic::result, "done");
     };
-    WorkerPool pool(work, {3, std::nullopt, 1000});
     Told told;
-    EXPECT_TRUE(told.run(pool, {0, 1, 2, 3, 4, 5}));
+    EXPECT_TRUE(told.run(work, {0, 1, 2, 3, 4, 5}, {3, std::nullopt, 1000}));
     EXPECT_EQ(told.lines.size(), 6U * 6U);
     EXPECT_EQ(told.lines.back(), "5 answers done");
 }
@@ -285,9 +282,8 @@ TEST(WorkerPool, ReplacesAWorkerThatDies) {
         }
         say(Topic::result, "done");
     };
-    WorkerPool pool(work, {1, std::nullopt, std::size_t{1} << 20U});
     Told told;
-    EXPECT_TRUE(told.run(pool, {0, 1, 2}));
+    EXPECT_TRUE(told.run(work, {0, 1, 2}, {1, std::nullopt, std::size_t{1} << 20U}));
     ASSERT_EQ(told.lines.size(), 6U);
     EXPECT_EQ(told.lines[1], "0 answers done");
     EXPECT_EQ(told.lines[2], "1 says a");
@@ -301,19 +297,17 @@ TEST(WorkerPool, StopsWhatTakesTooLong) {
         usleep(task == 0 ? 60'000'000 : 0);
         say(Topic::result, "done");
     };
-    WorkerPool pool(work, {1, 0.3, std::size_t{1} << 20U});
     Told told;
-    EXPECT_TRUE(told.run(pool, {0, 1}));
+    EXPECT_TRUE(told.run(work, {0, 1}, {1, 0.3, std::size_t{1} << 20U}));
     EXPECT_THAT(told.lines,
                 ElementsAre("0 is lost: stopped: it took more than 0.3 s of wall clock (--kill-after)",
                             "1 answers done"));
 }
 
 TEST(WorkerPool, LeavesOutTheRestWhenThereHasBeenEnough) {
-    WorkerPool pool(talk, {2, std::nullopt, std::size_t{1} << 20U});
     Told told;
     told.enough = 3;
-    EXPECT_TRUE(told.run(pool, {7, 8, 9, 9, 9, 9}));
+    EXPECT_TRUE(told.run(talk, {7, 8, 9, 9, 9, 9}, {2, std::nullopt, std::size_t{1} << 20U}));
     EXPECT_THAT(told.lines, ElementsAre("7 says a", "7 says b", "7 answers 49"));
 }
 

@@ -10,7 +10,7 @@
 #include "collision/mesh/mesh_collider.h"
 #include "scene/cache/load_model.h"
 #include "scene/campus/bake_mesh.h"
-#include "tools/campuswalk/collide/spelling.h"
+#include "tools/campuswalk/collide/parse_shape.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 

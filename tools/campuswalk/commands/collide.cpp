@@ -4,8 +4,8 @@
 #include "scene/campus/campus_description.h"
 #include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/collide/parse_shape.h"
 #include "tools/campuswalk/collide/print_overlaps.h"
-#include "tools/campuswalk/collide/spelling.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 
@@ -16,7 +16,7 @@ using namespace collide;
 namespace {
 
 struct CollideOptions {
-    std::string a;  ///< a model file or a shape, see collide/spelling.h
+    std::string a;  ///< a model file or a shape, see collide/parse_shape.h
     std::string b;
     std::string pose;         ///< of b, see parse_pose; empty: where it is
     std::string pose_matrix;  ///< instead of `pose`

@@ -7,13 +7,15 @@
 #include "engine/render/snapshot/renderer_store.h"
 #include "engine/render/snapshot/snapshot_observer.h"
 #include "tools/campuswalk/images/map_picture.h"
-#include "tools/campuswalk/images/picture_settings.h"
 #include "tools/campuswalk/images/pictures.h"
 
 namespace campuswalk::tools {
 
 using engine::render::SnapshotSettings;
 
+namespace {
+
+/// How this program draws a campus: cameras stay out of its walls. `campus` must outlive what uses them.
 SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
     SnapshotSettings settings;
     settings.backend = backend.value_or(engine::render::RenderingBackend::automatic);
@@ -25,17 +27,6 @@ SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
     };
     return settings;
 }
-
-bool can_draw() {
-    return true;
-}
-
-std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend) {
-    return std::make_shared<engine::render::RendererStore>(
-        [backend](const scene::Campus& campus) { return settings_for(campus, backend); });
-}
-
-namespace {
 
 class Taker final : public SnapshotTaker {
 public:
@@ -55,6 +46,15 @@ private:
 };
 
 }  // namespace
+
+bool can_draw() {
+    return true;
+}
+
+std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend) {
+    return std::make_shared<engine::render::RendererStore>(
+        [backend](const scene::Campus& campus) { return settings_for(campus, backend); });
+}
 
 std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
                                                    const std::filesystem::path& folder,

@@ -38,7 +38,7 @@ engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceReques
 }
 
 std::unique_ptr<render::FrameSink> animation(const std::string& name, const fs::path& folder, double every) {
-    for (const AnimationKind& kind : animation_kinds()) {
+    for (const AnimationKind& kind : kAnimationKinds) {
         if (name == kind.name && name == "gif") {
             return std::make_unique<render::AnimatedGif>(folder / kind.file, every);
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace campuswalk::tools {
 struct SequenceRequest {
     std::optional<double> every;          ///< simulated seconds; frames are kept as files
     bool contact_sheet = false;           ///< all of them on one image
-    std::vector<std::string> animations;  ///< names of animation_kinds()
+    std::vector<std::string> animations;  ///< names of kAnimationKinds
     bool video = false;                   ///< by ffmpeg
     std::optional<engine::View> view;     ///< the walk's own camera without
     std::optional<int> width;             ///< pixels, the height in proportion; as the walk says without
@@ -32,6 +33,7 @@ struct AnimationKind {
     const char* media_type = "";
 };
 
-const std::vector<AnimationKind>& animation_kinds();
+inline constexpr std::array<AnimationKind, 2> kAnimationKinds = {
+    {{"apng", "animation.png", "image/apng"}, {"gif", "animation.gif", "image/gif"}}};
 
 }  // namespace campuswalk::tools

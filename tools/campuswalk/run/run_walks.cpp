@@ -15,12 +15,11 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/images/pictures.h"
-#include "tools/campuswalk/run/plan/list_cases.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/last_run.h"
 #include "tools/campuswalk/run/results/reports.h"
-#include "tools/campuswalk/run/session.h"
+#include "tools/campuswalk/run/scheduler.h"
 #include "tools/campuswalk/run/watch.h"
 
 namespace campuswalk::tools {
@@ -49,6 +48,10 @@ std::ptrdiff_t expectations_about_images(const Plan& plan) {
 
 bool is_bad(const Case& each) {
     return each.result.outcome == engine::Outcome::bad_input;
+}
+
+bool is_log(const ReportTarget& target) {
+    return target.name == "log";
 }
 
 Selector selector_for(const RunOptions& options) {
@@ -80,13 +83,13 @@ public:
             return nothing_selected(plan);
         }
         if (options_.list) {
-            list_cases(plan);
+            print_cases(plan);
             return exit_code_of_list(plan);
         }
         plays_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
         const bool bad = plan.cases.size() == 1 && is_bad(plan.cases.front());
-        if (settings_.single && bad && options_.reporters.empty()) {
-            return kBadInput;
+        if (settings_.single && bad && std::ranges::all_of(settings_.reports, is_log)) {
+            return kBadInput;  // which has been said, and there is nothing to report it to
         }
         check_outputs(plan);
         return play(std::move(plan));
@@ -117,7 +120,6 @@ private:
             throw about(file, "missing-file",
                         "nothing is known of a last run; run without --last-failed and --resume first");
         }
-        const auto is_log = [](const ReportTarget& target) { return target.name == "log"; };
         if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
             throw about("--resume", "bad-value",
                         "logs of walks that have been played aren't kept; ask for reports alone, as in "
@@ -221,33 +223,33 @@ private:
         if (options_.jsonl && plays_) {
             events = std::make_unique<LogOutput>(false, options_.jsonl);
         }
-        Session session(std::move(plan), session_settings(reports, events != nullptr), reports, events.get(),
-                        last_run.get());
+        Scheduler scheduler(std::move(plan), scheduler_settings(reports, events != nullptr), reports,
+                            events.get(), last_run.get());
         if (options_.resume) {
-            session.take_over(last_run_->results);
+            scheduler.take_over(last_run_->results);
         }
-        return session.run();
+        return scheduler.run();
     }
 
-    SessionSettings session_settings(const Reports& reports, bool events) const {
-        SessionSettings session;
-        session.play.output = settings_.output;
-        session.play.images = images_;
-        session.backend = options_.backend;
-        session.play.log = reports.wants_log();
-        session.play.events = events;
-        session.play.records = options_.records;
-        session.play.sequence = options_.sequence;
-        session.play.update = settings_.update;
-        session.play.tolerance = settings_.tolerance;
-        session.pool.workers = static_cast<std::size_t>(settings_.workers);
-        session.pool.kill_after = settings_.kill_after;
-        session.max_failures = settings_.max_failures;
-        session.require_identical = options_.require_identical;
-        session.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
-        session.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
-        session.play.place = session.progress;
-        return session;
+    SchedulerSettings scheduler_settings(const Reports& reports, bool events) const {
+        SchedulerSettings scheduler;
+        scheduler.play.output = settings_.output;
+        scheduler.play.images = images_;
+        scheduler.play.backend = options_.backend;
+        scheduler.play.log = reports.wants_log();
+        scheduler.play.events = events;
+        scheduler.play.records = options_.records;
+        scheduler.play.sequence = options_.sequence;
+        scheduler.play.update = settings_.update;
+        scheduler.play.tolerance = settings_.tolerance;
+        scheduler.pool.workers = static_cast<std::size_t>(settings_.workers);
+        scheduler.pool.kill_after = settings_.kill_after;
+        scheduler.max_failures = settings_.max_failures;
+        scheduler.require_identical = options_.require_identical;
+        scheduler.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
+        scheduler.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
+        scheduler.play.place = session.progress;
+        return scheduler;
     }
 
     const RunOptions& options_;

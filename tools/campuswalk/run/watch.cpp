@@ -2,13 +2,12 @@
 
 #include <poll.h>
 #include <sys/inotify.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -20,11 +19,12 @@
 #include <system_error>
 
 #include "scene/base/diagnostic.h"
+#include "scene/process/child_process.h"
+#include "scene/process/pipe.h"
 #include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/run/plan/dependencies.h"
 #include "tools/campuswalk/run/workers/interrupt.h"
-#include "tools/campuswalk/run/workers/worker.h"
 
 namespace campuswalk::tools {
 
@@ -88,19 +88,14 @@ private:
         }
     }
 
-    Descriptor changes_;
+    scene::Descriptor changes_;
     std::map<int, fs::path> folders_;
 };
 
 void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
                const std::vector<fs::path>& changed) {
     std::fflush(stdout);
-    const pid_t child = fork();
-    if (child < 0) {
-        throw std::runtime_error("no process can be started: " + std::generic_category().message(errno));
-    }
-    if (child == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
+    scene::ChildProcess child = scene::fork_process([&] {
         try {
             run(changed);
         } catch (const scene::InputError& error) {
@@ -109,16 +104,13 @@ void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
             diagnostic_line(std::string("error: ") + error.what());
         }
         std::fflush(stdout);
-        _exit(0);
-    }
+    });
     bool passed_on = false;
-    int status = 0;
-    while (waitpid(child, &status, WNOHANG) == 0) {
+    while (!child.ends_within(std::chrono::milliseconds(kPatience / 5))) {
         if (interrupted() && !passed_on) {
-            kill(child, SIGINT);
+            child.send_signal(SIGINT);
             passed_on = true;
         }
-        poll(nullptr, 0, kPatience / 5);
     }
 }
 

@@ -11,7 +11,7 @@
 
 #include "engine/render/gl/driver_threads.h"
 #include "engine/render/renderer.h"
-#include "tools/campuswalk/run/workers/frame_helpers.h"
+#include "tools/campuswalk/run/cases/frame_helpers.h"
 #include "tools/campuswalk/run/workers/worker.h"
 #include "tools/campuswalk_bench/draw/looks.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
@@ -71,18 +71,15 @@ private:
 /// All of them do it; what they say in the end.
 std::string wait_for(std::vector<Worker>& workers, std::size_t task) {
     for (Worker& worker : workers) {
-        worker.give(task, task, std::nullopt);
+        worker.give(task);
     }
     std::string all;
     for (Worker& worker : workers) {
-        while (worker.place()) {
-            const Message message = worker.wait_for_message("draws");
-            if (message.topic == Topic::log) {
-                throw std::runtime_error(message.body);
-            }
-            worker.forget_task();
-            all += message.body;
+        const Message message = worker.wait_for_message("draws");
+        if (message.topic == Topic::log) {
+            throw std::runtime_error(message.body);
         }
+        all += message.body;
     }
     return all;
 }
@@ -91,8 +88,11 @@ DrawTimes draw_look(const scene::Model& model, const Look& look, const std::vect
                     int rounds) {
     std::vector<Worker> workers;
     for (std::size_t i = 0; i < drawing_processes(); ++i) {
-        Drawer drawer(model, look, views, rounds, i * views.size() / drawing_processes());
-        workers.emplace_back([&](std::size_t task, const Say& say) { drawer.work(task, say); }, workers);
+        const StartWork start = [&, first = i * views.size() / drawing_processes()] {
+            const auto drawer = std::make_shared<Drawer>(model, look, views, rounds, first);
+            return [drawer](std::size_t task, const Say& say) { drawer->work(task, say); };
+        };
+        workers.emplace_back(start, workers);
     }
     wait_for(workers, kWarmUp);
     DrawTimes times;

@@ -26,23 +26,28 @@ bool must_fail_in_images(const engine::Walk& walk) {
             }));
 }
 
-ImageWatch::ImageWatch(const Case& played, const PlaySettings& settings, const ImageMakers& makers)
+ImageWatch::ImageWatch(const Case& played, const PlaySettings& settings,
+                       engine::render::RendererStore& renderers, FrameHelpers* helpers)
     : played_(played), settings_(settings) {
     const LoadedWalk& loaded = *played.walk;
     const std::filesystem::path folder = settings.output / played.folder;
-    taker_ = make_snapshot_taker(*loaded.campus, folder, *makers.renderers);
+    taker_ = make_snapshot_taker(*loaded.campus, folder, renderers);
     if (settings.sequence.any()) {
         FrameSharing sharing;
-        if (FrameHelpers* helpers = makers.helpers) {
+        if (helpers != nullptr) {
             sharing = {helpers->parts(), [helpers](std::size_t part) { return helpers->next_frame(part); }};
         }
         sequence_ = make_sequence_taker(*loaded.campus, loaded.walk, folder, settings.sequence,
-                                        std::move(sharing), *makers.renderers);
+                                        std::move(sharing), renderers);
     }
 }
 
+void ImageWatch::frame(const engine::TickRecord& record) {
+    taken_.insert(taken_.end(), record.snapshots.begin(), record.snapshots.end());
+}
+
 std::vector<engine::Observer*> ImageWatch::observers() {
-    std::vector<engine::Observer*> all = {taker_.get()};
+    std::vector<engine::Observer*> all = {this, taker_.get()};
     if (sequence_) {
         all.push_back(sequence_.get());
     }
@@ -67,6 +72,17 @@ std::vector<engine::Artifact> ImageWatch::evaluator(std::vector<engine::Failure>
     return std::move(evaluated.artifacts);
 }
 
+std::vector<engine::Artifact> ImageWatch::snapshot_files() const {
+    std::vector<engine::Artifact> files;
+    for (const engine::SnapshotStep* step : taken_) {
+        for (const std::string& file : files_of(*step)) {
+            files.push_back({std::filesystem::path(file).stem().string(), played_.folder + "/" + file,
+                             file.ends_with(".png") ? "image/png" : "application/json"});
+        }
+    }
+    return files;
+}
+
 std::vector<engine::Artifact> ImageWatch::sequence_files() const {
     const SequenceRequest& wish = settings_.sequence;
     std::vector<engine::Artifact> files;
@@ -76,7 +92,7 @@ std::vector<engine::Artifact> ImageWatch::sequence_files() const {
     if (wish.contact_sheet) {
         add("contact sheet", kContactSheetFile, "image/png");
     }
-    for (const AnimationKind& kind : animation_kinds()) {
+    for (const AnimationKind& kind : kAnimationKinds) {
         if (std::ranges::find(wish.animations, kind.name) != wish.animations.end()) {
             add("animation", kind.file, kind.media_type);
         }

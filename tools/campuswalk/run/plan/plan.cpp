@@ -1,6 +1,7 @@
 #include "tools/campuswalk/run/plan/plan.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -209,6 +210,18 @@ private:
     std::set<std::string> told_;
 };
 
+/// What --list says of a case besides its name and tags.
+std::string remark(const WalkResult& result) {
+    const std::string reason = result.status_reason.empty() ? "" : ": " + result.status_reason;
+    if (result.outcome == Outcome::bad_input) {
+        return " (has mistakes)";
+    }
+    if (result.outcome == Outcome::skipped) {
+        return " (skip" + reason + ")";
+    }
+    return result.expected_to_fail ? " (xfail" + reason + ")" : "";
+}
+
 }  // namespace
 
 Selector selector_of(const ProjectConfig& project) {
@@ -225,6 +238,16 @@ Selector selector_of(const ProjectConfig& project) {
 
 Plan make_plan(const RunSettings& settings, PlanOptions options) {
     return Planner(settings, std::move(options)).plan();
+}
+
+void print_cases(const Plan& plan) {
+    for (const Case& each : plan.cases) {
+        std::string line = each.result.id;
+        for (const std::string& tag : each.result.tags) {
+            line += " @" + tag;
+        }
+        std::printf("%s%s\n", line.c_str(), remark(each.result).c_str());
+    }
 }
 
 }  // namespace campuswalk::tools

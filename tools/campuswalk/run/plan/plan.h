@@ -43,4 +43,7 @@ Selector selector_of(const config::ProjectConfig& project);
 /// mistakes have been printed. Throws scene::InputError for what concerns the run as a whole.
 Plan make_plan(const RunSettings& settings, PlanOptions options);
 
+/// Prints what would be played, a case a line, with its tags and its status.
+void print_cases(const Plan& plan);
+
 }  // namespace campuswalk::tools

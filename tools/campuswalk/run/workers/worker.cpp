@@ -1,15 +1,11 @@
 #include "tools/campuswalk/run/workers/worker.h"
 
-#include <fcntl.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstring>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -18,143 +14,106 @@ namespace campuswalk::tools {
 
 namespace {
 
-bool write_all(int to, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = write(to, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) {
-            return false;
-        }
-        bytes.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
-    }
-    return true;
-}
+constexpr std::size_t kHead = 1 + sizeof(std::uint32_t);
 
 /// The next task; nullopt when there are no more.
 std::optional<std::size_t> read_task(int from) {
     std::uint64_t task = 0;
-    ssize_t got = 0;
-    do {
-        got = ::read(from, &task, sizeof(task));  // so few bytes come at once or not at all
-    } while (got < 0 && errno == EINTR);
-    return got == static_cast<ssize_t>(sizeof(task)) ? std::optional<std::size_t>(task) : std::nullopt;
+    // So few bytes come at once or not at all.
+    const bool whole = scene::read_some(from, std::as_writable_bytes(std::span(&task, 1))) == sizeof(task);
+    return whole ? std::optional<std::size_t>(task) : std::nullopt;
 }
 
-struct Pipe {
-    Descriptor end;    // to read from
-    Descriptor start;  // to write to
-};
-
-Pipe make_pipe() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {  // ffmpeg has no business with it
-        throw std::runtime_error("no worker can be started: " + std::generic_category().message(errno));
+/// A worker's whole life, in its process.
+[[noreturn]] void serve(const StartWork& start, int tasks, int answers) {
+    const Say say = [&](Topic topic, std::string_view body) {
+        if (!scene::write_all(answers, framed(topic, body))) {
+            _exit(1);  // nobody listens any more
+        }
+    };
+    const Work work = start();
+    while (const std::optional<std::size_t> task = read_task(tasks)) {
+        work(*task, say);
     }
-    return {Descriptor(ends[0]), Descriptor(ends[1])};
+    _exit(0);  // nobody needs the memory given back
 }
 
 }  // namespace
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-    if (this != &other) {
-        close();
-        number_ = std::exchange(other.number_, -1);
-    }
-    return *this;
+std::string framed(Topic topic, std::string_view body) {
+    std::string bytes(kHead, '\0');
+    bytes[0] = static_cast<char>(topic);
+    const auto length = static_cast<std::uint32_t>(body.size());
+    std::memcpy(bytes.data() + 1, &length, sizeof(length));
+    bytes.append(body);
+    return bytes;
 }
 
-void Descriptor::close() {
-    if (number_ >= 0) {
-        ::close(std::exchange(number_, -1));
+std::optional<Message> MessageReader::next() {
+    const std::string_view left = std::string_view(bytes_).substr(read_);
+    std::uint32_t length = 0;
+    if (left.size() >= kHead) {
+        std::memcpy(&length, left.data() + 1, sizeof(length));
     }
+    if (left.size() < kHead || left.size() - kHead < length) {
+        bytes_.erase(0, read_);
+        read_ = 0;
+        return std::nullopt;
+    }
+    const auto topic = static_cast<std::uint8_t>(left.front());
+    if (topic > static_cast<std::uint8_t>(Topic::result)) {
+        throw std::runtime_error("a worker sent what it can't mean");
+    }
+    read_ += kHead + length;
+    return Message{static_cast<Topic>(topic), std::string(left.substr(kHead, length))};
 }
 
-Worker::Worker(const Work& work, const std::vector<Worker>& others) {
-    Pipe tasks = make_pipe();
-    Pipe answers = make_pipe();
-    const pid_t parent = getpid();
-    process_ = fork();
-    if (process_ < 0) {
-        throw std::runtime_error("no worker can be started: " + std::generic_category().message(errno));
+Worker::Worker(const StartWork& start, const std::vector<Worker>& others) {
+    try {
+        scene::Pipe tasks = scene::make_pipe();
+        scene::Pipe answers = scene::make_pipe();
+        process_ = scene::fork_process([&] {
+            tasks.writing.close();
+            answers.reading.close();
+            for (const Worker& other : others) {  // or their ends would never show
+                ::close(other.tasks_.number());
+                ::close(other.answers_.number());
+            }
+            serve(start, tasks.reading.number(), answers.writing.number());
+        });
+        tasks_ = std::move(tasks.writing);
+        answers_ = std::move(answers.reading);
+    } catch (const std::system_error& error) {
+        throw std::runtime_error("no worker can be started: " + error.code().message());
     }
-    if (process_ == 0) {
-        tasks.start.close();
-        answers.end.close();
-        for (const Worker& other : others) {  // or their ends would never show
-            ::close(other.tasks_.number());
-            ::close(other.answers_.number());
-        }
-        serve(work, tasks.end.number(), answers.start.number(), parent);
-    }
-    tasks_ = std::move(tasks.start);
-    answers_ = std::move(answers.end);
-}
-
-void Worker::serve(const Work& work, int tasks, int answers, pid_t parent) const {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) {
-        _exit(1);  // it died before it could be asked to take this one along
-    }
-    const Say say = [&](Topic topic, std::string_view body) {
-        if (!write_all(answers, framed(topic, body))) {
-            _exit(1);  // nobody listens any more
-        }
-    };
-    while (const std::optional<std::size_t> task = read_task(tasks)) {
-        work(*task, say);
-    }
-    _exit(0);
 }
 
 Worker::~Worker() {
-    end();
-}
-
-Worker::Worker(Worker&& other) noexcept
-    : process_(std::exchange(other.process_, -1)),
-      tasks_(std::move(other.tasks_)),
-      answers_(std::move(other.answers_)),
-      reader_(std::move(other.reader_)),
-      place_(other.place_),
-      deadline_(other.deadline_) {}
-
-Worker& Worker::operator=(Worker&& other) noexcept {
-    std::swap(process_, other.process_);
-    std::swap(tasks_, other.tasks_);
-    std::swap(answers_, other.answers_);
-    std::swap(reader_, other.reader_);
-    std::swap(place_, other.place_);
-    std::swap(deadline_, other.deadline_);
-    return *this;
-}
-
-void Worker::end() {
-    if (process_ < 0) {
-        return;
-    }
-    if (place_) {
+    if (task_) {
         send_signal(SIGKILL);
     }
-    tasks_.close();
-    static_cast<void>(exit_reason());
+    wait();
 }
 
-void Worker::give(std::size_t task, std::size_t place,
-                  std::optional<std::chrono::steady_clock::time_point> deadline) {
-    place_ = place;
-    deadline_ = deadline;
+void Worker::give(std::size_t task) {
+    task_ = task;
     const std::uint64_t number = task;
-    std::array<char, sizeof(number)> bytes{};
-    std::memcpy(bytes.data(), &number, sizeof(number));
-    static_cast<void>(write_all(tasks_.number(), {bytes.data(), bytes.size()}));
+    static_cast<void>(scene::write_all(tasks_.number(), std::as_bytes(std::span(&number, 1))));
 }
 
 bool Worker::read() {
     std::array<char, 1 << 16> bytes{};
-    const ssize_t got = ::read(answers_.number(), bytes.data(), bytes.size());
-    if (got > 0) {
-        reader_.add({bytes.data(), static_cast<std::size_t>(got)});
+    const std::size_t got = scene::read_some(answers_.number(), std::as_writable_bytes(std::span(bytes)));
+    reader_.add({bytes.data(), got});
+    return got > 0;
+}
+
+std::optional<Message> Worker::next_message() {
+    std::optional<Message> message = reader_.next();
+    if (message && message->topic == Topic::result) {
+        task_.reset();
     }
-    return got > 0 || (got < 0 && errno == EINTR);
+    return message;
 }
 
 Message Worker::wait_for_message(std::string_view what_for) {
@@ -163,38 +122,17 @@ Message Worker::wait_for_message(std::string_view what_for) {
             return std::move(*message);
         }
         if (!read()) {
-            forget_task();
-            hang_up();
             throw std::runtime_error("a process that " + std::string(what_for) +
-                                     " is gone: " + exit_reason());
+                                     " is gone: " + scene::to_string(wait()));
         }
     }
 }
 
-void Worker::send_signal(int signal) const {
-    if (process_ > 0) {
-        kill(process_, signal);
-    }
-}
-
-void Worker::hang_up() {
+scene::ExitStatus Worker::wait() {
+    task_.reset();
     tasks_.close();
     answers_.close();
-}
-
-std::string Worker::exit_reason() {
-    if (process_ < 0) {
-        return "it has been waited for";
-    }
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    if (WIFSIGNALED(status)) {
-        const int signal = WTERMSIG(status);
-        return "it was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
-    }
-    return "it ended with code " + std::to_string(WEXITSTATUS(status));
+    return process_.wait();
 }
 
 }  // namespace campuswalk::tools

@@ -1,38 +1,54 @@
 #pragma once
 
-#include <sys/types.h>
-
-#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tools/campuswalk/run/workers/messages.h"
+#include "scene/process/child_process.h"
+#include "scene/process/pipe.h"
 
 namespace campuswalk::tools {
 
-/// A file descriptor that is closed in the end.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-    Descriptor& operator=(Descriptor&& other) noexcept;
+/// What a worker says about its task.
+enum class Topic : std::uint8_t {
+    log,     ///< lines of the text log
+    events,  ///< lines of the log as JSON
+    place,   ///< the walk's time in seconds, for people to see
+    frame,   ///< what FrameSharing::take gives, from one that helps to draw
+    result,  ///< the last: engine::to_json_line, or of one that helps to draw what went wrong
+};
 
-    int number() const { return number_; }
-    void close();
+struct Message {
+    Topic topic = Topic::log;
+    std::string body;
+};
+
+/// As bytes: the topic, the length, the body.
+std::string framed(Topic topic, std::string_view body);
+
+/// Puts messages together again from whatever pieces a pipe gives.
+class MessageReader {
+public:
+    void add(std::string_view bytes) { bytes_.append(bytes); }
+    /// The next one that is whole; nullopt until more has come. Throws std::runtime_error for what no worker
+    /// sends.
+    std::optional<Message> next();
 
 private:
-    int number_;
+    std::string bytes_;
+    std::size_t read_ = 0;
 };
 
 /// How a worker, in its process, says something about the task at hand.
 using Say = std::function<void(Topic topic, std::string_view body)>;
-/// What a worker does, in its process; must end by saying Topic::result. Throws nothing.
+/// Does a task; must end by saying Topic::result. Throws nothing.
 using Work = std::function<void(std::size_t task, const Say& say)>;
+/// Called once in the worker's process: what the work needs is made there, and is nobody else's.
+using StartWork = std::function<Work()>;
 
 /// A process forked from this one, so that it shares what has been loaded. It is given tasks by number and
 /// ends when this object does, or with this process.
@@ -40,44 +56,35 @@ class Worker {
 public:
     /// `others` are workers that there are already: their pipes are none of the new one's business. Throws
     /// std::runtime_error when the system has no room.
-    Worker(const Work& work, const std::vector<Worker>& others);
+    Worker(const StartWork& start, const std::vector<Worker>& others);
     ~Worker();
-    Worker(Worker&& other) noexcept;
-    Worker& operator=(Worker&& other) noexcept;
+    Worker(Worker&&) noexcept = default;
+    Worker& operator=(Worker&&) noexcept = default;
 
     /// Without effect on one that is dead; that shows when its answers end.
-    /// `place` is the caller's name for the task.
-    void give(std::size_t task, std::size_t place,
-              std::optional<std::chrono::steady_clock::time_point> deadline);
-    void forget_task() { place_.reset(); }
-    /// Of the task at hand.
-    std::optional<std::size_t> place() const { return place_; }
-    std::optional<std::chrono::steady_clock::time_point> deadline() const { return deadline_; }
+    void give(std::size_t task);
+    /// The one at hand: given, and its result hasn't been taken yet.
+    std::optional<std::size_t> task() const { return task_; }
 
+    /// To be polled; negative once it has been waited for.
     int answers() const { return answers_.number(); }
-    /// Takes in what the pipe holds; false once there will be no more.
+    /// Takes in what the pipe holds, of which it waits for some; false once there will be no more.
     bool read();
-    std::optional<Message> next_message() { return reader_.next(); }
-    /// For those who have nothing else to listen to. Throws std::runtime_error, once, when it is dead;
-    /// `what_for` says of it what "drew frames" would.
+    std::optional<Message> next_message();
+    /// For those who have nothing else to listen to. Throws std::runtime_error when it is dead; `what_for`
+    /// says of it what "drew frames" would.
     Message wait_for_message(std::string_view what_for);
 
-    void send_signal(int signal) const;
-    /// It is dead and will not be asked again.
-    void hang_up();
-    /// Waits for its end; how it ended, as in "it was ended by signal 11 (Segmentation fault)".
-    std::string exit_reason();
+    void send_signal(int signal) const { process_.send_signal(signal); }
+    /// Waits for its end; it has no task from now on.
+    scene::ExitStatus wait();
 
 private:
-    [[noreturn]] void serve(const Work& work, int tasks, int answers, pid_t parent) const;
-    void end();
-
-    pid_t process_ = -1;
-    Descriptor tasks_;
-    Descriptor answers_;
+    scene::ChildProcess process_;
+    scene::Descriptor tasks_;
+    scene::Descriptor answers_;
     MessageReader reader_;
-    std::optional<std::size_t> place_;
-    std::optional<std::chrono::steady_clock::time_point> deadline_;
+    std::optional<std::size_t> task_;
 };
 
 }  // namespace campuswalk::tools

@@ -3,7 +3,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <utility>
 
@@ -14,69 +13,64 @@ namespace campuswalk::tools {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kPatience = 100;                     // milliseconds between looks at the clock and at Ctrl-C
 constexpr std::chrono::seconds kTimeToFinish{10};  // for workers that were asked to stop
 constexpr std::size_t kMostEndedEarly = 100'000;   // tasks that wait for a slow one before them
 
-std::optional<Clock::time_point> deadline_after(const std::optional<double>& seconds) {
-    if (!seconds) {
-        return std::nullopt;
-    }
-    return Clock::now() +
-           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
-}
-
 }  // namespace
 
-WorkerPool::WorkerPool(Work work, const PoolSettings& settings)
-    : work_(std::move(work)), settings_(settings) {}
+WorkerPool::WorkerPool(const StartWork& start, std::vector<std::size_t> tasks, PoolListener listener,
+                       const PoolSettings& settings)
+    : tasks_(std::move(tasks)),
+      start_([this, start] {
+          return [this, work = start()](std::size_t place, const Say& say) { work(tasks_[place], say); };
+      }),
+      listener_(std::move(listener)),
+      settings_(settings) {}
 
-bool WorkerPool::run(const std::vector<std::size_t>& tasks, const PoolListener& listener) {
-    tasks_ = &tasks;
-    listener_ = &listener;
-    next_ = told_ = 0;
-    cached_.clear();
-    cached_bytes_ = 0;
+bool WorkerPool::run() {
     bool wanted = true;
-    while (wanted && told_ < tasks.size()) {
+    while (wanted && reported_ < tasks_.size()) {
         if (interrupted()) {
             return wait_out_interrupted();
         }
         hand_out();
         wait_for_answers();
         end_those_too_slow();
-        wanted = tell();
-        listener.passing_time();
+        wanted = report();
+        listener_.passing_time();
     }
     workers_.clear();
     return true;
 }
 
-/// Tasks go out in order, so the one that is to be told of next is always done or being done: whatever waits
+/// Tasks go out in order, so the one that is to be reported next is always done or being done: whatever waits
 /// for it, it can't wait for ever.
 void WorkerPool::hand_out() {
-    while (next_ < tasks_->size() && cached_.size() < kMostEndedEarly) {
-        if (cached_bytes_ > settings_.max_cached && next_ != told_) {
+    while (next_ < tasks_.size() && pending_.size() < kMostEndedEarly) {
+        if (buffered_ > settings_.most_buffered && next_ != reported_) {
             return;
         }
-        auto idle = std::ranges::find_if(workers_, [](const Worker& worker) { return !worker.place(); });
+        auto idle = std::ranges::find_if(workers_, [](const Worker& worker) { return !worker.task(); });
         if (idle == workers_.end()) {
             if (workers_.size() >= settings_.workers) {
                 return;
             }
-            workers_.emplace_back(work_, workers_);
+            workers_.emplace_back(start_, workers_);
             idle = workers_.end() - 1;
         }
-        cached_.try_emplace(next_);
-        idle->give((*tasks_)[next_], next_, deadline_after(settings_.kill_after));
+        Pending& pending = pending_[next_];
+        if (settings_.kill_after) {
+            const std::chrono::duration<double> most(*settings_.kill_after);
+            pending.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(most);
+        }
+        idle->give(next_);
         ++next_;
     }
 }
 
 bool WorkerPool::may_listen_to(const Worker& worker) const {
-    return cached_bytes_ <= settings_.max_cached || worker.place() == told_;
+    return buffered_ <= settings_.most_buffered || worker.task() == reported_;
 }
 
 void WorkerPool::wait_for_answers() {
@@ -91,7 +85,7 @@ void WorkerPool::wait_for_answers() {
     if (poll(pipes.data(), pipes.size(), kPatience) <= 0) {
         return;
     }
-    for (std::size_t i = pipes.size(); i-- > 0;) {  // from the back: the dead are taken out
+    for (std::size_t i = pipes.size(); i-- > 0;) {
         if (pipes[i].revents != 0) {
             listen_to(workers_[whose[i]]);
         }
@@ -101,83 +95,79 @@ void WorkerPool::wait_for_answers() {
 
 void WorkerPool::listen_to(Worker& worker) {
     const bool alive = worker.read();
-    while (std::optional<Message> message = worker.next_message()) {
-        take(worker, std::move(*message));
+    while (const std::optional<std::size_t> place = worker.task()) {
+        std::optional<Message> message = worker.next_message();
+        if (!message) {
+            break;
+        }
+        take(*place, std::move(*message));
     }
     if (!alive) {
-        bury(worker);
+        const std::optional<std::size_t> place = worker.task();
+        const std::string reason = scene::to_string(worker.wait());
+        if (place) {
+            end_task(*place, {false, "the process that played the walk is gone: " + reason});
+        }
     }
 }
 
-void WorkerPool::take(Worker& worker, Message message) {
-    if (!worker.place()) {
-        return;
-    }
+void WorkerPool::take(std::size_t place, Message message) {
     if (message.topic == Topic::result) {
-        end_task(worker, {true, std::move(message.body)});
+        end_task(place, {true, std::move(message.body)});
         return;
     }
-    cached_bytes_ += message.body.size();
-    cached_.at(*worker.place()).messages.push_back(std::move(message));
+    buffered_ += message.body.size();
+    pending_.at(place).messages.push_back(std::move(message));
 }
 
-void WorkerPool::end_task(Worker& worker, Ending ending) {
-    const std::size_t place = *worker.place();
-    worker.forget_task();
-    listener_->ended_first((*tasks_)[place], ending);
-    cached_bytes_ += ending.text.size();
-    cached_.at(place).ending = std::move(ending);
-}
-
-void WorkerPool::bury(Worker& worker) {
-    const std::string how = worker.exit_reason();
-    if (worker.place()) {
-        end_task(worker, {false, "the process that played the walk is gone: " + how});
-    }
-    worker.hang_up();
+void WorkerPool::end_task(std::size_t place, Ending ending) {
+    listener_.ended_first(tasks_[place], ending);
+    buffered_ += ending.text.size();
+    pending_.at(place).ending = std::move(ending);
 }
 
 void WorkerPool::end_those_too_slow() {
+    if (!settings_.kill_after) {
+        return;
+    }
     const Clock::time_point now = Clock::now();
     for (Worker& worker : workers_) {
-        if (worker.place() && worker.deadline() && now > *worker.deadline()) {
+        const std::optional<std::size_t> place = worker.task();
+        if (place && now > pending_.at(*place).deadline) {
             worker.send_signal(SIGKILL);
-            end_task(worker, {false, "stopped: it took more than " +
-                                         engine::fixed(settings_.kill_after.value_or(0.0), 1) +
+            worker.wait();
+            end_task(*place, {false, "stopped: it took more than " + engine::fixed(*settings_.kill_after, 1) +
                                          " s of wall clock (--kill-after)"});
-            static_cast<void>(worker.exit_reason());
-            worker.hang_up();
         }
     }
     std::erase_if(workers_, [](const Worker& worker) { return worker.answers() < 0; });
 }
 
-bool WorkerPool::tell() {
-    for (auto first = cached_.begin(); first != cached_.end() && first->first == told_;
-         first = cached_.begin()) {
-        const std::size_t task = (*tasks_)[told_];
-        CachedPiece& kept = first->second;
-        for (; !kept.messages.empty(); kept.messages.pop_front()) {
-            cached_bytes_ -= kept.messages.front().body.size();
-            listener_->heard(task, kept.messages.front().topic, kept.messages.front().body);
+bool WorkerPool::report() {
+    for (auto first = pending_.begin(); first != pending_.end() && first->first == reported_;
+         first = pending_.begin()) {
+        const std::size_t task = tasks_[reported_];
+        Pending& pending = first->second;
+        for (; !pending.messages.empty(); pending.messages.pop_front()) {
+            buffered_ -= pending.messages.front().body.size();
+            listener_.heard(task, pending.messages.front().topic, pending.messages.front().body);
         }
-        if (!kept.ending) {
+        if (!pending.ending) {
             return true;
         }
-        const Ending ending = std::move(*kept.ending);
-        cached_bytes_ -= ending.text.size();
-        cached_.erase(first);
-        ++told_;
-        if (!listener_->ended(task, ending)) {
+        const Ending ending = std::move(*pending.ending);
+        buffered_ -= ending.text.size();
+        pending_.erase(first);
+        ++reported_;
+        if (!listener_.ended(task, ending)) {
             return false;
         }
     }
     return true;
 }
 
-std::size_t WorkerPool::busy() const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(workers_, [](const Worker& worker) { return worker.place().has_value(); }));
+bool WorkerPool::busy() const {
+    return std::ranges::any_of(workers_, [](const Worker& worker) { return worker.task().has_value(); });
 }
 
 bool WorkerPool::wait_out_interrupted() {
@@ -186,14 +176,14 @@ bool WorkerPool::wait_out_interrupted() {
     }
     const Clock::time_point end = Clock::now() + kTimeToFinish;
     bool wanted = true;
-    while (wanted && busy() > 0 && Clock::now() < end && !interrupted_again()) {
+    while (wanted && busy() && Clock::now() < end && !interrupted_again()) {
         wait_for_answers();
-        wanted = tell();
+        wanted = report();
     }
     // Those after one that didn't come to an end, too: they are finished.
-    for (auto& [place, kept] : cached_) {
-        if (wanted && kept.ending) {
-            wanted = listener_->ended((*tasks_)[place], *kept.ending);
+    for (auto& [place, pending] : pending_) {
+        if (wanted && pending.ending) {
+            wanted = listener_.ended(tasks_[place], *pending.ending);
         }
     }
     workers_.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -30,49 +31,55 @@ struct PoolListener {
 
 struct PoolSettings {
     std::size_t workers = 1;
-    std::optional<double> kill_after;                 ///< seconds of wall clock for a task
-    std::size_t max_cached = std::size_t{64} << 20U;  ///< bytes of what came too early to be told
+    std::optional<double> kill_after;                    ///< seconds of wall clock for a task
+    std::size_t most_buffered = std::size_t{64} << 20U;  ///< bytes of what came too early to be reported
 };
 
-/// Worker processes that are handed tasks in order, whoever is free. What they say is told in the tasks'
+/// Worker processes that are handed tasks in order, whoever is free. What they say is reported in the tasks'
 /// order, whatever order they finish in. A worker that dies is replaced and its task has no result.
 class WorkerPool {
 public:
-    WorkerPool(Work work, const PoolSettings& settings);
+    WorkerPool(const StartWork& start, std::vector<std::size_t> tasks, PoolListener listener,
+               const PoolSettings& settings);
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
 
-    /// True when all tasks were told of or `ended` wanted no more, false when interrupted: then those at hand
-    /// are given time to come to an end of their own.
-    bool run(const std::vector<std::size_t>& tasks, const PoolListener& listener);
+    /// Once. True when all tasks were reported or `ended` wanted no more, false when interrupted: then those
+    /// at hand are given time to come to an end of their own.
+    bool run();
 
 private:
-    /// What is known of a task that has been handed out and not been told of yet.
-    struct CachedPiece {
+    using Clock = std::chrono::steady_clock;
+
+    /// A task that has been handed out and not been reported yet.
+    struct Pending {
         std::deque<Message> messages;
         std::optional<Ending> ending;
+        Clock::time_point deadline;
     };
 
     void hand_out();
     void wait_for_answers();
     void listen_to(Worker& worker);
-    void bury(Worker& worker);
     void end_those_too_slow();
-    void take(Worker& worker, Message message);
-    void end_task(Worker& worker, Ending ending);
+    void take(std::size_t place, Message message);
+    void end_task(std::size_t place, Ending ending);
     /// False when the listener wants no more.
-    bool tell();
+    bool report();
     bool wait_out_interrupted();
-    std::size_t busy() const;
+    bool busy() const;
     bool may_listen_to(const Worker& worker) const;
 
-    Work work_;
+    // Workers know a task by its place among these.
+    std::vector<std::size_t> tasks_;
+    StartWork start_;
+    PoolListener listener_;
     PoolSettings settings_;
-    const std::vector<std::size_t>* tasks_ = nullptr;
-    const PoolListener* listener_ = nullptr;
     std::vector<Worker> workers_;
-    std::size_t next_ = 0;                       ///< place of the task to hand out next
-    std::size_t told_ = 0;                       ///< place of the task to tell of next
-    std::map<std::size_t, CachedPiece> cached_;  ///< by place, from `told_` on
-    std::size_t cached_bytes_ = 0;
+    std::size_t next_ = 0;                    ///< place of the task to hand out next
+    std::size_t reported_ = 0;                ///< place of the task to report next
+    std::map<std::size_t, Pending> pending_;  ///< by place, from `reported_` on
+    std::size_t buffered_ = 0;                ///< bytes in `pending_`
 };
 
 }  // namespace campuswalk::tools

@@ -1,10 +1,8 @@
-#include "tools/campuswalk/run/workers/frame_helpers.h"
+#include "tools/campuswalk/run/cases/frame_helpers.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,35 +14,33 @@ namespace {
 void stay_in_the_background() {
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
-    if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-        dup2(nowhere, STDERR_FILENO);
-        close(nowhere);
+    if (const scene::Descriptor nowhere = scene::open_nowhere(); nowhere.open()) {
+        dup2(nowhere.number(), STDERR_FILENO);
     }
 }
 
 }  // namespace
 
 FrameHelpers::FrameHelpers(std::size_t parts, const Draw& draw) {
+    const StartWork start = [&draw] {
+        stay_in_the_background();
+        return draw;
+    };
     for (std::size_t part = 1; part < parts; ++part) {
-        const Work work = [&draw](std::size_t its_part, const Say& say) {
-            stay_in_the_background();
-            draw(its_part, say);
-        };
-        helpers_.emplace_back(work, helpers_);
+        helpers_.emplace_back(start, helpers_);
     }
     for (std::size_t part = 1; part < parts; ++part) {
-        helpers_[part - 1].give(part, part, std::nullopt);
+        helpers_[part - 1].give(part);
     }
 }
 
 std::string FrameHelpers::next_frame(std::size_t part) {
     Worker& helper = helpers_.at(part - 1);
-    if (!helper.place()) {
+    if (!helper.task()) {
         throw std::runtime_error("a process that drew frames has ended before this one");
     }
     Message message = helper.wait_for_message("drew frames");
     if (message.topic != Topic::frame) {
-        helper.forget_task();
         throw std::runtime_error(message.body.empty() ? "a frame is missing" : message.body);
     }
     return std::move(message.body);

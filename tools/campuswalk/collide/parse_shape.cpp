@@ -1,4 +1,4 @@
-#include "tools/campuswalk/collide/spelling.h"
+#include "tools/campuswalk/collide/parse_shape.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,8 @@
-#include "tools/campuswalk/run/session.h"
+#include "tools/campuswalk/run/scheduler.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <map>
-#include <stdexcept>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -21,21 +19,20 @@ namespace campuswalk::tools {
 using engine::Outcome;
 using engine::WalkResult;
 
-Session::Session(Plan plan, SessionSettings settings, Reports& reports, LogOutput* events,
-                 LastRunWriter* last_run)
+Scheduler::Scheduler(Plan plan, SchedulerSettings settings, Reports& reports, LogOutput* events,
+                     LastRunWriter* last_run)
     : plan_(std::move(plan)),
       settings_(std::move(settings)),
       reports_(reports),
       events_(events),
       last_run_(last_run),
-      progress_(settings_.progress, plan_.cases.size()),
-      renderers_(settings_.play.images ? make_renderers(settings_.backend) : nullptr) {
+      progress_(settings_.progress, plan_.cases.size()) {
     for (const Case& each : plan_.cases) {
         over_.push_back(each.walk == nullptr);
     }
 }
 
-void Session::take_over(const std::vector<WalkResult>& earlier) {
+void Scheduler::take_over(const std::vector<WalkResult>& earlier) {
     std::map<std::string, const WalkResult*> known;
     for (const WalkResult& result : earlier) {
         if (result.outcome == Outcome::passed || result.outcome == Outcome::failed) {
@@ -51,7 +48,7 @@ void Session::take_over(const std::vector<WalkResult>& earlier) {
     }
 }
 
-std::vector<std::size_t> Session::to_play() const {
+std::vector<std::size_t> Scheduler::to_play() const {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < over_.size(); ++i) {
         if (!over_[i]) {
@@ -61,7 +58,7 @@ std::vector<std::size_t> Session::to_play() const {
     return indices;
 }
 
-int Session::run() {
+int Scheduler::run() {
     watch_for_interrupts();
     reports_.begin(plan_.cases.size());
     check_standard_output();  // workers would inherit what is still to be written
@@ -71,27 +68,31 @@ int Session::run() {
         }
     }
     const std::vector<std::size_t> tasks = to_play();
-    workers_ = std::max<std::size_t>(1, std::min(settings_.pool.workers, tasks.size()));
-    WorkerPool pool(
-        [this](std::size_t index, const Say& say) {
-            say(Topic::result, engine::to_json_line(play_case(index, say)));
-        },
-        settings_.pool);
+    const std::size_t workers = std::max<std::size_t>(1, std::min(settings_.pool.workers, tasks.size()));
+    settings_.play.drawing = workers;
+    settings_.play.processes_each = settings_.pool.workers / workers;
+    const StartWork start = [this] {
+        const auto runner = std::make_shared<CaseRunner>(settings_.play);
+        return [this, runner](std::size_t index, const Say& say) {
+            say(Topic::result, engine::to_json_line(runner->run(plan_.cases[index], say)));
+        };
+    };
+    if (!over_.empty() && over_.front()) {
+        report_up_to(0);
+    }
+    return finish(!enough() && !WorkerPool(start, tasks, listener(), settings_.pool).run());
+}
+
+PoolListener Scheduler::listener() {
     PoolListener listener;
     listener.ended_first = [this](std::size_t index, const Ending& ending) { keep(index, ending); };
-    listener.heard = [this](std::size_t index, Topic topic, std::string_view lines) {
-        if (topic == Topic::place) {
-            const Case& played = plan_.cases[index];
-            progress_.walk_is_at(played.result.name, std::stod(std::string(lines)),
-                                 engine::planned_seconds(played.walk->walk));
-        } else {
-            hear(topic, lines);
-        }
+    listener.heard = [this](std::size_t index, Topic topic, std::string_view body) {
+        hear(index, topic, body);
     };
     listener.ended = [this](std::size_t index, const Ending& ending) {
         plan_.cases[index].result = result_of(index, ending);
         over_[index] = true;
-        return tell_up_to(index);
+        return report_up_to(index);
     };
     listener.passing_time = [this] {
         progress_.show();
@@ -99,54 +100,16 @@ int Session::run() {
             last_run_->sync_if_due();
         }
     };
-    if (!over_.empty() && over_.front()) {
-        tell_up_to(0);
-    }
-    return finish(!enough() && !pool.run(tasks, listener));
+    return listener;
 }
 
-WalkResult Session::play_case(std::size_t index, const Say& say) {
-    const std::unique_ptr<FrameHelpers> helpers =
-        std::exchange(may_fork_, false) ? frame_helpers_for(index) : nullptr;
-    return play(plan_.cases[index], settings_.play, {renderers_, helpers.get()}, say);
-}
-
-// Where there are processors that no worker has a walk for, each worker gets an equal number of them.
-std::unique_ptr<FrameHelpers> Session::frame_helpers_for(std::size_t index) {
-    constexpr double kFramesWorthAPart = 10.0;  // what it takes to begin drawing
-    const Case& played = plan_.cases[index];
-    if (renderers_ == nullptr || !settings_.play.sequence.any()) {
-        return nullptr;
-    }
-    std::size_t parts = std::min(settings_.pool.workers / workers_, FrameHelpers::kMostParts);
-    if (const auto seconds = engine::planned_seconds(played.walk->walk)) {
-        const double frames = *seconds / interval_of(settings_.play.sequence);
-        parts = std::min(parts, static_cast<std::size_t>(std::clamp(frames / kFramesWorthAPart, 1.0, 1e3)));
-    }
-    if (parts < 2) {
-        return nullptr;
-    }
-    const std::size_t drawing = workers_ * parts;
-    std::unique_ptr<FrameHelpers> helpers;
-    try {
-        helpers = std::make_unique<FrameHelpers>(parts, [&](std::size_t part, const Say& say) {
-            share_processors(drawing);
-            draw_frames(played, settings_.play, *renderers_, part, parts, say);
-        });
-        share_processors(drawing);
-    } catch (const std::runtime_error&) {
-        // No room for more processes: this one draws by itself.
-    }
-    return helpers;
-}
-
-void Session::keep(std::size_t index, const Ending& ending) {
+void Scheduler::keep(std::size_t index, const Ending& ending) {
     if (last_run_ != nullptr) {
         last_run_->add(ending.answered ? ending.text : engine::to_json_line(result_of(index, ending)));
     }
 }
 
-WalkResult Session::result_of(std::size_t index, const Ending& ending) const {
+WalkResult Scheduler::result_of(std::size_t index, const Ending& ending) const {
     if (ending.answered) {
         return engine::result_from_json_line(ending.text);
     }
@@ -156,25 +119,31 @@ WalkResult Session::result_of(std::size_t index, const Ending& ending) const {
     return result;
 }
 
-void Session::hear(Topic topic, std::string_view lines) {
+void Scheduler::hear(std::size_t index, Topic topic, std::string_view body) {
+    if (topic == Topic::place) {
+        const Case& played = plan_.cases[index];
+        progress_.walk_is_at(played.result.name, std::stod(std::string(body)),
+                             engine::planned_seconds(played.walk->walk));
+        return;
+    }
     progress_.hide();
     if (topic == Topic::log) {
-        reports_.log(lines);
+        reports_.log(body);
     } else if (events_ != nullptr) {
-        events_->write(lines);
+        events_->write(body);
     }
 }
 
-bool Session::tell_up_to(std::size_t index) {
-    for (; told_ < over_.size() && (told_ <= index || over_[told_]) && !enough(); ++told_) {
-        if (over_[told_]) {  // others were being played when the run was interrupted
-            tell(std::move(plan_.cases[told_].result));
+bool Scheduler::report_up_to(std::size_t index) {
+    for (; reported_ < over_.size() && (reported_ <= index || over_[reported_]) && !enough(); ++reported_) {
+        if (over_[reported_]) {  // others were being played when the run was interrupted
+            report(std::move(plan_.cases[reported_].result));
         }
     }
     return !enough();
 }
 
-void Session::tell(WalkResult result) {
+void Scheduler::report(WalkResult result) {
     if (result.repetition == 0) {
         first_ = result;
     } else if (settings_.require_identical) {
@@ -195,13 +164,13 @@ void Session::tell(WalkResult result) {
     report_.results.push_back(std::move(result));
 }
 
-bool Session::enough() const {
+bool Scheduler::enough() const {
     return settings_.max_failures && failures_ >= *settings_.max_failures;
 }
 
-int Session::finish(bool interrupted) {
+int Scheduler::finish(bool interrupted) {
     if (!interrupted) {
-        tell_up_to(over_.size());
+        report_up_to(over_.size());
     }
     progress_.hide();
     reports_.end(report_);
@@ -215,7 +184,7 @@ int Session::finish(bool interrupted) {
         diagnostic_line("interrupted");
         return kInterrupted;
     }
-    if (const std::size_t left = over_.size() - told_; left > 0) {
+    if (const std::size_t left = over_.size() - reported_; left > 0) {
         diagnostic_line("stopped after " + std::to_string(failures_) +
                         (failures_ == 1 ? " failure, " : " failures, ") + std::to_string(left) + " not run");
     }

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/report/walk_result.h"
+#include "engine/script/image_tolerance.h"
+#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/rendering_backend.h"
+#include "tools/campuswalk/images/sequence_wish.h"
+#include "tools/campuswalk/logs/golden_log.h"
+#include "tools/campuswalk/run/cases/frame_helpers.h"
+#include "tools/campuswalk/run/plan/plan.h"
+#include "tools/campuswalk/run/workers/worker.h"
+
+namespace campuswalk::tools {
+
+class CaseStream;
+
+struct PlaySettings {
+    std::filesystem::path output;
+    bool images = false;
+    Backend backend;                   ///< of images
+    bool log = false;                  ///< say the text log as it comes
+    bool events = false;               ///< say the log as JSON
+    bool place = false;                ///< say now and then how far the walk is
+    std::vector<std::string> records;  ///< names of record_kinds()
+    UpdateSnapshots update = UpdateSnapshots::missing;
+    SequenceRequest sequence;
+    engine::ImageTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
+    std::size_t processes_each = 1;    ///< that may draw the frames of one walk
+    std::size_t drawing = 1;           ///< workers that draw at the same time, without their helpers
+};
+
+/// Plays cases in a worker's process, and makes their images.
+class CaseRunner {
+public:
+    /// `settings` must outlive it.
+    explicit CaseRunner(const PlaySettings& settings);
+
+    /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole
+    /// lines.
+    engine::WalkResult run(const Case& played, const Say& say);
+
+private:
+    /// Null when this process is to draw all frames of the case.
+    std::unique_ptr<FrameHelpers> frame_helpers_for(const Case& played) const;
+    void play_into(engine::WalkResult& result, const Case& played, FrameHelpers* helpers,
+                   CaseStream& stream) const;
+
+    const PlaySettings& settings_;
+    std::shared_ptr<engine::render::RendererStore> renderers_;  ///< null without images
+    bool may_fork_ = true;                                      ///< nothing has been drawn in this process
+};
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,75 @@
+#include "tools/campuswalk/run/cases/case_stream.h"
+
+#include "engine/events/decimals.h"
+
+namespace campuswalk::tools {
+
+CaseStream::CaseStream(const Say& say, const StreamSettings& settings)
+    : say_(say),
+      settings_(settings),
+      text_([this](std::string_view line) { add(log_, line); }),
+      json_([this](std::string_view line) { add_event(line); }) {}
+
+void CaseStream::begin(const engine::Walk& walk) {
+    if (settings_.log) {
+        text_.begin(walk);
+    }
+    if (settings_.events || settings_.keep_lines) {
+        json_.begin(walk);
+    }
+}
+
+void CaseStream::frame(const engine::TickRecord& record) {
+    if (settings_.log) {
+        text_.frame(record);
+    }
+    if (settings_.events || settings_.keep_lines) {
+        json_.frame(record);
+    }
+    const Clock::time_point now = Clock::now();
+    if (settings_.place && now - place_sent_ > std::chrono::milliseconds(200)) {
+        place_sent_ = now;
+        say_(Topic::place, engine::fixed(record.time, 1));
+    }
+    send_if_old(log_, now);
+    send_if_old(events_, now);
+}
+
+void CaseStream::flush() {
+    send(log_);
+    send(events_);
+}
+
+void CaseStream::add(Batch& batch, std::string_view line) {
+    constexpr std::size_t kEnough = std::size_t{1} << 14U;
+    batch.lines.append(line);
+    batch.lines += '\n';
+    if (batch.lines.size() >= kEnough) {
+        send(batch);
+    }
+}
+
+void CaseStream::add_event(std::string_view line) {
+    if (settings_.events) {
+        add(events_, line);
+    }
+    if (settings_.keep_lines) {
+        kept_lines_.emplace_back(line);
+    }
+}
+
+void CaseStream::send(Batch& batch) {
+    if (!batch.lines.empty()) {
+        say_(batch.topic, batch.lines);
+        batch.lines.clear();
+    }
+}
+
+void CaseStream::send_if_old(Batch& batch, Clock::time_point now) {
+    if (!batch.lines.empty() && now - batch.sent > std::chrono::milliseconds(100)) {
+        send(batch);
+        batch.sent = now;
+    }
+}
+
+}  // namespace campuswalk::tools
