@@ -213,6 +213,21 @@ class Config(ProgramCase):
         self.assertEqual(self.run_program("run").lines[0], "TAP version 14")
         self.assertNotIn("TAP", self.run_program("run", "--reporter", "dot").out)
 
+    def test_reporters_of_the_file_hold_for_one_walk_too(self):
+        self.write("walks.config.yaml", "reporters: [{tap: out/one.tap}]\n")
+        outcome = self.passes("run", "walks/one.walk.yaml")
+        self.assertTrue(outcome.lines[0].startswith("# walk-log 1 walk=one "), outcome.lines[0])
+        self.assertIn(b"\nok 1 ", self.read("out/one.tap"))
+        self.write("walks.config.yaml", "reporters: [tap]\n")
+        self.assertEqual(self.passes("run", "walks/one.walk.yaml").lines[0], "TAP version 14")
+        self.assertEqual(self.passes("run", "--reporter", "dot", "walks/one.walk.yaml").out.count("TAP"), 0)
+
+    def test_a_report_of_one_walk_that_cannot_be_read(self):
+        self.write("walks.config.yaml", "reporters: [{tap: out/one.tap}]\n")
+        self.write("walks/one.walk.yaml", "campus: none.campus.yaml\n")
+        self.assertEqual(self.run_program("run", "walks/one.walk.yaml").code, 2)
+        self.assertIn(b"\nnot ok 1 ", self.read("out/one.tap"))
+
     def test_another_file(self):
         self.write("ci/walks.config.yaml", "walks: ../walks\nworkers: 3\noutput: ../results\n")
         outcome = self.passes("run", "--config", "ci/walks.config.yaml", "--print-config", "-j", "1")

@@ -94,7 +94,7 @@ void add_running(Command& command, const Options& options) {
 
 std::vector<std::string> animation_names() {
     std::vector<std::string> names;
-    for (const AnimationKind& kind : animation_kinds()) {
+    for (const AnimationKind& kind : kAnimationKinds) {
         names.emplace_back(kind.name);
     }
     return names;
@@ -144,7 +144,8 @@ void add_output(Command& command, const Options& options) {
                    options->output);
     command.option({.names = "--reporter",
                     .help = "dot, github, json, jsonl, junit, list, log or tap; with =FILE there, several "
-                            "times. Without: the log of a single walk, a list of several",
+                            "times. Without: those of walks.config.yaml, else the log of a single walk, a "
+                            "list of several",
                     .value = "NAME[=FILE]"},
                    options->reporters);
     command.option({.names = "--log", .help = "Write the event log to this file too", .value = "FILE"},

@@ -66,20 +66,21 @@ std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConf
         }
         reports.push_back(std::move(target));
     }
-    if (options.reporters.empty() && !single) {
+    if (options.reporters.empty()) {
         for (const config::ConfiguredReporter& reporter : config.reporters) {
             check_reporter(reporter.name, reporter.mark);
             reports.push_back({reporter.name, reporter.file ? std::optional(as_seen_from_here(*reporter.file))
                                                             : std::nullopt});
         }
     }
-    if (reports.empty() && !options.quiet) {
+    const auto printed = [](const ReportTarget& target) { return !target.file; };
+    const bool one_to_watch = single && options.reporters.empty() && std::ranges::none_of(reports, printed);
+    if (!options.quiet && (reports.empty() || one_to_watch)) {
         reports.push_back({single ? "log" : "list", std::nullopt});
     }
     if (options.log) {
         reports.push_back({"log", options.log});
     }
-    const auto printed = [](const ReportTarget& target) { return !target.file; };
     if (std::ranges::count_if(reports, printed) > 1) {
         throw InputError(option("--reporter"), "bad-value",
                          "only one report can go to standard output; give the others a file, as in "
