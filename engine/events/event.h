@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -81,6 +82,20 @@ struct Event {
     EventKind kind = EventKind::walk_start;
     std::string object;
     std::vector<Field> fields;
+};
+
+/// The events of one tick, in log order.
+struct TickEvents {
+    Tick tick = 0;
+    std::vector<Event> list;
+
+    void begin(Tick next) {
+        tick = next;
+        list.clear();
+    }
+    Event& add(EventKind kind, std::string object, std::vector<Field> fields = {}, double at = 1.0) {
+        return list.emplace_back(Event{tick, at, kind, std::move(object), std::move(fields)});
+    }
 };
 
 }  // namespace campuswalk::engine

@@ -1,5 +1,6 @@
 #include "engine/expect/expectation_set.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -75,12 +76,29 @@ std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) 
                    scene_of(found.when.value_or(now), *campus_, *avatar_)};
 }
 
-// ---- at the end -----------------------------------------------------------------------------------------
+// ---- the set --------------------------------------------------------------------------------------------
 
-ExpectationSet::ExpectationSet(const scene::Campus& campus, const Walk& walk) {
-    for (const Expectation& expectation : walk.expectations) {
-        if (auto evaluator = Evaluator::of(expectation, campus, walk.avatar)) {
-            evaluators_.push_back(std::move(*evaluator));
+namespace {
+
+std::vector<Evaluator> evaluators_of(const std::vector<Expectation>& expectations,
+                                     const scene::Campus& campus, const AvatarProfile& avatar) {
+    std::vector<Evaluator> evaluators;
+    for (const Expectation& expectation : expectations) {
+        if (auto evaluator = Evaluator::of(expectation, campus, avatar)) {
+            evaluators.push_back(std::move(*evaluator));
+        }
+    }
+    return evaluators;
+}
+
+}  // namespace
+
+ExpectationSet::ExpectationSet(const scene::Campus& campus, const Walk& walk)
+    : of_walk_(evaluators_of(walk.expectations, campus, walk.avatar)) {
+    for (const Step& step : walk.steps) {
+        const auto* expect = std::get_if<ExpectStep>(&step);
+        if (expect != nullptr && group_of(*expect) == of_steps_.end()) {
+            of_steps_.push_back({expect->mark, evaluators_of(expect->expectations, campus, walk.avatar)});
         }
     }
 }
@@ -88,17 +106,41 @@ ExpectationSet::ExpectationSet(const scene::Campus& campus, const Walk& walk) {
 void ExpectationSet::see(const TickRecord& record) {
     history_.see(record);
     see_closing(record);
+    for (Group& group : of_steps_) {
+        for (Evaluator& evaluator : group.evaluators) {
+            evaluator.see(record, history_.now());
+        }
+    }
 }
 
 void ExpectationSet::see_closing(const TickRecord& record) {
-    for (Evaluator& evaluator : evaluators_) {
+    for (Evaluator& evaluator : of_walk_) {
         evaluator.see(record, history_.now());
     }
 }
 
+std::vector<ExpectationSet::Group>::const_iterator ExpectationSet::group_of(const ExpectStep& step) const {
+    return std::ranges::find_if(of_steps_, [&](const Group& group) {
+        return group.mark.line == step.mark.line && group.mark.column == step.mark.column &&
+               group.mark.file == step.mark.file;
+    });
+}
+
+std::optional<Failure> ExpectationSet::failure_at(const ExpectStep& step, const TickRecord& record) const {
+    StateHistory so_far = history_;
+    so_far.see(record);
+    for (Evaluator evaluator : group_of(step)->evaluators) {
+        evaluator.see(record, so_far.now());
+        if (auto failure = evaluator.failure(false, so_far.now())) {
+            return failure;
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<Failure> ExpectationSet::verdicts() const {
     std::vector<Failure> failures;
-    for (const Evaluator& evaluator : evaluators_) {
+    for (const Evaluator& evaluator : of_walk_) {
         if (auto failure = evaluator.failure(true, history_.now())) {
             failures.push_back(std::move(*failure));
         }
@@ -108,7 +150,7 @@ std::vector<Failure> ExpectationSet::verdicts() const {
 
 ExpectationSet::StoppedVerdicts ExpectationSet::verdicts_when_stopped() const {
     StoppedVerdicts verdicts;
-    for (const Evaluator& evaluator : evaluators_) {
+    for (const Evaluator& evaluator : of_walk_) {
         if (auto mark = evaluator.undecided()) {
             verdicts.undecided.push_back(std::move(*mark));
         } else if (auto failure = evaluator.failure(true, history_.now())) {
@@ -116,48 +158,6 @@ ExpectationSet::StoppedVerdicts ExpectationSet::verdicts_when_stopped() const {
         }
     }
     return verdicts;
-}
-
-// ---- in steps -------------------------------------------------------------------------------------------
-
-StepExpectations::StepExpectations(const scene::Campus& campus, const Walk& walk) {
-    for (const Step& step : walk.steps) {
-        const auto* expect = std::get_if<ExpectStep>(&step);
-        if (expect == nullptr) {
-            continue;
-        }
-        const auto [expectation_set, fresh] = step_expectations_.try_emplace(place_of(expect->mark));
-        for (const Expectation& expectation : expect->expectations) {
-            if (auto evaluator = fresh ? Evaluator::of(expectation, campus, walk.avatar) : std::nullopt) {
-                expectation_set->second.push_back(std::move(*evaluator));
-            }
-        }
-    }
-}
-
-void StepExpectations::see(const TickRecord& record) {
-    if (step_expectations_.empty()) {
-        return;
-    }
-    history_.see(record);
-    for (auto& [place, evaluators] : step_expectations_) {
-        for (Evaluator& evaluator : evaluators) {
-            evaluator.see(record, history_.now());
-        }
-    }
-}
-
-std::optional<Failure> StepExpectations::failure(const ExpectStep& step, const TickRecord& record) const {
-    StateHistory so_far = history_;
-    so_far.see(record);
-    for (const Evaluator& evaluator : step_expectations_.at(place_of(step.mark))) {
-        Evaluator copy = evaluator;
-        copy.see(record, so_far.now());
-        if (auto failure = copy.failure(false, so_far.now())) {
-            return failure;
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace campuswalk::engine

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,18 +50,23 @@ private:
     const AvatarProfile* avatar_;
 };
 
-/// All expectations of a walk that hold for the whole of it.
+/// All that is expected of a walk: for the whole of it, and in its steps. Each expectation is held against
+/// everything since the walk's start.
 class ExpectationSet {
 public:
     /// Both must outlive it.
     ExpectationSet(const scene::Campus& campus, const Walk& walk);
 
-    /// Every frame but the closing one.
+    /// Every tick but the closing one.
     void see(const TickRecord& record);
-    /// The walk's last frame, in which all that is met is left: it is not told among what came before.
+    /// The walk's last record, in which all contacts end: it is not told among what came before.
     void see_closing(const TickRecord& record);
 
-    /// In the order of the file; empty when everything was as expected.
+    /// What isn't as the step expects, if anything; `record` is the tick so far, which `see` will be shown in
+    /// full afterwards.
+    std::optional<Failure> failure_at(const ExpectStep& step, const TickRecord& record) const;
+
+    /// Of what holds for the whole walk, in the order of the file; empty when everything was as expected.
     std::vector<Failure> verdicts() const;
 
     /// Of a walk that a step or its time-out stopped: what nothing that was still to come could have mended,
@@ -77,28 +80,16 @@ public:
     const StateSnapshot& now() const { return history_.now(); }
 
 private:
-    StateHistory history_;
-    std::vector<Evaluator> evaluators_;
-};
-
-/// The expectations in a walk's steps. Each is held against everything since the walk's start.
-class StepExpectations {
-public:
-    StepExpectations(const scene::Campus& campus, const Walk& walk);
-
-    void see(const TickRecord& record);
-
-    /// What isn't as the step expects, if anything; `record` is the tick so far, which `see` will be shown in
-    /// full afterwards.
-    std::optional<Failure> failure(const ExpectStep& step, const TickRecord& record) const;
-
-private:
-    using Place = std::tuple<std::string, int, int>;
-    static Place place_of(const SourceMark& mark) { return {mark.file, mark.line, mark.column}; }
+    /// The evaluators of one `expect`. Rounds of a `repeat` share theirs, by the step's mark.
+    struct Group {
+        SourceMark mark;
+        std::vector<Evaluator> evaluators;
+    };
+    std::vector<Group>::const_iterator group_of(const ExpectStep& step) const;
 
     StateHistory history_;
-    std::map<Place, std::vector<Evaluator>>
-        step_expectations_;  ///< by the step's mark: one for all rounds of a `repeat`
+    std::vector<Evaluator> of_walk_;
+    std::vector<Group> of_steps_;
 };
 
 }  // namespace campuswalk::engine

@@ -45,8 +45,8 @@ public:
     void add(const JumpStep& step) { seconds_ += 2.0 * step.speed / collision::MoverSettings().gravity; }
     void add(const WaitUntilStep&) { seconds_ = std::numeric_limits<double>::infinity(); }
     void add(const SpeedStep& step) { pace_ = step.speed; }
-    template <typename Effect>
-    void add(const Effect&) {}  // takes no time
+    template <InstantStep Instant>
+    void add(const Instant&) {}
 
 private:
     void put(const Vector3d& position, double yaw) {

@@ -37,13 +37,6 @@ bool has_arrived(const Target& target, double within, const AvatarState& avatar)
     return flat(way).norm() <= within && (!target.has_height || std::abs(way.y()) <= kLevel);
 }
 
-/// Steps that take no time.
-bool is_effect(const Step& step) {
-    return std::holds_alternative<SnapshotStep>(step) || std::holds_alternative<CrouchStep>(step) ||
-           std::holds_alternative<SpeedStep>(step) || std::holds_alternative<EnableStep>(step) ||
-           std::holds_alternative<ExpectStep>(step);
-}
-
 }  // namespace
 
 ScriptPlayer::ScriptPlayer(const Walk& walk) : walk_(walk), dt_(1.0 / walk.sim.ticks_per_second) {}
@@ -59,7 +52,7 @@ Intent ScriptPlayer::intend(const AvatarState& avatar) {
     return intent;
 }
 
-void ScriptPlayer::hear(std::span<const Event> events) {
+void ScriptPlayer::observe(std::span<const Event> events) {
     if (finished()) {
         return;
     }
@@ -70,7 +63,7 @@ void ScriptPlayer::hear(std::span<const Event> events) {
     }
 }
 
-std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vector<const Step*>& effects) {
+std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vector<const Step*>& instant) {
     if (finished()) {
         return std::nullopt;
     }
@@ -85,18 +78,18 @@ std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vect
     if (end && end->fatal) {
         return end;
     }
-    for (; !finished() && is_effect(walk_.steps[current_]); ++current_) {
+    for (; !finished() && is_instant(walk_.steps[current_]); ++current_) {
         if (const auto* speed = std::get_if<SpeedStep>(&walk_.steps[current_])) {
             pace_ = speed->speed;
         } else {
-            effects.push_back(&walk_.steps[current_]);
+            instant.push_back(&walk_.steps[current_]);
         }
     }
     return end;
 }
 
-const SourceMark& ScriptPlayer::mark() const {
-    return std::visit([](const auto& step) -> const SourceMark& { return step.mark; }, walk_.steps[current_]);
+const SourceMark* ScriptPlayer::mark() const {
+    return finished() ? nullptr : &mark_of(walk_.steps[current_]);
 }
 
 std::optional<StepEnd> ScriptPlayer::end_of(const Step& step, Outcome result,

@@ -6,55 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "engine/events/event.h"
-#include "engine/script/avatar.h"
 #include "engine/script/curve_walk.h"
+#include "engine/script/intent.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
 
-/// What the script wants of the avatar in one tick.
-struct Intent {
-    Eigen::Vector3d move = Eigen::Vector3d::Zero();  ///< horizontal displacement, metres
-    double yaw = 0.0;                                ///< to look along at the end of the tick
-    double pitch = 0.0;
-    /// Set when the avatar is put somewhere instead of moving there.
-    struct Placement {
-        const std::string* label = nullptr;
-        Eigen::Vector3d foot = Eigen::Vector3d::Zero();
-        EventKind kind = EventKind::avatar_spawn;
-    };
-    std::optional<Placement> placement;
-    std::optional<double> jump;  ///< leaves the ground at this speed, metres a second
-};
-
-/// How a step ended.
-struct StepEnd {
-    std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, with the label; none: not logged
-    const std::string* label = nullptr;
-    const SourceMark* mark = nullptr;
-    bool fatal = false;   ///< the walk ends here
-    std::string code;     ///< fatal: of the failure
-    std::string message;  ///< fatal: what went wrong; an obstacle is for others to add
-};
-
-/// Plays a walk's steps one after the other: `intend` before the avatar moves, `hear` and `settle` after it.
-class ScriptPlayer {
+/// Plays a walk's steps one after the other.
+class ScriptPlayer final : public IntentSource {
 public:
     explicit ScriptPlayer(const Walk& walk);
 
-    bool finished() const { return current_ >= walk_.steps.size(); }
-    Intent intend(const AvatarState& avatar);
-    /// What happened, for a wait_until: before `settle`, and again for what the effects of steps brought.
-    void hear(std::span<const Event> events);
-    /// Ends the current step if it is done, and appends the steps after it that take no time, which the
-    /// caller carries out in their order. The end of a walk_to or a follow is reported, and what ends the
-    /// walk.
-    std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& effects);
-    /// Of the step that is being played; call before it is finished.
-    const SourceMark& mark() const;
-    /// No further step is played.
-    void abandon() { current_ = walk_.steps.size(); }
+    bool finished() const override { return current_ >= walk_.steps.size(); }
+    Intent intend(const AvatarState& avatar) override;
+    /// For a wait_until.
+    void observe(std::span<const Event> events) override;
+    /// Ends the current step if it is done, and appends the instant steps after it. The end of a walk_to or a
+    /// follow is reported, and what ends the walk.
+    std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) override;
+    /// Of the step that is being played; null once it is finished.
+    const SourceMark* mark() const override;
 
 private:
     struct Progress {
@@ -77,8 +48,9 @@ private:
     void intend(const FollowStep& step, const AvatarState& avatar, Intent& intent);
     void intend(const JumpStep& step, const AvatarState& avatar, Intent& intent);
     void intend(const WaitUntilStep& step, const AvatarState& avatar, Intent& intent);
-    template <typename Effect>
-    void intend(const Effect&, const AvatarState&, Intent&) {}
+    /// Instant steps are carried out after the step before them; the first step is always a spawn.
+    template <InstantStep Instant>
+    void intend(const Instant&, const AvatarState&, Intent&) {}
 
     enum class Outcome { going, done, arrived, blocked, timed_out };
     std::optional<StepEnd> end_of(const Step& step, Outcome result, const AvatarState& avatar) const;
@@ -91,9 +63,8 @@ private:
     Outcome outcome(const FollowStep& step, const AvatarState& avatar);
     Outcome outcome(const JumpStep& step, const AvatarState& avatar);
     Outcome outcome(const WaitUntilStep& step, const AvatarState& avatar);
-    /// Effects are carried out in `settle` after the step before them; the first step is always a spawn.
-    template <typename Effect>
-    Outcome outcome(const Effect&, const AvatarState&) {
+    template <InstantStep Instant>
+    Outcome outcome(const Instant&, const AvatarState&) {
         return Outcome::done;
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -119,14 +120,6 @@ struct TeleportStep {
     std::optional<double> yaw;
 };
 
-struct SnapshotStep {
-    SourceMark mark;
-    std::string name;  ///< file name without extension
-    CameraSettings camera;
-    ImageChannels channels;
-    ImageOverlays overlays;
-};
-
 /// Along a smooth curve through points, from where the avatar is. Ends like a walk_to to the last of them.
 struct FollowStep {
     SourceMark mark;
@@ -151,8 +144,15 @@ struct WaitUntilStep {
     double timeout = 30.0;  ///< simulated seconds
 };
 
-// Steps that take no time: they happen at the end of the tick that ended the step before them, like
-// snapshots.
+// Instant steps take no time: they are carried out at the end of the tick that ended the step before them.
+
+struct SnapshotStep {
+    SourceMark mark;
+    std::string name;  ///< file name without extension
+    CameraSettings camera;
+    ImageChannels channels;
+    ImageOverlays overlays;
+};
 
 /// Crouches, or stands up: a new height of the body, the eyes lowered in proportion.
 struct CrouchStep {
@@ -181,6 +181,19 @@ struct ExpectStep {
 
 using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
                           FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep, ExpectStep>;
+
+/// Whatever visits steps handles those that take no time as one kind, and each of the others by itself.
+template <typename Kind>
+concept InstantStep = std::same_as<Kind, SnapshotStep> || std::same_as<Kind, CrouchStep> ||
+    std::same_as<Kind, SpeedStep> || std::same_as<Kind, EnableStep> || std::same_as<Kind, ExpectStep>;
+
+inline bool is_instant(const Step& step) {
+    return std::visit([]<typename Kind>(const Kind&) { return InstantStep<Kind>; }, step);
+}
+
+inline const SourceMark& mark_of(const Step& step) {
+    return std::visit([](const auto& each) -> const SourceMark& { return each.mark; }, step);
+}
 
 // ---- the walk -----------------------------------------------------------------------------------------
 

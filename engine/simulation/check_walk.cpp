@@ -8,7 +8,8 @@
 #include "engine/events/decimals.h"
 #include "engine/expect/image_names.h"
 #include "engine/expect/name_check.h"
-#include "engine/simulation/simulation.h"
+#include "engine/script/avatar_body.h"
+#include "engine/simulation/body.h"
 #include "scene/base/glob.h"
 
 namespace campuswalk::engine {

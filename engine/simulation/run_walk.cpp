@@ -80,11 +80,28 @@ void add_verdict(const WalkSummary& summary, const Walk& walk, std::vector<Event
     events.push_back(std::move(end));
 }
 
-}  // namespace
+void summarize(const Simulation& simulation, const scene::Campus& campus, const Walk& walk,
+               WalkSummary& summary) {
+    const ExpectationSet& expectations = simulation.expectations();
+    if (const auto& stop = simulation.stop()) {
+        ExpectationSet::StoppedVerdicts verdicts = expectations.verdicts_when_stopped();
+        summary.failures = std::move(verdicts.failures);
+        summary.failures.insert(
+            summary.failures.begin(),
+            {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
+             stop->scene ? *stop->scene : scene_of(expectations.now(), campus, walk.avatar)});
+    } else {
+        summary.failures = expectations.verdicts();
+    }
+    summary.passed = summary.failures.empty();
+    summary.events += static_cast<std::int64_t>(summary.failures.size());
+    summary.distance = simulation.distance();
+    summary.hash = simulation.hash();
+    summary.counters = simulation.counters();
+}
 
-WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
-    Simulation simulation(campus, walk);
-    ExpectationSet expectation_set(campus, walk);
+WalkSummary run_walk(Simulation& simulation, const scene::Campus& campus, const Walk& walk,
+                     std::span<Observer* const> observers) {
     WalkSummary summary;
     const auto show = [&](const TickRecord& record) {
         for (Observer* observer : observers) {
@@ -97,34 +114,15 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
     }
     while (!simulation.finished()) {
         const TickRecord& record = simulation.step();
-        expectation_set.see(record);
         summary.events += static_cast<std::int64_t>(record.events.size());
         summary.ticks = record.tick;
         show(record);
     }
-
-    TickRecord last = simulation.leave_everything();
+    TickRecord last = simulation.close();
+    // Neither walk.start is counted nor walk.end, which expectations see without the verdict on them.
+    summary.events += static_cast<std::int64_t>(last.events.size()) - 2;
+    summarize(simulation, campus, walk, summary);
     std::vector<Event> closing(last.events.begin(), last.events.end());
-    // walk.start is not counted, nor is walk.end, which expectations see without the verdict on them.
-    summary.events += static_cast<std::int64_t>(closing.size()) - 1;
-    closing.push_back(event_at(last.tick, EventKind::walk_end, walk.name));
-    last.events = closing;
-    expectation_set.see_closing(last);
-    if (const auto& stop = simulation.stop()) {
-        ExpectationSet::StoppedVerdicts verdicts = expectation_set.verdicts_when_stopped();
-        summary.failures = std::move(verdicts.failures);
-        summary.failures.insert(
-            summary.failures.begin(),
-            {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
-             stop->scene ? *stop->scene : scene_of(expectation_set.now(), campus, walk.avatar)});
-    } else {
-        summary.failures = expectation_set.verdicts();
-    }
-    summary.passed = summary.failures.empty();
-    summary.events += static_cast<std::int64_t>(summary.failures.size());
-    summary.distance = simulation.distance();
-    summary.hash = simulation.hash();
-    summary.counters = simulation.counters();
     add_verdict(summary, walk, closing);
     last.events = closing;
     show(last);
@@ -132,6 +130,19 @@ WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Ob
         observer->end();
     }
     return summary;
+}
+
+}  // namespace
+
+WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
+    Simulation simulation(campus, walk);
+    return run_walk(simulation, campus, walk, observers);
+}
+
+WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, IntentSource& intents,
+                     std::span<Observer* const> observers) {
+    Simulation simulation(campus, walk, intents);
+    return run_walk(simulation, campus, walk, observers);
 }
 
 }  // namespace campuswalk::engine

@@ -9,6 +9,7 @@
 #include "engine/events/event.h"
 #include "engine/expect/failure.h"
 #include "engine/record/observer.h"
+#include "engine/script/intent.h"
 #include "engine/script/walk.h"
 #include "scene/campus/campus.h"
 
@@ -29,5 +30,9 @@ struct WalkSummary {
 /// Plays the walk from its first step to its last, evaluates the expectations and shows every frame to the
 /// observers, in their order. Deterministic: the same campus and walk give the same frames.
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers);
+
+/// The same with an avatar that the source moves; of the walk's steps it plays those that the source asks for.
+WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, IntentSource& intents,
+                     std::span<Observer* const> observers);
 
 }  // namespace campuswalk::engine

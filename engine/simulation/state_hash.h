@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "engine/events/event.h"
+
 namespace campuswalk::engine {
 
 /// FNV-1a (64 bits) over everything a walk did: equal hashes mean equal walks, to the bit.
@@ -28,6 +30,7 @@ public:
         }
         add(static_cast<std::uint64_t>(text.size()));
     }
+    void add(const Event& event);
 
     std::uint64_t value() const { return value_; }
 

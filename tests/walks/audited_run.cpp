@@ -9,8 +9,8 @@
 #include "config/loader/load_run.h"
 #include "engine/events/decimals.h"
 #include "engine/observers/text_log.h"
+#include "engine/script/avatar_body.h"
 #include "engine/simulation/check_walk.h"
-#include "engine/simulation/simulation.h"
 
 namespace campuswalk::support {
 

@@ -21,9 +21,9 @@ TEST(ExpectationSet, GivesItsVerdictsInTheOrderOfTheFile) {
                          expect_never("popup.open"), expect_count("popup.open", 1),
                          expect_sequence({"popup.open b"})};
     const scene::Campus campus = empty_campus();
-    ExpectationSet expectation_set(campus, walk);
-    Frames(expectation_set).tick({"popup.open a"});
-    const std::vector<Failure> failures = expectation_set.verdicts();
+    ExpectationSet set(campus, walk);
+    Frames(set).tick({"popup.open a"});
+    const std::vector<Failure> failures = set.verdicts();
     ASSERT_EQ(failures.size(), 3U) << "the log is for others to judge";
     EXPECT_EQ(failures[0].code, "reaches");
     EXPECT_EQ(failures[1].code, "never");
@@ -33,9 +33,9 @@ TEST(ExpectationSet, GivesItsVerdictsInTheOrderOfTheFile) {
 TEST(ExpectationSet, IsContentWithoutExpectations) {
     const Walk walk;
     const scene::Campus campus = empty_campus();
-    ExpectationSet expectation_set(campus, walk);
-    Frames(expectation_set).tick({"popup.open a"});
-    EXPECT_TRUE(expectation_set.verdicts().empty());
+    ExpectationSet set(campus, walk);
+    Frames(set).tick({"popup.open a"});
+    EXPECT_TRUE(set.verdicts().empty());
 }
 
 // ---- of a walk that was stopped -------------------------------------------------------------------------
@@ -45,18 +45,18 @@ std::string when_stopped(const Expectation& expectation) {
     Walk walk;
     walk.expectations = {expectation};
     const scene::Campus campus = empty_campus();
-    ExpectationSet expectation_set(campus, walk);
-    Frames(expectation_set)
+    ExpectationSet set(campus, walk);
+    Frames(set)
         .tick({"walk.start me"})
         .after_metres(3)
         .in_the_air(true)
         .tick({"popup.open a", "avatar.stuck me"});
-    const ExpectationSet::StoppedVerdicts verdicts = expectation_set.verdicts_when_stopped();
-    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), expectation_set.verdicts().size());
+    const ExpectationSet::StoppedVerdicts verdicts = set.verdicts_when_stopped();
+    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), set.verdicts().size());
     return !verdicts.failures.empty() ? "fails" : !verdicts.undecided.empty() ? "open" : "holds";
 }
 
-TEST(StoppedExpectationSet, FailsWhatNothingCouldMend) {
+TEST(StoppedWalk, FailsWhatNothingCouldMend) {
     for (const Expectation& lost : std::vector<Expectation>{
              expect_never("popup.open"), expect_count("popup.open", 0), expect_count("popup.open", {}, {}, 0),
              ExpectWithin{kMark, pattern("walk.start"), pattern("avatar.fell"), 0.05},
@@ -68,7 +68,7 @@ TEST(StoppedExpectationSet, FailsWhatNothingCouldMend) {
     }
 }
 
-TEST(StoppedExpectationSet, LeavesOpenWhatMightHaveCome) {
+TEST(StoppedWalk, LeavesOpenWhatMightHaveCome) {
     int place = 0;
     for (const Expectation& open : std::vector<Expectation>{
              expect_sequence({"popup.open", "popup.close"}), expect_count("popup.open", 2),
@@ -88,7 +88,7 @@ TEST(StoppedExpectationSet, LeavesOpenWhatMightHaveCome) {
     }
 }
 
-TEST(StoppedExpectationSet, IsContentWithWhatHolds) {
+TEST(StoppedWalk, IsContentWithWhatHolds) {
     for (const Expectation& held : std::vector<Expectation>{
              expect_never("avatar.fell"), expect_count("popup.open", 1), expect_sequence({"popup.open"}),
              ExpectNot{kMark, ExpectFell{kMark}}, ExpectNoPenetration{kMark}}) {

@@ -26,7 +26,7 @@ public:
         avatar.yaw = intent.yaw;
         avatar.pitch = intent.pitch;
         effects.clear();
-        player.hear(events);
+        player.observe(events);
         end = player.settle(avatar, effects);
         ++ticks;
     }
@@ -342,16 +342,15 @@ TEST(ScriptPlayer, TakesNoImageAfterAFatalBlock) {
     EXPECT_EQ(names_of(puppet.effects), Names());
 }
 
-TEST(ScriptPlayer, PlaysNothingOnceAbandoned) {
-    const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -10), snapshot("never")});
+TEST(ScriptPlayer, NamesTheLineThatItPlays) {
+    WaitStep wait = wait_for(0.1);
+    wait.mark = {"a.walk.yaml", 5, 3};
+    const Walk walk = walk_of({spawn_at({0, 0, 0}), wait});
     Puppet puppet(walk);
-    puppet.player.abandon();
-    EXPECT_TRUE(puppet.player.finished());
-    puppet.tick();
-    EXPECT_EQ(puppet.intent.move, Vector3d(0, 0, 0));
-    EXPECT_FALSE(puppet.intent.placement);
-    EXPECT_FALSE(puppet.end);
-    EXPECT_EQ(names_of(puppet.effects), Names());
+    ASSERT_NE(puppet.player.mark(), nullptr);
+    EXPECT_EQ(puppet.player.mark()->line, 5);
+    puppet.ticks_until_end();
+    EXPECT_EQ(puppet.player.mark(), nullptr);
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+#include "engine/simulation/body.h"
+
+#include <algorithm>
+
+#include "collision/world/placement.h"
+#include "engine/script/avatar_body.h"
+
+namespace campuswalk::engine {
+
+using collision::ObjectId;
+using collision::QueryCounters;
+using Eigen::Vector3d;
+
+namespace {
+
+/// This far below everything there is, the avatar has fallen off the world, metres.
+constexpr double kAbyss = 10.0;
+/// Falls of less than this are steps, not landings worth an event, metres.
+constexpr double kNotableFall = 0.5;
+/// Ground this far below the foot still carries it, metres.
+constexpr double kGroundQuery = 0.01;
+
+}  // namespace
+
+Body::Body(const scene::Campus& campus, const Walk& walk, const std::vector<bool>& disabled)
+    : campus_(campus),
+      profile_(walk.avatar),
+      dt_(1.0 / walk.sim.ticks_per_second),
+      solids_{collision::Detection::solid, ignored_layers(campus, walk.avatar), &disabled},
+      mover_(campus.world, mover_settings(walk.avatar), solids_),
+      stuck_(walk.sim.ticks_per_second) {}
+
+AvatarState Body::state() const {
+    return {mover_state_.foot,
+            yaw_,
+            pitch_,
+            mover_state_.vertical_speed,
+            mover_state_.grounded,
+            mover_.height() / profile_.height};
+}
+
+std::optional<ObjectId> Body::obstacle() const {
+    const auto nearest = std::ranges::min_element(trace_.touching, {}, &collision::Touch::gap);
+    return nearest == trace_.touching.end() ? std::nullopt : std::optional(nearest->object);
+}
+
+bool Body::has_fallen_off_the_world() const {
+    return foot().y() < campus_.world.bounds().min.y() - kAbyss;
+}
+
+Motion Body::follow(const Intent& intent, QueryCounters& counters) {
+    Motion motion;
+    yaw_ = intent.yaw;
+    pitch_ = intent.pitch;
+    if (intent.placement) {
+        jumping_ = false;
+        motion.push = put_down(intent.placement->foot, counters);
+    } else {
+        motion.jumped = intent.jump && mover_.jump(mover_state_, *intent.jump);
+        jumping_ = jumping_ || motion.jumped;
+        mover_.move(mover_state_, intent.move, dt_, trace_, counters);
+        for (std::size_t i = 1; i < trace_.path.size(); ++i) {
+            distance_ += (trace_.path[i] - trace_.path[i - 1]).norm();
+        }
+        if (trace_.landed && (jumping_ || trace_.fall_height >= kNotableFall)) {
+            motion.landed_from = trace_.fall_height;
+        }
+        jumping_ = jumping_ && !mover_state_.grounded;
+    }
+    motion.stuck = stuck_.see(foot(), intent.move.norm());
+    return motion;
+}
+
+bool Body::resize(double height, QueryCounters& counters) {
+    return mover_.resize(mover_state_, height, counters);
+}
+
+std::optional<ObjectId> Body::obstruction(double height, QueryCounters& counters) const {
+    return collision::obstruction(campus_.world, solids_, foot(), profile_.radius, height, counters);
+}
+
+/// A solid that appears where the body is pushes it aside.
+Body::Adjustment Body::adjust_to_enabled(QueryCounters& counters) {
+    Adjustment adjustment;
+    mover_.forget();
+    if (const auto solid = obstruction(height(), counters)) {
+        if (collision::standing_place(campus_.world, solids_, foot(), profile_.radius, height(),
+                                      kPlacementSearch, counters)) {
+            adjustment.push = put_down(foot(), counters);
+        } else {
+            adjustment.enclosed_by = solid;
+        }
+    }
+    rest(counters);
+    return adjustment;
+}
+
+/// A body at rest doesn't look for its ground again by itself.
+void Body::adjust_to_disabled(QueryCounters& counters) {
+    mover_.forget();
+    collision::MoverState probe;
+    mover_.place(probe, foot(), kGroundQuery, counters);
+    if (mover_state_.grounded && !probe.grounded) {
+        mover_state_.leave_ground(0.0, foot().y());
+    }
+    rest(counters);
+}
+
+/// At a place, or beside what is in the way there.
+std::optional<Push> Body::put_down(const Vector3d& foot, QueryCounters& counters) {
+    // check_walk has refused places that can't be made free.
+    const collision::Standing standing =
+        collision::standing_place(campus_.world, solids_, foot, profile_.radius, height(), kPlacementSearch,
+                                  counters)
+            .value_or(collision::Standing{foot, std::nullopt});
+    std::optional<Push> push;
+    if (standing.pushed_out_of) {
+        push = Push{foot, (standing.foot - foot).norm(), *standing.pushed_out_of};
+    }
+    mover_.place(mover_state_, standing.foot, 2.0 * kPlacementSearch, counters);
+    rest(counters);
+    return push;
+}
+
+/// The trace of a body that doesn't move.
+void Body::rest(QueryCounters& counters) {
+    trace_.path.assign(1, foot());
+    trace_.landed = false;
+    mover_.touch(mover_state_, trace_, counters);
+}
+
+}  // namespace campuswalk::engine

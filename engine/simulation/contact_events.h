@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/simulation/body.h"
+#include "engine/simulation/contact_detector.h"
+#include "engine/simulation/popup_windows.h"
+
+namespace campuswalk::engine {
+
+/// The events of contacts that begin, last and end, each with those of the window that comes with it: opened
+/// after the enter, closed before the exit.
+class ContactEvents {
+public:
+    /// `disabled` is by object. All must outlive it.
+    ContactEvents(const scene::Campus& campus, const Walk& walk, const std::vector<bool>& disabled,
+                  PopupWindows& windows);
+
+    /// After the body has moved. `cause` says why contacts change, where it isn't by the avatar's own motion;
+    /// null otherwise.
+    void detect(const Body& body, const char* cause, TickEvents& events, collision::QueryCounters& counters);
+    /// In the same tick, after objects have been enabled or disabled.
+    void detect_again(const Body& body, const char* cause, TickEvents& events,
+                      collision::QueryCounters& counters);
+    /// Ends all contacts.
+    void end_all(const Body& body, const char* cause, TickEvents& events);
+
+private:
+    void report_all(const Body& body, const char* cause, TickEvents& events);
+    void report(const DetectedTransition& contact, const Body& body, const char* cause, TickEvents& events);
+
+    const scene::Campus& campus_;
+    ContactDetector detector_;
+    PopupWindows& windows_;
+    std::vector<DetectedTransition> transitions_;  ///< kept for its memory alone
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,104 @@
+#include "engine/simulation/instant_steps.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <variant>
+
+#include "engine/events/decimals.h"
+#include "scene/base/glob.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+std::optional<Stop> carry_out_one(const SnapshotStep& step, SimulationState& state) {
+    state.snapshots.push_back(&step);
+    state.events.add(EventKind::snapshot_take, step.name, {{"pos", state.body.foot()}});
+    return std::nullopt;
+}
+
+std::optional<Stop> carry_out_one(const CrouchStep& step, SimulationState& state) {
+    if (step.height == state.body.height()) {
+        return std::nullopt;
+    }
+    if (!state.body.resize(step.height, state.counters)) {
+        const auto by = state.body.obstruction(step.height, state.counters);
+        return Stop{step.mark, "blocked",
+                    "there is no head room for " + fixed(step.height, 2) + " m" +
+                        (by ? ": blocked by " + state.name_of(*by) : "")};
+    }
+    const bool down = step.height < state.walk.avatar.height;
+    state.events.add(down ? EventKind::avatar_crouch : EventKind::avatar_stand, state.walk.name,
+                     {{"pos", state.body.foot()}, {"height", Decimal{step.height, 3}}});
+    return std::nullopt;
+}
+
+/// The pace of what follows is the script's own affair.
+std::optional<Stop> carry_out_one(const SpeedStep&, SimulationState&) {
+    return std::nullopt;
+}
+
+/// Whether any object changed.
+bool switch_objects(const EnableStep& step, SimulationState& state) {
+    bool changed = false;
+    for (std::size_t i = 0; i < state.campus.objects.size(); ++i) {
+        const std::string& id = state.campus.objects[i].id;
+        const bool meant = std::ranges::any_of(
+            step.objects, [&](const auto& pattern) { return scene::glob_matches(pattern.glob, id); });
+        if (meant && state.disabled[i] == step.enabled) {
+            state.disabled[i] = !step.enabled;
+            changed = true;
+            state.events.add(step.enabled ? EventKind::object_enable : EventKind::object_disable, id,
+                             {{"pos", state.body.foot()}});
+        }
+    }
+    return changed;
+}
+
+std::optional<Stop> carry_out_one(const EnableStep& step, SimulationState& state) {
+    if (!switch_objects(step, state)) {
+        return std::nullopt;
+    }
+    std::optional<Stop> stop;
+    if (step.enabled) {
+        const Body::Adjustment adjustment = state.body.adjust_to_enabled(state.counters);
+        if (adjustment.enclosed_by) {
+            stop = Stop{step.mark, "enclosed",
+                        state.name_of(*adjustment.enclosed_by) +
+                            " encloses the avatar; move it away before 'enable'"};
+        }
+        if (adjustment.push) {
+            state.report_push(*adjustment.push, state.walk.name);
+        }
+    } else {
+        state.body.adjust_to_disabled(state.counters);
+    }
+    state.contacts.detect_again(state.body, step.enabled ? "enable" : "disabled", state.events,
+                                state.counters);
+    return stop;
+}
+
+/// The expectations have seen the ticks before; they are shown this one as far as it goes.
+std::optional<Stop> carry_out_one(const ExpectStep& step, SimulationState& state) {
+    auto failure = state.expectations.failure_at(step, state.record());
+    return failure ? std::optional(Stop{failure->mark, std::move(failure->code), std::move(failure->message),
+                                        std::move(failure->scene)})
+                   : std::nullopt;
+}
+
+/// Of the others, every tick's intent is what there is to do.
+template <typename Lasting>
+    requires(!InstantStep<Lasting>)
+std::optional<Stop> carry_out_one(const Lasting&, SimulationState&) {
+    assert(false && "takes time");
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Stop> carry_out(const Step& step, SimulationState& state) {
+    return std::visit([&](const auto& each) { return carry_out_one(each, state); }, step);
+}
+
+}  // namespace campuswalk::engine
