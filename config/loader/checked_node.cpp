@@ -1,7 +1,6 @@
 #include "config/loader/checked_node.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "config/loader/complaint_limit.h"
 #include "config/loader/text_positions.h"
@@ -105,21 +104,6 @@ std::optional<int> CheckedNode::whole_number(int least, int most) const {
         return std::nullopt;
     }
     return whole;
-}
-
-std::optional<std::uint64_t> CheckedNode::seed() const {
-    if (is_scalar() && !node_->quoted) {
-        if (const auto value = parse_digits(node_->text)) {
-            return value;
-        }
-    }
-    constexpr double kHuge = std::numeric_limits<double>::max();
-    if (number({-kHuge, kHuge, false, ""})) {
-        diagnose("bad-value", what_ +
-                                  " must be a whole number from 0 to 18446744073709551615, written with "
-                                  "digits only");
-    }
-    return std::nullopt;
 }
 
 std::optional<bool> CheckedNode::truth() const {

@@ -53,7 +53,6 @@ public:
     std::optional<std::string> line() const;
     std::optional<double> number(const Range& range) const;
     std::optional<int> whole_number(int least, int most) const;
-    std::optional<std::uint64_t> seed() const;
     std::optional<bool> truth() const;
     /// `[x, y, z]`, every number within the range.
     std::optional<Eigen::Vector3d> vector(const Range& range) const;

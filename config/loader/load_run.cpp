@@ -246,6 +246,7 @@ SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides)
     }
     run.walk.mark = mark;
     throw_in_order(diagnostics, mark);
+    run.warnings = diagnostics.all();
     return run;
 }
 

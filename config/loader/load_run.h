@@ -30,6 +30,7 @@ struct SharedRun {
     engine::Walk walk;
     std::shared_ptr<const scene::CampusDescription> campus;
     std::filesystem::path avatar_file;  ///< empty when it names no profile
+    std::vector<scene::Diagnostic> warnings;
 };
 
 using CampusDescriptions = std::map<std::string, std::shared_ptr<const scene::CampusDescription>>;

@@ -64,14 +64,4 @@ ParsedNumber parse_number(std::string_view text, const Range& range) {
     return {value, "", ""};
 }
 
-std::optional<std::uint64_t> parse_digits(std::string_view text) {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool plain = !text.empty() && is_digit(text[0]) && (text[0] != '0' || text.size() == 1);
-    if (!plain || error != std::errc{} || end != text.data() + text.size()) {
-        return std::nullopt;
-    }
-    return value;
-}
-
 }  // namespace campuswalk::config

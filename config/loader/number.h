@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,8 +25,5 @@ struct ParsedNumber {
 /// spellings, leading zeros (YAML 1.1 reads 010 as eight, YAML 1.2 as ten), infinities, NaN, what doesn't fit
 /// a double.
 ParsedNumber parse_number(std::string_view text, const Range& range);
-
-/// Digits only, without leading zeros; nullopt for anything else or beyond 64 bits.
-std::optional<std::uint64_t> parse_digits(std::string_view text);
 
 }  // namespace campuswalk::config

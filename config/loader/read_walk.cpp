@@ -18,7 +18,8 @@ engine::SimSettings read_sim(const CheckedNode& node) {
     map.number("stay_every", kSeconds, sim.stay_every);
     map.number("gaze_hold", kSeconds, sim.gaze_hold);
     if (const auto seed = map.find("seed")) {
-        sim.seed = seed->seed().value_or(0);
+        seed->diagnostics().warning(seed->mark(), "deprecated",
+                                    "'seed' is ignored, nothing draws random numbers; remove it");
     }
     map.refuse_other_keys();
     return sim;

@@ -63,8 +63,7 @@ void JsonLines::begin(const Walk& walk) {
     Json header = {{"walk_log", 1},
                    {"walk", walk.name},
                    {"campus", walk.campus_name},
-                   {"tps", walk.sim.ticks_per_second},
-                   {"seed", walk.sim.seed}};
+                   {"tps", walk.sim.ticks_per_second}};
     if (!walk.project.empty()) {
         header["project"] = walk.project;
     }

@@ -27,7 +27,7 @@ std::string text_of(const scene::Origin& origin) {
 
 void TextLog::begin(const Walk& walk) {
     sink_("# walk-log 1 walk=" + text_of_name(walk.name) + " campus=" + text_of_name(walk.campus_name) +
-          " tps=" + std::to_string(walk.sim.ticks_per_second) + " seed=" + std::to_string(walk.sim.seed) +
+          " tps=" + std::to_string(walk.sim.ticks_per_second) +
           (walk.project.empty() ? "" : " project=" + text_of_name(walk.project)) +
           (walk.timeout ? " timeout=" + fixed(*walk.timeout, 3) : "") + text_of(walk.origin));
 }

@@ -67,7 +67,6 @@ void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
     fields("complaints", result.diagnostics);
     fields("campus", result.campus);
     fields("ticks_per_second", result.ticks_per_second);
-    fields("seed", result.seed);
     fields("timeout", result.timeout);
     fields("ticks", result.ticks);
     fields("events", result.events);

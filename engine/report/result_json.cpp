@@ -268,7 +268,11 @@ std::string to_json_line(const WalkResult& result) {
 WalkResult result_from_json_line(std::string_view line) {
     WalkResult result;
     try {
-        read(parsed_without_repetitions(line), "", result);
+        Json json = parsed_without_repetitions(line);
+        if (json.is_object()) {
+            json.erase("seed");  // reports written while walks had one
+        }
+        read(json, "", result);
     } catch (const Json::parse_error& error) {
         throw std::runtime_error(std::string("not a walk's result: no JSON: ") + error.what());
     }

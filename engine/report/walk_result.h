@@ -44,7 +44,6 @@ struct WalkResult {
     std::vector<std::string> diagnostics;  ///< bad_input, broken: `file:line:col: error CODE: message`
     std::string campus;
     int ticks_per_second = 60;
-    std::uint64_t seed = 0;
     std::optional<double> timeout;  ///< simulated seconds for all of it, whoever said so
     Tick ticks = 0;
     std::int64_t events = 0;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -203,7 +202,6 @@ struct SimSettings {
     /// Simulated seconds for which what was looked at still counts as looked at. Columns and posts that pass
     /// before the eyes take one to ten ticks; what stays away for longer has been left.
     double gaze_hold = 0.2;
-    std::uint64_t seed = 0;  ///< logged; kept for steps that draw random numbers
 };
 
 /// What is to be done with a walk, and what is to be thought of its end.

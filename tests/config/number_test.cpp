@@ -114,13 +114,5 @@ TEST(ParseNumber, TakesWhatIsADecimalNumberAndNothingElse) {
     EXPECT_GT(taken, 1000 / (support::kSanitized ? 10 : 1));
 }
 
-TEST(ParseDigits, TakesWholeNumbersOf64Bits) {
-    EXPECT_EQ(parse_digits("0"), 0U);
-    EXPECT_EQ(parse_digits("18446744073709551615"), 18446744073709551615U);
-    for (const char* text : {"", "-1", "+1", "01", "1.0", "1e3", "18446744073709551616", "1 ", "x"}) {
-        EXPECT_FALSE(parse_digits(text)) << text;
-    }
-}
-
 }  // namespace
 }  // namespace campuswalk::config

@@ -10,6 +10,7 @@ namespace {
 
 using engine::SimSettings;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 class ReadWalk : public testing::Test {
 protected:
@@ -26,33 +27,34 @@ protected:
 };
 
 TEST_F(ReadWalk, ReadsTheSimulation) {
-    const SimSettings settings = sim("{ticks_per_second: 120, stay_every: 0, seed: 18446744073709551615}");
+    const SimSettings settings = sim("{ticks_per_second: 120, stay_every: 0}");
     EXPECT_EQ(settings.ticks_per_second, 120);
     EXPECT_EQ(settings.stay_every, 0.0);
-    EXPECT_EQ(settings.seed, 18446744073709551615U);
     EXPECT_EQ(sim("{}").ticks_per_second, 60);
     EXPECT_EQ(sim("{stay_every: 2.5}").stay_every, 2.5);
 }
 
+TEST_F(ReadWalk, WarnsOfASeed) {
+    EXPECT_THAT(about_sim("{seed: 7}"), ElementsAre());
+    const SharedRun run = RunLoader({}).load(folder_.path("a.walk.yaml"));
+    ASSERT_EQ(run.warnings.size(), 1U);
+    EXPECT_EQ(run.warnings.front().code, "deprecated");
+    EXPECT_EQ(run.warnings.front().mark.line, 2);
+    EXPECT_THAT(run.warnings.front().message, HasSubstr("'seed'"));
+}
+
 TEST_F(ReadWalk, DiagnosesTheSimulation) {
     EXPECT_THAT(
-        about_sim("{ticks_per_second: 0, stay_every: -1, seed: -1, dt: 1}"),
+        about_sim("{ticks_per_second: 0, stay_every: -1, dt: 1}"),
         ElementsAre("a.walk.yaml:2:25: error bad-value: 'ticks_per_second' must be from 1 to 10000, not '0'",
                     "a.walk.yaml:2:40: error bad-value: 'stay_every' must be from 0 to 86400 s, not '-1'",
-                    "a.walk.yaml:2:50: error bad-value: 'seed' must be a whole number from 0 to "
-                    "18446744073709551615, written with digits only",
-                    "a.walk.yaml:2:54: error unknown-key: unknown key 'dt' in 'sim'; known here: "
+                    "a.walk.yaml:2:44: error unknown-key: unknown key 'dt' in 'sim'; known here: "
                     "ticks_per_second, stay_every, gaze_hold, seed"));
     EXPECT_THAT(
-        about_sim("{ticks_per_second: 59.5, stay_every: .inf, seed: 1e3}"),
+        about_sim("{ticks_per_second: 59.5, stay_every: .inf}"),
         ElementsAre(
             "a.walk.yaml:2:25: error bad-value: 'ticks_per_second' must be a whole number, not '59.5'",
-            "a.walk.yaml:2:43: error bad-value: 'stay_every' must be finite, not '.inf'",
-            "a.walk.yaml:2:55: error bad-value: 'seed' must be a whole number from 0 to "
-            "18446744073709551615, written with digits only"));
-    EXPECT_THAT(about_sim("{seed: 18446744073709551616}"),
-                ElementsAre("a.walk.yaml:2:13: error bad-value: 'seed' must be a whole number from 0 to "
-                            "18446744073709551615, written with digits only"));
+            "a.walk.yaml:2:43: error bad-value: 'stay_every' must be finite, not '.inf'"));
     EXPECT_THAT(
         about_sim("60"),
         ElementsAre("a.walk.yaml:2:6: error wrong-type: 'sim' must be a map of keys, as in {key: value}"));

@@ -39,6 +39,13 @@ class Diff(Compare):
         self.write("c.jsonl", respelled)
         self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
 
+    def test_logs_that_still_have_a_seed(self):
+        lines = self.lines("a.jsonl")
+        self.write("c.jsonl", "\n".join([lines[0].replace('"tps":60', '"tps":60,"seed":0')] + lines[1:]) + "\n")
+        self.assertIn('"seed":0', self.lines("c.jsonl")[0])
+        self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
+        self.assertEqual(self.passes("replay", "c.jsonl", "--walk", "short.walk.yaml", "--verify").code, 0)
+
     def test_the_first_divergence_with_both_sides(self):
         outcome = self.run_program("diff", "a.jsonl", "b.jsonl")
         self.assertEqual((outcome.code, outcome.err), (1, ""))
@@ -123,7 +130,7 @@ class Replay(Compare):
         return json.dumps({"id": "short.walk.yaml", "file": "short.walk.yaml", "name": "short", "project": "",
                            "config": "", "timeout": None, "repetition": 0, "tags": [], "status_reason": "", "expected_to_fail": False,
                            "outcome": "passed", "failures": [], "complaints": [], "campus": "small",
-                           "ticks_per_second": 60, "seed": 0, "ticks": end["tick"], "events": end["events"],
+                           "ticks_per_second": 60, "ticks": end["tick"], "events": end["events"],
                            "distance": end["dist"], "hash": end["hash"], "artifacts": [], **changes})
 
     def report(self, *results):

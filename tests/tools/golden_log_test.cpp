@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 using Lines = std::vector<std::string>;
 
-const std::string kHeader = R"({"walk_log":1,"walk":"visit","campus":"school","tps":60,"seed":0})";
+const std::string kHeader = R"({"walk_log":1,"walk":"visit","campus":"school","tps":60})";
 const std::string kStart =
     R"({"tick":0,"time":0.0,"event":"walk.start","object":"visit","pos":[0.0,0.0,5.0]})";
 const std::string kEnter =
@@ -68,6 +68,11 @@ TEST_F(GoldenLog, IsNotWrittenOfAWalkThatFails) {
     EXPECT_TRUE(check_golden(walk_, "", kLog, UpdateSnapshots::changed, true).withheld.empty())
         << "is as it was";
     EXPECT_TRUE(check_golden(walk_, "", other_, UpdateSnapshots::missing, true).failure) << "is compared";
+}
+
+TEST_F(GoldenLog, IsTheSameAsOneThatStillHasASeed) {
+    const std::string header = kHeader.substr(0, kHeader.size() - 1);
+    EXPECT_EQ(diagnostic({header + R"(,"seed":0})", kStart, kEnter, end_line("pass", 1)}), "");
 }
 
 TEST_F(GoldenLog, IsTheSameWithATimeoutThatWasNotReached) {

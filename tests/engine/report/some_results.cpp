@@ -32,7 +32,6 @@ WalkResult full_result() {
     result.diagnostics = {"walks/visit.walk.yaml:3:1: error bad-value: speed must be > 0"};
     result.campus = "school";
     result.ticks_per_second = 120;
-    result.seed = 18446744073709551615ULL;
     result.timeout = 12.1;
     result.ticks = 486;
     result.events = 17;

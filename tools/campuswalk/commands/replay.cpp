@@ -42,7 +42,7 @@ std::string title_of(const RecordedWalk& walk) {
     return walk.file.generic_string() + (walk.project.empty() ? "" : " " + walk.project);
 }
 
-/// Makes walks as they were run: in their project, with their seed and time-out.
+/// Makes walks as they were run: in their project, with their time-out.
 class RecordedLoader {
 public:
     explicit RecordedLoader(const ReplayOptions& options) : options_(options) {}
@@ -50,7 +50,6 @@ public:
     LoadedWalk load(const RecordedWalk& recorded) {
         config::SharedRun run = loader_.read(recorded.file, overrides_of(recorded));
         run.walk.project = recorded.project;
-        run.walk.sim.seed = recorded.seed;
         run.walk.timeout = recorded.timeout;
         return loader_.ready(std::move(run));
     }

@@ -1,8 +1,8 @@
-#include <charconv>
 #include <map>
 #include <memory>
 #include <string>
 
+#include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/run/cases/records.h"
@@ -53,14 +53,6 @@ void add_selection(Command& command, const Options& options) {
                  options->pass_with_no_tests);
 }
 
-std::string why_no_seed(const std::string& text) {
-    std::uint64_t value = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, value);
-    return result.ec == std::errc() && result.ptr == end ? ""
-                                                         : "'" + text + "' is no whole number of 64 bits";
-}
-
 void add_running(Command& command, const Options& options) {
     command.option(
         {.names = "-j,--workers",
@@ -75,10 +67,13 @@ void add_running(Command& command, const Options& options) {
     command.flag({.names = "--require-identical", .help = "Repetitions that differ are failures"},
                  options->require_identical);
     command.option({.names = "--seed",
-                    .help = "For all walks, in the place of their own",
-                    .value = "N",
-                    .check = why_no_seed},
-                   [options](const std::string& text) { options->seed = std::stoull(text); });
+                    .help = "Ignored: nothing draws random numbers; goes with the next version",
+                    .value = "N"},
+                   [](const std::string&) {
+                       diagnostic_line(
+                           "warning deprecated: --seed is ignored, nothing draws random numbers; "
+                           "leave it out");
+                   });
     command.option({.names = "--timeout",
                     .help = "Simulated seconds a walk without a timeout of its own may take",
                     .value = "SECONDS"},

@@ -177,7 +177,7 @@ The bytes are the same whatever the number of workers, and there is no clock and
   campuswalk merge-reports 1.jsonl 2.jsonl --reporter junit=junit.xml
 
 gives what one run would have reported. 'campuswalk replay 1.jsonl --verify' walks again what a report
-tells, with the projects, seeds and time-outs of then, and compares hashes.
+tells, with the projects and time-outs of then, and compares hashes.
 
 Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and of a failure WALK/failure-eyes.png and
 failure-above.png. 'expect: [log: {golden: true}]' compares a walk's log with the one that is kept in

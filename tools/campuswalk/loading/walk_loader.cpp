@@ -31,7 +31,9 @@ LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
 }
 
 config::SharedRun WalkLoader::read(const fs::path& walk_file, const config::Overrides& overrides) {
-    return loader_.load(walk_file, overrides);
+    config::SharedRun run = loader_.load(walk_file, overrides);
+    warn_(run.warnings);
+    return run;
 }
 
 LoadedWalk WalkLoader::ready(config::SharedRun run) {

@@ -14,12 +14,17 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json parsed(std::string_view line) {
-    return Json::parse(line, nullptr, false);
-}
-
 bool is_header(const Json& json) {
     return json.is_object() && json.value("walk_log", Json()) == 1;
+}
+
+/// Headers without a seed, which logs told while walks had one.
+Json parsed(std::string_view line) {
+    Json json = Json::parse(line, nullptr, false);
+    if (is_header(json)) {
+        json.erase("seed");
+    }
+    return json;
 }
 
 bool is_event(const Json& json) {
@@ -116,9 +121,6 @@ std::optional<LogHeader> log_header(std::string_view line) {
     header.walk = text_in(json, "walk");
     header.campus = text_in(json, "campus");
     header.project = text_in(json, "project");
-    if (const auto seed = json.find("seed"); seed != json.end() && seed->is_number_unsigned()) {
-        header.seed = seed->get<std::uint64_t>();
-    }
     if (const auto timeout = json.find("timeout"); timeout != json.end() && timeout->is_number()) {
         header.timeout = timeout->get<double>();
     }

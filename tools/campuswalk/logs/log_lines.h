@@ -23,7 +23,6 @@ struct LogHeader {
     std::string walk;
     std::string campus;
     std::string project;
-    std::uint64_t seed = 0;
     std::optional<double> timeout;  ///< simulated seconds
 };
 std::optional<LogHeader> log_header(std::string_view line);

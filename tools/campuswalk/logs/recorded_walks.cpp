@@ -51,8 +51,8 @@ std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::vec
             const engine::WalkResult result = engine::result_from_json_line(lines[i]);
             const bool ended =
                 result.outcome == engine::Outcome::passed || result.outcome == engine::Outcome::failed;
-            walks.push_back({result.name, result.project, result.config, result.file, result.seed,
-                             result.timeout, ended ? std::optional(result.hash) : std::nullopt,
+            walks.push_back({result.name, result.project, result.config, result.file, result.timeout,
+                             ended ? std::optional(result.hash) : std::nullopt,
                              std::string(engine::name_of(result.outcome)), i + 1});
         } catch (const std::runtime_error& error) {
             throw about_line(source, i + 1, "no-result", error.what());
@@ -73,8 +73,8 @@ std::vector<RecordedWalk> walks_of_log(const fs::path& source, const std::vector
                                  "a log doesn't say where its walk is: add --walk .../" + header->walk +
                                      std::string(kWalkSuffix));
             }
-            walks.push_back({header->walk, header->project, fs::path(), file->second, header->seed,
-                             header->timeout, std::nullopt, "cut short", i + 1});
+            walks.push_back({header->walk, header->project, fs::path(), file->second, header->timeout,
+                             std::nullopt, "cut short", i + 1});
         } else if (const std::optional<LoggedEvent> event = logged_event(lines[i]);
                    event && event->kind == "walk.end") {
             walks.back().hash = hash_of(event->hash);

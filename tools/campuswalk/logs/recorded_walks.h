@@ -16,7 +16,6 @@ struct RecordedWalk {
     std::string project;
     std::filesystem::path config;  ///< the walks.config.yaml with the project; empty when it isn't told
     std::filesystem::path file;    ///< its walk file
-    std::uint64_t seed = 0;
     std::optional<double> timeout;      ///< simulated seconds
     std::optional<std::uint64_t> hash;  ///< none when it didn't come to its end
     std::string why_none;               ///< "skipped", "interrupted", …

@@ -96,7 +96,6 @@ private:
 
     void settle_walk(engine::Walk& walk, const ProjectConfig& project) const {
         walk.project = project.name;
-        walk.sim.seed = options_.seed.value_or(walk.sim.seed);
         if (!walk.timeout) {
             walk.timeout = project.timeout ? project.timeout : settings_.timeout;
         }
@@ -108,7 +107,6 @@ private:
         result.expected_to_fail = walk.status.kind == WalkStatus::Kind::xfail;
         result.campus = walk.campus_name;
         result.ticks_per_second = walk.sim.ticks_per_second;
-        result.seed = walk.sim.seed;
         result.timeout = walk.timeout;
         if (walk.status.kind == WalkStatus::Kind::skip) {
             result.outcome = Outcome::skipped;

@@ -33,7 +33,6 @@ struct PlanOptions {
     Selector selector;
     std::optional<std::set<std::string>> ids;  ///< only these cases
     int repeat_each = 1;
-    std::optional<std::uint64_t> seed;
 };
 
 /// Which walks a project plays. Throws scene::InputError (bad-regex).

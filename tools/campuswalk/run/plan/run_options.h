@@ -37,7 +37,6 @@ struct RunOptions {
     std::optional<int> max_failures;
     int repeat_each = 1;
     bool require_identical = false;
-    std::optional<std::uint64_t> seed;
     std::optional<double> timeout;     ///< simulated seconds
     std::optional<double> kill_after;  ///< seconds of wall clock
     bool resume = false;

@@ -75,7 +75,6 @@ public:
             add_stamp(scene.path);
         }
         add_avatar(walk.avatar);
-        digest_.add(std::to_string(walk.sim.seed));
         digest_.add(walk.timeout.value_or(-1.0));
     }
 

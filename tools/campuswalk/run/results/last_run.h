@@ -29,7 +29,7 @@ std::optional<LastRun> read_last_run(const std::filesystem::path& file);
 /// The cases that didn't end as they should.
 std::set<std::string> failed_ids(const LastRun& run);
 
-/// Changes when something that the results depend on does: cases, walks, campuses, avatars, seeds, models
+/// Changes when something that the results depend on does: cases, walks, campuses, avatars, models
 /// (their sizes and dates).
 std::string fingerprint(const Plan& plan);
 
