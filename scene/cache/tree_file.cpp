@@ -32,6 +32,7 @@ void put(ArchiveWriter& out, const PlacedMesh& placed) {
     const TriangleMesh& mesh = placed.collider->mesh();
     const Bvh8& tree = placed.collider->bvh8();
     const ClosedParts& closed = placed.collider->closed_parts();
+    out.put_text(placed.object);
     put(out, placed.p_world_origin);
     out.put(std::uint64_t{placed.zero_area});
     put(out, tree.outer.center);
@@ -78,6 +79,7 @@ Storage<Part> take_parts(ArchiveReader& in, std::uint64_t count, std::size_t fla
 
 PlacedMesh take_mesh(ArchiveReader& in) {
     PlacedMesh placed;
+    placed.object = in.take_text();
     placed.p_world_origin = take_vector(in);
     placed.zero_area = in.take<std::uint64_t>();
     Bvh8 tree;

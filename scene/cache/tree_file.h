@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "collision/geometry/shapes.h"
@@ -13,13 +14,14 @@ namespace campuswalk::scene {
 
 /// A collision mesh with its tree, where it stands.
 struct PlacedMesh {
+    std::string object;  ///< the campus object whose mesh it is
     std::shared_ptr<const collision::MeshCollider> collider;
     collision::Vec3 p_world_origin = collision::Vec3::Zero();
     std::size_t zero_area = 0;  ///< triangles that were left out
 };
 
 /// Raise it with whatever changes below, in the trees' layout or in how meshes are baked.
-inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 2};
+inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 3};
 
 /// Meshes with their trees and closed parts (found here if nobody has asked for them yet), as they lie in
 /// memory. Only Layout::wide.

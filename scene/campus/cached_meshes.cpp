@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "scene/cache/program_hash.h"
 #include "scene/campus/collider_globs.h"
@@ -19,7 +20,7 @@ void add_globs(const std::vector<NodeGlob>& globs, ContentHasher& hasher) {
     }
 }
 
-/// Of everything that decides over the meshes and their order.
+/// Of everything that decides over the meshes.
 ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origin,
                    std::span<const ContentHash> models) {
     ContentHasher hasher;
@@ -34,6 +35,7 @@ ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origi
     }
     for (const ColliderDescription& collider : campus.colliders) {
         if (std::holds_alternative<MeshShape>(collider.shape)) {
+            hasher.add_text(collider.id);
             hasher.add_number(std::uint64_t{collider.each});
             add_globs(globs_of(campus, collider), hasher);
             add_globs(collider.except, hasher);
@@ -49,37 +51,47 @@ CachedMeshes::CachedMeshes(const CacheFolder& cache, const CampusDescription& ca
     : cache_(&cache), key_(key_of(campus, origin, models)) {
     if (const auto file = cache.find(key_, kTreesKind)) {
         try {
-            meshes_ = read_tree_file(file->bytes(), file);
+            for (PlacedMesh& mesh : read_tree_file(file->bytes(), file)) {
+                std::string object = mesh.object;
+                meshes_.emplace(std::move(object), std::move(mesh));
+            }
         } catch (const DamagedFile&) {  // to be made anew
         }
     }
 }
 
-std::optional<PlacedShape> CachedMeshes::next() {
-    if (!complete_ || taken_ == meshes_.size()) {
-        complete_ = false;
+std::optional<PlacedShape> CachedMeshes::find(const std::string& object) const {
+    const auto found = meshes_.find(object);
+    if (found == meshes_.end()) {
         return std::nullopt;
     }
-    const PlacedMesh& mesh = meshes_[taken_++];
     PlacedShape placed;
-    placed.shape = mesh.collider;
-    placed.X_world_shape.translation = mesh.p_world_origin;
-    placed.zero_area = mesh.zero_area;
+    placed.shape = found->second.collider;
+    placed.X_world_shape.translation = found->second.p_world_origin;
+    placed.zero_area = found->second.zero_area;
     return placed;
 }
 
-void CachedMeshes::add(const PlacedShape& made) {
+void CachedMeshes::add(const std::string& object, const PlacedShape& made) {
     if (cache_ != nullptr) {
-        meshes_.push_back({std::get<std::shared_ptr<const collision::MeshCollider>>(made.shape),
-                           made.X_world_shape.translation, made.zero_area});
+        meshes_.insert_or_assign(
+            object, PlacedMesh{object, std::get<std::shared_ptr<const collision::MeshCollider>>(made.shape),
+                               made.X_world_shape.translation, made.zero_area});
+        is_new_ = true;
     }
 }
 
 void CachedMeshes::keep() const {
-    if (cache_ != nullptr && !complete_) {
-        ArchiveWriter trees = archive_trees(meshes_);
-        cache_->store(key_, kTreesKind, trees.finish());
+    if (!is_new_) {
+        return;
     }
+    std::vector<PlacedMesh> meshes;
+    meshes.reserve(meshes_.size());
+    for (const auto& [object, mesh] : meshes_) {
+        meshes.push_back(mesh);
+    }
+    ArchiveWriter trees = archive_trees(meshes);
+    cache_->store(key_, kTreesKind, trees.finish());
 }
 
 }  // namespace campuswalk::scene

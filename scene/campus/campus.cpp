@@ -89,7 +89,8 @@ public:
     void add(const ColliderDescription& collider);
 
 private:
-    std::optional<PlacedShape> shape_of(const ColliderDescription& collider, const NodeSelection& selection);
+    std::optional<PlacedShape> shape_of(const ColliderDescription& collider, const std::string& id,
+                                        const NodeSelection& selection);
     void add_object(const ColliderDescription& collider, const std::string& id,
                     const NodeSelection& selection);
 
@@ -141,12 +142,12 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
 }
 
 std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& collider,
-                                                     const NodeSelection& selection) {
+                                                     const std::string& id, const NodeSelection& selection) {
     const std::vector<NodeRef>& nodes = selection.roots;
     const bool is_mesh = std::holds_alternative<MeshShape>(collider.shape);
     if (is_mesh) {
-        if (std::optional<PlacedShape> kept = meshes_.next()) {
-            return kept;
+        if (std::optional<PlacedShape> cached = meshes_.find(id)) {
+            return cached;
         }
     }
     ShapeSource source;
@@ -157,7 +158,7 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     }
     std::optional<PlacedShape> placed = place_shape(collider.shape, source);
     if (is_mesh && placed) {
-        meshes_.add(*placed);
+        meshes_.add(id, *placed);
     }
     return placed;
 }
@@ -169,7 +170,7 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
                            "two objects have the id '" + id + "'; rename one of the colliders");
         return;
     }
-    std::optional<PlacedShape> placed = shape_of(collider, selection);
+    std::optional<PlacedShape> placed = shape_of(collider, id, selection);
     if (!placed) {
         diagnostics_.error(collider.mark, "empty-mesh",
                            "the nodes of collider '" + id + "' have no triangles");

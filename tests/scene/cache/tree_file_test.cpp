@@ -39,6 +39,7 @@ PlacedMesh placed(std::uint32_t triangles, std::uint32_t seed) {
     made.collider = std::make_shared<const MeshCollider>(scattered(triangles, seed));
     made.p_world_origin = {1.0 / 3.0, -2, seed * 1e4};
     made.zero_area = seed;
+    made.object = "object/" + std::to_string(seed);
     return made;
 }
 
@@ -89,6 +90,7 @@ TEST(TreeFile, BringsBackMeshesThatAnswerAsBefore) {
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(read[i].p_world_origin, made[i].p_world_origin);
         EXPECT_EQ(read[i].zero_area, made[i].zero_area);
+        EXPECT_EQ(read[i].object, made[i].object);
         EXPECT_EQ(read[i].collider->mesh().positions, made[i].collider->mesh().positions);
         EXPECT_EQ(read[i].collider->mesh().triangles, made[i].collider->mesh().triangles);
         EXPECT_EQ(hits(*read[i].collider), hits(*made[i].collider));

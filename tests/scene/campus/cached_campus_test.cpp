@@ -8,6 +8,7 @@
 
 #include "collision/mesh/mesh_collider.h"
 #include "scene/cache/load_model.h"
+#include "scene/campus/cached_meshes.h"
 #include "scene/campus/campus.h"
 #include "tests/scene/model_files.h"
 #include "tests/support/full_disk.h"
@@ -184,6 +185,41 @@ TEST_F(CachedCampus, IsTheSameFromTheCache) {
         EXPECT_EQ(std::get<0>(a.shape)->mesh().triangles, std::get<0>(b.shape)->mesh().triangles);
         EXPECT_EQ(std::get<0>(a.shape)->mesh().positions, std::get<0>(b.shape)->mesh().positions);
     }
+}
+
+/// Of the meshes that another campus has made, whoever is built first, each object gets its own.
+TEST_F(CachedCampus, FindsMeshesByTheirObjects) {
+    CampusDescription description;
+    description.scenes = {file_};
+    for (const std::string id : {"wing", "tower"}) {
+        ColliderDescription collider;
+        collider.id = id;
+        collider.modes.solid = true;
+        collider.shape = MeshShape{};
+        collider.nodes = {{{}, id}};
+        description.colliders.push_back(collider);
+    }
+    const std::vector<ContentHash> models(1);
+    std::vector<Diagnostic> warnings;
+    const Campus made =
+        load_campus(description, std::make_unique<collision::LinearBroadPhase>(), warnings, counting());
+    const auto shape = [&](std::size_t i) {
+        const auto& object = made.world.object(static_cast<collision::ObjectId>(i));
+        return PlacedShape{object.shape, object.X_world_shape, 0};
+    };
+    CachedMeshes cold(cache_, description, Eigen::Vector3d::Zero(), models);
+    EXPECT_FALSE(cold.find("wing"));
+    cold.add("tower", shape(1));
+    cold.add("wing", shape(0));
+    cold.keep();
+    const CachedMeshes warm(cache_, description, Eigen::Vector3d::Zero(), models);
+    for (const std::size_t i : {1U, 0U}) {
+        const auto found = warm.find(description.colliders[i].id);
+        ASSERT_TRUE(found) << i;
+        EXPECT_EQ(found->X_world_shape.translation, shape(i).X_world_shape.translation);
+        EXPECT_EQ(std::get<0>(found->shape)->mesh().positions, std::get<0>(shape(i).shape)->mesh().positions);
+    }
+    EXPECT_FALSE(warm.find("roof"));
 }
 
 TEST_F(CachedCampus, BuildsDamagedTreesAnew) {
