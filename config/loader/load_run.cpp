@@ -284,14 +284,15 @@ engine::CameraSettings read_camera_text(const std::string& text, const std::stri
                                         const CampusDescription& campus,
                                         const engine::CameraSettings& camera) {
     DiagnosticList diagnostics;
-    engine::CameraSettings read = camera;
+    CameraKeys read;
+    read.size = camera;
     if (const auto root = parse_yaml(text, asked_by, diagnostics)) {
         CheckedMap map(CheckedNode(*root, "the camera", asked_by, diagnostics), "a camera");
         read_camera_fields(map, CampusNames(&campus), read);
         map.refuse_other_keys();
     }
     throw_in_order(diagnostics, {asked_by, 0, 0});
-    return read;
+    return read.settings();
 }
 
 AvatarProfile load_avatar(const fs::path& avatar_file) {

@@ -68,7 +68,7 @@ scene::CampusDescription load_campus_description(const std::filesystem::path& ca
 std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file);
 
 /// Reads a camera's keys as they stand in a walk, `{view: orbit, around: library}`; diagnostics are of
-/// `asked_by`. What isn't written is as in `camera`.
+/// `asked_by`. What isn't written of view, size and field of view is as in `camera`.
 engine::CameraSettings read_camera_text(const std::string& text, const std::string& asked_by,
                                         const scene::CampusDescription& campus,
                                         const engine::CameraSettings& camera);

@@ -1,15 +1,33 @@
 #include "config/loader/read_camera.h"
 
 #include <array>
+#include <utility>
+#include <variant>
 
 #include "config/loader/ranges.h"
 
 namespace campuswalk::config {
 
-using engine::CameraSettings;
 using engine::View;
 
 namespace {
+
+using ViewMaker = View (*)(const CameraKeys&);
+
+constexpr std::array kViews = {
+    Choice<ViewMaker>{"first_person", [](const CameraKeys&) -> View { return engine::FirstPersonView{}; }},
+    Choice<ViewMaker>{"third_person",
+                      [](const CameraKeys& keys) -> View { return engine::ThirdPersonView{keys.distance}; }},
+    Choice<ViewMaker>{"top",
+                      [](const CameraKeys& keys) -> View { return engine::TopView{keys.height_above}; }},
+    Choice<ViewMaker>{"orbit",
+                      [](const CameraKeys& keys) -> View {
+                          return engine::OrbitView{keys.around, keys.distance, keys.yaw, keys.pitch};
+                      }},
+    Choice<ViewMaker>{"fixed", [](const CameraKeys& keys) -> View {
+                          return engine::FixedView{keys.position, keys.look_at, keys.yaw, keys.pitch};
+                      }}};
+static_assert(kViews.size() == std::variant_size_v<View>);
 
 constexpr Range kPitch{-90.0, 90.0, false, "degrees"};
 
@@ -21,7 +39,7 @@ std::optional<double> angle(CheckedMap& map, const char* key, const Range& range
 
 /// Where a camera that isn't the avatar's looks: by angles or at something. What is written here replaces
 /// what the walk's camera says in the other way.
-void read_direction(CheckedMap& map, const CampusNames& names, CameraSettings& camera) {
+void read_direction(CheckedMap& map, const CampusNames& names, CameraKeys& camera) {
     const auto look_at = map.find("look_at");
     const auto yaw = angle(map, "yaw_deg", kYaw);
     const auto pitch = angle(map, "pitch_deg", kPitch);
@@ -45,17 +63,30 @@ void read_direction(CheckedMap& map, const CampusNames& names, CameraSettings& c
 
 }  // namespace
 
-void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraSettings& camera) {
-    constexpr std::array kViews = {Choice<View>{"first_person", View::first_person},
-                                   Choice<View>{"third_person", View::third_person},
-                                   Choice<View>{"top", View::top}, Choice<View>{"orbit", View::orbit},
-                                   Choice<View>{"fixed", View::fixed}};
+engine::CameraSettings CameraKeys::settings() const {
+    engine::CameraSettings settings = size;
+    if (view != nullptr) {
+        settings.view = view(*this);
+    }
+    return settings;
+}
+
+engine::Views CameraKeys::views() const {
+    engine::Views views = engine::default_views();
+    for (const Choice<ViewMaker>& kind : kViews) {
+        View made = kind.value(*this);
+        views[made.index()] = std::move(made);
+    }
+    return views;
+}
+
+void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& camera) {
     constexpr int kLeastPixels = 16;
     constexpr int kMostPixels = 8192;
     map.choice("view", kViews, camera.view);
-    map.whole_number("width", kLeastPixels, kMostPixels, camera.width);
-    map.whole_number("height", kLeastPixels, kMostPixels, camera.height);
-    map.angle("fov_deg", kFieldOfView, camera.fov);
+    map.whole_number("width", kLeastPixels, kMostPixels, camera.size.width);
+    map.whole_number("height", kLeastPixels, kMostPixels, camera.size.height);
+    map.angle("fov_deg", kFieldOfView, camera.size.fov);
     map.number("height_above", kLength, camera.height_above);
     map.number("distance", kLength, camera.distance);
     if (const auto around = map.find("around")) {

@@ -137,7 +137,7 @@ Step read_look_at(const CheckedNode& node, StepContext& context) {
 Step read_snapshot(const CheckedNode& node, StepContext& context) {
     SnapshotStep step;
     step.mark = node.mark();
-    step.camera = context.camera;
+    step.camera = context.camera.settings();
     if (context.repeats > 0) {
         node.diagnose("bad-value",
                       "a snapshot can't stand in 'repeat': every round would write the same picture");
@@ -154,7 +154,9 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
     if (const auto name = map.require("name")) {
         take_name(*name);
     }
-    read_camera_fields(map, context.names, step.camera);
+    CameraKeys camera = context.camera;
+    read_camera_fields(map, context.names, camera);
+    step.camera = camera.settings();
     if (const auto overlays = map.find("overlays")) {
         read_overlays(*overlays, step.overlays);
     }

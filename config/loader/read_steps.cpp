@@ -150,19 +150,21 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
 
 }  // namespace
 
-std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& names, const engine::Walk& walk,
+std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& names,
+                             const engine::AvatarProfile& avatar, const CameraKeys& camera,
                              const fs::path& walk_file) {
     std::vector<Step> steps;
-    StepContext context{names, walk.avatar, walk.camera, {walk_file}};
+    StepContext context{names, avatar, camera, {walk_file}};
     read_list(section, context, steps);
     return steps;
 }
 
 std::vector<Step> read_steps_alone(const CheckedNode& root, const fs::path& steps_file) {
     const CampusNames unknown(nullptr);
-    const engine::Walk walk;
+    const engine::AvatarProfile avatar;
+    const CameraKeys camera;
     std::vector<Step> steps;
-    StepContext context{unknown, walk.avatar, walk.camera, {steps_file}};
+    StepContext context{unknown, avatar, camera, {steps_file}};
     context.first = false;
     read_steps_file(root, context, steps);
     return steps;

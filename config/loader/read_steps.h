@@ -5,6 +5,7 @@
 
 #include "config/loader/campus_names.h"
 #include "config/loader/checked_node.h"
+#include "config/loader/read_camera.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::config {
@@ -16,7 +17,8 @@ namespace campuswalk::config {
 /// of where it is written, in whatever file. Complains of files that include themselves (include-cycle) or
 /// others deeper than 16 (include-depth), and of more than 100,000 steps (too-many-steps).
 std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
-                                     const engine::Walk& walk, const std::filesystem::path& walk_file);
+                                     const engine::AvatarProfile& avatar, const CameraKeys& camera,
+                                     const std::filesystem::path& walk_file);
 
 /// Reads a `NAME.steps.yaml` that no walk is known of: an avatar like AvatarProfile's defaults, and names of
 /// places are taken as they are.

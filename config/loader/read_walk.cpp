@@ -25,8 +25,8 @@ engine::SimSettings read_sim(const CheckedNode& node) {
     return sim;
 }
 
-engine::CameraSettings read_camera(const CheckedNode& node, const CampusNames& names) {
-    engine::CameraSettings camera;
+CameraKeys read_camera(const CheckedNode& node, const CampusNames& names) {
+    CameraKeys camera;
     CheckedMap map(node, "'camera'");
     read_camera_fields(map, names, camera);
     map.refuse_other_keys();
@@ -47,11 +47,14 @@ void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem:
         walk.tags = read_tags(*tags);
     }
     map.number("timeout", kTimeout, walk.timeout);
-    if (const auto camera = map.find("camera")) {
-        walk.camera = read_camera(*camera, names);
+    CameraKeys camera;
+    if (const auto node = map.find("camera")) {
+        camera = read_camera(*node, names);
     }
+    walk.camera = camera.settings();
+    walk.views = camera.views();
     if (const auto steps = map.require("steps")) {
-        walk.steps = read_steps(*steps, names, walk, walk_file);
+        walk.steps = read_steps(*steps, names, walk.avatar, camera, walk_file);
     }
     if (const auto expect = map.find("expect")) {
         walk.expectations = read_expectations(*expect, names);

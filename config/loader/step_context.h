@@ -5,6 +5,7 @@
 
 #include "config/loader/campus_names.h"
 #include "config/loader/names.h"
+#include "config/loader/read_camera.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::config {
@@ -13,7 +14,7 @@ namespace campuswalk::config {
 struct StepContext {
     const CampusNames& names;
     const engine::AvatarProfile& avatar;
-    const engine::CameraSettings& camera;
+    const CameraKeys& camera;
     std::vector<std::filesystem::path> files;  ///< being read: the walk, what it includes, and so on
     UniqueNames snapshots{"snapshot"};
     bool first = true;     ///< nothing has been read yet

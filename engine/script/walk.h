@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "engine/script/avatar.h"
+#include "engine/script/camera.h"
 #include "engine/script/expectation.h"
 #include "engine/script/light.h"
 #include "engine/script/mentions.h"
@@ -18,38 +19,7 @@
 
 namespace campuswalk::engine {
 
-// ---- camera -------------------------------------------------------------------------------------------
-
-enum class View {
-    first_person,
-    third_person,
-    top,
-    orbit,  ///< from outside, towards what it goes around
-    fixed,  ///< from a place of the campus
-};
-
-/// What a camera is turned to: a building, as much of it as there is, or a point. Resolved by the loader.
-struct CameraTarget {
-    std::string label;                                ///< what the user wrote
-    std::optional<std::size_t> building;              ///< index into the campus' buildings
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< without a building
-};
-
-struct CameraSettings {
-    View view = View::first_person;
-    int width = 1280;                 ///< pixels
-    int height = 720;                 ///< pixels
-    double fov = 1.0471975511965976;  ///< radians (60°), vertical
-    double height_above = 40.0;       ///< metres above the avatar, for View::top
-    /// Metres from what it goes around, for View::orbit, where a building fills the image and a point is 10
-    /// m away without; metres behind the avatar, for View::third_person, 4 without.
-    std::optional<double> distance;
-    std::optional<CameraTarget> around;       ///< for View::orbit; the avatar without
-    std::optional<Eigen::Vector3d> position;  ///< for View::fixed; the avatar's eyes without
-    std::optional<CameraTarget> look_at;      ///< for View::fixed, in the place of angles
-    std::optional<double> yaw;                ///< radians, of the look, for View::orbit and View::fixed
-    std::optional<double> pitch;              ///< radians, up positive, likewise
-};
+// ---- images -----------------------------------------------------------------------------------------
 
 /// What else of an image is kept, as files of numbers.
 struct ImageChannels {
@@ -232,7 +202,8 @@ struct Walk {
     AvatarProfile avatar;
     SimSettings sim;
     CameraSettings camera;
-    LightSettings light;  ///< of its images
+    Views views = default_views();  ///< as `camera` has them, for whoever takes another than its own
+    LightSettings light;            ///< of its images
     std::vector<Step> steps;
     std::vector<Expectation> expectations;
 };

@@ -11,8 +11,12 @@ namespace campuswalk::config {
 namespace {
 
 using engine::CameraSettings;
+using engine::FirstPersonView;
+using engine::FixedView;
+using engine::OrbitView;
 using engine::SnapshotStep;
-using engine::View;
+using engine::ThirdPersonView;
+using engine::TopView;
 using testing::ElementsAre;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -29,32 +33,35 @@ TEST_F(ReadCamera, PutsEveryKeyWhereItBelongs) {
             "camera: {view: top, width: 640, height: 480, fov_deg: 90, height_above: 25, distance: 3}\n"
             "steps: [{spawn: gate}]\n"),
         ElementsAre());
-    const CameraSettings camera = folder_.run().walk.camera;
-    EXPECT_EQ(camera.view, View::top);
+    const engine::Walk walk = folder_.run().walk;
+    const CameraSettings& camera = walk.camera;
     EXPECT_EQ(camera.width, 640);
     EXPECT_EQ(camera.height, 480);
     EXPECT_NEAR(camera.fov, 90 * kDegree, 1e-15);
-    EXPECT_EQ(camera.height_above, 25.0);
-    EXPECT_EQ(camera.distance, 3.0);
+    EXPECT_EQ(std::get<TopView>(camera.view).height_above, 25.0);
+    // Other views that a frame may take have the keys too.
+    EXPECT_EQ(std::get<ThirdPersonView>(walk.views[1]).distance, 3.0);
+    EXPECT_EQ(std::get<OrbitView>(walk.views[3]).distance, 3.0);
 }
 
 TEST_F(ReadCamera, LetsASnapshotDiffer) {
     ASSERT_THAT(folder_.about_walk("campus: a.campus.yaml\n"
                                    "camera: {view: third_person, width: 640, distance: 3}\n"
                                    "steps: [{spawn: gate}, {snapshot: a}, {snapshot: {name: b, view: "
-                                   "first_person, fov_deg: 45}}]\n"),
+                                   "first_person, fov_deg: 45}}, {snapshot: {name: c, view: orbit}}]\n"),
                 ElementsAre());
     const engine::Walk walk = folder_.run().walk;
     const auto& first = std::get<SnapshotStep>(walk.steps.at(1));
     EXPECT_EQ(first.name, "a");
-    EXPECT_EQ(first.camera.view, View::third_person);
+    EXPECT_EQ(std::get<ThirdPersonView>(first.camera.view).distance, 3.0);
     EXPECT_EQ(first.camera.width, 640);
     const auto& second = std::get<SnapshotStep>(walk.steps.at(2));
     EXPECT_EQ(second.name, "b");
-    EXPECT_EQ(second.camera.view, View::first_person);
+    EXPECT_TRUE(std::holds_alternative<FirstPersonView>(second.camera.view));
     EXPECT_NEAR(second.camera.fov, 45 * kDegree, 1e-15);
     EXPECT_EQ(second.camera.width, 640);
-    EXPECT_EQ(second.camera.distance, 3.0);
+    const auto& third = std::get<SnapshotStep>(walk.steps.at(3));
+    EXPECT_EQ(std::get<OrbitView>(third.camera.view).distance, 3.0) << "of the walk's camera";
 }
 
 TEST_F(ReadCamera, FindsWhatACameraLooksAt) {
@@ -68,18 +75,16 @@ TEST_F(ReadCamera, FindsWhatACameraLooksAt) {
                            "  - snapshot: {name: c, view: fixed, position: [4, 5, 6], look_at: gate}\n"),
         ElementsAre());
     const engine::Walk walk = folder_.run().walk;
-    const CameraSettings& a = std::get<SnapshotStep>(walk.steps.at(1)).camera;
-    EXPECT_EQ(a.view, View::orbit);
+    const auto& a = std::get<OrbitView>(std::get<SnapshotStep>(walk.steps.at(1)).camera.view);
     EXPECT_EQ(a.around->building, 0U);
     EXPECT_NEAR(*a.yaw, 45 * kDegree, 1e-15);
     EXPECT_NEAR(*a.pitch, -30 * kDegree, 1e-15);
     EXPECT_FALSE(a.distance);
-    const CameraSettings& b = std::get<SnapshotStep>(walk.steps.at(2)).camera;
+    const auto& b = std::get<OrbitView>(std::get<SnapshotStep>(walk.steps.at(2)).camera.view);
     EXPECT_FALSE(b.around->building);
     EXPECT_EQ(b.around->point, Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(b.distance, 20.0);
-    const CameraSettings& c = std::get<SnapshotStep>(walk.steps.at(3)).camera;
-    EXPECT_EQ(c.view, View::fixed);
+    const auto& c = std::get<FixedView>(std::get<SnapshotStep>(walk.steps.at(3)).camera.view);
     EXPECT_EQ(c.position, Eigen::Vector3d(4, 5, 6));
     EXPECT_EQ(c.look_at->label, "gate");
     EXPECT_FALSE(c.yaw) << "replaced by look_at";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <utility>
+#include <variant>
 
 #include "engine/events/popup_text.h"
 #include "engine/render/geometry/building_bounds.h"
@@ -31,8 +32,10 @@ Eigen::Vector3d eyes_of(const SnapshotRequest& request) {
            request.avatar.stature * request.profile.eye_height * Eigen::Vector3d::UnitY();
 }
 
-bool is_from_avatar(View view) {
-    return view == View::first_person || view == View::third_person;
+/// Whether a view of this kind is taken.
+template <typename Kind>
+bool takes(const SnapshotRequest& request) {
+    return std::holds_alternative<Kind>(request.camera.view);
 }
 
 }  // namespace
@@ -75,8 +78,7 @@ IdImage SnapshotRenderer::ids_of(const Channels& channels) {
 }
 
 std::optional<Figure> SnapshotRenderer::figure(const SnapshotRequest& request, const Viewpoint& view) {
-    const View from = request.camera.view;
-    if (request.nobody || from == View::first_person || from == View::top) {
+    if (request.nobody || takes<FirstPersonView>(request) || takes<TopView>(request)) {
         return std::nullopt;
     }
     if ((view.position - eyes_of(request)).norm() <= kFigureFrom) {
@@ -106,47 +108,45 @@ Image SnapshotRenderer::draw_view(const Viewpoint& view, int width, int height) 
 }
 
 Viewpoint SnapshotRenderer::viewpoint(const SnapshotRequest& request) const {
-    const CameraSettings& camera = request.camera;
-    switch (camera.view) {
-        case View::third_person:
-            return third_person(request.avatar, request.profile, camera.fov,
-                                camera.distance.value_or(kBehind), settings_.free_distance);
-        case View::top:
-            return top(request.avatar.position, camera.height_above, camera.fov, renderer_.bounds());
-        case View::orbit:
-            return orbit_view(request);
-        case View::fixed:
-            return fixed_view(request);
-        case View::first_person:
-            break;
-    }
-    return first_person(request.avatar, request.profile, camera.fov);
+    return std::visit([&](const auto& view) { return viewpoint_of(view, request); }, request.camera.view);
 }
 
-Viewpoint SnapshotRenderer::orbit_view(const SnapshotRequest& request) const {
+Viewpoint SnapshotRenderer::viewpoint_of(const FirstPersonView&, const SnapshotRequest& request) const {
+    return first_person(request.avatar, request.profile, request.camera.fov);
+}
+
+Viewpoint SnapshotRenderer::viewpoint_of(const ThirdPersonView& view, const SnapshotRequest& request) const {
+    return third_person(request.avatar, request.profile, request.camera.fov, view.distance.value_or(kBehind),
+                        settings_.free_distance);
+}
+
+Viewpoint SnapshotRenderer::viewpoint_of(const TopView& view, const SnapshotRequest& request) const {
+    return top(request.avatar.position, view.height_above, request.camera.fov, renderer_.bounds());
+}
+
+Viewpoint SnapshotRenderer::viewpoint_of(const OrbitView& view, const SnapshotRequest& request) const {
     const CameraSettings& camera = request.camera;
-    const double yaw = camera.yaw.value_or(kOrbitYaw);
-    const double pitch = camera.pitch.value_or(kOrbitPitch);
-    const bool whole = camera.around && camera.around->building && !camera.distance;
-    if (whole && !building_bounds_[*camera.around->building].empty()) {
+    const double yaw = view.yaw.value_or(kOrbitYaw);
+    const double pitch = view.pitch.value_or(kOrbitPitch);
+    const bool whole = view.around && view.around->building && !view.distance;
+    if (whole && !building_bounds_[*view.around->building].empty()) {
         const double aspect = static_cast<double>(camera.width) / camera.height;
-        return orbiting(building_bounds_[*camera.around->building], aspect, yaw, pitch, camera.fov);
+        return orbiting(building_bounds_[*view.around->building], aspect, yaw, pitch, camera.fov);
     }
     const Eigen::Vector3d centre =
-        camera.around ? point_of(*camera.around)
-                      : Eigen::Vector3d(request.avatar.position + 0.5 * request.avatar.stature *
-                                                                      request.profile.height *
-                                                                      Eigen::Vector3d::UnitY());
-    return orbiting(centre, camera.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
+        view.around ? point_of(*view.around)
+                    : Eigen::Vector3d(request.avatar.position + 0.5 * request.avatar.stature *
+                                                                    request.profile.height *
+                                                                    Eigen::Vector3d::UnitY());
+    return orbiting(centre, view.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
 }
 
-Viewpoint SnapshotRenderer::fixed_view(const SnapshotRequest& request) const {
-    const CameraSettings& camera = request.camera;
-    const Eigen::Vector3d position = camera.position.value_or(eyes_of(request));
-    if (camera.look_at) {
-        return looking_at(position, point_of(*camera.look_at), camera.fov);
+Viewpoint SnapshotRenderer::viewpoint_of(const FixedView& view, const SnapshotRequest& request) const {
+    const Eigen::Vector3d position = view.position.value_or(eyes_of(request));
+    if (view.look_at) {
+        return looking_at(position, point_of(*view.look_at), request.camera.fov);
     }
-    return looking(position, camera.yaw.value_or(0.0), camera.pitch.value_or(0.0), camera.fov);
+    return looking(position, view.yaw.value_or(0.0), view.pitch.value_or(0.0), request.camera.fov);
 }
 
 Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {
@@ -160,14 +160,15 @@ Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {
 Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest& request,
                                       const Viewpoint& view) {
     const Canvas canvas(image, fonts_);
-    if (request.camera.view == View::top) {
+    if (takes<TopView>(request)) {
         draw_path(canvas, view, request.path);
         if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), request.avatar.position)) {
             draw_heading_arrow(canvas, pixel->x(), pixel->y(), request.avatar.yaw, 13.0 * canvas.scale());
         }
         draw_scale_bar(canvas, view);
         draw_north_arrow(canvas);
-    } else if (request.minimap && is_from_avatar(request.camera.view) && !renderer_.bounds().empty()) {
+    } else if (request.minimap && !renderer_.bounds().empty() &&
+               (takes<FirstPersonView>(request) || takes<ThirdPersonView>(request))) {
         draw_minimap(canvas, minimap(), request.avatar);
     }
     const std::vector<WindowRect> frames =

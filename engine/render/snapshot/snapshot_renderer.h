@@ -40,10 +40,10 @@ struct SnapshotRequest {
     CameraSettings camera;
     AvatarState avatar;
     AvatarProfile profile;
-    bool nobody = false;  ///< no avatar: only View::orbit and View::fixed have no need of it
-    double stride = 0.0;  ///< phase of the avatar's step, radians
+    bool nobody = false;                     ///< no avatar: only OrbitView and FixedView have no need of it
+    double stride = 0.0;                     ///< phase of the avatar's step, radians
     std::span<const OpenPopup> open_popups;  ///< oldest first
-    std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in View::top
+    std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in TopView
     ImageOverlays overlays;
     std::span<const Eigen::Vector3d> contacts;  ///< where the foot point was, for the overlay
     std::string caption;                        ///< in the upper left corner, if any
@@ -84,8 +84,11 @@ public:
 
 private:
     Viewpoint viewpoint(const SnapshotRequest& request) const;
-    Viewpoint orbit_view(const SnapshotRequest& request) const;
-    Viewpoint fixed_view(const SnapshotRequest& request) const;
+    Viewpoint viewpoint_of(const FirstPersonView& view, const SnapshotRequest& request) const;
+    Viewpoint viewpoint_of(const ThirdPersonView& view, const SnapshotRequest& request) const;
+    Viewpoint viewpoint_of(const TopView& view, const SnapshotRequest& request) const;
+    Viewpoint viewpoint_of(const OrbitView& view, const SnapshotRequest& request) const;
+    Viewpoint viewpoint_of(const FixedView& view, const SnapshotRequest& request) const;
     Eigen::Vector3d point_of(const CameraTarget& target) const;
     static std::optional<Figure> figure(const SnapshotRequest& request, const Viewpoint& view);
     Image draw_overlays(const Image& image, const SnapshotRequest& request, const Viewpoint& view);

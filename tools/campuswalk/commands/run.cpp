@@ -112,9 +112,9 @@ void add_sequence(Command& command, SequenceRequest& wish) {
                     animation_names(), wish.animations);
     command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"}, wish.video);
     const std::map<std::string, std::optional<engine::View>> views = {
-        {"first_person", engine::View::first_person},
-        {"third_person", engine::View::third_person},
-        {"top", engine::View::top}};
+        {"first_person", engine::FirstPersonView{}},
+        {"third_person", engine::ThirdPersonView{}},
+        {"top", engine::TopView{}}};
     command.choice({.names = "--frame-view", .help = "How frames are taken [as the walk's camera is set]"},
                    views, wish.view);
     command.option({.names = "--frame-width",

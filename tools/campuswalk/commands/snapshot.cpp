@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "config/loader/load_run.h"
@@ -65,9 +66,9 @@ void aim(const SnapshotOptions& options, const scene::CampusDescription& campus,
         return;
     }
     image.camera = config::read_camera_text(options.camera, kAsked, campus, image.camera);
-    const bool alone = (image.camera.view == engine::View::fixed && image.camera.position) ||
-                       (image.camera.view == engine::View::orbit && image.camera.around);
-    if (!alone) {
+    const auto* fixed = std::get_if<engine::FixedView>(&image.camera.view);
+    const auto* orbit = std::get_if<engine::OrbitView>(&image.camera.view);
+    if (!(fixed != nullptr && fixed->position) && !(orbit != nullptr && orbit->around)) {
         throw scene::InputError(
             {kAsked, 1, 1}, "bad-value",
             "nobody walks here whom a camera could follow: use {view: orbit, around: NAME} or "

@@ -60,7 +60,7 @@ public:
         const std::vector<Eigen::Vector3d> path = trail.path();
         render::SnapshotRequest request;
         request.camera = walk_.camera;
-        request.camera.view = engine::View::first_person;
+        request.camera.view = engine::FirstPersonView{};
         request.camera.width = kWidth;
         request.camera.height = kHeight;
         request.avatar = record.avatar;

@@ -99,7 +99,7 @@ void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
 /// An image of a campus that nobody walks in.
 struct CampusImage {
     bool plan = false;              ///< from above, all of it; of `camera` only the size counts
-    engine::CameraSettings camera;  ///< View::first_person from `avatar`'s place, or one that needs nobody
+    engine::CameraSettings camera;  ///< FirstPersonView from `avatar`'s place, or one that needs nobody
     engine::AvatarState avatar;
     engine::LightSettings light;
     engine::ImageChannels channels;  ///< go beside `file`

@@ -28,7 +28,9 @@ namespace {
 
 engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceRequest& wish) {
     engine::CameraSettings camera = walk.camera;
-    camera.view = wish.view.value_or(camera.view);
+    if (wish.view) {
+        camera.view = walk.views[wish.view->index()];
+    }
     if (wish.width) {
         camera.height = std::max(1, static_cast<int>(std::lround(static_cast<double>(*wish.width) *
                                                                  camera.height / camera.width)));

@@ -16,7 +16,7 @@ struct SequenceRequest {
     bool contact_sheet = false;           ///< all of them on one image
     std::vector<std::string> animations;  ///< names of kAnimationKinds
     bool video = false;                   ///< by ffmpeg
-    std::optional<engine::View> view;     ///< the walk's own camera without
+    std::optional<engine::View> view;     ///< of this kind, as the walk has it; its own camera without
     std::optional<int> width;             ///< pixels, the height in proportion; as the walk says without
 
     bool any() const { return every || contact_sheet || !animations.empty() || video; }

@@ -35,12 +35,12 @@ SnapshotRequest request(View view, int width = kWidth, int height = kHeight) {
 TEST(SnapshotRenderer, DrawsTheThreeViews) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    const Image first = snapshot_renderer.draw(request(View::first_person));
-    const Image third = snapshot_renderer.draw(request(View::third_person));
-    const Image top = snapshot_renderer.draw(request(View::top));
+    const Image first = snapshot_renderer.draw(request(FirstPersonView{}));
+    const Image third = snapshot_renderer.draw(request(ThirdPersonView{}));
+    const Image top = snapshot_renderer.draw(request(TopView{}));
     EXPECT_GT(differing_pixels(first, third), first.rgba.size() / 4 / 10);
     EXPECT_GT(differing_pixels(first, top), first.rgba.size() / 4 / 2);
-    EXPECT_EQ(snapshot_renderer.draw(request(View::first_person)).rgba, first.rgba);
+    EXPECT_EQ(snapshot_renderer.draw(request(FirstPersonView{})).rgba, first.rgba);
 }
 
 TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
@@ -59,7 +59,7 @@ TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
         }
         return count;
     };
-    SnapshotRequest away = request(View::third_person);
+    SnapshotRequest away = request(ThirdPersonView{});
     away.avatar.yaw = 3.141592653589793;  // the tower is behind the camera
     EXPECT_GT(orange(roomy.draw(away)), 20);
     EXPECT_EQ(orange(cramped.draw(away)), 0);
@@ -68,7 +68,7 @@ TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
 TEST(SnapshotRenderer, DrawsTheOpenPopupOverTheImage) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    SnapshotRequest open = request(View::first_person, 640, 360);
+    SnapshotRequest open = request(FirstPersonView{}, 640, 360);
     const Image closed_image = snapshot_renderer.draw(open);
     const std::vector<OpenPopup> popups = {{0, "Tower", "As it opened."}};
     open.open_popups = popups;
@@ -82,9 +82,8 @@ TEST(SnapshotRenderer, DrawsTheOpenPopupOverTheImage) {
 TEST(SnapshotRenderer, OrbitFillsTheImageWithTheBuilding) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    SnapshotRequest around = request(View::orbit);
+    SnapshotRequest around = request(OrbitView{.around = CameraTarget{"tower", 0, {}}});
     around.nobody = true;
-    around.camera.around = CameraTarget{"tower", 0, {}};
     const IdImage ids = snapshot_renderer.draw_ids(around);
     int top = kHeight;
     int bottom = 0;
@@ -102,8 +101,7 @@ TEST(SnapshotRenderer, OrbitFillsTheImageWithTheBuilding) {
 TEST(SnapshotRenderer, OrbitWithoutATargetGoesAroundTheAvatar) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    SnapshotRequest around = request(View::orbit);
-    around.camera.distance = 4.0;
+    SnapshotRequest around = request(OrbitView{.distance = 4.0});
     SnapshotRequest empty = around;
     empty.nobody = true;
     const Channels with = snapshot_renderer.draw_channels(around, {.depth = true});
@@ -116,21 +114,19 @@ TEST(SnapshotRenderer, OrbitWithoutATargetGoesAroundTheAvatar) {
 TEST(SnapshotRenderer, FixedStandsWhereItIsPutAndLooksWhereItIsTold) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    SnapshotRequest fixed = request(View::fixed);
+    const Eigen::Vector3d position(8, 3, 2);
+    SnapshotRequest fixed = request(FixedView{.position = position, .look_at = CameraTarget{"tower", 0, {}}});
     fixed.nobody = true;
-    fixed.camera.position = Eigen::Vector3d(8, 3, 2);
-    fixed.camera.look_at = CameraTarget{"tower", 0, {}};
     const std::size_t middle = kHeight / 2 * kWidth + kWidth / 2;
     EXPECT_EQ(snapshot_renderer.draw_ids(fixed).ids[middle], 1U);
-    fixed.camera.look_at.reset();
-    fixed.camera.yaw = 3.141592653589793;
+    fixed.camera.view = FixedView{.position = position, .yaw = 3.141592653589793};
     EXPECT_EQ(snapshot_renderer.draw_ids(fixed).ids[middle], 0U) << "turned away";
 }
 
 TEST(SnapshotRenderer, IdsTellWhoseThePixelsAre) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    SnapshotRequest camera = request(View::first_person);
+    SnapshotRequest camera = request(FirstPersonView{});
     const std::vector<OpenPopup> popups = {{0, "Tower", "It hides nothing here."}};
     camera.open_popups = popups;
     const IdImage image = snapshot_renderer.draw_ids(camera);
@@ -150,9 +146,8 @@ TEST(SnapshotRenderer, IdsTellWhoseThePixelsAre) {
 TEST(SnapshotRenderer, TheAvatarHidesWhatIsBehindItInIdsToo) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    SnapshotRequest behind = request(View::third_person);
+    SnapshotRequest behind = request(ThirdPersonView{2.0});
     behind.avatar.position = {0, 0, -4};
-    behind.camera.distance = 2.0;
     // From the same place without the figure.
     const Viewpoint view = third_person(behind.avatar, behind.profile, behind.camera.fov, 2.0, {});
     Renderer renderer(campus.models, quick_settings());
@@ -164,12 +159,12 @@ TEST(SnapshotRenderer, TheAvatarHidesWhatIsBehindItInIdsToo) {
 TEST(SnapshotRenderer, AddsAMinimapToViewsFromTheAvatarOnly) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
-    for (const View view : {View::first_person, View::top}) {
+    for (const View& view : {View(FirstPersonView{}), View(TopView{})}) {
         SnapshotRequest camera = request(view, 480, 270);
         const Image b = snapshot_renderer.draw(camera);
         camera.minimap = true;
         const Image a = snapshot_renderer.draw(camera);
-        EXPECT_EQ(differing_pixels(a, b) > 1000U, view == View::first_person);
+        EXPECT_EQ(differing_pixels(a, b) > 1000U, std::holds_alternative<FirstPersonView>(view));
         EXPECT_EQ(a.pixel(400, 100), b.pixel(400, 100));
     }
 }
