@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include <Eigen/Core>
@@ -10,5 +11,10 @@ namespace campuswalk::engine {
 std::string fixed(double value, int digits);
 /// `x,y,z` in millimetres' resolution.
 std::string fixed(const Eigen::Vector3d& value);
+
+/// As angles are printed.
+constexpr double degrees(double radians) {
+    return radians * (180.0 / std::numbers::pi);
+}
 
 }  // namespace campuswalk::engine

@@ -42,8 +42,13 @@ public:
     }
     void check(const ExpectBlockedBy& expected) const { check_solid(expected.object); }
     void check(const ExpectStuck& expected) const { check_solid(expected.by); }
-    template <typename Other>
-    void check(const Other& /*names nothing*/) const {}
+    // These name nothing.
+    void check(const ExpectReaches&) const {}
+    void check(const ExpectDuration&) const {}
+    void check(const ExpectDistance&) const {}
+    void check(const ExpectNoPenetration&) const {}
+    void check(const ExpectGrounded&) const {}
+    void check(const ExpectFell&) const {}
 
 private:
     void check_building(const NamePattern& building) const {

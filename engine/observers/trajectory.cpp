@@ -9,7 +9,6 @@ namespace campuswalk::engine {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr int kDigits = 9;
 
 std::string number(double value) {
@@ -40,7 +39,7 @@ void TrajectoryCsv::frame(const TickRecord& record) {
     const AvatarState& avatar = record.avatar;
     std::string line = number(record.time);
     for (const double value : {avatar.position.x(), avatar.position.y(), avatar.position.z(),
-                               avatar.yaw * kDegrees, avatar.pitch * kDegrees}) {
+                               degrees(avatar.yaw), degrees(avatar.pitch)}) {
         line += "," + number(value);
     }
     sink_(line + (avatar.grounded ? ",1," : ",0,") + number(avatar.stature * height_));

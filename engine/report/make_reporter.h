@@ -20,7 +20,7 @@ struct ReportStyle {
     std::string folder = {};  ///< the run's output folder as the user named it, to find images in
 };
 
-/// `list`, `dot`, `junit`, `tap`, `json`, `jsonl` and `github`.
+/// As the user writes them.
 std::vector<std::string> reporter_names();
 
 /// One of them, writing to `sink`. None for a name that isn't among them.

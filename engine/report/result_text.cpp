@@ -11,8 +11,6 @@ namespace campuswalk::engine {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
 std::size_t& count_of(Tally& tally, Outcome outcome) {
     switch (outcome) {
         case Outcome::passed:
@@ -66,7 +64,7 @@ std::string place_of(const FailureScene& scene) {
         return "";
     }
     std::string place = "at " + fixed(scene.time, 3) + " s, " + fixed(scene.position) + ", facing " +
-                        fixed(scene.yaw * kDegrees, 1) + " degrees";
+                        fixed(degrees(scene.yaw), 1) + " degrees";
     if (!scene.building.empty()) {
         place += "; building " + printable(scene.building);
     }

@@ -1,6 +1,5 @@
 #include "engine/simulation/simulation.h"
 
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -10,8 +9,6 @@
 namespace campuswalk::engine {
 
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// What changes contacts other than the avatar's own motion; null: nothing does.
 const char* cause_of(const Intent& intent) {
@@ -71,7 +68,7 @@ Motion Simulation::move(const Intent& intent) {
         const bool start = events.tick == 0;
         events.add(start ? EventKind::walk_start : intent.placement->kind,
                    start ? name : *intent.placement->label,
-                   {{"pos", state_.body.foot()}, {"yaw", Decimal{intent.yaw * kDegrees, 1}}});
+                   {{"pos", state_.body.foot()}, {"yaw", Decimal{degrees(intent.yaw), 1}}});
     }
     if (motion.push) {
         state_.report_push(*motion.push, *intent.placement->label);
