@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::scene {
 

@@ -10,7 +10,7 @@
 #include "scene/campus/collider_shapes.h"
 #include "scene/campus/node_selection.h"
 #include "scene/campus/object_names.h"
-#include "scene/import/source/parallel.h"
+#include "scene/import/source/parallel_for.h"
 #include "scene/model/node_frame.h"
 
 namespace campuswalk::scene {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "collision/geometry/shapes.h"
-#include "scene/procedural/chance.h"
 #include "scene/procedural/mesh_parts.h"
+#include "scene/procedural/split_mix.h"
 
 namespace campuswalk::scene {
 

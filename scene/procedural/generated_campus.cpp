@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "scene/procedural/campus_parts.h"
-#include "scene/procedural/chance.h"
 #include "scene/procedural/mesh_parts.h"
+#include "scene/procedural/split_mix.h"
 
 namespace campuswalk::scene {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/render/image/png_file.h"
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::engine::render {
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "engine/render/sequence/frame_sink.h"
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 struct GifFileType;
 

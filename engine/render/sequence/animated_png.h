@@ -7,7 +7,7 @@
 
 #include "engine/render/image/png_file.h"
 #include "engine/render/sequence/frame_sink.h"
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::engine::render {
 

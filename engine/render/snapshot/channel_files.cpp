@@ -10,7 +10,7 @@
 
 #include "engine/render/image/depth_png.h"
 #include "engine/render/image/png.h"
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::engine::render {
 namespace {

@@ -1,6 +1,6 @@
 #include "scene/import/gltf/relative_to_center.h"
 
-#include "scene/import/source/earth_frame.h"
+#include "scene/import/source/tangent_frame.h"
 
 namespace campuswalk::scene::gltf {
 

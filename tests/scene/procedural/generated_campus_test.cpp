@@ -4,7 +4,7 @@
 
 #include "collision/mesh/mesh_query.h"
 #include "scene/procedural/campus_parts.h"
-#include "scene/procedural/chance.h"
+#include "scene/procedural/split_mix.h"
 
 namespace campuswalk::scene {
 namespace {

@@ -12,9 +12,9 @@
 #include "engine/render/compare/compare_images.h"
 #include "engine/render/image/png.h"
 #include "engine/render/image/read_png.h"
+#include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
 #include "scene/base/glob.h"
-#include "scene/base/whole_file.h"
 
 namespace campuswalk::tools {
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 #include "tools/campuswalk/logs/log_lines.h"
 
 namespace campuswalk::tools {

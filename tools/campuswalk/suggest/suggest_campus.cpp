@@ -11,8 +11,8 @@
 
 #include "collision/mesh/mesh_collider.h"
 #include "engine/simulation/run_walk.h"
+#include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
-#include "scene/base/whole_file.h"
 #include "scene/campus/bake_mesh.h"
 #include "scene/campus/node_selection.h"
 #include "scene/lint/wording.h"

@@ -1,6 +1,6 @@
 #include "tools/campuswalk_bench/campus/questions.h"
 
-#include "scene/procedural/chance.h"
+#include "scene/procedural/split_mix.h"
 
 namespace campuswalk::tools::bench {
 

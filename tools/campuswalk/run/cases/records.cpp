@@ -5,7 +5,7 @@
 
 #include "engine/observers/cost_trace.h"
 #include "engine/observers/trajectory.h"
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::tools {
 

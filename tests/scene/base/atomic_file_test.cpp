@@ -1,4 +1,4 @@
-#include "scene/base/whole_file.h"
+#include "scene/base/atomic_file.h"
 
 #include <unistd.h>
 

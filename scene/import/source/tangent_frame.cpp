@@ -1,4 +1,4 @@
-#include "scene/import/source/earth_frame.h"
+#include "scene/import/source/tangent_frame.h"
 
 #include <cmath>
 #include <numbers>

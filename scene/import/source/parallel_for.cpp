@@ -1,4 +1,4 @@
-#include "scene/import/source/parallel.h"
+#include "scene/import/source/parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
