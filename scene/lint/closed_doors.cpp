@@ -18,30 +18,30 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBehind = 0.8;            // metres that must be free before and behind a door
-constexpr double kBeside = 0.4;            // metres within which a wall holds it
-constexpr double kThickest = 0.4;          // metres, with its frame
-constexpr double kPanel = 0.25;            // metres, the thickest without a name
-constexpr std::size_t kMostPanels = 4000;  // the first of the file
-constexpr std::size_t kMostNear = 20'000;  // triangles about one that is looked at
-constexpr std::size_t kAtOnce = 128;       // panels in a pass over the model, to bound the memory
-constexpr double kFloorBelow = 0.35;       // metres down to the floor
+constexpr double kClearance = 0.8;             // metres that must be free on both sides of a door
+constexpr double kWallGap = 0.4;               // metres within which a wall must be beside it
+constexpr double kMaxThickness = 0.4;          // metres, of a named door, which may include the frame
+constexpr double kMaxUnnamedThickness = 0.25;  // metres
+constexpr double kMaxFloorGap = 0.35;          // metres from the panel down to the floor
+constexpr std::size_t kMaxPanels = 4000;       // bounds the time; later ones are ignored
+constexpr std::size_t kMaxNearby = 20'000;     // triangles around a panel; with more it is ignored
+constexpr std::size_t kBatchSize = 128;        // panels per pass over the model; bounds the memory
 
-struct NearTriangle {
-    std::array<Vector3d, 3> corners;
-    bool own = false;  ///< of the panel itself
+struct NearbyTriangle {
+    std::array<Vector3d, 3> vertices;
+    bool own = false;  ///< belongs to the panel itself
 };
 
 struct Panel {
     std::size_t node = 0;
     bool named = false;
     UprightBox box;
-    Vector3d along;   ///< in its plane, level, unit
-    Vector3d normal;  ///< level, unit
+    Vector3d along;   ///< in its plane, horizontal, unit
+    Vector3d normal;  ///< horizontal, unit
     double width = 0.0;
     double thickness = 0.0;
     Bounds surroundings;
-    std::vector<NearTriangle> near;
+    std::vector<NearbyTriangle> nearby;
 
     double bottom() const { return box.center.y() - 0.5 * box.size.y(); }
     Vector3d at(double beside, double above, double before) const {
@@ -51,25 +51,26 @@ struct Panel {
     }
 };
 
-/// Whether the segment from `a` to `b` meets the triangle, edges included.
-bool meets(const Vector3d& a, const Vector3d& b, const std::array<Vector3d, 3>& t) {
+/// Whether the segment from `a` to `b` intersects the triangle, edges included.
+bool intersects(const Vector3d& a, const Vector3d& b, const std::array<Vector3d, 3>& t) {
     const std::optional<double> fraction = line_through_triangle(t, a, b - a);
     return fraction && *fraction >= 0.0 && *fraction <= 1.0;
 }
 
-bool meets(const Panel& panel, const Vector3d& a, const Vector3d& b, bool own) {
-    return std::ranges::any_of(panel.near,
-                               [&](const NearTriangle& t) { return t.own == own && meets(a, b, t.corners); });
+/// Whether it intersects the panel itself (`own`) or anything else nearby.
+bool intersects(const Panel& panel, const Vector3d& a, const Vector3d& b, bool own) {
+    return std::ranges::any_of(
+        panel.nearby, [&](const NearbyTriangle& t) { return t.own == own && intersects(a, b, t.vertices); });
 }
 
 bool is_door_sized(const Panel& panel) {
     const double height = panel.box.size.y();
     if (panel.named) {
         return height >= 1.6 && height <= 6.0 && panel.width >= 0.5 && panel.width <= 8.0 &&
-               panel.thickness <= kThickest;
+               panel.thickness <= kMaxThickness;
     }
     return height >= 1.8 && height <= 2.6 && panel.width >= 0.6 && panel.width <= 2.6 &&
-           panel.thickness <= kPanel;
+           panel.thickness <= kMaxUnnamedThickness;
 }
 
 std::optional<Panel> panel_of(std::size_t node, bool named, UprightBoxFit& fit) {
@@ -89,19 +90,19 @@ std::optional<Panel> panel_of(std::size_t node, bool named, UprightBoxFit& fit) 
     if (!is_door_sized(panel)) {
         return std::nullopt;
     }
-    const double reach = 0.5 * panel.width + panel.thickness + kBehind;
+    const double reach = 0.5 * panel.width + panel.thickness + kClearance;
     const Vector3d half(reach, 0.5 * size.y() + 1.0, reach);
     panel.surroundings = {panel.box.center - half, panel.box.center + half};
     return panel;
 }
 
 bool may_be_unnamed_panel(const Model& model, const Node& node) {
-    constexpr std::size_t kMostTriangles = 2000;
+    constexpr std::size_t kMaxTriangles = 2000;
     std::size_t triangles = 0;
     for (const MeshIndex index : node.meshes) {
         triangles += model.meshes[index_of(index)].triangles.size();
     }
-    return triangles > 0 && triangles <= kMostTriangles;
+    return triangles > 0 && triangles <= kMaxTriangles;
 }
 
 std::vector<Panel> find_panels(const Model& model, const std::vector<std::size_t>& doors) {
@@ -113,7 +114,7 @@ std::vector<Panel> find_panels(const Model& model, const std::vector<std::size_t
         }
     }
     std::vector<Panel> panels;
-    for (std::size_t n = 0; n < fits.size() && panels.size() < kMostPanels; ++n) {
+    for (std::size_t n = 0; n < fits.size() && panels.size() < kMaxPanels; ++n) {
         if (auto panel = panel_of(n, doors[n] == n, fits[n])) {
             panels.push_back(std::move(*panel));
         }
@@ -121,7 +122,7 @@ std::vector<Panel> find_panels(const Model& model, const std::vector<std::size_t
     return panels;
 }
 
-/// Gives each panel the triangles about it, in one pass over the model.
+/// Collects the triangles around each panel, in one pass over the model: sweep along x.
 void gather_surroundings(const Model& model, const std::vector<std::size_t>& doors, std::span<Panel> panels) {
     std::vector<Panel*> by_x;
     double widest = 0.0;
@@ -143,63 +144,64 @@ void gather_surroundings(const Model& model, const std::vector<std::size_t>& doo
                                      [](const Panel* p, double x) { return p->surroundings.min.x() < x; });
                 for (; at != by_x.end() && (*at)->surroundings.min.x() <= high.x(); ++at) {
                     const Bounds& box = (*at)->surroundings;
-                    const bool room = (*at)->near.size() <= kMostNear;
-                    if (room && (low.array() <= box.max.array()).all() &&
+                    const bool has_capacity = (*at)->nearby.size() <= kMaxNearby;
+                    if (has_capacity && (low.array() <= box.max.array()).all() &&
                         (high.array() >= box.min.array()).all()) {
-                        (*at)->near.push_back({{a, b, c}, (*at)->node == owner});
+                        (*at)->nearby.push_back({{a, b, c}, (*at)->node == owner});
                     }
                 }
             });
     }
 }
 
-/// Whether it fills its outline: of nine straight ways through it, at most two pass.
+/// Whether it has no large holes: at most two of nine segments through it miss.
 bool is_filled(const Panel& panel) {
     const double reach = 0.5 * panel.thickness + 0.05;
-    int held = 0;
+    int hits = 0;
     for (const double beside : {-0.3, 0.017, 0.3}) {
         for (const double above : {0.3, 0.9, 1.5}) {
             const Vector3d front = panel.at(beside * panel.width, above, reach);
             const Vector3d back = panel.at(beside * panel.width, above, -reach);
-            held += meets(panel, front, back, true) ? 1 : 0;
+            hits += intersects(panel, front, back, true) ? 1 : 0;
         }
     }
-    return held >= 7;
+    return hits >= 7;
 }
 
-/// Whether nothing else bars the way at the height of knees, hips and chest.
-bool is_way_without_it(const Panel& panel) {
-    const double reach = 0.5 * panel.thickness + kBehind;
+/// Whether nothing else blocks the doorway at the height of knees, hips and chest.
+bool is_passable_without(const Panel& panel) {
+    const double reach = 0.5 * panel.thickness + kClearance;
     return std::ranges::none_of(std::array{0.5, 1.0, 1.5}, [&](double above) {
-        return meets(panel, panel.at(0.0, above, reach), panel.at(0.0, above, -reach), false);
+        return intersects(panel, panel.at(0.0, above, reach), panel.at(0.0, above, -reach), false);
     });
 }
 
-/// An open leaf has one side in the air. What holds a closed one may lie at its front, with the leaf set
-/// back, or at its back, and within its outline if that is of the frame, too.
+/// An open door has a wall on one side at most. The wall beside a closed one may be flush with its front, its
+/// middle or its back, and may begin within the panel's box if that includes the frame.
 bool is_between_walls(const Panel& panel) {
     const double edge = 0.5 * panel.width;
-    const auto is_held = [&](double side, double above) {
+    const auto has_wall = [&](double side, double above) {
         return std::ranges::any_of(std::array{-0.5, 0.0, 0.5}, [&](double depth) {
             const double before = depth * panel.thickness;
-            return meets(panel, panel.at(side * 0.4 * edge, above, before),
-                         panel.at(side * (edge + kBeside), above, before), false);
+            return intersects(panel, panel.at(side * 0.4 * edge, above, before),
+                              panel.at(side * (edge + kWallGap), above, before), false);
         });
     };
-    return is_held(-1.0, 0.6) && is_held(-1.0, 1.4) && is_held(1.0, 0.6) && is_held(1.0, 1.4);
+    return has_wall(-1.0, 0.6) && has_wall(-1.0, 1.4) && has_wall(1.0, 0.6) && has_wall(1.0, 1.4);
 }
 
 bool has_lintel_and_floor(const Panel& panel) {
     const double top = panel.box.size.y();
     const double before = 0.5 * panel.thickness + 0.3;
-    return meets(panel, panel.at(0.0, top - 0.1, 0.0), panel.at(0.0, top + 2.0 * kBeside, 0.0), false) &&
-           meets(panel, panel.at(0.0, 0.3, before), panel.at(0.0, -kFloorBelow, before), false) &&
-           meets(panel, panel.at(0.0, 0.3, -before), panel.at(0.0, -kFloorBelow, -before), false);
+    return intersects(panel, panel.at(0.0, top - 0.1, 0.0), panel.at(0.0, top + 2.0 * kWallGap, 0.0),
+                      false) &&
+           intersects(panel, panel.at(0.0, 0.3, before), panel.at(0.0, -kMaxFloorGap, before), false) &&
+           intersects(panel, panel.at(0.0, 0.3, -before), panel.at(0.0, -kMaxFloorGap, -before), false);
 }
 
 bool is_closed_door(const Panel& panel) {
-    const bool known = panel.near.size() <= kMostNear;
-    return known && is_filled(panel) && is_way_without_it(panel) && is_between_walls(panel) &&
+    const bool complete = panel.nearby.size() <= kMaxNearby;
+    return complete && is_filled(panel) && is_passable_without(panel) && is_between_walls(panel) &&
            (panel.named || has_lintel_and_floor(panel));
 }
 
@@ -209,14 +211,14 @@ std::vector<ClosedDoor> find_closed_doors(const Model& model) {
     const std::vector<std::size_t> doors = named_parts(model, is_door_name);
     std::vector<Panel> panels = find_panels(model, doors);
     std::vector<ClosedDoor> closed;
-    for (std::size_t first = 0; first < panels.size(); first += kAtOnce) {
-        const auto batch = std::span(panels).subspan(first, std::min(kAtOnce, panels.size() - first));
+    for (std::size_t first = 0; first < panels.size(); first += kBatchSize) {
+        const auto batch = std::span(panels).subspan(first, std::min(kBatchSize, panels.size() - first));
         gather_surroundings(model, doors, batch);
         for (Panel& panel : batch) {
             if (is_closed_door(panel)) {
                 closed.push_back({panel.node, panel.at(0.0, 0.0, 0.0), panel.width, panel.box.size.y()});
             }
-            panel.near = {};
+            panel.nearby = {};
         }
     }
     return closed;

@@ -9,18 +9,17 @@
 
 namespace campuswalk::scene {
 
-/// A panel that closes a way through: without it a visitor could go on, on both sides.
+/// A panel that blocks a doorway: there is free space on both sides of it.
 struct ClosedDoor {
     std::size_t node = 0;
-    Eigen::Vector3d foot = Eigen::Vector3d::Zero();  ///< world, the middle of its lower edge
+    Eigen::Vector3d foot = Eigen::Vector3d::Zero();  ///< world, the centre of its lower edge
     double width = 0.0;                              ///< metres
     double height = 0.0;                             ///< metres
 };
 
-/// Nodes called doors (see is_door_name) with something solid to their left and right, and nodes without that
-/// name whose own triangles are an upright panel as large as a door, which has besides something above and
-/// a floor before and behind. A door that stands open closes nothing, and one with a wall behind it
-/// neither. In the file's order.
+/// Finds nodes named as doors (is_door_name) between two walls, and nodes with other names whose own
+/// triangles form an upright panel of a door's size between two walls, with a lintel above and a floor on
+/// both sides. Open doors and doors in front of a wall are left out. In order of nodes.
 std::vector<ClosedDoor> find_closed_doors(const Model& model);
 
 }  // namespace campuswalk::scene

@@ -9,19 +9,19 @@
 
 #include "scene/lint/closed_doors.h"
 #include "scene/lint/ground_cover.h"
+#include "scene/lint/model_report.h"
 #include "scene/lint/named_sizes.h"
 #include "scene/lint/unit_guess.h"
 #include "scene/lint/wording.h"
-#include "scene/model/model_report.h"
 #include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
 namespace {
 
-constexpr double kLeastSize = 0.5;       // metres
-constexpr double kGreatestSize = 5e3;    // metres
-constexpr double kCoarsestStep = 0.005;  // metres between neighbouring float32 coordinates
-constexpr double kFacing = 0.9;          // cosine within which a face counts as facing an axis
+constexpr double kMinSize = 0.5;       // metres
+constexpr double kMaxSize = 5e3;       // metres
+constexpr double kMaxSpacing = 0.005;  // metres between adjacent float32 coordinates
+constexpr double kFacing = 0.9;        // cosine within which a face counts as facing an axis
 
 std::string unit_hint(double size) {
     const auto unit = guess_unit(size, 5.0, 3000.0);
@@ -33,20 +33,20 @@ void check_size(const Bounds& bounds, std::vector<ModelLint>& out) {
     const double size = (bounds.max - bounds.min).maxCoeff();
     if (size == 0.0) {
         out.push_back({"odd-scale", "all its vertices lie at one point"});
-    } else if (size < kLeastSize || size > kGreatestSize) {
+    } else if (size < kMinSize || size > kMaxSize) {
         out.push_back({"odd-scale", "it is " + in_metres(size) +
                                         " across, which is an unlikely size for a campus" + unit_hint(size)});
     }
-    const Eigen::Vector3d middle = 0.5 * (bounds.min + bounds.max);
-    const double distance = middle.norm();
-    if (middle.cwiseAbs().maxCoeff() > kFarAway) {  // as origin_near has it
+    const Eigen::Vector3d center = 0.5 * (bounds.min + bounds.max);
+    const double distance = center.norm();
+    if (center.cwiseAbs().maxCoeff() > kFarAway) {  // the criterion of origin_near
         out.push_back({"far-from-origin",
                        "its centre is " + in_metres(distance) +
                            " from the origin; set `origin: {at: near}` in the campus file to move it there"});
     }
 }
 
-/// Float32 coordinates in a mesh, scaled as its node places them.
+/// The spacing of a mesh's float32 coordinates in the world frame.
 void check_precision(const Model& model, std::vector<ModelLint>& out) {
     constexpr double kRelativeStep = 1.0 / (1 << 23U);
     double coarsest = 0.0;
@@ -65,7 +65,7 @@ void check_precision(const Model& model, std::vector<ModelLint>& out) {
             }
         }
     }
-    if (coarsest > kCoarsestStep) {
+    if (coarsest > kMaxSpacing) {
         out.push_back({"coarse-position",
                        "vertices of node '" + worst + "' lie on a grid of about " + in_metres(coarsest) +
                            " because they are so far from the file's origin; move the origin "
@@ -73,8 +73,7 @@ void check_precision(const Model& model, std::vector<ModelLint>& out) {
     }
 }
 
-/// A map-like model (flat along z) whose area faces z, not y. A façade alone looks the same, hence
-/// "probably".
+/// Flat along z, and most of the area faces z instead of y. A lone façade looks the same, hence "seems".
 void check_up_axis(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
     const Eigen::Vector3d size = bounds.max - bounds.min;
     if (size.z() >= 0.5 * std::min(size.x(), size.y())) {
@@ -136,39 +135,39 @@ void check_nodes(const Model& model, std::vector<ModelLint>& out) {
 }
 
 void check_duplicates(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
-    ModelLint odd{"duplicate-faces", "", {}};
+    ModelLint lint{"duplicate-faces", "", {}};
     std::size_t count = 0;
     const DuplicateFaces* most = nullptr;
     const std::vector<DuplicateFaces> duplicates = find_duplicate_faces(model, bounds);
     for (const DuplicateFaces& own : duplicates) {
-        odd.places.push_back({model.nodes[own.node].name, own.first});
+        lint.places.push_back({model.nodes[own.node].name, own.first});
         count += own.count;
         most = most == nullptr || own.count > most->count ? &own : most;
     }
     if (most != nullptr) {
-        odd.message = plural(count, "triangle") + " on top of another, facing the same way, " +
-                      (duplicates.size() > 1 ? "most of them (" + std::to_string(most->count) + ") " : "") +
-                      "in node '" + model.nodes[most->node].name + "'; delete the duplicates";
-        out.push_back(odd);
+        lint.message = plural(count, "triangle") + " on top of another, facing the same way, " +
+                       (duplicates.size() > 1 ? "most of them (" + std::to_string(most->count) + ") " : "") +
+                       "in node '" + model.nodes[most->node].name + "'; delete the duplicates";
+        out.push_back(lint);
     }
 }
 
 void check_outliers(const Model& model, const ModelReport& report, std::vector<ModelLint>& out) {
-    ModelLint odd{"outlier", "", {}};
+    ModelLint lint{"outlier", "", {}};
     for (const std::size_t n : outlier_nodes(model)) {
         const Bounds& bounds = report.nodes[n].bounds;
-        odd.places.push_back({model.nodes[n].name, 0.5 * (bounds.min + bounds.max)});
+        lint.places.push_back({model.nodes[n].name, 0.5 * (bounds.min + bounds.max)});
     }
-    if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "node") + " far from everything else, for example '" +
-                      odd.places.front().node +
-                      "', stretch the bounds; move them or exclude them from the export";
-        out.push_back(odd);
+    if (!lint.places.empty()) {
+        lint.message = plural(lint.places.size(), "node") + " far from everything else, for example '" +
+                       lint.places.front().node +
+                       "', stretch the bounds; move them or exclude them from the export";
+        out.push_back(lint);
     }
 }
 
 void check_ground(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
-    constexpr double kRoom = 3.0;  // metres: smaller things are furniture
+    constexpr double kRoom = 3.0;  // metres; smaller models are furniture
     const Eigen::Vector3d size = bounds.max - bounds.min;
     if (std::min(size.x(), size.z()) < kRoom) {
         return;
@@ -222,12 +221,13 @@ std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report)
     check_nodes(model, lints);
     check_duplicates(model, report.bounds, lints);
     check_outliers(model, report, lints);
-    const bool lies = std::ranges::any_of(lints, [](const ModelLint& odd) { return odd.code == "z-up"; });
-    const std::vector<ModelLint> odd_sizes = lint_named_sizes(model, report.nodes, lies ? 2 : 1);
-    lints.insert(lints.end(), odd_sizes.begin(), odd_sizes.end());
-    // Of a model that lies on its side or has another unit these would only say the same again.
-    const bool upright = std::ranges::none_of(lints, [](const ModelLint& odd) {
-        return odd.code == "z-up" || odd.code == "odd-scale" || odd.code == "door-size";
+    const bool lies_flat =
+        std::ranges::any_of(lints, [](const ModelLint& lint) { return lint.code == "z-up"; });
+    const std::vector<ModelLint> size_lints = lint_named_sizes(model, report.nodes, lies_flat ? 2 : 1);
+    lints.insert(lints.end(), size_lints.begin(), size_lints.end());
+    // With a wrong axis or unit these would only report its consequences.
+    const bool upright = std::ranges::none_of(lints, [](const ModelLint& lint) {
+        return lint.code == "z-up" || lint.code == "odd-scale" || lint.code == "door-size";
     });
     if (upright) {
         check_ground(model, report.bounds, lints);

@@ -2,15 +2,15 @@
 
 namespace campuswalk::scene {
 
-std::vector<std::size_t> named_parts(const Model& model, bool (*is_called)(std::string_view)) {
+std::vector<std::size_t> named_parts(const Model& model, bool (*name_matches)(std::string_view)) {
     const std::size_t count = model.nodes.size();
-    std::vector<bool> called(count, false);
-    std::vector<bool> gathers(count, false);  // has one that is called so below it
-    for (std::size_t n = count; n-- > 0;) {   // children first: parents come before them
+    std::vector<bool> matches(count, false);
+    std::vector<bool> is_group(count, false);  // has a matching descendant
+    for (std::size_t n = count; n-- > 0;) {    // children first
         const Node& node = model.nodes[n];
-        called[n] = is_called(node.name);
-        if (node.parent >= 0 && (called[n] || gathers[n])) {
-            gathers[static_cast<std::size_t>(node.parent)] = true;
+        matches[n] = name_matches(node.name);
+        if (node.parent >= 0 && (matches[n] || is_group[n])) {
+            is_group[static_cast<std::size_t>(node.parent)] = true;
         }
     }
     std::vector<std::size_t> part(count, kNoPart);
@@ -19,7 +19,7 @@ std::vector<std::size_t> named_parts(const Model& model, bool (*is_called)(std::
         if (node.parent >= 0) {
             part[n] = part[static_cast<std::size_t>(node.parent)];
         }
-        if (part[n] == kNoPart && called[n] && (!gathers[n] || !node.meshes.empty())) {
+        if (part[n] == kNoPart && matches[n] && (!is_group[n] || !node.meshes.empty())) {
             part[n] = n;
         }
     }

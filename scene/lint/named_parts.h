@@ -10,9 +10,9 @@ namespace campuswalk::scene {
 
 constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
 
-/// By node: the part that it is or is below of, else kNoPart. A part is a node of which `is_called(name)`,
-/// but not one that only gathers such nodes ("doors", with "door 1" and "door 2" below it and no mesh of its
-/// own); of one below another, the topmost.
-std::vector<std::size_t> named_parts(const Model& model, bool (*is_called)(std::string_view));
+/// By node: the index of the part that contains it, or kNoPart. A part, such as one door, is the subtree of
+/// the topmost node whose name matches; groups are skipped: nodes without meshes that have matching
+/// descendants, such as "doors" above "door 1" and "door 2".
+std::vector<std::size_t> named_parts(const Model& model, bool (*name_matches)(std::string_view));
 
 }  // namespace campuswalk::scene

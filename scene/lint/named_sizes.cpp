@@ -19,22 +19,22 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLowestDoor = 0.3;     // metres: that of a cupboard
-constexpr double kHighestDoor = 6.0;    // metres: that of a cathedral
-constexpr double kUsualLow = 1.8;       // metres
-constexpr double kUsualHigh = 3.2;      // metres
-constexpr double kHighestRiser = 0.32;  // metres: avatars step 0.3 m
+constexpr double kMinDoor = 0.3;       // metres: a cupboard's
+constexpr double kMaxDoor = 6.0;       // metres: a cathedral's
+constexpr double kMinUsualDoor = 1.8;  // metres
+constexpr double kMaxUsualDoor = 3.2;  // metres
+constexpr double kMaxRiser = 0.32;     // metres: avatars step up 0.3 m
 
-ModelLint::Place foot_of(const NodeReport& node) {
+ModelLint::Place place_of(const NodeReport& node) {
     Vector3d foot = 0.5 * (node.bounds.min + node.bounds.max);
     foot.y() = node.bounds.min.y();
     return {node.name, foot};
 }
 
-/// Indices of the parts that have triangles.
-std::vector<std::size_t> parts_called(const Model& model, const std::vector<NodeReport>& nodes,
-                                      bool (*is_called)(std::string_view)) {
-    const std::vector<std::size_t> part = named_parts(model, is_called);
+/// Indices of the parts with triangles.
+std::vector<std::size_t> find_parts(const Model& model, const std::vector<NodeReport>& nodes,
+                                    bool (*name_matches)(std::string_view)) {
+    const std::vector<std::size_t> part = named_parts(model, name_matches);
     std::vector<std::size_t> found;
     for (std::size_t n = 0; n < part.size(); ++n) {
         if (part[n] == n && !nodes[n].bounds.empty()) {
@@ -50,35 +50,35 @@ bool lies_flat(const Vector3d& size) {
     return size.y() <= 0.3 && length >= 1.8 && length <= 2.6 && width >= 0.6;
 }
 
-bool is_odd_height(double height) {
-    return height < kLowestDoor || height > kHighestDoor;
+bool is_implausible_door(double height) {
+    return height < kMinDoor || height > kMaxDoor;
 }
 
 std::string unit_hint(double height) {
-    const auto unit = guess_unit(height, kUsualLow, kUsualHigh);
+    const auto unit = guess_unit(height, kMinUsualDoor, kMaxUsualDoor);
     return unit ? "with `" + std::string(unit->yaml) + "` it would be " + in_metres(height * unit->factor)
                 : "scale the model if everything in it is off";
 }
 
 void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int up,
                  std::vector<ModelLint>& out) {
-    ModelLint odd{"door-size", "", {}};
+    ModelLint lint{"door-size", "", {}};
     ModelLint flat{"door-size", "", {}};
     double height = 0.0;
-    for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
+    for (const std::size_t n : find_parts(model, nodes, is_door_name)) {
         const Vector3d size = nodes[n].bounds.max - nodes[n].bounds.min;
         if (up == 1 && lies_flat(size)) {
-            flat.places.push_back(foot_of(nodes[n]));
-        } else if (is_odd_height(size[up])) {
-            height = odd.places.empty() ? size[up] : height;
-            odd.places.push_back(foot_of(nodes[n]));
+            flat.places.push_back(place_of(nodes[n]));
+        } else if (is_implausible_door(size[up])) {
+            height = lint.places.empty() ? size[up] : height;
+            lint.places.push_back(place_of(nodes[n]));
         }
     }
-    if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "door") +
-                      " with an unlikely height for a door, for example '" + odd.places.front().node +
-                      "' of " + in_metres(height) + "; " + unit_hint(height);
-        out.push_back(odd);
+    if (!lint.places.empty()) {
+        lint.message = plural(lint.places.size(), "door") +
+                       " with an unlikely height for a door, for example '" + lint.places.front().node +
+                       "' of " + in_metres(height) + "; " + unit_hint(height);
+        out.push_back(lint);
     }
     if (!flat.places.empty()) {
         flat.message = plural(flat.places.size(), "door") + " lying on the ground, for example '" +
@@ -87,7 +87,7 @@ void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int u
     }
 }
 
-/// By part, the heights of its level faces.
+/// By part: the heights of its horizontal faces.
 std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model) {
     constexpr double kLevel = 0.99;  // cosine
     const std::vector<std::size_t> part = named_parts(model, is_stairs_name);
@@ -109,20 +109,20 @@ std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model)
 }
 
 void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<ModelLint>& out) {
-    ModelLint odd{"stair-riser", "", {}};
+    ModelLint lint{"stair-riser", "", {}};
     double riser = 0.0;
     for (auto& [part, heights] : heights_of_stairs(model)) {
         const double own = riser_of(std::move(heights));
-        if (own > kHighestRiser) {
-            riser = odd.places.empty() ? own : riser;
-            odd.places.push_back(foot_of(nodes[part]));
+        if (own > kMaxRiser) {
+            riser = lint.places.empty() ? own : riser;
+            lint.places.push_back(place_of(nodes[part]));
         }
     }
-    if (!odd.places.empty()) {
-        odd.message = plural(odd.places.size(), "flight") +
-                      " of stairs with risers too high to climb, for example '" + odd.places.front().node +
-                      "' with risers of " + in_metres(riser) + "; the default avatar steps up 0.3 m";
-        out.push_back(odd);
+    if (!lint.places.empty()) {
+        lint.message = plural(lint.places.size(), "flight") +
+                       " of stairs with risers too high to climb, for example '" + lint.places.front().node +
+                       "' with risers of " + in_metres(riser) + "; the default avatar steps up 0.3 m";
+        out.push_back(lint);
     }
 }
 
@@ -132,8 +132,8 @@ double riser_of(std::vector<double> heights) {
     std::sort(heights.begin(), heights.end());
     std::vector<double> risers;
     for (std::size_t i = 1; i < heights.size(); ++i) {
-        constexpr double kSame = 0.01;  // metres, between the triangles of one tread
-        if (heights[i] - heights[i - 1] > kSame) {
+        constexpr double kSameTread = 0.01;  // metres; triangles of one tread
+        if (heights[i] - heights[i - 1] > kSameTread) {
             risers.push_back(heights[i] - heights[i - 1]);
         }
     }
@@ -155,15 +155,16 @@ std::vector<ModelLint> lint_named_sizes(const Model& model, const std::vector<No
 
 std::optional<double> scale_from_doors(const Model& model, const std::vector<NodeReport>& nodes) {
     std::vector<double> heights;
-    for (const std::size_t n : parts_called(model, nodes, is_door_name)) {
+    for (const std::size_t n : find_parts(model, nodes, is_door_name)) {
         heights.push_back(nodes[n].bounds.max.y() - nodes[n].bounds.min.y());
     }
     if (heights.empty()) {
         return std::nullopt;
     }
     std::sort(heights.begin(), heights.end());
-    const double middle = heights[heights.size() / 2];
-    const auto unit = is_odd_height(middle) ? guess_unit(middle, kUsualLow, kUsualHigh) : std::nullopt;
+    const double median = heights[heights.size() / 2];
+    const auto unit =
+        is_implausible_door(median) ? guess_unit(median, kMinUsualDoor, kMaxUsualDoor) : std::nullopt;
     return unit ? std::optional(unit->factor) : std::nullopt;
 }
 

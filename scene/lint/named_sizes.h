@@ -3,21 +3,20 @@
 #include <optional>
 #include <vector>
 
-#include "scene/model/model_report.h"
+#include "scene/lint/model_report.h"
 
 namespace campuswalk::scene {
 
-/// What the names of nodes promise and their sizes deny:
-///   door-size    doors under 0.3 m or over 6 m high: a wrong unit; or lying on their backs: a wrong axis
-///   stair-riser  stairs whose steps a visitor can't climb
-/// `up`: the axis that seems to point up, 1 or 2; stairs are only looked at where it is 1.
+/// Compares the sizes of doors and stairs with what their names imply:
+///   door-size    doors under 0.3 m or over 6 m high (wrong unit), or lying flat (wrong up axis)
+///   stair-riser  stairs with risers too high to climb
+/// `up`: the presumed up axis, 1 or 2; stairs are checked only if it is 1.
 std::vector<ModelLint> lint_named_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up = 1);
 
-/// Metres per unit by which the middle one of the doors would be 1.8 to 3.2 m high, if it is as high as no
-/// door can be.
+/// If the median height of the doors is implausible: the metres per unit that would make it 1.8 to 3.2 m.
 std::optional<double> scale_from_doors(const Model& model, const std::vector<NodeReport>& nodes);
 
-/// The middle one of the steps between the heights of a flight's level faces; 0 for fewer than two.
+/// The median difference between the heights of a flight's treads; 0 for fewer than two risers.
 double riser_of(std::vector<double> heights);
 
 }  // namespace campuswalk::scene

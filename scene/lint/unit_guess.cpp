@@ -4,7 +4,7 @@
 
 namespace campuswalk::scene {
 
-std::optional<UnitGuess> guess_unit(double length, double least, double most) {
+std::optional<UnitGuess> guess_unit(double length, double min, double max) {
     constexpr std::array<UnitGuess, 7> kUnits = {{{"unit: cm", 0.01},
                                                   {"unit: mm", 0.001},
                                                   {"unit: in", 0.0254},
@@ -13,7 +13,7 @@ std::optional<UnitGuess> guess_unit(double length, double least, double most) {
                                                   {"scale: 1000", 1000.0},
                                                   {"scale: 10", 10.0}}};
     for (const UnitGuess& unit : kUnits) {
-        if (length * unit.factor >= least && length * unit.factor <= most) {
+        if (length * unit.factor >= min && length * unit.factor <= max) {
             return unit;
         }
     }

@@ -8,7 +8,7 @@ namespace campuswalk::scene {
 /// Four significant digits: `0.05`, `1.234e+04`.
 std::string short_number(double value);
 
-/// Those, with ` m`.
+/// `1.5 m`, with four significant digits.
 std::string in_metres(double length);
 
 /// `1 node`, `2 nodes`.

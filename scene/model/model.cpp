@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/base/glob.h"
+#include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
 
@@ -19,13 +20,7 @@ std::size_t count_triangles(const Model& model) {
 Bounds world_bounds(const Model& model) {
     Bounds bounds;
     for (const Node& node : model.nodes) {
-        const Eigen::Matrix3d linear = node.X_world_node.topLeftCorner<3, 3>();
-        const Eigen::Vector3d offset = node.X_world_node.topRightCorner<3, 1>();
-        for (const MeshIndex mesh : node.meshes) {
-            for (const Eigen::Vector3f& position : model.meshes[index_of(mesh)].positions) {
-                bounds.extend(linear * position.cast<double>() + offset);
-            }
-        }
+        for_each_vertex(model, node, [&](const Eigen::Vector3d& p) { bounds.extend(p); });
     }
     return bounds;
 }
@@ -34,8 +29,8 @@ Eigen::Vector3d origin_near(const Bounds& bounds) {
     constexpr double kRound = 1e3;  // metres
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     for (Eigen::Index axis = 0; axis < 3 && !bounds.empty(); ++axis) {
-        const double middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
-        origin[axis] = std::abs(middle) > kFarAway ? std::round(middle / kRound) * kRound : 0.0;
+        const double center = 0.5 * (bounds.min[axis] + bounds.max[axis]);
+        origin[axis] = std::abs(center) > kFarAway ? std::round(center / kRound) * kRound : 0.0;
     }
     return origin;
 }

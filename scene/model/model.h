@@ -15,8 +15,8 @@ namespace campuswalk::scene {
 
 using collision::Storage;
 
-/// Plain data of an imported model: nodes place meshes, meshes have a material, materials name textures.
-/// Everything is in the house frame (metres, +Y up, right-handed) once `import_model` returns it.
+/// Plain data of an imported model: nodes place meshes, meshes refer to a material, materials to textures.
+/// `import_model` returns it in the world frame: metres, +Y up, right-handed.
 
 enum class MeshIndex : std::uint32_t {};
 enum class MaterialIndex : std::uint32_t {};
@@ -32,7 +32,7 @@ constexpr std::size_t index_of(TextureIndex i) {
     return static_cast<std::size_t>(i);
 }
 
-/// 8-bit sRGB colour with linear alpha, rows from top to bottom.
+/// 8-bit sRGB colour with linear alpha, top row first.
 struct Texture {
     std::string name;
     int width = 0;
@@ -43,42 +43,42 @@ struct Texture {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// glTF 2.0's metallic-roughness material (its section 3.9), reduced to what the renderer draws. All of its
-/// textures lie by the same texture coordinates.
+/// glTF 2.0's metallic-roughness material (its section 3.9), reduced to what the renderer draws. All
+/// textures share one set of texture coordinates.
 struct Material {
     std::string name;
-    std::array<float, 4> base_color = {1, 1, 1, 1};  ///< linear factor, multiplies the texture
+    std::array<float, 4> base_color = {1, 1, 1, 1};  ///< linear factor on the texture
     std::optional<TextureIndex> base_color_texture;
-    float metallic = 0.0F;   ///< 0 paint or stone, 1 bare metal; multiplies the texture's blue
-    float roughness = 1.0F;  ///< 0 a mirror, 1 matt; multiplies the texture's green
-    std::optional<TextureIndex> metallic_roughness_texture;  ///< of numbers, not of colours
+    float metallic = 0.0F;                                   ///< factor on the texture's blue
+    float roughness = 1.0F;                                  ///< factor on the texture's green
+    std::optional<TextureIndex> metallic_roughness_texture;  ///< linear, not sRGB
     std::optional<TextureIndex> normal_texture;              ///< tangent space, +Y up the image
-    float normal_scale = 1.0F;                               ///< how strongly it bends the surface
-    std::array<float, 3> emissive = {0, 0, 0};               ///< linear, multiplies the texture; may exceed 1
+    float normal_scale = 1.0F;                               ///< glTF's normalTexture.scale
+    std::array<float, 3> emissive = {0, 0, 0};               ///< linear factor on the texture; may exceed 1
     std::optional<TextureIndex> emissive_texture;
-    bool unlit = false;  ///< its colour as it is, without light and shadow (KHR_materials_unlit)
+    bool unlit = false;  ///< KHR_materials_unlit
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;  ///< for AlphaMode::mask
     bool double_sided = false;
 };
 
-/// Indexed triangles, counter-clockwise seen from outside once a node has placed them: the mesh of a node
-/// that mirrors is wound the other way round.
+/// Indexed triangles, counter-clockwise seen from outside in the world frame: the mesh of a mirroring node is
+/// wound clockwise in its own frame.
 struct Mesh {
     std::string name;
     Storage<Eigen::Vector3f> positions;
-    Storage<Eigen::Vector3f> normals;                 ///< one a position, unit length
-    Storage<Eigen::Vector2f> uvs;                     ///< empty or one a position; v runs down (glTF)
-    Storage<std::array<std::uint8_t, 4>> colors;      ///< empty or one a position; linear RGBA
+    Storage<Eigen::Vector3f> normals;                 ///< one per position, unit length
+    Storage<Eigen::Vector2f> uvs;                     ///< empty or one per position; v points down (glTF)
+    Storage<std::array<std::uint8_t, 4>> colors;      ///< empty or one per position; linear RGBA
     Storage<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions
     MaterialIndex material{};
 };
 
-/// A named place in the hierarchy. Parents come before their children.
+/// A node of the hierarchy. Parents precede their children.
 struct Node {
     std::string name;
-    int parent = -1;                                             ///< index into Model::nodes, -1 at the root
-    Eigen::Matrix4d X_world_node = Eigen::Matrix4d::Identity();  ///< affine, maps mesh positions to the world
+    int parent = -1;                                             ///< index into Model::nodes, -1 for a root
+    Eigen::Matrix4d X_world_node = Eigen::Matrix4d::Identity();  ///< affine
     std::vector<MeshIndex> meshes;
 };
 
@@ -88,10 +88,10 @@ struct Model {
     std::vector<Mesh> meshes;
     std::vector<Material> materials;
     std::vector<Texture> textures;
-    std::optional<GeographicPlace> geographic;  ///< where the file says it is on the Earth
+    std::optional<GeographicPlace> geographic;  ///< the location that the file states
 };
 
-/// World-space bounds, empty (min > max) for a model without a vertex.
+/// An axis-aligned box; empty (min > max) by default.
 struct Bounds {
     Eigen::Vector3d min = Eigen::Vector3d::Constant(1e300);
     Eigen::Vector3d max = Eigen::Vector3d::Constant(-1e300);
@@ -101,21 +101,24 @@ struct Bounds {
         min = min.cwiseMin(point);
         max = max.cwiseMax(point);
     }
+    void extend(const Bounds& other) {
+        min = min.cwiseMin(other.min);
+        max = max.cwiseMax(other.max);
+    }
 };
 
-/// Triangles as drawn: a mesh placed by three nodes counts three times.
+/// Triangles as drawn: a mesh with three instances counts three times.
 std::size_t count_triangles(const Model& model);
 Bounds world_bounds(const Model& model);
 
-/// What to take off the coordinates of a map to come near 0: along each axis the whole kilometres next to
-/// the middle where that is over 10 km away, else 0. Small changes of a model don't change it.
+/// The origin to subtract from map coordinates: per axis the bounds' centre, rounded to whole kilometres, if
+/// it is over kFarAway from 0, else 0. The rounding keeps it stable under small changes of the model.
 Eigen::Vector3d origin_near(const Bounds& bounds);
 
-/// Takes `origin` off all coordinates of the world.
+/// Subtracts `origin` from all world coordinates.
 void move_origin(Model& model, const Eigen::Vector3d& origin);
 
-/// Indices of the nodes whose name matches the glob (`*`, `?`, `[a-z]`), each with its whole subtree,
-/// ascending and without repeats.
+/// Indices of the nodes whose name matches the glob, and of all their descendants; ascending, unique.
 std::vector<std::size_t> match_nodes(const Model& model, const std::string& glob);
 
 }  // namespace campuswalk::scene

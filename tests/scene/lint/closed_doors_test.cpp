@@ -41,12 +41,12 @@ std::size_t count_closed(const Model& model) {
     return find_closed_doors(model).size();
 }
 
-/// A leaf of 6 cm that fills the doorway.
+/// A door leaf, 6 cm thick, that fills the doorway.
 std::size_t add_leaf(Model& model, const std::string& name) {
     return test::add_box(model, name, {-0.48, 0.01, -0.03}, {0.48, 2.08, 0.03}, 0);
 }
 
-TEST(ClosedDoors, AreToldWithPlaceAndSize) {
+TEST(ClosedDoors, HavePlaceAndSize) {
     Model model = with_wall({});
     const std::size_t leaf = add_leaf(model, "door_01");
     const auto doors = find_closed_doors(model);
@@ -61,10 +61,10 @@ TEST(ClosedDoors, NeedNoNameInADoorway) {
     Model model = with_wall({});
     add_leaf(model, "Cube.017");
     EXPECT_EQ(count_closed(model), 1U);
-    EXPECT_EQ(count_closed(with_wall({})), 0U);  // the lintel and the walls are none
+    EXPECT_EQ(count_closed(with_wall({})), 0U);  // neither lintel nor walls count
 }
 
-TEST(ClosedDoors, WithoutANameAreScreensWhereThereIsNoDoorway) {
+TEST(ClosedDoors, WithoutANameNeedACompleteDoorway) {
     for (const Wall& wall :
          {Wall{.lintel = false}, Wall{.floor = false}, Wall{.left = false}, Wall{.right = false}}) {
         Model model = with_wall(wall);
@@ -73,7 +73,7 @@ TEST(ClosedDoors, WithoutANameAreScreensWhereThereIsNoDoorway) {
     }
 }
 
-TEST(ClosedDoors, WithANameNeedWallsAlone) {
+TEST(ClosedDoors, WithANameNeedOnlyWalls) {
     Model model = with_wall({.lintel = false, .floor = false});
     add_leaf(model, "FrontDoor");
     EXPECT_EQ(count_closed(model), 1U);
@@ -82,20 +82,20 @@ TEST(ClosedDoors, WithANameNeedWallsAlone) {
     EXPECT_EQ(count_closed(alone), 0U);
 }
 
-TEST(ClosedDoors, AreNoneThatStandOpen) {
+TEST(ClosedDoors, IgnoresOpenDoors) {
     Model model = with_wall({});
     test::add_box(model, "door", {-0.5, 0.01, 0.1}, {-0.44, 2.08, 1.06}, 0);
     EXPECT_EQ(count_closed(model), 0U);
 }
 
-TEST(ClosedDoors, AreNoneWithAWallBehind) {
+TEST(ClosedDoors, IgnoresDoorsInFrontOfAWall) {
     Model model = with_wall({});
     add_leaf(model, "door");
     test::add_box(model, "core", {-5, 0, -1}, {5, 3, -0.6}, 0);
     EXPECT_EQ(count_closed(model), 0U);
 }
 
-TEST(ClosedDoors, AreNoneWithAHoleInside) {
+TEST(ClosedDoors, IgnoresFramesWithoutALeaf) {
     Model model = with_wall({});
     const std::size_t door = test::add_group(model, "door", 0);
     const int parent = static_cast<int>(door);
@@ -105,11 +105,11 @@ TEST(ClosedDoors, AreNoneWithAHoleInside) {
     EXPECT_EQ(count_closed(model), 0U);
     test::add_box(model, "leaf", {-0.42, 0, -0.02}, {0.42, 2.0, 0.02}, parent);
     const auto doors = find_closed_doors(model);
-    ASSERT_EQ(doors.size(), 1U);  // once, as the door
+    ASSERT_EQ(doors.size(), 1U);  // reported once, as the door
     EXPECT_EQ(doors[0].node, door);
 }
 
-TEST(ClosedDoors, AreNotWhatGathersThem) {
+TEST(ClosedDoors, AreTheDoorsOfAGroupNotTheGroup) {
     Model model = with_wall({});
     const auto doors = static_cast<int>(test::add_group(model, "Doors", 0));
     const std::size_t leaf = test::add_box(model, "Door_1", {-0.48, 0.01, -0.03}, {0.48, 2.08, 0.03}, doors);
@@ -119,7 +119,7 @@ TEST(ClosedDoors, AreNotWhatGathersThem) {
     EXPECT_EQ(closed[0].node, leaf);
 }
 
-TEST(ClosedDoors, AreTakenWithTheirGlass) {
+TEST(ClosedDoors, IncludeTheirGlass) {
     Model model = with_wall({});
     const std::size_t leaf = add_leaf(model, "door");
     test::add_box(model, "door_glass", {-0.2, 1.2, -0.01}, {0.2, 1.8, 0.01}, static_cast<int>(leaf));
@@ -127,7 +127,7 @@ TEST(ClosedDoors, AreTakenWithTheirGlass) {
     EXPECT_EQ(find_closed_doors(model)[0].node, leaf);
 }
 
-TEST(ClosedDoors, AreAllFoundOfMany) {
+TEST(ClosedDoors, AreAllFoundInALargeModel) {
     Model model;
     test::add_box(model, "floor", {-5, -0.2, -5}, {2005, 0, 5});
     for (int i = 0; i < 300; ++i) {  // a corridor of doors, with piers between them
@@ -140,7 +140,7 @@ TEST(ClosedDoors, AreAllFoundOfMany) {
     EXPECT_EQ(count_closed(model), 300U);
 }
 
-TEST(ClosedDoors, AreFoundInTurnedWalls) {
+TEST(ClosedDoors, AreFoundInRotatedWalls) {
     Model model;
     test::add_turned_box(model, "floor", {0, -0.1, 0}, {20, 0.2, 20}, 0);
     const double cos30 = 0.8660254037844386;

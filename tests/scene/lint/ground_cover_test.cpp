@@ -16,7 +16,7 @@ GroundCover cover_of(const Model& model) {
     return measure_ground(model, world_bounds(model));
 }
 
-TEST(GroundCover, OfAFloorIsAllOfItButItsEdge) {
+TEST(GroundCover, IsAFloorWithoutItsEdge) {
     Model model;
     test::add_box(model, "floor", {0, -0.2, 0}, {20, 0, 10});
     const GroundCover cover = cover_of(model);
@@ -26,14 +26,14 @@ TEST(GroundCover, OfAFloorIsAllOfItButItsEdge) {
     EXPECT_FALSE(lacks_ground(cover));
 }
 
-TEST(GroundCover, CountsTheLargestOfSeveral) {
+TEST(GroundCover, IsTheLargestOfSeveralRegions) {
     Model model;
     test::add_box(model, "large", {0, -0.2, 0}, {20, 0, 20});
     test::add_box(model, "small", {30, -0.2, 0}, {40, 0, 20});
     EXPECT_NEAR(cover_of(model).share, 19.2 * 19.2 / 600.0, 0.03);
 }
 
-TEST(GroundCover, GoesOverStepsAndRampsButNotUpWalls) {
+TEST(GroundCover, CrossesLowStepsOnly) {
     for (const double step : {0.25, 0.9}) {
         Model model;
         test::add_box(model, "low", {0, -1, 0}, {10, 0, 10});
@@ -43,7 +43,7 @@ TEST(GroundCover, GoesOverStepsAndRampsButNotUpWalls) {
     }
 }
 
-TEST(GroundCover, IsNoneOnTopsOfWalls) {
+TEST(GroundCover, IsLackingOnTopsOfWalls) {
     Model model;
     for (int i = 0; i < 5; ++i) {  // a grid of rooms without a floor
         test::add_box(model, "x", {0, 0, 5.0 * i}, {20.2, 2.8, 5.0 * i + 0.2});
@@ -54,48 +54,48 @@ TEST(GroundCover, IsNoneOnTopsOfWalls) {
     EXPECT_FALSE(lacks_ground(cover_of(model)));
 }
 
-TEST(GroundCover, IsNoneOnARoof) {
+TEST(GroundCover, IsLackingOnARoof) {
     Model model;
     test::add_box(model, "tower", {0, 0, 0}, {10, 20, 10});
     const GroundCover tower = cover_of(model);
     EXPECT_GT(tower.share, 0.8);
-    // Of 1,000 m2 all but the roof: the walls' triangles have their middles at a third and two thirds.
+    // 900 of 1,000 m2, all but the roof: the centroids of the walls' triangles are at 1/3 and 2/3.
     EXPECT_NEAR(tower.share_below, 0.9, 1e-6);
     EXPECT_TRUE(lacks_ground(tower));
     test::add_box(model, "lawn", {-20, -0.1, -20}, {30, 0, 30});
     EXPECT_FALSE(lacks_ground(cover_of(model)));
 }
 
-TEST(GroundCover, IsNoneOnTheRoofOfAHut) {
+TEST(GroundCover, IsLackingOnTheRoofOfAHut) {
     Model model;
     test::add_box(model, "hut", {0, 0, 0}, {4, 3, 4});
     EXPECT_TRUE(lacks_ground(cover_of(model)));
 }
 
-TEST(GroundCover, MayHaveCellars) {
+TEST(GroundCover, MayBeAboveCellars) {
     Model model;
     test::add_box(model, "lawn", {-50, -0.2, -50}, {50, 0, 50});
     test::add_box(model, "tank", {0, -6, 0}, {20, -2, 20});
     EXPECT_FALSE(lacks_ground(cover_of(model)));
 }
 
-TEST(GroundCover, IsNoneUnderWhatIsTooLow) {
+TEST(GroundCover, NeedsHeadroom) {
     Model model;
     test::add_box(model, "floor", {0, -0.2, 0}, {10, 0, 10});
     test::add_box(model, "slab", {0, 1.2, 0}, {10, 1.4, 10});
     EXPECT_NEAR(cover_of(model).height, 1.4, 1e-6);
 }
 
-TEST(GroundCover, TakesNoLongerForSheetsOnSheets) {
+TEST(GroundCover, IsFastForManyOverlappingLayers) {
     Model model;
     for (int i = 0; i < 1000; ++i) {  // 4,000 triangles of half a square kilometre
         test::add_box(model, "sheet", {0, 3.0 * i, 0}, {1000, 3.0 * i + 0.1, 1000});
     }
-    const GroundCover cover = cover_of(model);  // 160,000 squares each would take half a minute and gigabytes
+    const GroundCover cover = cover_of(model);  // 160,000 cells each would take half a minute and gigabytes
     EXPECT_GT(cover.share, 0.4);
 }
 
-TEST(GroundCover, TellsRealModelsApart) {
+TEST(GroundCover, ClassifiesRealModels) {
     if (test::shared_data().empty()) {
         GTEST_SKIP() << "no shared data";
     }
@@ -109,8 +109,7 @@ TEST(GroundCover, TellsRealModelsApart) {
         {"small_house/small_house_collision.glb", false},
         {"ufaz/after153/outdoor_campus.obj", false}};
     for (const auto& [file, none] : models) {
-        std::vector<Diagnostic> warnings;
-        const Model model = import_model(test::shared_scene(file), warnings);
+        const Model model = import_model(test::shared_scene(file)).model;
         EXPECT_EQ(lacks_ground(cover_of(model)), none) << file;
     }
 }

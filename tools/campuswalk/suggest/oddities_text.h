@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scene/model/model_report.h"
+#include "scene/lint/model_report.h"
 
 namespace campuswalk::tools {
 

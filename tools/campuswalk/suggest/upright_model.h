@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 
 #include "scene/campus/campus_description.h"
+#include "scene/lint/model_report.h"
 #include "scene/model/model.h"
-#include "scene/model/model_report.h"
 
 namespace campuswalk::tools {
 

@@ -1,14 +1,14 @@
 #include <algorithm>
 
-#include "scene/model/model_report.h"
+#include "scene/lint/model_report.h"
 #include "scene/model/weld.h"
 
 namespace campuswalk::scene {
 namespace {
 
-/// The middles of all triangles as drawn, along one axis.
-std::vector<double> triangle_middles(const Model& model, int axis) {
-    std::vector<double> middles;
+/// The world coordinate along `axis` of the centroid of each triangle, as drawn.
+std::vector<double> triangle_centroids(const Model& model, int axis) {
+    std::vector<double> centroids;
     for (const Node& node : model.nodes) {
         const Eigen::RowVector4d row = node.X_world_node.row(axis);
         for (const MeshIndex index : node.meshes) {
@@ -17,11 +17,11 @@ std::vector<double> triangle_middles(const Model& model, int axis) {
                 const Eigen::Vector3d sum = mesh.positions[t[0]].cast<double>() +
                                             mesh.positions[t[1]].cast<double>() +
                                             mesh.positions[t[2]].cast<double>();
-                middles.push_back(row.head<3>().dot(sum.transpose()) / 3.0 + row[3]);
+                centroids.push_back(row.head<3>().dot(sum.transpose()) / 3.0 + row[3]);
             }
         }
     }
-    return middles;
+    return centroids;
 }
 
 struct Interval {
@@ -29,14 +29,14 @@ struct Interval {
     double high = -1e300;
 };
 
-/// Where the middle 99 % of the values lie.
-Interval bulk_of(std::vector<double> values) {
+/// The range of the values without the lowest and highest 0.5 %.
+Interval central_range(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t cut = values.size() / 200;
     return {values[cut], values[values.size() - 1 - cut]};
 }
 
-Interval reach(const Model& model, const Node& node, int axis) {
+Interval range_of(const Model& model, const Node& node, int axis) {
     Interval interval;
     const Eigen::RowVector4d row = node.X_world_node.row(axis);
     for (const MeshIndex index : node.meshes) {
@@ -53,18 +53,18 @@ Interval reach(const Model& model, const Node& node, int axis) {
 
 std::vector<std::size_t> outlier_nodes(const Model& model) {
     constexpr double kStretch = 4.0;
-    constexpr double kLeastLength = 1.0;          // metres: a flat model is not stretched by a bump
-    constexpr std::size_t kLeastTriangles = 400;  // below this half a percent is no triangle
+    constexpr double kMinLength = 1.0;          // metres: in a flat model a bump is no outlier
+    constexpr std::size_t kMinTriangles = 400;  // with fewer, 0.5 % of them is none
     std::vector<std::size_t> outliers;
-    if (count_triangles(model) < kLeastTriangles) {
+    if (count_triangles(model) < kMinTriangles) {
         return outliers;
     }
     std::vector<bool> is_outlier(model.nodes.size(), false);
     for (int axis = 0; axis < 3; ++axis) {
-        const Interval bulk = bulk_of(triangle_middles(model, axis));
-        const double slack = 0.5 * (kStretch - 1.0) * std::max(bulk.high - bulk.low, kLeastLength);
+        const Interval bulk = central_range(triangle_centroids(model, axis));
+        const double slack = 0.5 * (kStretch - 1.0) * std::max(bulk.high - bulk.low, kMinLength);
         for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-            const Interval node = reach(model, model.nodes[i], axis);
+            const Interval node = range_of(model, model.nodes[i], axis);
             const bool beyond = node.low < bulk.low - slack || node.high > bulk.high + slack;
             is_outlier[i] = is_outlier[i] || (node.low <= node.high && beyond);
         }
@@ -99,9 +99,9 @@ std::vector<DuplicateFaces> find_duplicate_faces(const Model& model, const Bound
             for (const auto& t : mesh.triangles) {
                 std::array<std::uint32_t, 3> face = {numbers[t[0]], numbers[t[1]], numbers[t[2]]};
                 std::rotate(face.begin(), std::ranges::min_element(face),
-                            face.end());  // turning direction kept
+                            face.end());  // keeps the winding
                 if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
-                    continue;  // no face at all
+                    continue;  // degenerate
                 }
                 const std::size_t known = faces.size();
                 if (faces.number_of(face) < known && own.count++ == 0) {

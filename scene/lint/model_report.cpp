@@ -1,17 +1,9 @@
-#include "scene/model/model_report.h"
+#include "scene/lint/model_report.h"
+
+#include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
 namespace {
-
-Bounds mesh_bounds(const Mesh& mesh, const Eigen::Matrix4d& X_world_mesh) {
-    Bounds bounds;
-    const Eigen::Matrix3d linear = X_world_mesh.topLeftCorner<3, 3>();
-    const Eigen::Vector3d offset = X_world_mesh.topRightCorner<3, 1>();
-    for (const Eigen::Vector3f& position : mesh.positions) {
-        bounds.extend(linear * position.cast<double>() + offset);
-    }
-    return bounds;
-}
 
 std::vector<NodeReport> report_nodes(const Model& model) {
     std::vector<NodeReport> reports;
@@ -21,19 +13,14 @@ std::vector<NodeReport> report_nodes(const Model& model) {
         report.parent = node.parent;
         report.depth = node.parent < 0 ? 0 : reports[static_cast<std::size_t>(node.parent)].depth + 1;
         for (const MeshIndex index : node.meshes) {
-            const Mesh& mesh = model.meshes[index_of(index)];
-            const Bounds own = mesh_bounds(mesh, node.X_world_node);
-            report.triangles += mesh.triangles.size();
-            report.bounds.min = report.bounds.min.cwiseMin(own.min);
-            report.bounds.max = report.bounds.max.cwiseMax(own.max);
+            report.triangles += model.meshes[index_of(index)].triangles.size();
         }
+        for_each_vertex(model, node, [&](const Eigen::Vector3d& p) { report.bounds.extend(p); });
         reports.push_back(report);
     }
-    for (std::size_t i = reports.size(); i-- > 0;) {  // children first: parents come before them
+    for (std::size_t i = reports.size(); i-- > 0;) {  // children first
         if (reports[i].parent >= 0) {
-            Bounds& parent = reports[static_cast<std::size_t>(reports[i].parent)].bounds;
-            parent.min = parent.min.cwiseMin(reports[i].bounds.min);
-            parent.max = parent.max.cwiseMax(reports[i].bounds.max);
+            reports[static_cast<std::size_t>(reports[i].parent)].bounds.extend(reports[i].bounds);
         }
     }
     return reports;
@@ -71,8 +58,7 @@ ModelReport report(const Model& model) {
     result.materials = report_materials(model);
     for (const NodeReport& node : result.nodes) {
         result.triangles += node.triangles;
-        result.bounds.min = result.bounds.min.cwiseMin(node.bounds.min);
-        result.bounds.max = result.bounds.max.cwiseMax(node.bounds.max);
+        result.bounds.extend(node.bounds);
     }
     for (const Node& node : model.nodes) {
         result.placements += node.meshes.size();
