@@ -12,12 +12,12 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kWindow = 3.0;  ///< metres of wall a window
-constexpr int kLeaves = 85;      ///< a tree
+constexpr double kWindow = 3.0;  ///< metres of wall per window
+constexpr int kLeaves = 85;      ///< per tree
 
 }  // namespace
 
-Pose turned(const Vec3& at, double yaw) {
+Pose pose_with_yaw(const Vec3& at, double yaw) {
     const auto [sin, cos] = collision::sin_cos(yaw);
     Pose X;
     X.rotation << cos, 0.0, sin, 0.0, 1.0, 0.0, -sin, 0.0, cos;
@@ -59,18 +59,18 @@ void add_window_wall(MeshParts& parts, const Pose& X_campus_wall, double half, i
     }
 }
 
-void add_tree(MeshParts& parts, const Vec3& foot, SplitMix& chance) {
-    const double height = chance.between(4.0, 9.0);
-    const double radius = chance.between(1.2, 2.5);
-    const Pose X = turned(foot, chance.between(0.0, 6.0));
+void add_tree(MeshParts& parts, const Vec3& foot, SplitMix& random) {
+    const double height = random.between(4.0, 9.0);
+    const double radius = random.between(1.2, 2.5);
+    const Pose X = pose_with_yaw(foot, random.between(0.0, 6.0));
     parts.add_prism(X, {0.0, -0.5, 0.0}, 0.22, height, 6);
     const Vec3 middle = foot + Vec3(0.0, height, 0.0);
-    parts.add_ball(middle, {radius, 1.2 * radius, radius}, 10, 7, [&] { return chance.between(0.8, 1.1); });
+    parts.add_ball(middle, {radius, 1.2 * radius, radius}, 10, 7, [&] { return random.between(0.8, 1.1); });
     for (int i = 0; i < kLeaves; ++i) {
-        const Vec3 out = chance.direction();
-        const Vec3 stem = middle + radius * chance.between(0.7, 1.2) * out;
-        const Vec3 along = 0.3 * chance.direction();
-        const Vec3 across = 0.15 * chance.direction();
+        const Vec3 out = random.direction();
+        const Vec3 stem = middle + radius * random.between(0.7, 1.2) * out;
+        const Vec3 along = 0.3 * random.direction();
+        const Vec3 across = 0.15 * random.direction();
         parts.add_quad(stem, stem + along + across, stem + 2.0 * along, stem + along - across);
     }
 }

@@ -6,28 +6,27 @@
 
 namespace campuswalk::scene {
 
-// What stands on campuses that are made by formulas.
+// Building blocks of procedural campuses.
 
 constexpr double kStorey = 3.5;  ///< metres
 
-/// Yaw about +Y, radians.
-collision::Pose turned(const collision::Vec3& at, double yaw);
+/// The pose at `at` with a yaw about +Y, radians.
+collision::Pose pose_with_yaw(const collision::Vec3& at, double yaw);
 
-/// The height of rolling ground, within 4.2 m of 0.
+/// The height of rolling terrain, at most 4.2 m from 0.
 double rolling_ground(double x, double z);
 
-/// A wall of windows 3 m wide that lie 0.25 m behind it, seen from its outside: X's z points there, its x to
-/// the right; from x = -half to half, y = 0 to the top.
+/// A wall with windows of about 3 m that are recessed by 0.25 m, from x = -half to half and from y = 0 up.
+/// X's z points outside.
 void add_window_wall(MeshParts& parts, const collision::Pose& X_campus_wall, double half, int storeys);
 
-/// A trunk, a bumpy crown up to 3 m around it, and leaves that stick out of it. Whatever differs between
-/// trees is by `chance`.
-void add_tree(MeshParts& parts, const collision::Vec3& foot, SplitMix& chance);
+/// A trunk, a bumpy crown with a radius up to 3 m, and leaves that stick out of it, varied by `random`.
+void add_tree(MeshParts& parts, const collision::Vec3& foot, SplitMix& random);
 
 /// 1.8 m long, along X's x.
 void add_bench(MeshParts& parts, const collision::Pose& X);
 
-/// 4.2 m high, its lamp towards X's z.
+/// 4.2 m high, with its arm along X's z.
 void add_lamp(MeshParts& parts, const collision::Pose& X);
 
 }  // namespace campuswalk::scene

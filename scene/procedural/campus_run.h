@@ -11,13 +11,13 @@ namespace campuswalk::scene {
 /// A building is a house or a course (walk_course.h).
 enum class CampusPart : std::uint8_t { terrain, building, tree, bench, lamp };
 
-/// Triangles of one kind: from `first_triangle` to the next run's.
+/// A range of triangles of one kind, up to the next run's `first_triangle`.
 struct CampusRun {
     CampusPart part = CampusPart::terrain;
     std::size_t first_triangle = 0;
 };
 
-/// What is added to `mesh` from now on is of this kind.
+/// Starts a run at the current end of `mesh`.
 inline void begin_run(std::vector<CampusRun>& runs, CampusPart part, const collision::TriangleMesh& mesh) {
     runs.push_back({part, mesh.triangles.size()});
 }

@@ -8,7 +8,7 @@
 
 namespace campuswalk::scene {
 
-/// Where a course is built, in its own frame: the ground is y = 0.
+/// Builds a course in its own frame, where the ground is y = 0.
 struct CourseGround {
     MeshParts& parts;
     const collision::Pose& X;
@@ -19,21 +19,21 @@ struct CourseGround {
         parts.add_box(X, 0.5 * (low + high), 0.5 * (high - low));
     }
 
-    /// A wedge from y = 0 at `foot_z` up to `height` at `top_z`, where it leans against something.
+    /// A wedge from y = 0 at `foot_z` up to `height` at `top_z`, where it is open.
     void add_ramp(double low_x, double high_x, double foot_z, double top_z, double height) const {
-        // Seen up the slope.
+        // Looking up the slope.
         const double left = foot_z > top_z ? low_x : high_x;
         const double right = foot_z > top_z ? high_x : low_x;
-        const auto corner = [&](double x, double y, double z) {
+        const auto vertex = [&](double x, double y, double z) {
             return parts.add_point(X * collision::Vec3(x, y, z));
         };
-        const std::uint32_t a = corner(left, 0.0, foot_z);
-        const std::uint32_t b = corner(right, 0.0, foot_z);
-        const std::uint32_t c = corner(right, height, top_z);
-        const std::uint32_t d = corner(left, height, top_z);
+        const std::uint32_t a = vertex(left, 0.0, foot_z);
+        const std::uint32_t b = vertex(right, 0.0, foot_z);
+        const std::uint32_t c = vertex(right, height, top_z);
+        const std::uint32_t d = vertex(left, height, top_z);
         parts.add_quad(a, b, c, d);
-        parts.add_triangle(a, d, corner(left, 0.0, top_z));
-        parts.add_triangle(b, corner(right, 0.0, top_z), c);
+        parts.add_triangle(a, d, vertex(left, 0.0, top_z));
+        parts.add_triangle(b, vertex(right, 0.0, top_z), c);
     }
 
     void add_path(const char* name, const collision::Vec3& start,

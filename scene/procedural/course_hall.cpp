@@ -1,4 +1,6 @@
-// A hall of rooms with doors and one without, and stairs to its upper floor.
+// A hall: rooms with doors, one without, and stairs to the upper floor.
+
+#include <numbers>
 
 #include "scene/procedural/campus_parts.h"
 #include "scene/procedural/course_ground.h"
@@ -10,10 +12,10 @@ using collision::Vec3;
 
 namespace {
 
-// From x = -kHalf to kHalf and z = -kDeep to 0, where its front is.
+// From x = -kHalf to kHalf and from z = -kDeep to the front at 0.
 constexpr double kHalf = 9.0;
 constexpr double kDeep = 12.0;
-constexpr double kThick = 0.2;   ///< walls
+constexpr double kThick = 0.2;   ///< of walls
 constexpr double kFloor = 0.15;  ///< above the ground
 constexpr int kRisers = 20;
 constexpr double kRiser = 0.16;
@@ -43,7 +45,7 @@ void add_ground_floor(const CourseGround& ground) {
     ground.add_box({2.9, kFloor, kThick - kDeep}, {3.1, kUnder, -6.0 - jamb});
     ground.add_box({2.9, kFloor, -6.0 + jamb}, {3.1, kUnder, -kThick});
     ground.add_box({2.9, kFloor + 2.0, -6.0 - jamb}, {3.1, kUnder, -6.0 + jamb});
-    // A room without one.
+    // A closed room.
     ground.add_box({-5.1, kFloor, -4.6}, {-5.0, kUnder, -kThick});
     ground.add_box({kThick - kHalf, kFloor, -4.7}, {-5.0, kUnder, -4.6});
 }
@@ -56,7 +58,6 @@ void add_stairs(const CourseGround& ground) {
 }
 
 void add_upper_floors(const CourseGround& ground) {
-    constexpr double kQuarterTurn = 1.5707963267948966;
     ground.add_box({kStairsTop, kUnder, -kDeep}, {kHalf, kUpper, 0.0});
     ground.add_box({-kHalf, kUnder, kStairsFront + 0.1}, {kStairsTop, kUpper, 0.0});
     // A parapet along the stairs.
@@ -64,7 +65,7 @@ void add_upper_floors(const CourseGround& ground) {
     const int storeys = ground.sizes.storeys_above_ground;
     for (int side = 0; side < 4; ++side) {
         const bool is_long = side % 2 == 0;
-        const Pose X_hall_wall = turned(Vec3::Zero(), kQuarterTurn * side);
+        const Pose X_hall_wall = pose_with_yaw(Vec3::Zero(), 0.5 * std::numbers::pi * side);
         const Vec3 middle =
             Vec3(0.0, kUpper, -0.5 * kDeep) + X_hall_wall.rotate({0.0, 0.0, is_long ? 0.5 * kDeep : kHalf});
         const Pose X{ground.X.rotation * X_hall_wall.rotation, ground.X * middle};

@@ -1,4 +1,6 @@
-// Six places side by side that nobody gets into, each for a reason of its own.
+// Six pens side by side that cannot be entered, each for another reason.
+
+#include <numbers>
 
 #include "collision/geometry/trigonometry.h"
 #include "scene/procedural/course_ground.h"
@@ -9,14 +11,13 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kDegree = 3.141592653589793 / 180.0;
 constexpr double kFront = 14.5;  ///< z
 constexpr double kBack = 18.0;
 constexpr double kHalf = 1.7;     ///< along x
 constexpr double kHigh = 2.3;     ///< walls
 constexpr double kPlateau = 1.5;  ///< high
 
-/// One pen about x.
+/// A pen centred at x.
 struct Pen {
     const CourseGround& ground;
     double x = 0.0;
@@ -27,7 +28,7 @@ struct Pen {
         ground.add_box({x - kHalf, -0.5, kBack - 0.1}, {x + kHalf, kHigh, kBack});
     }
 
-    /// Of the front wall, `thick` metres or one quad.
+    /// A piece of the front wall, `thick` metres, or a single quad if 0.
     void add_front(double from, double to, double low, double thick) const {
         if (thick > 0.0) {
             ground.add_box({x + from, low, kFront}, {x + to, kHigh, kFront + thick});
@@ -55,7 +56,7 @@ void add_riser(const Pen& pen) {
 }
 
 void add_slope(const Pen& pen) {
-    const auto [sin, cos] = collision::sin_cos(kDegree * pen.ground.sizes.too_steep);
+    const auto [sin, cos] = collision::sin_cos(std::numbers::pi / 180.0 * pen.ground.sizes.too_steep);
     const double run = kPlateau * cos / sin;
     pen.ground.add_box({pen.x - kHalf, -0.5, kFront}, {pen.x + kHalf, kPlateau, kBack});
     pen.ground.add_ramp(pen.x - kHalf, pen.x + kHalf, kFront - run, kFront, kPlateau);

@@ -1,4 +1,6 @@
-// What is climbed, passed and slid along outdoors.
+// Outdoor obstacles to climb, pass and slide along.
+
+#include <numbers>
 
 #include "collision/geometry/trigonometry.h"
 #include "scene/procedural/course_ground.h"
@@ -9,12 +11,10 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kDegree = 3.141592653589793 / 180.0;
-
-/// Up a ramp and off the far end of what it leads to.
+/// Up a ramp and off the far end of the platform.
 void add_ramp_and_drop(const CourseGround& ground) {
     constexpr double kTop = 1.5;
-    const auto [sin, cos] = collision::sin_cos(kDegree * ground.sizes.ramp);
+    const auto [sin, cos] = collision::sin_cos(std::numbers::pi / 180.0 * ground.sizes.ramp);
     const double foot = -7.0 + kTop * cos / sin;
     ground.add_ramp(13.0, 17.0, foot, -7.0, kTop);
     ground.add_box({13.0, -0.5, -11.0}, {17.0, kTop, -7.0});
@@ -27,7 +27,7 @@ void add_kerb(const CourseGround& ground) {
     ground.add_path("kerb", {10.0, 0.0, 9.5}, {{14.0, high, 9.5}, {18.0, 0.0, 9.5}});
 }
 
-/// Around a post that is a little beside the way, and through a gate.
+/// Around a post slightly off the path, and through a gate.
 void add_post_and_gate(const CourseGround& ground) {
     constexpr double kGate = 9.0;  // z
     ground.parts.add_prism(ground.X, {-15.0, -0.2, 5.8}, 0.07, 4.2, 8);
@@ -37,7 +37,7 @@ void add_post_and_gate(const CourseGround& ground) {
     ground.add_path("post and gate", {-19.0, 0.0, 6.0}, {{-11.0, 0.0, 6.0}, {-11.0, 0.0, 12.0}});
 }
 
-/// Along walls put together from pieces, to one side of which the goal lies behind their end.
+/// Along a wall made of pieces; the goal is behind its end, on the other side.
 void add_walls_to_slide_along(const CourseGround& ground) {
     for (int piece = 0; piece < 7; ++piece) {
         const double z = -10.0 + piece;
@@ -46,7 +46,7 @@ void add_walls_to_slide_along(const CourseGround& ground) {
     ground.add_path("along a wall", {-17.2, 0.0, -10.0}, {{-15.0, 0.0, -1.0}});
 }
 
-/// Between two rows of low and high boxes, as narrow as a person gets through.
+/// Between two rows of low and high boxes, just wide enough for a person.
 void add_alley(const CourseGround& ground) {
     for (int piece = 0; piece < 6; ++piece) {
         const double x = -4.0 + 1.5 * piece;

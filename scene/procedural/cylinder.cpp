@@ -1,6 +1,7 @@
 #include "scene/procedural/cylinder.h"
 
 #include <cstdint>
+#include <numbers>
 
 #include <Eigen/Core>
 
@@ -9,18 +10,17 @@
 namespace campuswalk::scene {
 
 collision::TriangleMesh cylinder(const CylinderShape& shape) {
-    constexpr double kTurn = 6.283185307179586;
     collision::TriangleMesh mesh;
     const double bottom = -shape.height / 2.0;
     for (int stack = 0; stack <= shape.stacks; ++stack) {
         for (int side = 0; side < shape.sides; ++side) {
-            const auto [sin, cos] = collision::sin_cos(kTurn * side / shape.sides);
+            const auto [sin, cos] = collision::sin_cos(2.0 * std::numbers::pi * side / shape.sides);
             const double z = bottom + shape.height * stack / shape.stacks;
-            const Eigen::Vector3d corner(shape.radius * cos, shape.radius * sin, z);
-            mesh.positions.emplace_back(corner.cast<float>());
+            const Eigen::Vector3d vertex(shape.radius * cos, shape.radius * sin, z);
+            mesh.positions.emplace_back(vertex.cast<float>());
         }
     }
-    const auto low_middle = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto bottom_center = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.emplace_back(0.0F, 0.0F, static_cast<float>(bottom));
     mesh.positions.emplace_back(0.0F, 0.0F, static_cast<float>(-bottom));
 
@@ -35,8 +35,8 @@ collision::TriangleMesh cylinder(const CylinderShape& shape) {
         }
     }
     for (int side = 0; side < shape.sides; ++side) {
-        mesh.triangles.push_back({low_middle, at(0, side + 1), at(0, side)});
-        mesh.triangles.push_back({low_middle + 1, at(shape.stacks, side), at(shape.stacks, side + 1)});
+        mesh.triangles.push_back({bottom_center, at(0, side + 1), at(0, side)});
+        mesh.triangles.push_back({bottom_center + 1, at(shape.stacks, side), at(shape.stacks, side + 1)});
     }
     return mesh;
 }

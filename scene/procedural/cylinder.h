@@ -12,8 +12,8 @@ struct CylinderShape {
     int stacks = 62;
 };
 
-/// A closed cylinder about the origin and along z: two triangles a quad of its side, and a fan about the
-/// middle of each end. 8,064 triangles as it stands.
+/// A closed cylinder along z, centred at the origin: quads of two triangles, and a fan for each end. 8,064
+/// triangles by default.
 collision::TriangleMesh cylinder(const CylinderShape& shape = {});
 
 }  // namespace campuswalk::scene

@@ -1,6 +1,7 @@
 #include "scene/procedural/generated_campus.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "scene/procedural/campus_parts.h"
 #include "scene/procedural/mesh_parts.h"
@@ -14,14 +15,14 @@ using collision::Vec3;
 namespace {
 
 constexpr double kLot = kGeneratedLot;
-constexpr int kCellsALot = 24;        ///< of the terrain, along a side
-constexpr double kGroundQuery = 2.0;  ///< metres that a house goes into the ground, which isn't level
-constexpr int kTrees = 14;            ///< a lot
-constexpr int kBenches = 8;           ///< a lot
-constexpr int kLamps = 6;             ///< a lot
+constexpr int kCellsALot = 24;       ///< of the terrain, along a side
+constexpr double kFoundation = 2.0;  ///< metres that a house extends into the ground, which isn't level
+constexpr int kTrees = 14;           ///< per lot
+constexpr int kBenches = 8;          ///< per lot
+constexpr int kLamps = 6;            ///< per lot
 
 struct House {
-    Pose X_campus_house;  ///< the middle of its floor at ground level
+    Pose X_campus_house;  ///< at the centre of its floor
     double half_length = 0.0;
     double half_width = 0.0;
     int storeys = 0;
@@ -32,41 +33,13 @@ struct House {
     }
 };
 
-void add_terrain(MeshParts& parts, int lots) {
-    const int cells = lots * kCellsALot;
-    const double step = kLot / kCellsALot;
-    const double low = -0.5 * lots * kLot;
-    const auto corner = [&](int row, int column) {
-        const double x = low + step * column;
-        const double z = low + step * row;
-        return parts.add_point({x, rolling_ground(x, z), z});
-    };
-    std::vector<std::uint32_t> corners;
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            corners.push_back(corner(row, column));
-        }
-    }
-    const auto at = [&](int row, int column) {
-        const int number = row * (cells + 1) + column;
-        return corners[static_cast<std::size_t>(number)];
-    };
-    for (int row = 0; row < cells; ++row) {
-        for (int column = 0; column < cells; ++column) {
-            parts.add_quad(at(row, column), at(row + 1, column), at(row + 1, column + 1),
-                           at(row, column + 1));
-        }
-    }
-}
-
 void add_house(MeshParts& parts, const House& house) {
-    constexpr double kQuarterTurn = 1.5707963267948966;
     const auto wall = [&](int quarter, double half, double away) {
-        const Pose X_house_wall = turned(Vec3::Zero(), kQuarterTurn * quarter);
+        const Pose X_house_wall = pose_with_yaw(Vec3::Zero(), 0.5 * std::numbers::pi * quarter);
         const Pose& X = house.X_campus_house;
         const Pose X_campus_wall{X.rotation * X_house_wall.rotation, X * X_house_wall.rotate({0, 0, away})};
         const auto at = [&](double x, double y) { return Vec3(X_campus_wall * Vec3(x, y, 0.0)); };
-        parts.add_quad(at(-half, -kGroundQuery), at(half, -kGroundQuery), at(half, 0.0), at(-half, 0.0));
+        parts.add_quad(at(-half, -kFoundation), at(half, -kFoundation), at(half, 0.0), at(-half, 0.0));
         add_window_wall(parts, X_campus_wall, half, house.storeys);
     };
     wall(0, house.half_length, house.half_width);
@@ -78,16 +51,17 @@ void add_house(MeshParts& parts, const House& house) {
     parts.add_box(house.X_campus_house, {0.0, top + eaves.y(), 0.0}, eaves);
 }
 
-/// What is on one lot, whose middle is at x, z.
+/// One lot, centred at x, z.
 class Lot {
 public:
-    Lot(double x, double z, SplitMix& chance) : x_(x), z_(z), chance_(chance) {
-        const double at_x = x + chance.between(-6.0, 6.0);
-        const double at_z = z + chance.between(-6.0, 6.0);
-        house_.X_campus_house = turned({at_x, rolling_ground(at_x, at_z), at_z}, chance.between(-0.3, 0.3));
-        house_.half_length = chance.between(10.0, 14.0);
-        house_.half_width = chance.between(6.0, 9.0);
-        house_.storeys = 3 + static_cast<int>(chance.between(0.0, 4.0));
+    Lot(double x, double z, SplitMix& random) : x_(x), z_(z), random_(random) {
+        const double at_x = x + random.between(-6.0, 6.0);
+        const double at_z = z + random.between(-6.0, 6.0);
+        house_.X_campus_house =
+            pose_with_yaw({at_x, rolling_ground(at_x, at_z), at_z}, random.between(-0.3, 0.3));
+        house_.half_length = random.between(10.0, 14.0);
+        house_.half_width = random.between(6.0, 9.0);
+        house_.storeys = 3 + static_cast<int>(random.between(0.0, 4.0));
     }
 
     void furnish(GeneratedCampus& campus) {
@@ -97,7 +71,7 @@ public:
         add_house(parts, house_);
         begin(CampusPart::tree);
         for (int i = 0; i < kTrees; ++i) {
-            add_tree(parts, outdoors(3.0), chance_);
+            add_tree(parts, outdoors(3.0), random_);
         }
         begin(CampusPart::bench);
         for (int i = 0; i < kBenches; ++i) {
@@ -109,7 +83,7 @@ public:
         }
     }
 
-    /// The terrain's corners off the house.
+    /// The terrain's vertices outside of the house.
     void add_feet(std::vector<Vec3>& feet) const {
         for (int row = 0; row < kCellsALot; ++row) {
             for (int column = 0; column < kCellsALot; ++column) {
@@ -125,8 +99,8 @@ public:
 private:
     Vec3 outdoors(double from_house) {
         while (true) {
-            const double x = x_ + chance_.between(-0.5 * kLot, 0.5 * kLot);
-            const double z = z_ + chance_.between(-0.5 * kLot, 0.5 * kLot);
+            const double x = x_ + random_.between(-0.5 * kLot, 0.5 * kLot);
+            const double z = z_ + random_.between(-0.5 * kLot, 0.5 * kLot);
             if (!house_.is_within(from_house, x, z)) {
                 return {x, rolling_ground(x, z), z};
             }
@@ -134,13 +108,13 @@ private:
     }
 
     Pose somewhere() {
-        const double yaw = chance_.between(0.0, 6.0);
-        return turned(outdoors(1.0), yaw);
+        const double yaw = random_.between(0.0, 6.0);
+        return pose_with_yaw(outdoors(1.0), yaw);
     }
 
     double x_;
     double z_;
-    SplitMix& chance_;
+    SplitMix& random_;
     House house_;
 };
 
@@ -150,11 +124,11 @@ GeneratedCampus generated_campus(int lots) {
     GeneratedCampus campus;
     MeshParts parts(campus.mesh);
     begin_run(campus.runs, CampusPart::terrain, campus.mesh);
-    add_terrain(parts, lots);
-    SplitMix chance(1);
+    parts.add_terrain(lots * kCellsALot, -0.5 * lots * kLot, kLot / kCellsALot, rolling_ground);
+    SplitMix random(1);
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {
-            Lot lot(kLot * (column - 0.5 * (lots - 1)), kLot * (row - 0.5 * (lots - 1)), chance);
+            Lot lot(kLot * (column - 0.5 * (lots - 1)), kLot * (row - 0.5 * (lots - 1)), random);
             lot.furnish(campus);
             lot.add_feet(campus.feet);
         }

@@ -9,18 +9,17 @@
 namespace campuswalk::scene {
 
 struct GeneratedCampus {
-    collision::TriangleMesh mesh;       ///< about the middle of the campus, +Y up
-    std::vector<collision::Vec3> feet;  ///< places on the ground and outdoors where a visitor can stand
-    std::vector<CampusRun> runs;        ///< what the mesh's triangles are, in their order
+    collision::TriangleMesh mesh;       ///< centred, +Y up
+    std::vector<collision::Vec3> feet;  ///< outdoor places on the ground where a visitor can stand
+    std::vector<CampusRun> runs;        ///< the kinds of the mesh's triangles
 };
 
-/// A lot's side, metres.
+/// The side of a lot, metres.
 constexpr double kGeneratedLot = 60.0;
 
-/// `lots` x `lots` plots of 60 m on gentle hills. On each stands a house whose walls are window by window,
-/// among trees with single leaves, benches and lamps: large triangles beside small ones, many of them seen
-/// edge-on, as in models of real campuses. 8 lots a side make half a million
-/// triangles, 17 two million. The same everywhere.
+/// `lots` x `lots` lots of 60 m on gentle hills, each with a house with modelled windows, trees with single
+/// leaves, benches and lamps: large triangles beside small ones, many of them vertical, as in models of real
+/// campuses. 8 lots a side make half a million triangles, 17 make two million. The same on every platform.
 GeneratedCampus generated_campus(int lots);
 
 }  // namespace campuswalk::scene

@@ -1,6 +1,7 @@
 #include "scene/procedural/mesh_parts.h"
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "collision/geometry/trigonometry.h"
@@ -9,12 +10,6 @@ namespace campuswalk::scene {
 
 using collision::Pose;
 using collision::Vec3;
-
-namespace {
-
-constexpr double kHalfTurn = 3.141592653589793;
-
-}  // namespace
 
 std::uint32_t MeshParts::add_point(const Vec3& point) {
     mesh_.positions.emplace_back(point.cast<float>());
@@ -38,11 +33,11 @@ void MeshParts::add_quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
     add_quad(first, first + 1, first + 2, first + 3);
 }
 
-void MeshParts::add_box(const Pose& X, const Vec3& middle, const Vec3& half) {
-    std::array<std::uint32_t, 8> at{};  // bits 0, 1, 2: on the far side in x, y, z
+void MeshParts::add_box(const Pose& X, const Vec3& center, const Vec3& half) {
+    std::array<std::uint32_t, 8> at{};  // bits 0, 1, 2: positive side in x, y, z
     for (std::size_t i = 0; i < 8; ++i) {
         const Vec3 side((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0, (i & 4U) != 0 ? 1.0 : -1.0);
-        at[i] = add_point(X * (middle + half.cwiseProduct(side)));
+        at[i] = add_point(X * (center + half.cwiseProduct(side)));
     }
     add_quad(at[1], at[3], at[7], at[5]);
     add_quad(at[0], at[4], at[6], at[2]);
@@ -56,10 +51,10 @@ void MeshParts::add_prism(const Pose& X, const Vec3& foot, double radius, double
     std::vector<std::uint32_t> low;
     std::vector<std::uint32_t> high;
     for (int side = 0; side < sides; ++side) {
-        const auto [sin, cos] = collision::sin_cos(2.0 * kHalfTurn * side / sides);
-        const Vec3 corner = foot + Vec3(radius * cos, 0.0, radius * sin);
-        low.push_back(add_point(X * corner));
-        high.push_back(add_point(X * (corner + Vec3(0.0, height, 0.0))));
+        const auto [sin, cos] = collision::sin_cos(2.0 * std::numbers::pi * side / sides);
+        const Vec3 vertex = foot + Vec3(radius * cos, 0.0, radius * sin);
+        low.push_back(add_point(X * vertex));
+        high.push_back(add_point(X * (vertex + Vec3(0.0, height, 0.0))));
     }
     for (std::size_t i = 0; i < low.size(); ++i) {
         const std::size_t next = (i + 1) % low.size();
@@ -67,21 +62,21 @@ void MeshParts::add_prism(const Pose& X, const Vec3& foot, double radius, double
     }
 }
 
-void MeshParts::add_ball(const Vec3& middle, const Vec3& radii, int sides, int rings,
+void MeshParts::add_ball(const Vec3& center, const Vec3& radii, int sides, int rings,
                          const std::function<double()>& bump) {
-    const auto corner = [&](int ring, int side) {
-        const auto [out, up] = collision::sin_cos(kHalfTurn * ring / rings);
-        const auto [sin, cos] = collision::sin_cos(2.0 * kHalfTurn * side / sides);
+    const auto add_vertex = [&](int ring, int side) {
+        const auto [out, up] = collision::sin_cos(std::numbers::pi * ring / rings);
+        const auto [sin, cos] = collision::sin_cos(2.0 * std::numbers::pi * side / sides);
         const Vec3 direction(out * cos, up, out * sin);
-        return add_point(middle + bump() * radii.cwiseProduct(direction));
+        return add_point(center + bump() * radii.cwiseProduct(direction));
     };
-    const std::uint32_t top = corner(0, 0);
+    const std::uint32_t top = add_vertex(0, 0);
     for (int ring = 1; ring < rings; ++ring) {
         for (int side = 0; side < sides; ++side) {
-            corner(ring, side);
+            add_vertex(ring, side);
         }
     }
-    const std::uint32_t bottom = corner(rings, 0);
+    const std::uint32_t bottom = add_vertex(rings, 0);
     const auto at = [&](int ring, int side) {
         return top + 1 + static_cast<std::uint32_t>((ring - 1) * sides + side % sides);
     };
@@ -91,6 +86,26 @@ void MeshParts::add_ball(const Vec3& middle, const Vec3& radii, int sides, int r
             add_quad(at(ring, side), at(ring, side + 1), at(ring + 1, side + 1), at(ring + 1, side));
         }
         add_triangle(bottom, at(rings - 1, side), at(rings - 1, side + 1));
+    }
+}
+
+void MeshParts::add_terrain(int cells, double low, double step,
+                            const std::function<double(double x, double z)>& height) {
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            const double x = low + step * column;
+            const double z = low + step * row;
+            add_point({x, height(x, z), z});
+        }
+    }
+    const auto at = [&](int row, int column) {
+        return first + static_cast<std::uint32_t>(row * (cells + 1) + column);
+    };
+    for (int row = 0; row < cells; ++row) {
+        for (int column = 0; column < cells; ++column) {
+            add_quad(at(row, column), at(row + 1, column), at(row + 1, column + 1), at(row, column + 1));
+        }
     }
 }
 

@@ -8,7 +8,7 @@
 
 namespace campuswalk::scene {
 
-/// Adds simple bodies to a mesh, +Y up, each with corners of its own, facing outward.
+/// Appends simple shapes to a mesh, +Y up, facing outward. Shapes share no vertices.
 class MeshParts {
 public:
     /// `mesh` must outlive it.
@@ -16,21 +16,25 @@ public:
 
     std::uint32_t add_point(const collision::Vec3& point);
 
-    // Counter-clockwise as seen from the outside.
+    // Counter-clockwise seen from outside.
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
     void add_quad(const collision::Vec3& a, const collision::Vec3& b, const collision::Vec3& c,
                   const collision::Vec3& d);
 
-    void add_box(const collision::Pose& X, const collision::Vec3& middle, const collision::Vec3& half);
+    void add_box(const collision::Pose& X, const collision::Vec3& center, const collision::Vec3& half);
 
-    /// From the middle of its lower end upward, both ends open: they are in something else.
+    /// Upward from the centre of its base. Both ends are open, since they are inside something else.
     void add_prism(const collision::Pose& X, const collision::Vec3& foot, double radius, double height,
                    int sides);
 
-    /// An ellipsoid whose corners are `bump()` times their distance from the middle.
-    void add_ball(const collision::Vec3& middle, const collision::Vec3& radii, int sides, int rings,
+    /// An ellipsoid; each vertex is scaled by `bump()` about the centre.
+    void add_ball(const collision::Vec3& center, const collision::Vec3& radii, int sides, int rings,
                   const std::function<double()>& bump);
+
+    /// A height field of `cells` x `cells` square cells of side `step`, from x = z = `low`.
+    void add_terrain(int cells, double low, double step,
+                     const std::function<double(double x, double z)>& height);
 
 private:
     collision::TriangleMesh& mesh_;

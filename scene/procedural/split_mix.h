@@ -6,7 +6,7 @@
 
 namespace campuswalk::scene {
 
-/// Numbers that look random and are the same everywhere: Steele, Lea and Flood's SplitMix (2014).
+/// Pseudo-random numbers that are the same on every platform: SplitMix64 by Steele, Lea and Flood (2014).
 class SplitMix {
 public:
     explicit SplitMix(std::uint64_t seed) : state_(seed) {}
@@ -16,7 +16,7 @@ public:
         return low + (high - low) * kStep * static_cast<double>(next() >> 11U);
     }
 
-    /// A unit vector, all directions alike.
+    /// A uniformly distributed unit vector.
     collision::Vec3 direction() {
         while (true) {
             const double x = between(-1.0, 1.0);

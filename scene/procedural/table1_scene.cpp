@@ -7,8 +7,8 @@ namespace campuswalk::scene {
 
 namespace {
 
-// All ten share one rotation.
-collision::Mat3 turn() {
+// The rotation of all ten placements.
+collision::Mat3 teapot_rotation() {
     collision::Mat3 R;
     R << -0.087164686690769821, -0.38544175251131685, 0.91860599432787549, -0.19090356479694959,
         0.9114886404318574, 0.36434089437160483, -0.97773112170060172, -0.14360749905450207,
@@ -43,7 +43,7 @@ Table1Scene table1_scene() {
     scene.cylinder = cylinder();
     scene.teapot = teapot();
     for (const Shift& shift : kShifts) {
-        scene.placements.push_back({{turn(), {shift.x, shift.y, shift.z}}, shift.pairs});
+        scene.placements.push_back({{teapot_rotation(), {shift.x, shift.y, shift.z}}, shift.pairs});
     }
     return scene;
 }

@@ -8,17 +8,17 @@
 
 namespace campuswalk::scene {
 
-/// Where the teapot is and how many pairs of triangles then overlap.
+/// A pose of the teapot and the number of overlapping triangle pairs.
 struct Table1Placement {
     collision::Pose X_cylinder_teapot;
     std::uint32_t pairs = 0;
 };
 
-/// The test scene of the paper's Table I: a teapot that goes through a cylinder in ten placements.
+/// The test scene of the paper's Table I: a teapot that intersects a cylinder in ten placements.
 ///
-/// The paper names the shapes and the ten numbers of overlapping triangles, but neither sizes nor poses. Here
-/// sizes are chosen and the placements found by bisection along a line, so that the numbers are the paper's
-/// to the pair. Its numbers of vertices are those of meshes whose patches share none, and differ.
+/// The paper gives the shapes and the ten numbers of overlapping pairs, but neither sizes nor poses. We chose
+/// sizes and found the poses by bisection along a line, so that the numbers of pairs are exactly the paper's.
+/// Its vertex counts differ: they are those of patches that share no vertices.
 struct Table1Scene {
     collision::TriangleMesh cylinder;
     collision::TriangleMesh teapot;

@@ -18,9 +18,8 @@ using collision::TriangleMesh;
 using Eigen::Vector3d;
 
 struct Grid {
-    int columns =
-        0;  ///< quads along the first of a patch's parameters, whose control points are side by side
-    int rows = 0;
+    int columns = 0;  ///< quads along u, in which consecutive control points differ
+    int rows = 0;     ///< quads along v
 };
 
 Grid grid_of(std::size_t patch) {
@@ -51,8 +50,7 @@ Vector3d point_on(std::size_t patch, double u, double v) {
     return sum;
 }
 
-/// Patches meet in the same points but for rounding, and their poles are single points: both become one
-/// vertex.
+/// Welds vertices with a tolerance: patches share edges up to rounding, and poles are single points.
 class Vertices {
 public:
     std::uint32_t add(const Vector3d& point) {
@@ -96,17 +94,17 @@ void add_triangle(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uin
 }
 
 void add_patch(TriangleMesh& mesh, Vertices& vertices, std::size_t patch, Grid grid) {
-    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> indices;
     for (int row = 0; row <= grid.rows; ++row) {
         for (int column = 0; column <= grid.columns; ++column) {
             const double u = static_cast<double>(column) / grid.columns;
             const double v = static_cast<double>(row) / grid.rows;
-            corners.push_back(vertices.add(point_on(patch, u, v)));
+            indices.push_back(vertices.add(point_on(patch, u, v)));
         }
     }
     const auto at = [&](int row, int column) {
         const int number = row * (grid.columns + 1) + column;
-        return corners[static_cast<std::size_t>(number)];
+        return indices[static_cast<std::size_t>(number)];
     };
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {

@@ -6,8 +6,8 @@
 
 namespace campuswalk::scene {
 
-/// Martin Newell's teapot (University of Utah, 1975): 32 bicubic Bezier patches, z up. A patch names its 16
-/// control points row by row.
+/// Martin Newell's teapot (University of Utah, 1975): 32 bicubic Bezier patches, Z-up. A patch has 16
+/// control points in row-major order.
 inline constexpr std::size_t kTeapotPoints = 290;
 inline constexpr std::size_t kTeapotPatches = 32;
 

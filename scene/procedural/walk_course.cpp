@@ -4,19 +4,19 @@
 
 namespace campuswalk::scene {
 
-CourseSizes course_sizes(int ninth) {
+CourseSizes course_sizes(int difficulty) {
     constexpr double kThick[] = {0.2, 0.02, 0.0};
     CourseSizes sizes;
-    sizes.door = 1.1 - 0.03 * ninth;
-    sizes.gate = 2.0 - 0.015 * ninth;
-    sizes.kerb = 0.1 + 0.0225 * ninth;
-    sizes.ramp = 15.0 + 4.0 * ninth;
-    sizes.wall = kThick[ninth % 3];
-    sizes.too_high = 0.47 - 0.02 * ninth;
-    sizes.too_steep = 65.0 - 1.5 * ninth;
-    sizes.too_narrow = 0.37 + 0.02 * ninth;
-    sizes.too_low = 1.38 + 0.05 * ninth;
-    sizes.storeys_above_ground = 2 + ninth % 3;
+    sizes.door = 1.1 - 0.03 * difficulty;
+    sizes.gate = 2.0 - 0.015 * difficulty;
+    sizes.kerb = 0.1 + 0.0225 * difficulty;
+    sizes.ramp = 15.0 + 4.0 * difficulty;
+    sizes.wall = kThick[difficulty % 3];
+    sizes.too_high = 0.47 - 0.02 * difficulty;
+    sizes.too_steep = 65.0 - 1.5 * difficulty;
+    sizes.too_narrow = 0.37 + 0.02 * difficulty;
+    sizes.too_low = 1.38 + 0.05 * difficulty;
+    sizes.storeys_above_ground = 2 + difficulty % 3;
     return sizes;
 }
 

@@ -8,22 +8,22 @@
 
 namespace campuswalk::scene {
 
-/// A place to be walked to.
+/// A place to walk to.
 struct WalkGoal {
-    collision::Vec3 at = collision::Vec3::Zero();  ///< the foot's
-    bool forbidden = false;                        ///< there is no way to it for a person
+    collision::Vec3 at = collision::Vec3::Zero();  ///< of the foot
+    bool forbidden = false;                        ///< unreachable for a person
 };
 
-/// From its start to one goal after the other, straight ahead. Whoever slides along what stands in the way
-/// gets to those that aren't forbidden.
+/// Straight from the start to one goal after the other. An avatar that slides along obstacles reaches all
+/// goals that aren't forbidden.
 struct WalkPath {
     std::string name;
-    collision::Vec3 start = collision::Vec3::Zero();  ///< the foot's, on the ground
+    collision::Vec3 start = collision::Vec3::Zero();  ///< of the foot, on the ground
     std::vector<WalkGoal> goals;
 };
 
-/// What differs between courses, metres and degrees. It is made for a person 1.8 m high and 0.6 m wide who
-/// climbs 0.3 m and slopes of 50 degrees.
+/// The sizes of a course's obstacles, metres and degrees, for an avatar that is 1.8 m high and 0.6 m wide and
+/// climbs steps of 0.3 m and slopes of 50 degrees.
 struct CourseSizes {
     double door = 0.85;            ///< wide
     double gate = 1.95;            ///< high
@@ -37,15 +37,15 @@ struct CourseSizes {
     int storeys_above_ground = 2;  ///< of the hall
 };
 
-/// One of nine that go through what each size may be, from easy to hard.
-CourseSizes course_sizes(int ninth);
+/// `difficulty`: 0 to 8.
+CourseSizes course_sizes(int difficulty);
 
-/// Of the level ground that a course needs, metres.
+/// The radius of the level ground that a course needs, metres.
 constexpr double kCourseRadius = 24.0;
 
-/// Puts a course's buildings on level ground about X's origin, and appends its paths: in and out of doors, up
-/// and down stairs, ramps, kerbs and a drop, along walls and around a post; and to places behind walls, up a
-/// riser or slope, through a gap, an opening or bars that are too much.
+/// Adds a course on level ground around X's origin and appends its paths: through doors, up and down stairs,
+/// ramps, kerbs and a drop, along walls and around a post; and to forbidden goals behind walls, risers,
+/// slopes, gaps, openings and bars that can't be passed.
 void add_course(MeshParts& parts, const collision::Pose& X_campus_course, const CourseSizes& sizes,
                 std::vector<WalkPath>& paths);
 

@@ -15,41 +15,40 @@ using collision::Vec3;
 namespace {
 
 constexpr double kLot = kWalkableLot;
-constexpr int kCellsALot = 36;  ///< of the terrain, along a side
-constexpr double kLevel =
-    26.0;  ///< metres around the middle of a lot: the course's and a cell of the terrain
-constexpr double kSlope = 10.0;             ///< metres from there to where hills are hills
+constexpr int kCellsALot = 36;              ///< of the terrain, along a side
+constexpr double kLevel = 26.0;             ///< radius of the level ground, metres: the course and one cell
+constexpr double kSlope = 10.0;             ///< metres from there to the full height of the hills
 constexpr double kTreeLine = kLevel + 3.5;  ///< a crown's radius away from the course
-constexpr int kTrees = 7;                   ///< a lot
-constexpr int kBenches = 6;                 ///< a lot
-constexpr int kLamps = 6;                   ///< a lot
+constexpr int kTrees = 7;                   ///< per lot
+constexpr int kBenches = 6;                 ///< per lot
+constexpr int kLamps = 6;                   ///< per lot
 static_assert(kLevel >= kCourseRadius + kLot / kCellsALot);
 
 double hills(double x, double z) {
     return 0.5 * rolling_ground(x, z);
 }
 
-double middle_of(int lot, int lots) {
+double center_of(int lot, int lots) {
     return kLot * (lot - 0.5 * (lots - 1));
 }
 
-/// The middle of the lot that has the coordinate.
-double nearest_middle(double coordinate, int lots) {
+/// The centre of the lot at the coordinate.
+double nearest_center(double coordinate, int lots) {
     const auto lot = static_cast<int>(coordinate / kLot + 0.5 * lots);
-    return middle_of(std::clamp(lot, 0, lots - 1), lots);
+    return center_of(std::clamp(lot, 0, lots - 1), lots);
 }
 
-/// Of a corner of the terrain.
+/// Of a vertex of the terrain.
 double vertex_height(double x, double z, int lots) {
-    const double middle_x = nearest_middle(x, lots);
-    const double middle_z = nearest_middle(z, lots);
-    const double out = Vec3(x - middle_x, 0.0, z - middle_z).norm();
+    const double center_x = nearest_center(x, lots);
+    const double center_z = nearest_center(z, lots);
+    const double out = Vec3(x - center_x, 0.0, z - center_z).norm();
     const double t = std::clamp((out - kLevel) / kSlope, 0.0, 1.0);
     const double smooth = t * t * (3.0 - 2.0 * t);
-    return (1.0 - smooth) * hills(middle_x, middle_z) + smooth * hills(x, z);
+    return (1.0 - smooth) * hills(center_x, center_z) + smooth * hills(x, z);
 }
 
-/// On the terrain's triangles.
+/// Interpolated on the terrain's triangles.
 double ground_height(double x, double z, int lots) {
     constexpr double kCell = kLot / kCellsALot;
     const double low = -0.5 * lots * kLot;
@@ -60,7 +59,7 @@ double ground_height(double x, double z, int lots) {
     };
     const double u = (x - low) / kCell - column;
     const double v = (z - low) / kCell - row;
-    // Both triangles of a cell have its first corner and the one across.
+    // The triangles of a cell share the diagonal from its first vertex.
     const double first = height(0.0, 0.0);
     const double last = height(1.0, 1.0);
     if (v >= u) {
@@ -71,34 +70,13 @@ double ground_height(double x, double z, int lots) {
     return first + u * (beside - first) + v * (last - beside);
 }
 
-void add_terrain(MeshParts& parts, int lots) {
-    const int cells = lots * kCellsALot;
-    const double step = kLot / kCellsALot;
-    const double low = -0.5 * lots * kLot;
-    const auto first = [&](int row) { return static_cast<std::uint32_t>(row * (cells + 1)); };
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            const double x = low + step * column;
-            const double z = low + step * row;
-            parts.add_point({x, vertex_height(x, z, lots), z});
-        }
-    }
-    for (int row = 0; row < cells; ++row) {
-        for (std::uint32_t column = 0; column < static_cast<std::uint32_t>(cells); ++column) {
-            const std::uint32_t a = first(row) + column;
-            const std::uint32_t b = first(row + 1) + column;
-            parts.add_quad(a, b, b + 1, a + 1);
-        }
-    }
-}
-
 /// One lot of the campus.
 class Lot {
 public:
-    Lot(int row, int column, int lots, SplitMix& chance) : lots_(lots), chance_(chance) {
-        const double x = middle_of(column, lots);
-        const double z = middle_of(row, lots);
-        X_campus_course_ = turned({x, ground_height(x, z, lots), z}, chance.between(-3.0, 3.0));
+    Lot(int row, int column, int lots, SplitMix& random) : lots_(lots), random_(random) {
+        const double x = center_of(column, lots);
+        const double z = center_of(row, lots);
+        X_campus_course_ = pose_with_yaw({x, ground_height(x, z, lots), z}, random.between(-3.0, 3.0));
         sizes_ = course_sizes(row % 3 * 3 + column % 3);
     }
 
@@ -110,17 +88,17 @@ public:
         paths.push_back(over_the_hill());
         begin(CampusPart::tree);
         for (int i = 0; i < kTrees; ++i) {
-            add_tree(parts, around(kTreeLine), chance_);
+            add_tree(parts, around(kTreeLine), random_);
         }
         begin(CampusPart::bench);
         for (int i = 0; i < kBenches; ++i) {
             const Vec3 at = around(kLevel + 1.0);
-            add_bench(parts, turned(at, chance_.between(0.0, 6.0)));
+            add_bench(parts, pose_with_yaw(at, random_.between(0.0, 6.0)));
         }
         begin(CampusPart::lamp);
         for (int i = 0; i < kLamps; ++i) {
             const Vec3 at = around(kLevel + 1.0);
-            add_lamp(parts, turned(at, chance_.between(0.0, 6.0)));
+            add_lamp(parts, pose_with_yaw(at, random_.between(0.0, 6.0)));
         }
     }
 
@@ -130,7 +108,7 @@ private:
         return {at.x(), ground_height(at.x(), at.z(), lots_), at.z()};
     }
 
-    /// Up the slope around the course and back; nothing else is put beside x > 0, z = 0.
+    /// Up the slope around the course and back. Nothing else is placed near x > 0, z = 0.
     WalkPath over_the_hill() const {
         return {
             "hill",
@@ -138,35 +116,36 @@ private:
             {{on_ground({27.0, 0.0, 0.5})}, {on_ground({33.0, 0.0, 0.0})}, {on_ground({21.0, 0.0, -1.0})}}};
     }
 
-    /// Somewhere on the lot, at least `away` from its middle, and not where a crown would be in the next
-    /// lot's way.
+    /// A random place on the lot, at least `away` from its centre, and where a crown would not obstruct the
+    /// next lot.
     Vec3 around(double away) {
         constexpr double kFree = 5.0;
         constexpr double kFar = 0.5 * kLot - 4.0;
         while (true) {
-            const Vec3 offset(chance_.between(-kFar, kFar), 0.0, chance_.between(-kFar, kFar));
+            const Vec3 offset(random_.between(-kFar, kFar), 0.0, random_.between(-kFar, kFar));
             const Vec3 in_course = X_campus_course_.inverse_rotate(offset);
-            const bool is_on_way = in_course.x() > 0.0 && std::abs(in_course.z()) < kFree;
-            if (offset.norm() >= away && !is_on_way) {
+            const bool is_on_path = in_course.x() > 0.0 && std::abs(in_course.z()) < kFree;
+            if (offset.norm() >= away && !is_on_path) {
                 return on_ground(in_course);
             }
         }
     }
 
     int lots_;
-    SplitMix& chance_;
+    SplitMix& random_;
     Pose X_campus_course_;
     CourseSizes sizes_;
 };
 
-/// Three lots along a side, from end to end, with the remainders 0, 1 and 2 of 3: nine sizes of courses.
+/// Selects three lots per side, spread from end to end, with remainders 0, 1 and 2 modulo 3: nine sizes of
+/// courses.
 bool is_walked(int lot, int lots) {
     if (lots < 3) {
         return true;
     }
-    const int middle = (lots / 2 + 1) / 3 * 3 + 1;
+    const int center = (lots / 2 + 1) / 3 * 3 + 1;
     const int last = (lots - 3) / 3 * 3 + 2;
-    return lot == 0 || lot == std::min(middle, last - 1) || lot == last;
+    return lot == 0 || lot == std::min(center, last - 1) || lot == last;
 }
 
 }  // namespace
@@ -175,13 +154,14 @@ WalkableCampus walkable_campus(int lots) {
     WalkableCampus campus;
     MeshParts parts(campus.mesh);
     begin_run(campus.runs, CampusPart::terrain, campus.mesh);
-    add_terrain(parts, lots);
-    SplitMix chance(4);
-    std::vector<WalkPath> nowhere;
+    parts.add_terrain(lots * kCellsALot, -0.5 * lots * kLot, kLot / kCellsALot,
+                      [&](double x, double z) { return vertex_height(x, z, lots); });
+    SplitMix random(4);
+    std::vector<WalkPath> unused;
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {
             const bool walked = is_walked(row, lots) && is_walked(column, lots);
-            Lot(row, column, lots, chance).build(campus, walked ? campus.paths : nowhere);
+            Lot(row, column, lots, random).build(campus, walked ? campus.paths : unused);
         }
     }
     return campus;

@@ -5,9 +5,8 @@
 
 namespace campuswalk::scene {
 
-/// The yaw, radians, in steps of ten degrees, under which somebody at `foot` sees farthest: 15 m free count
-/// as much as free can be, ten degrees to the left and right as well, and what lies towards `target` is worth
-/// ten metres more than what lies across.
+/// The initial yaw of a visitor at `foot`, radians, in steps of ten degrees: maximizes the free sight (up to
+/// 15 m, the minimum of three adjacent directions) plus 10 m times the cosine of the angle to `target`.
 double first_view(const collision::MeshCollider& mesh, const collision::Vec3& p_world_origin,
                   const collision::Vec3& foot, const collision::Vec3& target);
 

@@ -20,26 +20,26 @@ using Eigen::Vector3d;
 
 constexpr double kStorey = 2.4;    // metres
 constexpr double kRoom = 3.0;      // metres
-constexpr double kMostOfIt = 0.6;  // of the whole model's ground
-constexpr double kWalled = 0.3;    // of a wall of one storey all round
-constexpr double kUpright = 0.2;   // cosine between a wall's normal and the ground
-constexpr std::size_t kMost = 40;
+constexpr double kMaxShare = 0.6;  // of the model's footprint
+constexpr double kMinWalls = 0.3;  // of the area of a wall of one storey around the box
+constexpr double kVertical = 0.2;  // the largest |y| of a wall's unit normal
+constexpr std::size_t kMaxBuildings = 40;
 
-double ground_of(const Bounds& bounds) {
+double footprint_of(const Bounds& bounds) {
     return bounds.empty() ? 0.0 : (bounds.max.x() - bounds.min.x()) * (bounds.max.z() - bounds.min.z());
 }
 
-/// By its name and its box alone.
+/// Judging by its name and its bounds.
 bool may_be_building(const NodeReport& node, double whole) {
     if (node.bounds.empty() || is_generated_name(node.name) || is_surroundings_name(node.name)) {
         return false;
     }
     const Vector3d size = node.bounds.max - node.bounds.min;
     return size.y() >= kStorey && size.x() >= kRoom && size.z() >= kRoom &&
-           ground_of(node.bounds) < kMostOfIt * whole;
+           footprint_of(node.bounds) < kMaxShare * whole;
 }
 
-/// By node, those right below it.
+/// By node.
 using Children = std::vector<std::vector<std::size_t>>;
 
 Children children_of(const Model& model) {
@@ -52,43 +52,43 @@ Children children_of(const Model& model) {
     return children;
 }
 
-/// The box about a node and what is below it, if that has the walls of a building.
+/// The box around a subtree if it has the walls of a building.
 std::optional<UprightBox> box_if_walled(const Model& model, const Children& children, std::size_t root) {
     UprightBoxFit fit;
     double walls = 0.0;
-    std::vector<std::size_t> waiting = {root};
-    while (!waiting.empty()) {
-        const std::size_t n = waiting.back();
-        waiting.pop_back();
-        waiting.insert(waiting.end(), children[n].begin(), children[n].end());
+    std::vector<std::size_t> stack = {root};
+    while (!stack.empty()) {
+        const std::size_t n = stack.back();
+        stack.pop_back();
+        stack.insert(stack.end(), children[n].begin(), children[n].end());
         for_each_vertex(model, model.nodes[n], [&](const Vector3d& p) { fit.add(p); });
         for_each_triangle(model, model.nodes[n],
                           [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
                               const Vector3d normal = (b - a).cross(c - a);
                               const double twice_area = normal.norm();
-                              walls += std::abs(normal.y()) < kUpright * twice_area ? 0.5 * twice_area : 0.0;
+                              walls += std::abs(normal.y()) < kVertical * twice_area ? 0.5 * twice_area : 0.0;
                           });
     }
     const UprightBox box = fit.box();
     const bool wide = box.size.x() >= kRoom && box.size.z() >= kRoom;
-    const double all_round = 2.0 * (box.size.x() + box.size.z()) * kStorey;
-    return wide && walls >= kWalled * all_round ? std::optional(box) : std::nullopt;
+    const double wall_area = 2.0 * (box.size.x() + box.size.z()) * kStorey;
+    return wide && walls >= kMinWalls * wall_area ? std::optional(box) : std::nullopt;
 }
 
 struct Candidate {
     std::size_t node = 0;
     UprightBox box;
 
-    double ground() const { return box.size.x() * box.size.z(); }
+    double footprint() const { return box.size.x() * box.size.z(); }
 };
 
-/// Without those below another of them.
+/// Without buildings below another one.
 std::vector<Candidate> topmost_buildings(const Model& model, const ModelReport& report) {
     std::map<std::string, std::size_t> uses;
     for (const NodeReport& node : report.nodes) {
         ++uses[node.name];
     }
-    const double whole = ground_of(report.bounds);
+    const double whole = footprint_of(report.bounds);
     const Children children = children_of(model);
     std::vector<bool> inside(report.nodes.size(), false);
     std::vector<Candidate> found;
@@ -106,8 +106,8 @@ std::vector<Candidate> topmost_buildings(const Model& model, const ModelReport& 
     return found;
 }
 
-/// Ids are ASCII: accents of Latin letters are dropped, other characters left out.
-std::string in_ascii(const std::string& name) {
+/// Drops the accents of Latin letters and all other non-ASCII characters.
+std::string to_ascii(const std::string& name) {
     constexpr std::string_view kPlain =
         "AAAAAAACEEEEIIIIDNOOOOO OUUUUYTsaaaaaaaceeeeiiiidnooooo ouuuuyty";  // U+00C0 to U+00FF
     std::string ascii;
@@ -122,16 +122,16 @@ std::string in_ascii(const std::string& name) {
     return ascii;
 }
 
-/// Names of which no letter is left for an id, and identifiers, which say nothing to a reader, are counted.
+/// Names without ASCII letters and identifiers, which mean nothing to a reader, become numbers.
 std::vector<std::string> ids_of(const std::vector<std::string>& names) {
     std::vector<std::string> words;
     std::size_t unnamed = 0;
     for (const std::string& name : names) {
-        const std::string ascii = in_ascii(name);
+        const std::string ascii = to_ascii(name);
         const bool no_word = std::ranges::none_of(
             ascii, [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
-        const bool counted = no_word || is_identifier(ascii);
-        words.push_back(counted ? "building-" + std::to_string(++unnamed) : ascii);
+        const bool numbered = no_word || is_identifier(ascii);
+        words.push_back(numbered ? "building-" + std::to_string(++unnamed) : ascii);
     }
     return distinct_words(words);
 }
@@ -141,8 +141,8 @@ std::vector<std::string> ids_of(const std::vector<std::string>& names) {
 std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report) {
     std::vector<Candidate> found = topmost_buildings(model, report);
     std::stable_sort(found.begin(), found.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.ground() > b.ground(); });
-    found.resize(std::min(found.size(), kMost));
+                     [](const Candidate& a, const Candidate& b) { return a.footprint() > b.footprint(); });
+    found.resize(std::min(found.size(), kMaxBuildings));
     std::sort(found.begin(), found.end(),
               [](const Candidate& a, const Candidate& b) { return a.node < b.node; });
     std::vector<std::string> names;

@@ -12,57 +12,57 @@
 
 namespace campuswalk::scene {
 
-/// Where a person can stand and walk on a mesh: a grid of squares of half a metre, on each the heights of its
-/// floors. Two neighbours are connected if a person fits on both and in between, and no step is higher than
-/// 30 cm. A guess for suggestions: only a walk tells for certain.
+/// The places where an avatar can stand and walk on a mesh: a grid of cells of 0.5 m with the heights of
+/// their floors ("spots"). Adjacent spots are connected if an avatar fits on both and in between, and the
+/// step is at most 0.3 m. An approximation for suggestions; only a walk gives certainty.
 class WalkableGround {
 public:
     struct Spot {
         collision::Vec3 foot = collision::Vec3::Zero();
         bool open_sky = false;            ///< nothing above it
-        bool upstairs = false;            ///< a roof or an upper floor: there is a spot below it
-        std::vector<std::uint32_t> next;  ///< connected neighbours, one or, over a step, two squares away
-        std::uint32_t part = 0;           ///< spots of one part can be reached from one another
-        std::uint32_t edge_distance = 0;  ///< steps to the nearest spot that lacks a neighbour
+        bool upstairs = false;            ///< there is a spot below: a roof or an upper floor
+        std::vector<std::uint32_t> next;  ///< connected spots, one or, over a step, two cells away
+        std::uint32_t component = 0;      ///< number of its connected component
+        std::uint32_t edge_distance = 0;  ///< in cells, to the nearest spot without all four neighbours
     };
 
-    /// Looks at a square of 150 m about `middle`, or all of the mesh if that is less.
+    /// Covers at most 150 m x 150 m around `center`.
     WalkableGround(const std::shared_ptr<const collision::MeshCollider>& mesh,
-                   const collision::Vec3& p_world_origin, const collision::Vec3& middle);
+                   const collision::Vec3& p_world_origin, const collision::Vec3& center);
 
     const std::vector<Spot>& spots() const { return spots_; }
 
-    /// In the largest part, where spots upstairs count once, others twice and under the open sky eight times.
-    /// There, each if it can be: not
-    /// upstairs, under the open sky, half a metre from all `boxes`, as far as eight metres from every edge;
-    /// near `middle`. None if nobody can stand anywhere.
-    std::optional<std::uint32_t> best_spawn_spot(const collision::Vec3& middle,
+    /// The best place to spawn, in the largest component (spots upstairs count once, others twice, under the
+    /// open sky eight times). Preferences in order: not upstairs, under the open sky, 0.5 m outside of all
+    /// `boxes`, far from edges (up to 8 m), near `center`. nullopt if there is no spot.
+    std::optional<std::uint32_t> best_spawn_spot(const collision::Vec3& center,
                                                  const std::vector<UprightBox>& boxes) const;
 
-    /// How many spots can be reached from one of them, itself included.
+    /// The number of spots in the component of `spot`.
     std::size_t count_reachable(std::uint32_t spot) const;
 
-    /// By spot: the one before it on a shortest way from `start`, itself for the start and for what can't be
-    /// reached. Ways keep a step from edges where that is possible.
+    /// By spot: its predecessor on the shortest path from `start`; itself for the start and for unreachable
+    /// spots. Paths avoid edges if possible.
     std::vector<std::uint32_t> shortest_paths_from(std::uint32_t start) const;
 
-    /// A few of the spots on the way from `start` to `end`, both included, between which a straight line
-    /// stays on the ground.
-    std::vector<collision::Vec3> waypoints(const std::vector<std::uint32_t>& ways, std::uint32_t end) const;
+    /// The path from the start to `end`, both included, simplified to straight segments that stay on the
+    /// ground.
+    std::vector<collision::Vec3> waypoints(const std::vector<std::uint32_t>& predecessors,
+                                           std::uint32_t end) const;
 
 private:
     struct Column {
         std::vector<std::uint32_t> spots;
     };
 
-    /// `search`: how much higher than the floor below its middle a body may have to stand.
+    /// `search`: how far above the floor at its centre an avatar may stand.
     void find_floors(const collision::MeshCollider& mesh, const collision::Vec3& p_world_origin,
                      double search);
     void connect();
-    /// Whether it is with any of the column's.
+    /// Whether it could connect the spot to any of the column.
     bool connect(std::uint32_t a, const Column& column);
-    void number_parts();
-    void measure_edges();
+    void label_components();
+    void measure_edge_distances();
     bool is_straight(const collision::Vec3& from, const collision::Vec3& to) const;
     const Column& column_at(std::int64_t x, std::int64_t z) const {
         return columns_[static_cast<std::size_t>(z * width_ + x)];

@@ -21,7 +21,7 @@ TEST(GeneratedCampus, EightLotsAreHalfAMillionTriangles) {
     }
 }
 
-TEST(GeneratedCampus, VisitorsStandOnTheGroundOutdoors) {
+TEST(GeneratedCampus, FeetAreOutdoorsOnTheGround) {
     const GeneratedCampus campus = generated_campus(2);
     const collision::MeshCollider mesh(campus.mesh);
     collision::QueryCounters counters;
@@ -36,38 +36,38 @@ TEST(GeneratedCampus, VisitorsStandOnTheGroundOutdoors) {
     EXPECT_GT(under_trees, 0U);
 }
 
-TEST(GeneratedCampus, SaysWhatItsTrianglesAre) {
+TEST(GeneratedCampus, RunsTellTheKindsOfTriangles) {
     const GeneratedCampus campus = generated_campus(1);
     const auto& runs = campus.runs;
     ASSERT_EQ(runs.size(), 5U);
     EXPECT_EQ(runs.at(0).part, CampusPart::terrain);
     EXPECT_EQ(runs.at(1).part, CampusPart::building);
-    EXPECT_EQ(runs.at(1).first_triangle, 2U * 24U * 24U) << "after the terrain's squares";
+    EXPECT_EQ(runs.at(1).first_triangle, 2U * 24U * 24U) << "after the terrain";
     EXPECT_EQ(runs.at(2).part, CampusPart::tree);
     EXPECT_EQ(runs.at(3).part, CampusPart::bench);
     EXPECT_EQ(runs.at(4).part, CampusPart::lamp);
     double highest_bench = 0.0;
     for (std::size_t t = runs.at(3).first_triangle; t < runs.at(4).first_triangle; ++t) {
-        const Vec3 corner = campus.mesh.positions[campus.mesh.triangles[t][0]].cast<double>();
-        highest_bench = std::max(highest_bench, corner.y() - rolling_ground(corner.x(), corner.z()));
+        const Vec3 vertex = campus.mesh.positions[campus.mesh.triangles[t][0]].cast<double>();
+        highest_bench = std::max(highest_bench, vertex.y() - rolling_ground(vertex.x(), vertex.z()));
     }
     EXPECT_LT(highest_bench, 1.5);
     EXPECT_GT(highest_bench, 0.4);
 }
 
-TEST(GeneratedCampus, IsInSight) {
+TEST(GeneratedCampus, RaysHitNearAndFarThingsAndTheSky) {
     const GeneratedCampus campus = generated_campus(2);
     const collision::MeshCollider mesh(campus.mesh);
     collision::QueryCounters counters;
-    SplitMix chance(7);
+    SplitMix random(7);
     int far = 0;
     int near = 0;
     constexpr int kRays = 1000;
     for (int i = 0; i < kRays; ++i) {
         const auto foot =
-            static_cast<std::size_t>(chance.between(0.0, static_cast<double>(campus.feet.size())));
+            static_cast<std::size_t>(random.between(0.0, static_cast<double>(campus.feet.size())));
         const Vec3 eye = campus.feet[foot] + Vec3(0, 1.6, 0);
-        const auto hit = first_on_ray(mesh, {eye, eye + 200.0 * chance.direction()}, counters);
+        const auto hit = first_on_ray(mesh, {eye, eye + 200.0 * random.direction()}, counters);
         near += hit && hit->fraction <= 0.05 ? 1 : 0;
         far += hit && hit->fraction > 0.05 ? 1 : 0;
     }
@@ -76,13 +76,13 @@ TEST(GeneratedCampus, IsInSight) {
     EXPECT_LT(near + far, kRays * 9 / 10) << "and the sky";
 }
 
-TEST(SplitMix, IsSplitMix) {
+TEST(SplitMix, AgreesWithThePublishedGenerator) {
     // The first number of the published generator with seed 0 is 0xE220A8397B1DCDAF.
-    SplitMix chance(0);
-    EXPECT_EQ(chance.between(0.0, 1.0), 0x1p-53 * static_cast<double>(0xE220A8397B1DCDAFU >> 11U));
+    SplitMix random(0);
+    EXPECT_EQ(random.between(0.0, 1.0), 0x1p-53 * static_cast<double>(0xE220A8397B1DCDAFU >> 11U));
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 1000; ++i) {
-        const Vec3 d = chance.direction();
+        const Vec3 d = random.direction();
         ASSERT_NEAR(d.norm(), 1.0, 1e-12);
         sum += d;
     }

@@ -20,7 +20,7 @@ Pose quarter_turn_about_y() {
     return X;
 }
 
-TEST(MeshParts, ABoxIsClosedAndWhereItShouldBe) {
+TEST(MeshParts, BoxIsClosedAndPlaced) {
     TriangleMesh mesh;
     MeshParts(mesh).add_box(quarter_turn_about_y(), {0.0, 1.0, 2.0}, {1.0, 0.5, 0.25});
     EXPECT_EQ(mesh.triangles.size(), 12U);
@@ -31,7 +31,7 @@ TEST(MeshParts, ABoxIsClosedAndWhereItShouldBe) {
     EXPECT_FALSE(parts.contains({12.0, 1.6, 5.0}));
 }
 
-TEST(MeshParts, ABallIsClosedAndBumpy) {
+TEST(MeshParts, BallIsClosedAndScaledByItsBumps) {
     TriangleMesh smooth;
     MeshParts(smooth).add_ball(Vec3(1.0, 2.0, 3.0), Vec3(2.0, 1.0, 1.0), 40, 30, [] { return 1.0; });
     EXPECT_NEAR(support::enclosed_volume(smooth), 4.0 / 3.0 * 3.14159265 * 2.0, 0.1);
@@ -42,7 +42,7 @@ TEST(MeshParts, ABallIsClosedAndBumpy) {
     EXPECT_NEAR(support::enclosed_volume(half), support::enclosed_volume(smooth) / 8.0, 1e-3);
 }
 
-TEST(MeshParts, APrismFacesOutward) {
+TEST(MeshParts, PrismFacesOutward) {
     TriangleMesh mesh;
     MeshParts(mesh).add_prism(quarter_turn_about_y(), {0.0, -1.0, 0.0}, 0.5, 3.0, 6);
     EXPECT_EQ(mesh.triangles.size(), 12U);

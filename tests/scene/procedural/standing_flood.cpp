@@ -13,9 +13,9 @@ using support::Line;
 using support::Vertices;
 using Point = StandingFlood::Point;
 
-constexpr double kSame = 0.02;  ///< metres between two levels that are one
-constexpr std::pair<int, int> kBeside[] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
-                                           {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+constexpr double kSame = 0.02;  ///< metres; levels this close count as one
+constexpr std::pair<int, int> kNeighbours[] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                               {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 
 double level_distance(const Point& a, const Point& b) {
     return Point(a.x() - b.x(), 0.0, a.z() - b.z()).norm();
@@ -39,7 +39,7 @@ bool StandingFlood::leads(const Point& from, const Point& to, double aside) {
     const auto visit = [&](const Cell& cell, std::size_t level) {
         std::vector<Level>& there = levels(cell);
         if (level < there.size() && there[level].walkable && there[level].fits && !there[level].seen &&
-            distance(middle(cell, 0.0), straight) <= aside) {
+            distance(center(cell, 0.0), straight) <= aside) {
             there[level].seen = true;
             open.emplace_back(cell, level);
         }
@@ -49,25 +49,25 @@ bool StandingFlood::leads(const Point& from, const Point& to, double aside) {
         const auto [cell, index] = open.back();
         open.pop_back();
         const Level level = levels(cell)[index];
-        if (level_distance(middle(cell, 0.0), to) <= 0.1 && std::abs(level.y - to.y()) <= 0.1) {
+        if (level_distance(center(cell, 0.0), to) <= 0.1 && std::abs(level.y - to.y()) <= 0.1) {
             return true;
         }
-        for (const Cell& way : kBeside) {
-            const auto [beside, there] = step(cell, level, way);
+        for (const Cell& direction : kNeighbours) {
+            const auto [beside, there] = step(cell, level, direction);
             visit(beside, there);
         }
     }
     return false;
 }
 
-StandingFlood::Place StandingFlood::step(const Cell& cell, const Level& level, const Cell& way) {
+StandingFlood::Place StandingFlood::step(const Cell& cell, const Level& level, const Cell& direction) {
     const int farthest = static_cast<int>(2.0 * body_.radius / cell_) + 1;
     for (int i = 1; i <= farthest; ++i) {
-        const Cell beside{cell.first + i * way.first, cell.second + i * way.second};
+        const Cell beside{cell.first + i * direction.first, cell.second + i * direction.second};
         const std::size_t index = next(level, beside);
         const std::vector<Level>& there = levels(beside);
         const bool over_a_drop = index < there.size() && there[index].y < level.y - body_.step;
-        if (!over_a_drop || there[index].fits || !fits(middle(beside, level.y))) {
+        if (!over_a_drop || there[index].fits || !fits(center(beside, level.y))) {
             return {beside, index};
         }
     }
@@ -88,10 +88,10 @@ bool StandingFlood::is_open(const Point& to, double far) {
     while (!open.empty()) {
         const auto [cell, index] = open.back();
         open.pop_back();
-        if (level_distance(middle(cell, 0.0), to) >= far) {
+        if (level_distance(center(cell, 0.0), to) >= far) {
             return true;
         }
-        for (const auto& [x, z] : kBeside) {
+        for (const auto& [x, z] : kNeighbours) {
             const Cell beside{cell.first + x, cell.second + z};
             for (std::size_t before = 0; before < levels(beside).size(); ++before) {
                 if (next(levels(beside)[before], cell) == index) {
@@ -108,7 +108,7 @@ void StandingFlood::start_at(const Point& origin) {
     columns_.clear();
 }
 
-Point StandingFlood::middle(const Cell& cell, double y) const {
+Point StandingFlood::center(const Cell& cell, double y) const {
     return {origin_.x() + cell_ * cell.first, y, origin_.z() + cell_ * cell.second};
 }
 
@@ -118,8 +118,8 @@ std::vector<StandingFlood::Level>& StandingFlood::levels(const Cell& cell) {
     if (!is_new) {
         return found;
     }
-    const Point low = middle(cell, -1000.0);
-    const Point high = middle(cell, 1000.0);
+    const Point low = center(cell, -1000.0);
+    const Point high = center(cell, 1000.0);
     grid_.visit_near(low, high, [&](const support::TriangleGrid::Entry& e) {
         const Point normal = (e.corners[1] - e.corners[0]).cross(e.corners[2] - e.corners[0]);
         const double up = std::abs(normal.y()) / normal.norm();
@@ -158,7 +158,7 @@ std::size_t StandingFlood::level_at(const Cell& cell, double y) {
     std::size_t best = there.size();
     for (std::size_t i = 0; i < there.size(); ++i) {
         if (std::abs(there[i].y - y) <= kSame) {
-            best = i;  // the uppermost of several, which `next` finds too
+            best = i;  // the uppermost of several, as in `next`
         }
     }
     return best;

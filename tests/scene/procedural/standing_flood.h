@@ -11,30 +11,30 @@
 
 namespace campuswalk::scene {
 
-/// Who is on the way.
+/// The size and abilities of the walker.
 struct FloodBody {
     double radius = 0.3;
     double height = 1.8;
     double step = 0.3;
-    double min_up = 0.6427876096865393;  ///< cosine of the steepest slope that is climbed
+    double min_up = 0.6427876096865393;  ///< cosine of the steepest walkable slope
 };
 
-/// Finds where a person gets to in a mesh, knowing nothing of movers: places are surfaces above the middles
-/// of square cells where an upright capsule, above the height of a step, is clear of all triangles. From one
-/// a person gets to the highest surface of a neighbouring cell that is no more than a step above, however
-/// deep that is below; from a steep one not upwards.
+/// A flood fill of the places that a walker can reach in a mesh, independent of the mover: places are
+/// surfaces at the centres of square cells where an upright capsule, from step height up, is clear of all
+/// triangles. From a place the walker gets to the highest surface of an adjacent cell that is at most a step
+/// above, at any depth below; from a steep one never upwards.
 class StandingFlood {
 public:
     using Point = support::Point;
 
     StandingFlood(const collision::TriangleMesh& mesh, const FloodBody& body, double cell);
 
-    /// Whether one gets from `from` to `to` on walkable ground without leaving what is within `aside` metres
-    /// of the straight line. Cells are counted from `from`.
+    /// Whether `to` can be reached from `from` on walkable ground within `aside` metres of the straight line.
+    /// The grid is aligned to `from`.
     bool leads(const Point& from, const Point& to, double aside);
 
-    /// Whether, on whatever way, steep ground included, one gets to `to` from as far as `far` metres from it.
-    /// Not past edges that one falls from: see who gets there.
+    /// Whether `to` can be reached on any path, including steep ground, from a distance of `far` metres.
+    /// Paths over drops are not found: the flood goes backwards from `to`.
     bool is_open(const Point& to, double far);
 
 private:
@@ -48,16 +48,16 @@ private:
     using Place = std::pair<Cell, std::size_t>;
 
     void start_at(const Point& origin);
-    Point middle(const Cell& cell, double y) const;
+    Point center(const Cell& cell, double y) const;
     std::vector<Level>& levels(const Cell& cell);
     bool fits(const Point& foot) const;
-    /// Where one is after a step in a direction. Past an edge there is no standing until one is clear of what
-    /// is below it: one goes on at the old height until then.
-    Place step(const Cell& cell, const Level& level, const Cell& way);
-    /// The level of `cell` that one comes to from `level` of a cell beside it; as many as there are if to
-    /// none.
+    /// The place after a step in a direction. Beyond an edge, continues at the old height until the capsule
+    /// is clear of what is below.
+    Place step(const Cell& cell, const Level& level, const Cell& direction);
+    /// The index of the level of `cell` that is reached from `level` of an adjacent cell; the number of
+    /// levels if none is.
     std::size_t next(const Level& level, const Cell& cell);
-    /// The level at a point; as many as there are if there is none.
+    /// The index of the level at a height; the number of levels if there is none.
     std::size_t level_at(const Cell& cell, double y);
 
     FloodBody body_;

@@ -21,8 +21,7 @@ using collision::SimdTarget;
 using collision::TriangleMesh;
 using collision::TrianglePair;
 
-/// Edges as their triangles go along them, and how often. On a closed surface each is there once, and once
-/// the other way.
+/// Directed edges and their counts. On a closed surface, each edge occurs once in each direction.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const auto& t : mesh.triangles) {
@@ -56,7 +55,7 @@ TEST(Cylinder, IsClosedAndFacesOutward) {
     EXPECT_FALSE(parts.contains({0.0, 0.0, 1.26}));
 }
 
-TEST(Cylinder, HasTheSizesAskedFor) {
+TEST(Cylinder, HasTheRequestedSizes) {
     const TriangleMesh mesh = cylinder({2.0, 3.0, 5, 2});
     EXPECT_EQ(mesh.triangles.size(), 2U * 5U * 2U + 2U * 5U);
     EXPECT_EQ(open_edges(mesh), 0U);
@@ -66,7 +65,7 @@ TEST(Cylinder, HasTheSizesAskedFor) {
     }
 }
 
-TEST(Teapot, IsNewells) {
+TEST(Teapot, HasTheSizesOfNewells) {
     const TriangleMesh mesh = teapot();
     EXPECT_EQ(mesh.triangles.size(), 8680U);
     Eigen::Vector3f low = mesh.positions.front();
@@ -82,7 +81,7 @@ TEST(Teapot, IsNewells) {
     EXPECT_NEAR(high.z() - low.z(), 3.15, 0.01);
 }
 
-TEST(Teapot, IsWeldedAndHasNoTriangleOfTwoCorners) {
+TEST(Teapot, IsWeldedAndHasNoDegenerateTriangles) {
     const TriangleMesh mesh = teapot();
     for (const auto& t : mesh.triangles) {
         ASSERT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
@@ -90,19 +89,18 @@ TEST(Teapot, IsWeldedAndHasNoTriangleOfTwoCorners) {
     for (const auto& [edge, times] : directed_edges(mesh)) {
         ASSERT_EQ(times, 1) << "all patches face the same way";
     }
-    // Open are the rims of lid and body, 48 edges each, and both ends of handle and spout: no seam between
-    // patches.
+    // Open edges: the rims of lid and body, 48 each, and both ends of handle and spout; none between patches.
     EXPECT_EQ(open_edges(mesh), 2U * 48U + 2U * (2U * 11U) + 2U * (2U * 9U));
 }
 
-TEST(Teapot, CanBeFiner) {
-    // Four times the quads, and twice the triangles that the poles swallow.
+TEST(Teapot, FinenessMultipliesTheQuads) {
+    // Four times the quads, and twice the degenerate triangles at the poles.
     const std::size_t quads = std::size_t{2} * (24U * 12U * 12U + 4U * 11U * 13U + 4U * 9U * 10U);
     const std::size_t at_poles = quads - teapot().triangles.size();
     EXPECT_EQ(teapot(2).triangles.size(), 4U * quads - 2U * at_poles);
 }
 
-TEST(Table1Scene, OverlapsInThePapersNumbersOfPairs) {
+TEST(Table1Scene, HasThePapersNumbersOfOverlappingPairs) {
     const Table1Scene scene = table1_scene();
     const collision::MeshCollider cylinder(scene.cylinder);
     const collision::MeshCollider teapot(scene.teapot);

@@ -1,4 +1,5 @@
-// Whether a person can get where a course says, and nowhere else: by flooding, which knows no mover.
+// Whether exactly the allowed goals of a course can be reached, by a flood fill that is independent of the
+// mover.
 
 #include "scene/procedural/walk_course.h"
 
@@ -14,13 +15,13 @@ namespace {
 using collision::TriangleMesh;
 using collision::Vec3;
 
-/// Half a person, nearly: where she can't go nobody of full size can.
+/// Slightly smaller than an avatar: what it can't reach, an avatar can't.
 constexpr FloodBody kSlim{0.27, 1.79, 0.305, 0.6225146366376195};  // 51.5 degrees
 constexpr double kFine = 0.04;
-// A cell's half diagonal and she are narrower than a person, so that no way is missed between cells.
+// With half a cell's diagonal it is still narrower than an avatar, so that no path between cells is missed.
 static_assert(kSlim.radius + 0.71 * kFine < 0.3);
 
-/// Where she gets along anybody of normal size does.
+/// Slightly larger than an avatar: what it can reach, an avatar can.
 constexpr FloodBody kStout{0.33, 1.85, 0.285, 0.6626200482157375};  // 48.5 degrees
 constexpr double kCoarse = 0.08;
 constexpr double kAside = 1.2;  ///< metres from the straight line to a goal
@@ -30,16 +31,16 @@ struct Course {
     std::vector<WalkPath> paths;
 };
 
-Course course_on_flat_ground(int ninth) {
+Course course_on_flat_ground(int difficulty) {
     Course course;
     MeshParts parts(course.mesh);
     const double half = kCourseRadius;
     parts.add_quad({-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half});
-    add_course(parts, {}, course_sizes(ninth), course.paths);
+    add_course(parts, {}, course_sizes(difficulty), course.paths);
     return course;
 }
 
-void expect_ways(const TriangleMesh& mesh, const std::vector<WalkPath>& paths) {
+void expect_reachable(const TriangleMesh& mesh, const std::vector<WalkPath>& paths) {
     StandingFlood stout(mesh, kStout, kCoarse);
     for (const WalkPath& path : paths) {
         Vec3 from = path.start;
@@ -55,12 +56,12 @@ void expect_ways(const TriangleMesh& mesh, const std::vector<WalkPath>& paths) {
 
 class WalkCourse : public testing::TestWithParam<int> {};
 
-TEST_P(WalkCourse, LeadsToEveryGoalNearlyStraight) {
+TEST_P(WalkCourse, AllowedGoalsAreReachableNearlyStraight) {
     const Course course = course_on_flat_ground(GetParam());
-    expect_ways(course.mesh, course.paths);
+    expect_reachable(course.mesh, course.paths);
 }
 
-TEST_P(WalkCourse, WallsForbiddenGoalsOff) {
+TEST_P(WalkCourse, ForbiddenGoalsAreUnreachable) {
     const Course course = course_on_flat_ground(GetParam());
     StandingFlood slim(course.mesh, kSlim, kFine);
     int forbidden = 0;
@@ -76,7 +77,7 @@ TEST_P(WalkCourse, WallsForbiddenGoalsOff) {
     EXPECT_EQ(forbidden, 7);
 }
 
-TEST_P(WalkCourse, WallsThemOffByWhatItSays) {
+TEST_P(WalkCourse, ForbiddenGoalsBecomeReachableWithEasierSizes) {
     CourseSizes easy = course_sizes(GetParam());
     easy.too_high = 0.25;
     easy.too_steep = 45.0;
@@ -102,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(EasyToHard, WalkCourse,
                          testing::ValuesIn(support::kSanitized ? std::vector<int>{8}
                                                                : std::vector<int>{0, 4, 8}));
 
-TEST(WalkableCampus, HasWaysOverItsHills) {
+TEST(WalkableCampus, HillPathsAreReachable) {
     const WalkableCampus campus = walkable_campus(1);
     std::vector<WalkPath> hills;
     for (const WalkPath& path : campus.paths) {
@@ -111,10 +112,10 @@ TEST(WalkableCampus, HasWaysOverItsHills) {
         }
     }
     ASSERT_EQ(hills.size(), 1U);
-    expect_ways(campus.mesh, hills);
+    expect_reachable(campus.mesh, hills);
 }
 
-TEST(WalkableCampus, ThreeLotsASideAreWalkedAll) {
+TEST(WalkableCampus, AllOfThreeByThreeLotsHavePaths) {
     const WalkableCampus campus = walkable_campus(3);
     EXPECT_NEAR(static_cast<double>(campus.mesh.triangles.size()), 65e3, 3e3);
     std::size_t goals = 0;
@@ -129,7 +130,7 @@ TEST(WalkableCampus, ThreeLotsASideAreWalkedAll) {
     EXPECT_EQ(forbidden, 63U);
 }
 
-TEST(WalkableCampus, IsAsLargeAsAskedAndWalkedFromEndToEnd) {
+TEST(WalkableCampus, PathsOfALargeCampusSpreadFromEndToEnd) {
     const WalkableCampus campus = walkable_campus(17);
     EXPECT_NEAR(static_cast<double>(campus.mesh.triangles.size()), 2.09e6, 2e4);
     EXPECT_EQ(campus.paths.size(), 144U);

@@ -17,7 +17,7 @@ double degrees_of(const Model& model, const Vector3d& foot, const Vector3d& targ
     return first_view(*test::solid(model), Vector3d::Zero(), foot, target) * 180.0 / std::numbers::pi;
 }
 
-TEST(FirstView, LooksAtTheBuildingWhereNothingIsInTheWay) {
+TEST(FirstView, FacesTheTargetInTheOpen) {
     Model model;
     test::add_box(model, "lawn", {-50, -0.2, -50}, {50, 0, 50});
     EXPECT_NEAR(degrees_of(model, {0, 0, 0}, {0, 5, -30}), 0.0, 1e-9);
@@ -26,7 +26,7 @@ TEST(FirstView, LooksAtTheBuildingWhereNothingIsInTheWay) {
     EXPECT_NEAR(std::abs(degrees_of(model, {0, 0, 0}, {0, 5, 30})), 180.0, 1e-9);
 }
 
-TEST(FirstView, LooksAwayFromAWallBeforeTheEyes) {
+TEST(FirstView, AvoidsFacingANearbyWall) {
     Model model;
     test::add_box(model, "wall", {-50, 0, -2}, {50, 5, -1.5});
     const double yaw = degrees_of(model, {0, 0, 0}, {0, 2, -30});
@@ -34,7 +34,7 @@ TEST(FirstView, LooksAwayFromAWallBeforeTheEyes) {
     EXPECT_LE(std::abs(yaw), 120.0);
 }
 
-TEST(FirstView, LooksAlongACorridorAndOutOfItsDoor) {
+TEST(FirstView, FacesTheOpenEndOfACorridor) {
     Model model;  // 2 m wide, closed but towards +x
     test::add_box(model, "north", {-10, 0, -1.2}, {10, 3, -1});
     test::add_box(model, "south", {-10, 0, 1}, {10, 3, 1.2});
@@ -42,7 +42,7 @@ TEST(FirstView, LooksAlongACorridorAndOutOfItsDoor) {
     EXPECT_NEAR(degrees_of(model, {-5, 0, 0}, {-5, 0, 0}), -90.0, 1e-9);
 }
 
-TEST(FirstView, MeasuresFromTheMeshsOrigin) {
+TEST(FirstView, IsIndependentOfTheMeshOrigin) {
     Model model;
     test::add_box(model, "wall", {-50, 0, -2}, {50, 5, -1.5});
     const Vector3d origin(84000, 3, 447000);

@@ -34,7 +34,7 @@ Model with_lawn() {
     return model;
 }
 
-TEST(SuggestedBuildings, AreNodesAsLargeAsHouses) {
+TEST(SuggestedBuildings, HaveTheSizeOfHouses) {
     Model model = with_lawn();
     test::add_box(model, "Main Library", {0, 0, 0}, {20, 9, 12});
     test::add_box(model, "kiosk", {30, 0, 0}, {33.5, 2.6, 4});
@@ -50,7 +50,7 @@ TEST(SuggestedBuildings, AreNodesAsLargeAsHouses) {
     EXPECT_EQ(buildings[1].id, "kiosk");
 }
 
-TEST(SuggestedBuildings, AreTheTopmostOfTheirBranch) {
+TEST(SuggestedBuildings, AreTheTopmostCandidates) {
     Model model = with_lawn();
     const auto group = static_cast<int>(test::add_group(model, "library"));
     test::add_box(model, "library_walls", {0, 0, 0}, {20, 9, 12}, group);
@@ -58,7 +58,7 @@ TEST(SuggestedBuildings, AreTheTopmostOfTheirBranch) {
     EXPECT_EQ(ids_of(model), Ids{"library"});
 }
 
-TEST(SuggestedBuildings, ArePartsOfWhatIsMostOfTheWhole) {
+TEST(SuggestedBuildings, AreNotMostOfTheModel) {
     Model model;
     const auto campus = static_cast<int>(test::add_group(model, "campus"));
     test::add_box(model, "east", {20, 0, 0}, {30, 5, 20}, campus);
@@ -76,14 +76,14 @@ TEST(SuggestedBuildings, HaveWalls) {
     EXPECT_EQ(ids_of(model), Ids{"house"});
 }
 
-TEST(SuggestedBuildings, AreNotCalledATree) {
+TEST(SuggestedBuildings, AreNotNamedAsSurroundings) {
     Model model = with_lawn();
     test::add_box(model, "hedge_3", {0, 0, 0}, {20, 3, 4});
     test::add_box(model, "Treehouse", {0, 0, 20}, {8, 4, 28});
     EXPECT_EQ(ids_of(model), Ids{"treehouse"});
 }
 
-TEST(SuggestedBuildings, HaveNamesThatNoOtherHas) {
+TEST(SuggestedBuildings, HaveUniqueNames) {
     Model model = with_lawn();
     test::add_box(model, "hall", {0, 0, 0}, {8, 4, 8});
     test::add_box(model, "hall", {20, 0, 0}, {28, 4, 8});
@@ -91,7 +91,7 @@ TEST(SuggestedBuildings, HaveNamesThatNoOtherHas) {
     EXPECT_EQ(ids_of(model), Ids{});
 }
 
-TEST(SuggestedBuildings, AreCountedWhereTheirNamesAreIdentifiers) {
+TEST(SuggestedBuildings, AreNumberedIfTheirNamesAreIdentifiers) {
     Model model = with_lawn();
     const std::string guid = "b31bcc29d-00ba-11e6-b420-2bdcc4ab5d7f";
     test::add_box(model, guid, {0, 0, 0}, {8, 4, 8});
@@ -106,7 +106,7 @@ TEST(SuggestedBuildings, AreCountedWhereTheirNamesAreIdentifiers) {
     EXPECT_EQ(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-TEST(SuggestedBuildings, HaveIdsInAscii) {
+TEST(SuggestedBuildings, HaveAsciiIds) {
     Model model = with_lawn();
     test::add_box(model, "Café & Bar", {0, 0, 0}, {8, 4, 8});
     test::add_box(model, "Straßenbahn-Ü", {20, 0, 0}, {28, 4, 8});
@@ -115,7 +115,7 @@ TEST(SuggestedBuildings, HaveIdsInAscii) {
     EXPECT_EQ(ids_of(model), (Ids{"cafe-bar", "strasenbahn-u", "building-1", "building-2"}));
 }
 
-TEST(SuggestedBuildings, HaveGlobsThatMatchThemAlone) {
+TEST(SuggestedBuildings, HaveGlobsThatMatchNothingElse) {
     Model model = with_lawn();
     test::add_box(model, "Hall [A]*", {0, 0, 0}, {8, 4, 8});
     test::add_box(model, "Hall A", {20, 0, 0}, {28, 4, 8});
@@ -126,7 +126,7 @@ TEST(SuggestedBuildings, HaveGlobsThatMatchThemAlone) {
     }
 }
 
-TEST(SuggestedBuildings, AreTheFortyLargestInTheFilesOrder) {
+TEST(SuggestedBuildings, AreTheFortyLargestInFileOrder) {
     Model model;
     for (int i = 0; i < 50; ++i) {
         const double size = 3.0 + 0.1 * ((i * 7) % 50);
@@ -143,7 +143,7 @@ TEST(SuggestedBuildings, AreTheFortyLargestInTheFilesOrder) {
     }
 }
 
-TEST(SuggestedBuildings, HaveBoxesThatTurnWithThem) {
+TEST(SuggestedBuildings, HaveRotatedBoxes) {
     Model model = with_lawn();
     test::add_turned_box(model, "terrace", {5, 3, 5}, {30, 6, 8}, 25);
     const auto buildings = suggest(model);

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-WalkableGround ground_of(const Model& model, const Vector3d& middle = Vector3d::Zero()) {
-    return {test::solid(model), Vector3d::Zero(), middle};
+WalkableGround ground_of(const Model& model, const Vector3d& center = Vector3d::Zero()) {
+    return {test::solid(model), Vector3d::Zero(), center};
 }
 
 Model lawn() {
@@ -23,25 +23,25 @@ Model lawn() {
     return model;
 }
 
-Vector3d best_foot(const Model& model, const Vector3d& middle, const std::vector<UprightBox>& boxes = {}) {
-    const WalkableGround ground = ground_of(model, middle);
-    const auto best = ground.best_spawn_spot(middle, boxes);
+Vector3d best_foot(const Model& model, const Vector3d& center, const std::vector<UprightBox>& boxes = {}) {
+    const WalkableGround ground = ground_of(model, center);
+    const auto best = ground.best_spawn_spot(center, boxes);
     return best ? ground.spots()[*best].foot : Vector3d::Constant(-999.0);
 }
 
-TEST(WalkableGround, FindsAllOfAFlatSquare) {
+TEST(WalkableGround, CoversAFlatSquare) {
     const WalkableGround ground = ground_of(lawn());
     EXPECT_EQ(ground.spots().size(), 80U * 80U);
     for (const auto& spot : ground.spots()) {
         ASSERT_NEAR(spot.foot.y(), 0.0, 1e-6);
         ASSERT_TRUE(spot.open_sky);
         ASSERT_FALSE(spot.upstairs);
-        ASSERT_EQ(spot.part, 1U);
+        ASSERT_EQ(spot.component, 1U);
     }
     EXPECT_EQ(ground.count_reachable(0), 80U * 80U);
 }
 
-TEST(WalkableGround, LeavesOutWhereABodyDoesNotFit) {
+TEST(WalkableGround, ExcludesPlacesWithoutClearance) {
     Model model = lawn();
     test::add_box(model, "block", {-2, 0, -2}, {2, 3, 2});
     test::add_box(model, "low", {6, 1.5, 6}, {10, 1.7, 10});
@@ -56,21 +56,21 @@ TEST(WalkableGround, LeavesOutWhereABodyDoesNotFit) {
     }
 }
 
-TEST(WalkableGround, JoinsStepsAndPartsWalls) {
+TEST(WalkableGround, ConnectsLowStepsOnly) {
     for (const double step : {0.25, 0.5}) {
         Model model;
         test::add_box(model, "low", {-10, -1, -10}, {0, 0, 10});
         test::add_box(model, "high", {0, -1, -10}, {10, step, 10});
-        std::set<std::uint32_t> parts;
+        std::set<std::uint32_t> components;
         const WalkableGround ground = ground_of(model);
         for (const auto& spot : ground.spots()) {
-            parts.insert(spot.part);
+            components.insert(spot.component);
         }
-        EXPECT_EQ(parts.size(), step < 0.3 ? 1U : 2U) << step;
+        EXPECT_EQ(components.size(), step < 0.3 ? 1U : 2U) << step;
     }
 }
 
-TEST(WalkableGround, SpawnsOnTheGroundAndNotOnARoof) {
+TEST(WalkableGround, SpawnsOnTheGroundUnderTheOpenSky) {
     Model model = lawn();
     test::add_box(model, "hall", {-8, 3, -8}, {8, 3.3, 8});  // a roof on nothing, with room below
     const Vector3d foot = best_foot(model, {0, 0, 0});
@@ -78,7 +78,7 @@ TEST(WalkableGround, SpawnsOnTheGroundAndNotOnARoof) {
     EXPECT_GT(foot.cwiseAbs().maxCoeff(), 8.0);  // and under the open sky
 }
 
-TEST(WalkableGround, SpawnsOnTheLowestFloorOfAHouseWithoutGround) {
+TEST(WalkableGround, SpawnsOnTheLowestFloorWithoutGround) {
     Model model;
     for (int storey = 0; storey < 4; ++storey) {
         test::add_box(model, "floor", {-10, 3.0 * storey - 0.2, -10}, {10, 3.0 * storey, 10});
@@ -86,7 +86,7 @@ TEST(WalkableGround, SpawnsOnTheLowestFloorOfAHouseWithoutGround) {
     EXPECT_NEAR(best_foot(model, {0, 0, 0}).y(), 0.0, 1e-6);
 }
 
-TEST(WalkableGround, SpawnsBesideTheBoxes) {
+TEST(WalkableGround, SpawnsOutsideOfTheBoxes) {
     UprightBox box;
     box.size = {10, 4, 10};
     const Vector3d foot = best_foot(lawn(), {0, 0, 0}, {box});
@@ -103,7 +103,7 @@ TEST(WalkableGround, SpawnsAwayFromWalls) {
     EXPECT_GT(outside.norm(), 5.5);  // eight metres along the axes, less across
 }
 
-TEST(WalkableGround, WaysGoAroundWallsAndEndWhereTheyShould) {
+TEST(WalkableGround, PathsGoAroundWalls) {
     Model model = lawn();
     test::add_box(model, "wall", {-20, 0, -0.2}, {15, 3, 0.2});
     const WalkableGround ground = ground_of(model);
@@ -114,20 +114,20 @@ TEST(WalkableGround, WaysGoAroundWallsAndEndWhereTheyShould) {
     };
     const std::uint32_t start = nearest({-10, 0, 10});
     const std::uint32_t end = nearest({-10, 0, -10});
-    const auto corners = ground.waypoints(ground.shortest_paths_from(start), end);
-    ASSERT_GE(corners.size(), 3U);
-    EXPECT_EQ(corners.front(), ground.spots()[start].foot);
-    EXPECT_EQ(corners.back(), ground.spots()[end].foot);
-    for (std::size_t i = 1; i < corners.size(); ++i) {  // no piece crosses the wall
-        const Vector3d& a = corners[i - 1];
-        const Vector3d& b = corners[i];
+    const auto path = ground.waypoints(ground.shortest_paths_from(start), end);
+    ASSERT_GE(path.size(), 3U);
+    EXPECT_EQ(path.front(), ground.spots()[start].foot);
+    EXPECT_EQ(path.back(), ground.spots()[end].foot);
+    for (std::size_t i = 1; i < path.size(); ++i) {  // no piece crosses the wall
+        const Vector3d& a = path[i - 1];
+        const Vector3d& b = path[i];
         if ((a.z() > 0.0) != (b.z() > 0.0)) {
             EXPECT_GT(a.x() + (b.x() - a.x()) * a.z() / (a.z() - b.z()), 15.3);
         }
     }
 }
 
-TEST(WalkableGround, OfNothingButAWallHasNoSpot) {
+TEST(WalkableGround, HasNoSpotsOnABareWall) {
     Model model;
     test::add_turned_box(model, "wall", {0, 2, 0}, {6, 4, 0.05}, 0);
     EXPECT_FALSE(ground_of(model).best_spawn_spot(Vector3d::Zero(), {}));
