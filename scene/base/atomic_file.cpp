@@ -23,14 +23,14 @@ std::error_code last_error() {
     return {errno, std::generic_category()};
 }
 
-/// A new file beside it. Process numbers alone are not unique where containers share a folder.
-std::FILE* open_part(const fs::path& file, fs::path& part) {
+/// Tries several names: process ids are not unique if containers share a folder.
+std::FILE* create_temporary(const fs::path& file, fs::path& temporary) {
     constexpr int kTries = 100;
     std::FILE* stream = nullptr;
     for (int i = 0; i < kTries && stream == nullptr && (i == 0 || errno == EEXIST); ++i) {
-        part = file;
-        part += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kTemporarySuffix);
-        stream = std::fopen(part.c_str(), "wbx");
+        temporary = file;
+        temporary += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kTemporarySuffix);
+        stream = std::fopen(temporary.c_str(), "wbx");
     }
     return stream;
 }
@@ -40,7 +40,7 @@ std::FILE* open_part(const fs::path& file, fs::path& part) {
 AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
     std::error_code error;
     if (fs::exists(file_, error) && !fs::is_regular_file(file_, error)) {
-        fail(file_, "it is not a regular file");  // the rename would put one in its place
+        fail(file_, "it is not a regular file");  // the rename would replace a device
     }
     if (file_.has_parent_path()) {
         fs::create_directories(file_.parent_path(), error);
@@ -48,17 +48,17 @@ AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
             fail(file_, error.message());
         }
     }
-    stream_.reset(open_part(file_, part_));
+    stream_.reset(create_temporary(file_, temporary_));
     if (!stream_) {
         fail(file_, last_error().message());
     }
 }
 
 AtomicFile::~AtomicFile() {
-    if (!part_.empty()) {
+    if (!temporary_.empty()) {
         stream_.reset();
         std::error_code ignored;
-        fs::remove(part_, ignored);
+        fs::remove(temporary_, ignored);
     }
 }
 
@@ -79,24 +79,24 @@ void AtomicFile::replace(std::size_t offset, std::span<const std::byte> bytes) {
 }
 
 void AtomicFile::finish() {
-    // Closing flushes: a full disk may only show here.
+    // Closing flushes: a full disk may be noticed only here.
     if (std::fclose(stream_.release()) != 0) {
         fail(file_, last_error().message());
     }
     std::error_code error;
-    fs::rename(part_, file_, error);
+    fs::rename(temporary_, file_, error);
     if (error) {
         fail(file_, error.message());
     }
-    part_.clear();
+    temporary_.clear();
 }
 
-void write_file_atomically(const fs::path& file, std::span<const std::span<const std::byte>> parts) {
-    AtomicFile whole(file);
-    for (const std::span<const std::byte> part : parts) {
-        whole.write(part);
+void write_file_atomically(const fs::path& file, std::span<const std::span<const std::byte>> buffers) {
+    AtomicFile out(file);
+    for (const std::span<const std::byte> buffer : buffers) {
+        out.write(buffer);
     }
-    whole.finish();
+    out.finish();
 }
 
 void write_file_atomically(const fs::path& file, std::span<const std::byte> bytes) {

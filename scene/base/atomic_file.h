@@ -9,30 +9,29 @@
 
 namespace campuswalk::scene {
 
-/// Writes a file whole or not at all, with the folders it needs: a neighbour of a name of its own is renamed
-/// over it, so that several processes may write the same file at a time, and who reads it meanwhile reads the
-/// old one or the new. Throws std::runtime_error with the file and the system's reason; what is there but is
-/// no regular file, such as a device, is left alone.
+/// Replaces a file atomically, creating its parent folders: a temporary file with a unique name in the same
+/// folder is renamed over it. Readers see the old contents or the new; several processes may write the same
+/// file at a time. Throws std::runtime_error with the file name and the system's reason, also if the path
+/// names something other than a regular file, such as a device.
 void write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& file, std::string_view text);
-/// Of bytes that lie in several places.
 void write_file_atomically(const std::filesystem::path& file,
-                           std::span<const std::span<const std::byte>> parts);
+                           std::span<const std::span<const std::byte>> buffers);
 
-/// Likewise a file whose bytes come one after the other: they go into the neighbour, which is gone again
-/// unless all ends well. Everything throws as above.
+/// The same for a file that is written piece by piece. The temporary file is removed unless finish()
+/// succeeds. Every member throws as above.
 class AtomicFile {
 public:
-    /// Makes the neighbour.
+    /// Creates the temporary file.
     explicit AtomicFile(std::filesystem::path file);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::span<const std::byte> bytes);
-    /// In the place of others that were written there.
+    /// Overwrites bytes written before.
     void replace(std::size_t offset, std::span<const std::byte> bytes);
-    /// Renames it. Nothing can be written after that.
+    /// Renames the temporary file. Nothing may be written afterwards.
     void finish();
 
 private:
@@ -40,11 +39,11 @@ private:
         void operator()(std::FILE* stream) const { std::fclose(stream); }
     };
     std::filesystem::path file_;
-    std::filesystem::path part_;
+    std::filesystem::path temporary_;
     std::unique_ptr<std::FILE, Close> stream_;
 };
 
-/// How the neighbours' names end, should a process be killed and leave one behind.
+/// The suffix of temporary files, which a killed process leaves behind.
 inline constexpr std::string_view kTemporarySuffix = ".part";
 
 }  // namespace campuswalk::scene

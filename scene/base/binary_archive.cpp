@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint32_t kOtherByteOrder = 0x04030201;
 
-/// The first bytes of every file, in the order they stand there.
-struct Seal {
+/// The first bytes of every file.
+struct ArchiveHeader {
     std::array<char, 8> magic{};
     std::uint32_t byte_order = kByteOrder;
     std::uint32_t version = 0;
@@ -19,15 +19,15 @@ struct Seal {
     std::uint64_t checksum = 0;
     std::array<std::uint64_t, 4> zeros{};
 };
-static_assert(sizeof(Seal) == kArchiveHeaderBytes);
+static_assert(sizeof(ArchiveHeader) == kArchiveHeaderBytes);
 
 }  // namespace
 
 ArchiveWriter::ArchiveWriter(const FileKind& kind) {
-    Seal finish;
-    finish.magic = kind.magic;
-    finish.version = kind.version;
-    put_bytes(&finish, sizeof finish);
+    ArchiveHeader header;
+    header.magic = kind.magic;
+    header.version = kind.version;
+    put_bytes(&header, sizeof header);
 }
 
 void ArchiveWriter::put_bytes(const void* from, std::size_t count) {
@@ -37,11 +37,11 @@ void ArchiveWriter::put_bytes(const void* from, std::size_t count) {
 }
 
 void ArchiveWriter::put_elements(std::span<const std::byte> elements) {
-    constexpr std::size_t kMany = 64 << 10U;
-    if (elements.size() < kMany) {
+    constexpr std::size_t kBorrowedFrom = 64 << 10U;  // bytes; below that a copy is cheaper
+    if (elements.size() < kBorrowedFrom) {
         put_bytes(elements.data(), elements.size());
     } else {
-        left_.push_back({bytes_.size(), elements});
+        borrowed_.push_back({bytes_.size(), elements});
         size_ += elements.size();
     }
 }
@@ -57,29 +57,29 @@ void ArchiveWriter::align(std::size_t alignment) {
     size_ += zeros;
 }
 
-Parts ArchiveWriter::finish() {
-    Parts parts;
+BufferSequence ArchiveWriter::finish() {
+    BufferSequence buffers;
     std::size_t done = kArchiveHeaderBytes;
     const std::span<const std::byte> bytes(bytes_);
-    for (const Left& left : left_) {
-        parts.push_back(bytes.subspan(done, left.after - done));
-        parts.push_back(left.elements);
-        done = left.after;
+    for (const Borrowed& borrowed : borrowed_) {
+        buffers.push_back(bytes.subspan(done, borrowed.offset - done));
+        buffers.push_back(borrowed.elements);
+        done = borrowed.offset;
     }
-    parts.push_back(bytes.subspan(done));
-    Seal finish;
-    std::memcpy(&finish, bytes_.data(), sizeof finish);
-    finish.payload_bytes = size_ - kArchiveHeaderBytes;
-    finish.checksum = checksum_of(parts);
-    std::memcpy(bytes_.data(), &finish, sizeof finish);
-    parts.insert(parts.begin(), bytes.first(kArchiveHeaderBytes));
-    return parts;
+    buffers.push_back(bytes.subspan(done));
+    ArchiveHeader header;
+    std::memcpy(&header, bytes_.data(), sizeof header);
+    header.payload_bytes = size_ - kArchiveHeaderBytes;
+    header.checksum = checksum_of(buffers);
+    std::memcpy(bytes_.data(), &header, sizeof header);
+    buffers.insert(buffers.begin(), bytes.first(kArchiveHeaderBytes));
+    return buffers;
 }
 
-std::vector<std::byte> joined(const Parts& parts) {
+std::vector<std::byte> concatenated(const BufferSequence& buffers) {
     std::vector<std::byte> bytes;
-    for (const std::span<const std::byte> part : parts) {
-        bytes.insert(bytes.end(), part.begin(), part.end());
+    for (const std::span<const std::byte> buffer : buffers) {
+        bytes.insert(bytes.end(), buffer.begin(), buffer.end());
     }
     return bytes;
 }
@@ -87,38 +87,34 @@ std::vector<std::byte> joined(const Parts& parts) {
 ArchiveReader::ArchiveReader(std::span<const std::byte> bytes, const FileKind& kind,
                              std::shared_ptr<const void> owner)
     : bytes_(bytes), owner_(std::move(owner)) {
-    Seal finish;
-    if (bytes.size() < sizeof finish) {
+    ArchiveHeader header;
+    if (bytes.size() < sizeof header) {
         throw DamagedFile("it is truncated");
     }
-    std::memcpy(&finish, bytes.data(), sizeof finish);
-    if (finish.magic != kind.magic) {
+    std::memcpy(&header, bytes.data(), sizeof header);
+    if (header.magic != kind.magic) {
         throw DamagedFile("it is another kind of file");
     }
-    if (finish.byte_order == kOtherByteOrder) {
+    if (header.byte_order == kOtherByteOrder) {
         throw DamagedFile("it was written on a machine with a different byte order");
     }
-    if (finish.version != kind.version) {
-        throw DamagedFile("it is of version " + std::to_string(finish.version) + ", not " +
+    if (header.version != kind.version) {
+        throw DamagedFile("it has version " + std::to_string(header.version) + ", not " +
                           std::to_string(kind.version));
     }
-    if (finish.payload_bytes > bytes.size() - kArchiveHeaderBytes) {
+    if (header.payload_bytes > bytes.size() - kArchiveHeaderBytes) {
         throw DamagedFile("it is truncated");
     }
-    if (finish.payload_bytes < bytes.size() - kArchiveHeaderBytes) {
+    if (header.payload_bytes < bytes.size() - kArchiveHeaderBytes) {
         throw DamagedFile("it has trailing bytes");
     }
-    if (finish.byte_order != kByteOrder || finish.zeros != Seal{}.zeros ||
-        finish.checksum != checksum_of(bytes.subspan(kArchiveHeaderBytes))) {
+    if (header.byte_order != kByteOrder || header.zeros != ArchiveHeader{}.zeros ||
+        header.checksum != checksum_of(bytes.subspan(kArchiveHeaderBytes))) {
         throw DamagedFile("its checksum is wrong");
     }
 }
 
-std::span<const std::byte> ArchiveReader::take_bytes(std::size_t count) {
-    return take_bytes_of(count, 1);
-}
-
-std::span<const std::byte> ArchiveReader::take_bytes_of(std::size_t count, std::size_t size) {
+std::span<const std::byte> ArchiveReader::take_bytes(std::size_t count, std::size_t size) {
     if (count > (bytes_.size() - at_) / size) {
         throw DamagedFile("it refers to data that it does not contain");
     }
@@ -139,9 +135,9 @@ std::uint32_t ArchiveReader::take_below(std::uint64_t end, const char* what) {
     return value;
 }
 
-std::size_t ArchiveReader::take_count(std::size_t least_bytes) {
+std::size_t ArchiveReader::take_count(std::size_t min_bytes) {
     const auto count = take<std::uint64_t>();
-    if (count > (bytes_.size() - at_) / least_bytes) {
+    if (count > (bytes_.size() - at_) / min_bytes) {
         throw DamagedFile("it refers to data that it does not contain");
     }
     return static_cast<std::size_t>(count);

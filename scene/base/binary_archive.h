@@ -17,17 +17,17 @@
 
 namespace campuswalk::scene {
 
-/// The frame of our binary files. 64 bytes first: eight that name the kind, a number that shows the byte
-/// order, the kind's version, the payload's size and its checksum, zeros; then the payload. Numbers are as
-/// this machine has them: a file is for the machine that wrote it and those like it.
+/// A binary file is a header of 64 bytes (magic of its kind, byte order mark, version, payload size, payload
+/// checksum, zeros) followed by the payload. Numbers are in native representation: a file is read only by
+/// machines with the writer's byte order.
 
 struct FileKind {
     std::array<char, 8> magic{};
     std::uint32_t version = 0;
 };
 
-/// A file that isn't what it must be: damaged, foreign, of another version, or forged. `what()` says how, in
-/// words for the user ("it is truncated").
+/// A file that is damaged, forged, of another kind or of another version. `what()` tells the user which, such
+/// as "it is truncated".
 class DamagedFile : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -35,12 +35,12 @@ public:
 
 inline constexpr std::size_t kArchiveHeaderBytes = 64;
 
-/// What is copied as it lies in memory.
+/// Types whose object representation is stored.
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
-/// Bytes that lie in several places, in the order of the file.
-using Parts = std::vector<std::span<const std::byte>>;
+/// The bytes of a file in order, scattered over several buffers.
+using BufferSequence = std::vector<std::span<const std::byte>>;
 
 class ArchiveWriter {
 public:
@@ -51,47 +51,46 @@ public:
         put_bytes(&value, sizeof value);
     }
     void put_text(std::string_view text);
-    /// The elements alone; their number is put before, wherever the reader can't know it. Many are left where
-    /// they are, and must stay there until the file is written.
+    /// The elements without their count. Large spans are not copied: they must stay valid until the file is
+    /// written.
     template <typename Element>
     void put_all(std::span<const Element> elements) {
         put_elements(std::as_bytes(elements));
     }
-    /// Likewise, from the next multiple of their alignment on.
+    /// As put_all, after padding to the alignment of Element.
     template <typename Element>
     void put_aligned(std::span<const Element> elements) {
         align(alignof(Element));
         put_all(elements);
     }
-    /// Zeros up to the next multiple of `alignment`, counted from the file's start.
-    void align(std::size_t alignment);
-
-    /// The whole file, to be written part by part. Nothing is to be put from now on; the writer stays.
-    Parts finish();
+    /// Completes the header. The buffers point into the writer and into the spans that were put; nothing may
+    /// be put afterwards.
+    BufferSequence finish();
 
 private:
-    /// Elements that are elsewhere, after so many bytes of those here.
-    struct Left {
-        std::size_t after = 0;
+    /// Elements that were not copied, and their offset in `bytes_`.
+    struct Borrowed {
+        std::size_t offset = 0;
         std::span<const std::byte> elements;
     };
 
+    /// Pads with zeros to a multiple of `alignment` from the start of the file.
+    void align(std::size_t alignment);
     void put_bytes(const void* from, std::size_t count);
     void put_elements(std::span<const std::byte> elements);
 
-    std::vector<std::byte> bytes_;  ///< but for those elsewhere
-    std::vector<Left> left_;
-    std::size_t size_ = 0;  ///< of the file so far
+    std::vector<std::byte> bytes_;  ///< the file without what is borrowed
+    std::vector<Borrowed> borrowed_;
+    std::size_t size_ = 0;  ///< of the file so far, bytes
 };
 
-/// Copied together.
-std::vector<std::byte> joined(const Parts& parts);
+std::vector<std::byte> concatenated(const BufferSequence& buffers);
 
-/// Reads what may be anything: throws DamagedFile before it would read, or make room for, what isn't there.
+/// Reads untrusted bytes: throws DamagedFile before it reads past their end or allocates more than they hold.
 class ArchiveReader {
 public:
-    /// Checks the frame and the checksum. `bytes` are the whole file and outlive the reader; with an `owner`,
-    /// nobody changes them as long as that lives.
+    /// Checks the header and the checksum. `bytes` are the whole file and outlive the reader. With an
+    /// `owner`, they stay valid and unchanged as long as the owner lives.
     ArchiveReader(std::span<const std::byte> bytes, const FileKind& kind,
                   std::shared_ptr<const void> owner = nullptr);
 
@@ -103,26 +102,26 @@ public:
     }
     /// 0 or 1.
     bool take_flag();
-    /// A number below `end`, such as an index; `what` names it when it isn't.
+    /// An index or enumerator below `end`; `what` names it in the exception.
     std::uint32_t take_below(std::uint64_t end, const char* what);
-    /// How many elements follow, each of which takes up no fewer than `least_bytes`.
-    std::size_t take_count(std::size_t least_bytes);
+    /// The count of elements that follow, each of at least `min_bytes`.
+    std::size_t take_count(std::size_t min_bytes);
     std::string take_text();
-    /// As many elements as `put_all` put. The memory of Element is taken as it is: check what it holds.
+    /// The inverse of put_all. Values are not validated.
     template <typename Element>
     std::vector<Element> take_all(std::size_t count) {
-        const std::span<const std::byte> from = take_bytes_of(count, sizeof(Element));
+        const std::span<const std::byte> from = take_bytes(count, sizeof(Element));
         std::vector<Element> elements;
         elements.reserve(count);
-        collision::prefer_large_pages(elements.data(), from.size());  // a third of the time would be faults
+        collision::prefer_large_pages(elements.data(),
+                                      from.size());  // else a third of the time goes to page faults
         elements.resize(count);
         if (count > 0) {
             std::memcpy(static_cast<void*>(elements.data()), from.data(), from.size());
         }
         return elements;
     }
-    /// Likewise, from the next multiple of their alignment on. With an owner they stay where they are:
-    /// nothing is copied.
+    /// The inverse of put_aligned. With an owner the elements are not copied but referred to.
     template <typename Element>
     collision::Storage<Element> take_aligned(std::size_t count) {
         align(alignof(Element));
@@ -130,20 +129,20 @@ public:
         if (owner_ == nullptr || reinterpret_cast<std::uintptr_t>(first) % alignof(Element) != 0) {
             return take_all<Element>(count);
         }
-        take_bytes_of(count, sizeof(Element));
+        take_bytes(count, sizeof(Element));
         return {std::span(reinterpret_cast<const Element*>(first), count), owner_};
     }
-    /// Skips to the next multiple of `alignment`, counted from the file's start.
-    void align(std::size_t alignment);
-    std::span<const std::byte> take_bytes(std::size_t count);
-    /// `count` times `size`.
-    std::span<const std::byte> take_bytes_of(std::size_t count, std::size_t size);
-    /// Throws if anything is left.
+    /// Throws if bytes are left.
     void finish() const;
 
 private:
+    /// Skips to a multiple of `alignment` from the start of the file.
+    void align(std::size_t alignment);
+    /// `count` * `size` bytes.
+    std::span<const std::byte> take_bytes(std::size_t count, std::size_t size = 1);
+
     std::span<const std::byte> bytes_;
-    std::shared_ptr<const void> owner_;  ///< null: what is taken is copied
+    std::shared_ptr<const void> owner_;  ///< null: elements are copied
     std::size_t at_ = kArchiveHeaderBytes;
 };
 

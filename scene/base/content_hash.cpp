@@ -3,7 +3,7 @@
 #include <array>
 #include <bit>
 
-// In the header's own inline form: nothing to link, nothing for those who link us.
+// Header-only, so that neither we nor our users link libxxhash.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -13,11 +13,11 @@ std::uint64_t checksum_of(std::span<const std::byte> bytes) {
     return XXH3_64bits(bytes.data(), bytes.size());
 }
 
-std::uint64_t checksum_of(std::span<const std::span<const std::byte>> parts) {
+std::uint64_t checksum_of(std::span<const std::span<const std::byte>> buffers) {
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    for (const std::span<const std::byte> part : parts) {
-        XXH3_64bits_update(&state, part.data(), part.size());
+    for (const std::span<const std::byte> buffer : buffers) {
+        XXH3_64bits_update(&state, buffer.data(), buffer.size());
     }
     return XXH3_64bits_digest(&state);
 }

@@ -9,13 +9,12 @@
 
 namespace campuswalk::scene {
 
-/// XXH3 over bytes, as fast as memory: 64 bits against damage. Who forges a file can forge this too.
+/// 64-bit XXH3: detects damage, not forgery.
 std::uint64_t checksum_of(std::span<const std::byte> bytes);
-/// The same of bytes that lie in several places, one part after the other.
-std::uint64_t checksum_of(std::span<const std::span<const std::byte>> parts);
+/// Of the concatenation of buffers.
+std::uint64_t checksum_of(std::span<const std::span<const std::byte>> buffers);
 
-/// 128 bits that name contents: two that differ have the same with a chance of 2^-128, unless somebody
-/// searched for them.
+/// 128-bit XXH3 that identifies contents. Not collision resistant against an adversary.
 struct ContentHash {
     std::uint64_t high = 0;
     std::uint64_t low = 0;
@@ -28,7 +27,7 @@ ContentHash hash_of(std::span<const std::byte> bytes);
 /// 32 lower-case hexadecimal digits.
 std::string to_string(const ContentHash& hash);
 
-/// Hashes what is added to it, one after the other.
+/// Hashes a sequence of values.
 class ContentHasher {
 public:
     ContentHasher();
@@ -37,13 +36,13 @@ public:
     ContentHasher& operator=(ContentHasher&&) noexcept;
 
     void add(std::span<const std::byte> bytes);
-    /// With its length, so that "ab", "c" and "a", "bc" differ.
+    /// Includes the length, so that "ab", "c" and "a", "bc" differ.
     void add_text(std::string_view text);
     void add_number(std::uint64_t number);
     void add_number(double number);
     void add_hash(const ContentHash& hash);
 
-    /// Of all that was added; more may follow.
+    /// The hash so far; more may be added.
     ContentHash result() const;
 
 private:

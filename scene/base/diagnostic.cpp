@@ -16,8 +16,8 @@ std::string joined(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
-/// The least number of characters to insert, delete, replace or swap with their neighbour (optimal string
-/// alignment: Levenshtein's distance and swaps, the commonest slip of all).
+/// Optimal string alignment distance: Levenshtein distance plus transpositions of adjacent characters, the
+/// most common typo.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> two_up(b.size() + 1);
     std::vector<std::size_t> above(b.size() + 1);
@@ -80,7 +80,7 @@ void DiagnosticList::throw_if_errors() const {
 }
 
 std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
-    // A third of the letters wrong is still a typing mistake; more is another word.
+    // With more than a third of the letters wrong it is another word, not a typo.
     const std::size_t allowed = word.size() < 2 ? 0 : std::max<std::size_t>(1, word.size() / 3);
     std::string_view best;
     std::size_t best_distance = allowed + 1;

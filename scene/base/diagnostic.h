@@ -7,7 +7,7 @@
 
 namespace campuswalk::scene {
 
-/// Where in a user's file something was said. Lines and columns count from 1; 0 means "the whole file".
+/// A position in a user's file. Lines and columns count from 1; 0 means the file as a whole.
 struct SourceMark {
     std::string file;  ///< as the user wrote it, relative to the working directory
     int line = 0;
@@ -16,7 +16,8 @@ struct SourceMark {
 
 enum class Severity { error, warning };
 
-/// One diagnostic about an input file. `code` is stable (scripts match on it), `message` says what to do.
+/// An error or warning about an input file. Scripts match on `code`, which is stable; `message` says what is
+/// wrong and what to do.
 struct Diagnostic {
     Severity severity = Severity::error;
     SourceMark mark;
@@ -24,10 +25,10 @@ struct Diagnostic {
     std::string message;
 };
 
-/// `file:line:col: error CODE: message`, without line and column where there is none.
+/// `file:line:col: error CODE: message`; without line and column if the mark has none.
 std::string to_string(const Diagnostic& diagnostic);
 
-/// The one exception for bad input: everything that is wrong with a file, found before anything is run.
+/// The exception for bad input. Carries all errors of a file, found before anything runs.
 class InputError : public std::runtime_error {
 public:
     explicit InputError(std::vector<Diagnostic> diagnostics);
@@ -39,7 +40,7 @@ private:
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// Collects diagnostics so that a file's mistakes are reported together.
+/// Collects diagnostics, so that all errors of a file are reported together.
 class DiagnosticList {
 public:
     void error(const SourceMark& mark, std::string code, std::string message);
@@ -49,17 +50,17 @@ public:
     bool has_errors() const;
     const std::vector<Diagnostic>& all() const { return diagnostics_; }
 
-    /// Throws InputError with everything collected when there is at least one error.
+    /// Throws InputError with all diagnostics if one of them is an error.
     void throw_if_errors() const;
 
 private:
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// The candidate nearest to `word` by edit distance, empty when none is near enough to be a typing mistake.
+/// The candidate nearest to `word` by edit distance; empty if none is close enough to be a typo.
 std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
-/// ` (did you mean 'x'?)` for the nearest candidate, or an empty string.
+/// ` (did you mean 'x'?)` for the nearest candidate; empty if there is none.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace campuswalk::scene

@@ -8,13 +8,13 @@ namespace {
 
 constexpr std::size_t kNone = std::string_view::npos;
 
-/// A character class that starts at glob[at] == '['.
+/// The result of matching a character class, `[…]`.
 struct ClassMatch {
     bool matches = false;
     std::size_t end = 0;  ///< one past the closing bracket
 };
 
-/// nullopt when the bracket is never closed: it then stands for itself.
+/// The class starts at glob[at] == '['. nullopt if the bracket is never closed: it is then a literal.
 std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, char c) {
     std::size_t i = at + 1;
     const bool negated = i < glob.size() && (glob[i] == '!' || glob[i] == '^');
@@ -37,7 +37,7 @@ std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, cha
     return ClassMatch{found != negated, i + 1};
 }
 
-/// Matches one character of a name against the glob's item at `at`; gives where the next item starts.
+/// Matches one character against the glob's item at `at`. Returns the start of the next item, or kNone.
 std::size_t match_one(std::string_view glob, std::size_t at, char c) {
     if (at >= glob.size()) {
         return kNone;
@@ -55,16 +55,16 @@ std::size_t match_one(std::string_view glob, std::size_t at, char c) {
 
 }  // namespace
 
-// Only the last `*` is ever reconsidered, so hostile patterns cost name x glob at worst.
+// Backtracks to the last `*` only: O(name x glob) for any pattern.
 bool glob_matches(std::string_view glob, std::string_view name) {
     std::size_t at = 0;
     std::size_t i = 0;
     std::size_t after_star = kNone;
-    std::size_t star_took = 0;
+    std::size_t star_end = 0;
     while (i < name.size()) {
         if (at < glob.size() && glob[at] == '*') {
             after_star = ++at;
-            star_took = i;
+            star_end = i;
             continue;
         }
         const std::size_t next = match_one(glob, at, name[i]);
@@ -73,7 +73,7 @@ bool glob_matches(std::string_view glob, std::string_view name) {
             ++i;
         } else if (after_star != kNone) {
             at = after_star;
-            i = ++star_took;
+            i = ++star_end;
         } else {
             return false;
         }

@@ -31,7 +31,7 @@ struct Entry {
     }
 };
 
-/// Whether we gave a file its name: a folder that the user names may hold other things too.
+/// Whether the file name is one of the cache: a folder chosen by the user may hold other files.
 bool is_ours(const std::string& name) {
     const bool hashed =
         name.size() > kHashDigits && name.find_first_not_of("0123456789abcdef") == kHashDigits;
@@ -39,7 +39,7 @@ bool is_ours(const std::string& name) {
            (name.ends_with(kSuffix) || name.ends_with(kTemporarySuffix));
 }
 
-/// Regular files of ours, those used longest ago first.
+/// The files of the cache, least recently used first.
 std::vector<Entry> entries_in(const fs::path& folder) {
     std::vector<Entry> entries;
     std::error_code error;
@@ -66,28 +66,28 @@ std::shared_ptr<const MappedFile> CacheFolder::find(const ContentHash& key, cons
     if (!found) {
         return nullptr;
     }
-    // When it was read last is not always kept by file systems; when it was changed last is.
+    // Not every file system records access times.
     utimensat(AT_FDCWD, file.c_str(), nullptr, 0);
     return std::make_shared<const MappedFile>(std::move(*found));
 }
 
 void CacheFolder::store(const ContentHash& key, const Kind& kind,
-                        std::span<const std::span<const std::byte>> parts) const {
+                        std::span<const std::span<const std::byte>> buffers) const {
     std::uint64_t bytes = 0;
-    for (const std::span<const std::byte> part : parts) {
-        bytes += part.size();
+    for (const std::span<const std::byte> buffer : buffers) {
+        bytes += buffer.size();
     }
     if (bytes > max_bytes_) {
         return;
     }
     std::error_code error;
     if (fs::create_directories(folder_, error)) {
-        fs::permissions(folder_, fs::perms::owner_all, error);  // models may be nobody else's business
+        fs::permissions(folder_, fs::perms::owner_all, error);  // models may be confidential
     }
     const fs::path file = path_of(key, kind);
     try {
-        write_file_atomically(file, parts);
-        // What others may write to has to be copied when it is read.
+        write_file_atomically(file, buffers);
+        // Files that others may write to have to be copied when they are read.
         fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove,
                         error);
     } catch (const std::runtime_error& failure) {
@@ -95,17 +95,17 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
             on_write_error_(failure.what());
         }
     }
-    make_room();
+    evict();
 }
 
-void CacheFolder::make_room() const {
+void CacheFolder::evict() const {
     const std::vector<Entry> entries = entries_in(folder_);
     std::uint64_t bytes = 0;
     for (const Entry& entry : entries) {
         bytes += entry.bytes;
     }
     for (auto entry = entries.begin(); entry != entries.end() && bytes > max_bytes_; ++entry) {
-        std::error_code ignored;  // another process may have been faster
+        std::error_code ignored;  // another process may have removed it
         fs::remove(entry->path, ignored);
         bytes -= entry->bytes;
     }

@@ -13,36 +13,36 @@
 
 namespace campuswalk::scene {
 
-/// Files under the hash of what they were made from, in one folder that several processes may use at once.
-/// They are written beside and renamed, never changed; there is no lock: two that make the same file make it
-/// of the same inputs, and the later one replaces it by its equal.
+/// A content-addressed cache: files named by the hash of their inputs, in a folder that several processes may
+/// use at once. Files are written atomically and never changed, so there is no lock: two processes that write
+/// the same file write the same contents.
 ///
-/// What is in the folder may be anybody's work: readers check it. A cache that can't be read or written is
-/// none; nothing fails because of it.
+/// The contents are untrusted: callers validate them. Read and write errors never fail the caller: they count
+/// as cache misses.
 class CacheFolder {
 public:
     static constexpr std::uint64_t kDefaultLimit = std::uint64_t{4} << 30U;
 
-    /// `unwritable`: told why, each time that something can't be kept.
+    /// `on_write_error` is called with the reason whenever a file can't be stored.
     explicit CacheFolder(std::filesystem::path folder, std::uint64_t max_bytes = kDefaultLimit,
-                         std::function<void(const std::string&)> unwritable = {})
-        : folder_(std::move(folder)), max_bytes_(max_bytes), on_write_error_(std::move(unwritable)) {}
+                         std::function<void(const std::string&)> on_write_error = {})
+        : folder_(std::move(folder)), max_bytes_(max_bytes), on_write_error_(std::move(on_write_error)) {}
 
-    /// Such as "model"; letters alone.
+    /// Such as "model"; letters only.
     using Kind = std::string;
 
-    /// The file, from now on the one that was used last; null if there is none. As long as it lives its bytes
-    /// stay what they are.
+    /// The file, which becomes the most recently used; null if there is none. Its bytes don't change during
+    /// its lifetime.
     std::shared_ptr<const MappedFile> find(const ContentHash& key, const Kind& kind) const;
 
-    /// Keeps the bytes, then removes the files that were used longest ago until all fit the limit. What is
-    /// larger than that by itself isn't kept.
+    /// Stores the bytes, then removes the least recently used files until the rest fits the limit. A file
+    /// larger than the limit is not stored.
     void store(const ContentHash& key, const Kind& kind,
-               std::span<const std::span<const std::byte>> parts) const;
+               std::span<const std::span<const std::byte>> buffers) const;
 
 private:
     std::filesystem::path path_of(const ContentHash& key, const Kind& kind) const;
-    void make_room() const;
+    void evict() const;
 
     std::filesystem::path folder_;
     std::uint64_t max_bytes_;

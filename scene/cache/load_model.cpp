@@ -12,11 +12,11 @@ namespace campuswalk::scene {
 namespace {
 
 constexpr const char* kModelKind = "model";
-/// What to look for beside the scene file: read first, for it leads to the model.
+/// The lookups of an import: read first, since the model's key depends on their results.
 constexpr const char* kRequestsKind = "requests";
 constexpr FileKind kRequestsFile = {{'c', 'w', ' ', 'f', 'i', 'l', 'e', 's'}, 1};
 
-ArchiveWriter lay_out(const std::vector<FileRequest>& requests) {
+ArchiveWriter archive_requests(const std::vector<FileRequest>& requests) {
     ArchiveWriter out(kRequestsFile);
     out.put(std::uint64_t{requests.size()});
     for (const FileRequest& request : requests) {
@@ -27,9 +27,9 @@ ArchiveWriter lay_out(const std::vector<FileRequest>& requests) {
 }
 
 std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
-    constexpr std::size_t kLeastRequest = 12;
+    constexpr std::size_t kMinRequestBytes = 12;
     ArchiveReader in(bytes, kRequestsFile);
-    std::vector<FileRequest> requests(in.take_count(kLeastRequest));
+    std::vector<FileRequest> requests(in.take_count(kMinRequestBytes));
     for (FileRequest& request : requests) {
         request.uri = in.take_text();
         request.image = in.take_flag();
@@ -38,18 +38,18 @@ std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
     return requests;
 }
 
-/// nullopt if it can't be read.
+/// nullopt if the file can't be read.
 std::optional<ContentHash> hash_of_file(const std::filesystem::path& file) {
     const std::optional<MappedFile> mapped = MappedFile::open(file);
     return mapped ? std::optional(hash_of(mapped->bytes())) : std::nullopt;
 }
 
-/// Of the scene file, of what is asked of it, and of who reads it.
+/// The hash of the scene file, its settings and the program.
 ContentHash key_of(const SceneFile& file, EmptyModel if_empty, const ContentHash& contents) {
     ContentHasher hasher;
     hasher.add_hash(program_hash());
     hasher.add_number(std::uint64_t{kModelFile.version});
-    hasher.add_text(file.file);  // stands in the model and in its warnings
+    hasher.add_text(file.file);  // part of the model and its warnings
     hasher.add_text(file.path.filename().string());
     hasher.add_number(static_cast<std::uint64_t>(file.up));
     hasher.add_number(file.metres_per_unit);
@@ -62,9 +62,9 @@ ContentHash key_of(const SceneFile& file, EmptyModel if_empty, const ContentHash
     return hasher.result();
 }
 
-/// Adds the files that were looked for, as they are now. An import that meets the same answers does the same.
-ContentHash key_with(const ContentHash& key, const SceneFile& file, const ContentHash& contents,
-                     const std::vector<FileRequest>& requests) {
+/// Adds the current results of the lookups: an import with the same results gives the same model.
+ContentHash key_with_files(const ContentHash& key, const SceneFile& file, const ContentHash& contents,
+                           const std::vector<FileRequest>& requests) {
     ContentHasher hasher;
     hasher.add_hash(key);
     const SceneFolder folder(file.path);
@@ -88,30 +88,30 @@ std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& 
         if (!requests) {
             return std::nullopt;
         }
-        const ContentHash whole = key_with(key, file, contents, read_requests(requests->bytes()));
-        const auto kept = cache.find(whole, kModelKind);
-        if (!kept) {
+        const ContentHash model_key = key_with_files(key, file, contents, read_requests(requests->bytes()));
+        const auto cached = cache.find(model_key, kModelKind);
+        if (!cached) {
             return std::nullopt;
         }
-        LoadedModel loaded{read_model_file(kept->bytes(), kept), whole};
+        LoadedModel loaded{read_model_file(cached->bytes(), cached), model_key};
         for (Diagnostic& warning : loaded.imported.warnings) {
-            warning.mark = file.mark;  // all are about the file as such, which may be named elsewhere now
+            warning.mark = file.mark;  // the file may be named on another line now
         }
         return loaded;
     } catch (const DamagedFile&) {
-        return std::nullopt;  // to be made anew
+        return std::nullopt;  // treated as a miss
     }
 }
 
-LoadedModel import_and_keep(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
-                            const CacheFolder& cache, const ContentHash& contents) {
+LoadedModel import_and_cache(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
+                             const CacheFolder& cache, const ContentHash& contents) {
     LoadedModel loaded{importer(file, if_empty), {}};
     const ContentHash key = key_of(file, if_empty, contents);
-    if (hash_of_file(file.path) == contents) {  // nobody has saved it meanwhile
-        loaded.contents = key_with(key, file, contents, loaded.imported.requests);
+    if (hash_of_file(file.path) == contents) {  // it didn't change meanwhile
+        loaded.contents = key_with_files(key, file, contents, loaded.imported.requests);
         ArchiveWriter model = archive_model(loaded.imported);
         cache.store(*loaded.contents, kModelKind, model.finish());
-        ArchiveWriter requests = lay_out(loaded.imported.requests);
+        ArchiveWriter requests = archive_requests(loaded.imported.requests);
         cache.store(key, kRequestsKind, requests.finish());
     }
     return loaded;
@@ -123,13 +123,13 @@ LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importe
                        const CacheFolder* cache) {
     const std::optional<ContentHash> contents = cache != nullptr ? hash_of_file(file.path) : std::nullopt;
     if (!contents) {
-        return {importer(file, if_empty), {}};  // which says what is wrong with it
+        return {importer(file, if_empty), {}};  // an unreadable file is its error
     }
     const ContentHash key = key_of(file, if_empty, *contents);
-    if (std::optional<LoadedModel> kept = find_model(file, key, *contents, *cache)) {
-        return std::move(*kept);
+    if (std::optional<LoadedModel> cached = find_model(file, key, *contents, *cache)) {
+        return std::move(*cached);
     }
-    return import_and_keep(file, if_empty, importer, *cache, *contents);
+    return import_and_cache(file, if_empty, importer, *cache, *contents);
 }
 
 }  // namespace campuswalk::scene

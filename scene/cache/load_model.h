@@ -9,13 +9,13 @@ namespace campuswalk::scene {
 
 struct LoadedModel {
     ImportedModel imported;
-    /// Of everything that made it what it is: the bytes of all files that its import looked for, its settings
-    /// and the program. None without a cache, or when the file was changed meanwhile.
+    /// The hash of everything that the model depends on: all files that the import looked up, the settings,
+    /// the program. nullopt without a cache, or if the file changed during the import.
     std::optional<ContentHash> contents;
 };
 
-/// What `importer` gives, or gave before with the same files, settings and program: then it isn't asked.
-/// Mistakes are never kept: they are found anew. Without a cache (null) it is always asked.
+/// The result of `importer`, or the cached result of an earlier import of the same files with the same
+/// settings and program. Errors are not cached. Without a cache (null), always imports.
 LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
                        const CacheFolder* cache);
 

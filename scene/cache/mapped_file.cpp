@@ -14,13 +14,13 @@ namespace campuswalk::scene {
 
 namespace {
 
-/// An open file, and what it was when it was opened.
+/// An open file and its status at that time.
 class RegularFile {
 public:
     explicit RegularFile(const std::filesystem::path& file)
-        // Not to wait for what may never come: a pipe is no regular file, but opening it would block.
+        // Opening a pipe would block without O_NONBLOCK.
         : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        there_ = descriptor_ >= 0 && fstat(descriptor_, &status_) == 0 && S_ISREG(status_.st_mode);
+        is_open_ = descriptor_ >= 0 && fstat(descriptor_, &status_) == 0 && S_ISREG(status_.st_mode);
     }
     ~RegularFile() {
         if (descriptor_ >= 0) {
@@ -30,15 +30,15 @@ public:
     RegularFile(const RegularFile&) = delete;
     RegularFile& operator=(const RegularFile&) = delete;
 
-    bool there() const { return there_; }
+    bool is_open() const { return is_open_; }
     std::size_t size() const { return static_cast<std::size_t>(status_.st_size); }
-    bool only_ours() const {
+    bool only_we_can_write() const {
         return status_.st_uid == geteuid() && (status_.st_mode & (S_IWGRP | S_IWOTH)) == 0;
     }
 
-    /// MAP_FAILED if it can't be.
+    /// MAP_FAILED on failure.
     void* map() const { return mmap(nullptr, size(), PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0); }
-    /// MAP_FAILED if it can't be, or is shorter by now.
+    /// MAP_FAILED on failure, also if the file is shorter by now.
     void* copy() const {
         void* start = mmap(nullptr, size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         if (start != MAP_FAILED) {
@@ -66,7 +66,7 @@ private:
 
     int descriptor_;
     struct stat status_ {};
-    bool there_ = false;
+    bool is_open_ = false;
 };
 
 }  // namespace
@@ -74,7 +74,7 @@ private:
 template <typename Start>
 std::optional<MappedFile> MappedFile::open(const std::filesystem::path& path, const Start& start) {
     const RegularFile file(path);
-    if (!file.there()) {
+    if (!file.is_open()) {
         return std::nullopt;
     }
     void* at = file.size() > 0 ? start(file) : nullptr;
@@ -86,7 +86,7 @@ std::optional<MappedFile> MappedFile::open(const std::filesystem::path& path) {
 }
 
 std::optional<MappedFile> MappedFile::open_unchanging(const std::filesystem::path& path) {
-    return open(path, [](const auto& file) { return file.only_ours() ? file.map() : file.copy(); });
+    return open(path, [](const auto& file) { return file.only_we_can_write() ? file.map() : file.copy(); });
 }
 
 MappedFile::~MappedFile() {

@@ -7,16 +7,14 @@
 
 namespace campuswalk::scene {
 
-/// A whole file as memory. Nobody may cut it short meanwhile: what is gone then ends the process when it is
-/// looked at.
+/// A file mapped into memory. If it is truncated meanwhile, access raises SIGBUS.
 class MappedFile {
 public:
-    /// Read ahead, no copy made. nullopt if it can't be opened or is no regular file (what a symbolic link
-    /// names is followed).
+    /// Not copied. nullopt if it can't be opened or is not a regular file (or a symbolic link to one).
     static std::optional<MappedFile> open(const std::filesystem::path& file);
 
-    /// For files whose bytes must stay what they are. One that others could change is copied; one that is
-    /// ours, and that nobody else may write to, isn't: we replace our files and never change them.
+    /// For bytes that must not change. Copies the file if other users may write to it; our own processes
+    /// replace files and never change them.
     static std::optional<MappedFile> open_unchanging(const std::filesystem::path& file);
 
     ~MappedFile();

@@ -4,8 +4,8 @@
 
 namespace campuswalk::scene {
 
-/// Of the running program's own file: what another build left in the cache is never used, whoever forgot to
-/// raise a version. The same for all programs where the system doesn't say which file that is.
+/// The hash of the running executable. It keeps builds from using each other's cache entries, even if a
+/// version was not incremented. Zero if the system doesn't tell which file it is.
 const ContentHash& program_hash();
 
 }  // namespace campuswalk::scene

@@ -22,7 +22,7 @@ using collision::Vec3;
 
 namespace {
 
-constexpr std::size_t kLeastMesh = 160;
+constexpr std::size_t kMinMeshBytes = 160;
 
 void put(ArchiveWriter& out, const Vec3& v) {
     out.put_all(std::span<const double>(v.data(), 3));
@@ -60,21 +60,20 @@ Vec3 take_vector(ArchiveReader& in) {
     return v;
 }
 
-/// `flag`: where in a part its only bool is. A byte of another value is no bool, and reading one from it
-/// undefined.
-template <typename Part>
-Storage<Part> take_parts(ArchiveReader& in, std::uint64_t count, std::size_t flag) {
-    Storage<Part> parts = in.take_aligned<Part>(count);
-    // Without as_const they would be copied, to be changed.
-    const std::span<const std::byte> bytes = std::as_bytes(std::span(std::as_const(parts)));
+/// Elements with one bool at offset `flag`. Another value than 0 or 1 would be undefined behaviour.
+template <typename Element>
+Storage<Element> take_flagged(ArchiveReader& in, std::uint64_t count, std::size_t flag) {
+    Storage<Element> elements = in.take_aligned<Element>(count);
+    // as_const: non-const access to Storage copies.
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(std::as_const(elements)));
     std::byte seen{};
-    for (std::size_t at = flag; at < bytes.size(); at += sizeof(Part)) {
+    for (std::size_t at = flag; at < bytes.size(); at += sizeof(Element)) {
         seen |= bytes[at];
     }
     if (std::to_integer<unsigned>(seen) > 1) {
         throw DamagedFile("a flag in it is out of range");
     }
-    return parts;
+    return elements;
 }
 
 PlacedMesh take_mesh(ArchiveReader& in) {
@@ -97,8 +96,8 @@ PlacedMesh take_mesh(ArchiveReader& in) {
     TriangleMesh mesh;
     mesh.positions = in.take_aligned<Eigen::Vector3f>(positions);
     mesh.triangles = in.take_aligned<std::array<std::uint32_t, 3>>(triangles);
-    tree.nodes = take_parts<Bvh8Node>(in, nodes, offsetof(Bvh8Node, turned));
-    tree.leaves = take_parts<Bvh8Leaf>(in, leaves, offsetof(Bvh8Leaf, exact));
+    tree.nodes = take_flagged<Bvh8Node>(in, nodes, offsetof(Bvh8Node, turned));
+    tree.leaves = take_flagged<Bvh8Leaf>(in, leaves, offsetof(Bvh8Leaf, exact));
     Storage<std::uint64_t> inside = in.take_aligned<std::uint64_t>(members);
     if (!placed.p_world_origin.allFinite()) {
         throw DamagedFile("a mesh in it has no position");
@@ -124,14 +123,9 @@ ArchiveWriter archive_trees(std::span<const PlacedMesh> meshes) {
     return out;
 }
 
-std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
-    ArchiveWriter out = archive_trees(meshes);
-    return joined(out.finish());
-}
-
 std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
     ArchiveReader in(bytes, kTreeFile, std::move(owner));
-    std::vector<PlacedMesh> meshes(in.take_count(kLeastMesh));
+    std::vector<PlacedMesh> meshes(in.take_count(kMinMeshBytes));
     for (PlacedMesh& placed : meshes) {
         placed = take_mesh(in);
     }

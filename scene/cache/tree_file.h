@@ -12,27 +12,24 @@
 
 namespace campuswalk::scene {
 
-/// A collision mesh with its tree, where it stands.
+/// A collision mesh with its tree and its position.
 struct PlacedMesh {
     std::string object;  ///< the campus object whose mesh it is
     std::shared_ptr<const collision::MeshCollider> collider;
     collision::Vec3 p_world_origin = collision::Vec3::Zero();
-    std::size_t zero_area = 0;  ///< triangles that were left out
+    std::size_t zero_area = 0;  ///< ignored degenerate triangles
 };
 
-/// Raise it with whatever changes below, in the trees' layout or in how meshes are baked.
+/// Increment the version whenever the layout, the trees or the baking of meshes change.
 inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 3};
 
-/// Meshes with their trees and closed parts (found here if nobody has asked for them yet), as they lie in
-/// memory. Only Layout::wide.
-std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes);
-
-/// The same, yet to be sealed: what is large in it is left where it is.
+/// Serializes meshes with their BVH8 and closed parts, which are computed if they weren't yet. Arrays are not
+/// copied: `meshes` must outlive the writer.
 ArchiveWriter archive_trees(std::span<const PlacedMesh> meshes);
 
-/// Reads bytes that may be anything. Throws DamagedFile; what it returns can be asked anything safely (see
-/// bvh8_check.h). With an `owner` that keeps the bytes as they are, meshes and trees are used where they
-/// lie in them; without, they are copied.
+/// The inverse. Accepts untrusted bytes: throws DamagedFile, or returns meshes that are safe to query (see
+/// bvh8_check.h). With an `owner` (see ArchiveReader), meshes and trees refer to the bytes instead of
+/// copying.
 std::vector<PlacedMesh> read_tree_file(std::span<const std::byte> bytes,
                                        std::shared_ptr<const void> owner = nullptr);
 

@@ -1,16 +1,232 @@
 #include "scene/import/import_model.h"
 
+#include <map>
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/import/assimp/assimp_source.h"
-#include "scene/import/build_model.h"
 #include "scene/import/gltf/gltf_source.h"
 #include "scene/import/model_formats.h"
+#include "scene/import/source/mirror_meshes.h"
+#include "scene/import/source/model_source.h"
 
 namespace campuswalk::scene {
 namespace {
+
+/// Decodes the textures that materials refer to, each once.
+class TextureLoader {
+public:
+    explicit TextureLoader(ModelSource& source) : source_(source) {}
+
+    /// nullopt if the image is missing or cannot be decoded; `reason` then says which.
+    std::optional<TextureIndex> load(const TextureReference& reference, std::string& reason) {
+        const std::pair key(reference.uri, reference.repeat);
+        if (const auto found = loaded_.find(key); found != loaded_.end()) {
+            return found->second;
+        }
+        auto image = source_.load_image(reference, reason);
+        if (!image) {
+            return std::nullopt;
+        }
+        const auto index = static_cast<TextureIndex>(textures_.size());
+        textures_.push_back(
+            {reference.uri, image->width, image->height, std::move(image->rgba), reference.repeat});
+        loaded_.emplace(key, index);
+        return index;
+    }
+
+    const Texture& texture(TextureIndex index) const { return textures_[index_of(index)]; }
+    std::vector<Texture> take_textures() { return std::move(textures_); }
+
+private:
+    ModelSource& source_;
+    std::vector<Texture> textures_;
+    std::map<std::pair<std::string, bool>, TextureIndex> loaded_;  // by uri and wrap mode
+};
+
+/// Whether the image has transparent and opaque pixels.
+bool has_cut_outs(const Texture& texture) {
+    constexpr std::uint8_t kMaxTransparent = 63;
+    bool transparent = false;
+    bool opaque = false;
+    for (std::size_t i = 3; i < texture.rgba.size(); i += 4) {
+        transparent = transparent || texture.rgba[i] <= kMaxTransparent;
+        opaque = opaque || texture.rgba[i] == 255;
+    }
+    return transparent && opaque;
+}
+
+/// Makes a Model from a source: validates nodes, sanitizes meshes, loads textures.
+class Import {
+public:
+    Import(ModelSource& source, const SceneFile& file, EmptyModel if_empty)
+        : file_(file),
+          source_(source),
+          if_empty_(if_empty),
+          textures_(source),
+          tree_(source.nodes()),
+          materials_(source.materials()) {
+        model_.file = file.file;
+    }
+
+    void check_nodes();
+    void convert_meshes();
+    void load_textures();
+    ImportedModel finish();
+
+private:
+    std::optional<MeshIndex> convert_one(std::size_t number, const std::string& node);
+    void load_texture(const SourceImage& image, SourceMaterial& source);
+    void report_repairs(const SanitizedMesh& sanitized, const std::string& node);
+    void error(const char* code, const std::string& message) {
+        diagnostics_.error(file_.mark, code, file_.file + ": " + message);
+    }
+    void warning(const char* code, const std::string& message) {
+        diagnostics_.warning(file_.mark, code, file_.file + ": " + message);
+    }
+
+    const SceneFile& file_;
+    ModelSource& source_;
+    EmptyModel if_empty_;
+    TextureLoader textures_;
+    DiagnosticList diagnostics_;
+    NodeTree tree_;
+    std::vector<SourceMaterial> materials_;
+    Model model_;
+    std::map<std::size_t, std::optional<MeshIndex>> mesh_of_;  // by number in the source; nullopt: unusable
+    std::size_t points_and_lines_ = 0;
+    std::string points_and_lines_node_;  // the first node that has any
+};
+
+void Import::check_nodes() {
+    for (const Node& node : tree_.nodes) {
+        if (!node.X_world_node.allFinite()) {
+            error("bad-vertex", "the transform of node '" + node.name + "' is not finite");
+        }
+    }
+}
+
+void Import::report_repairs(const SanitizedMesh& sanitized, const std::string& node) {
+    if (sanitized.repaired_normals > 0) {
+        warning("repaired-normals", std::to_string(sanitized.repaired_normals) + " normals of node '" + node +
+                                        "' have zero length; face normals are used instead");
+    }
+    if (sanitized.repaired_uvs > 0) {
+        warning("repaired-uvs", std::to_string(sanitized.repaired_uvs) + " texture coordinates of node '" +
+                                    node + "' are not finite");
+    }
+}
+
+std::optional<MeshIndex> Import::convert_one(std::size_t number, const std::string& node) {
+    RawMesh raw = source_.mesh(number);
+    if (raw.points_and_lines > 0 && points_and_lines_ == 0) {
+        points_and_lines_node_ = node;
+    }
+    points_and_lines_ += raw.points_and_lines;
+    const std::size_t material = raw.material < materials_.size() ? raw.material : 0;
+    const bool has_points_and_lines = raw.points_and_lines > 0;
+    SanitizedMesh sanitized = sanitize_mesh(std::move(raw), source_.flat_normals());
+    if (sanitized.index_out_of_range) {
+        error("bad-model", "a face of node '" + node + "' refers to a vertex that does not exist");
+    } else if (sanitized.position_not_finite) {
+        error("bad-vertex", "a vertex of node '" + node + "' is NaN or infinite");
+    } else if (sanitized.mesh.triangles.empty()) {
+        if (!has_points_and_lines) {  // those are reported by their own code
+            const std::string message =
+                "the mesh of node '" + node + "' has no triangles; add faces or remove it";
+            if (if_empty_ == EmptyModel::refuse) {
+                error("empty-mesh", message);
+            } else {
+                warning("empty-mesh", message);
+            }
+        }
+    } else {
+        report_repairs(sanitized, node);
+        sanitized.mesh.material = static_cast<MaterialIndex>(material);
+        model_.meshes.push_back(std::move(sanitized.mesh));
+        return static_cast<MeshIndex>(model_.meshes.size() - 1);
+    }
+    return std::nullopt;
+}
+
+void Import::convert_meshes() {
+    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
+        Node& node = tree_.nodes[i];
+        for (const std::size_t number : tree_.mesh_numbers[i]) {
+            auto known = mesh_of_.find(number);
+            if (known == mesh_of_.end()) {
+                known = mesh_of_.emplace(number, convert_one(number, node.name)).first;
+            }
+            if (known->second) {
+                node.meshes.push_back(*known->second);
+            }
+        }
+    }
+    if (points_and_lines_ > 0) {
+        warning("points-and-lines", std::to_string(points_and_lines_) +
+                                        " points and lines are ignored, the first in node '" +
+                                        points_and_lines_node_ + "'");
+    }
+}
+
+/// Only those of materials in use: a missing image of another material does no harm.
+void Import::load_textures() {
+    std::vector<bool> used(materials_.size(), false);
+    for (const Mesh& mesh : model_.meshes) {
+        used[index_of(mesh.material)] = true;
+    }
+    for (std::size_t i = 0; i < materials_.size(); ++i) {
+        SourceMaterial& material = materials_[i];
+        if (used[i]) {
+            for (const SourceImage& image : material.images) {
+                load_texture(image, material);
+            }
+        }
+    }
+}
+
+/// A surface can do without normal and emissive textures, but not without its base colour.
+void Import::load_texture(const SourceImage& image, SourceMaterial& source) {
+    Material& material = source.material;
+    std::string reason;
+    const auto texture = textures_.load(image.reference, reason);
+    if (!texture) {
+        const std::string message =
+            "material '" + material.name + "': texture '" + image.reference.uri + "' " + reason;
+        if (image.use == &Material::base_color_texture) {
+            error("bad-texture", message);
+            return;
+        }
+        warning("bad-texture", message + "; drawn without the texture");
+        if (image.use == &Material::emissive_texture) {
+            material.emissive = {0, 0, 0};  // the texture says where it glows; without it, nowhere
+        }
+        return;
+    }
+    material.*image.use = texture;
+    if (image.use == &Material::base_color_texture && source.cut_out_by_texture &&
+        has_cut_outs(textures_.texture(*texture))) {
+        material.alpha_mode = AlphaMode::mask;
+    }
+}
+
+ImportedModel Import::finish() {
+    if (!diagnostics_.has_errors() && model_.meshes.empty() && if_empty_ == EmptyModel::refuse) {
+        diagnostics_.error(file_.mark, "empty-mesh", "'" + file_.file + "' has no triangles");
+    }
+    diagnostics_.throw_if_errors();
+    source_.add_warnings(diagnostics_);
+    model_.nodes = std::move(tree_.nodes);
+    model_.geographic = source_.geographic();
+    mirror_meshes(model_);
+    model_.textures = textures_.take_textures();
+    for (SourceMaterial& material : materials_) {
+        model_.materials.push_back(std::move(material.material));
+    }
+    return {std::move(model_), diagnostics_.all(), source_.requests()};
+}
 
 std::unique_ptr<ModelSource> open_source(const SceneFile& file) {
     check_readable(file);
@@ -27,11 +243,12 @@ std::unique_ptr<ModelSource> open_source(const SceneFile& file) {
 
 ImportedModel import_model(const SceneFile& file, EmptyModel if_empty) {
     try {
-        ImportedModel imported;
         const std::unique_ptr<ModelSource> source = open_source(file);
-        imported.model = build_model(*source, file, imported.warnings, if_empty);
-        imported.requests = source->requests();
-        return imported;
+        Import import(*source, file, if_empty);
+        import.check_nodes();
+        import.convert_meshes();
+        import.load_textures();
+        return import.finish();
     } catch (const std::bad_alloc&) {
         throw InputError(file.mark, "bad-model",
                          "'" + file.file + "' needs more memory than is available; simplify or split it");
@@ -39,12 +256,6 @@ ImportedModel import_model(const SceneFile& file, EmptyModel if_empty) {
         throw InputError(file.mark, "bad-model",
                          "'" + file.file + "' asks for an impossible allocation size");
     }
-}
-
-Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings, EmptyModel if_empty) {
-    ImportedModel imported = import_model(file, if_empty);
-    warnings.insert(warnings.end(), imported.warnings.begin(), imported.warnings.end());
-    return std::move(imported.model);
 }
 
 }  // namespace campuswalk::scene

@@ -1,46 +1,39 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
-#include "scene/base/diagnostic.h"
-#include "scene/model/model.h"
 #include "scene/model/model_file.h"
 #include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 
-/// What to do with a file that has no triangle at all: refused for walking, accepted for looking into.
+/// Whether a file without triangles is an error (to walk in it) or a warning (to inspect it).
 enum class EmptyModel { refuse, accept };
 
-/// Reads a model file into the house frame (glTF by gltf/, else through assimp): what the file says about its
-/// units and up axis, then those of `file`, are applied (see file_frame.h), node transforms kept, textures
-/// decoded. Node names survive as the file has them. Mirrored nodes (negative determinant) get meshes of
-/// their own with the winding flipped, so that triangles are counter-clockwise from outside in the world.
-/// Which other files a scene may draw in: see scene_folder.h. The same bytes give the same model.
+/// Imports a model file into the world frame: glTF by gltf/, other formats through assimp. Applies the units
+/// and up axis that the file states, then those of `file` (see file_frame.h). Keeps node names and
+/// transforms, decodes textures, and replaces the meshes of mirrored nodes (mirror_meshes.h). scene_folder.h
+/// says which other files a model may read. The same bytes give the same model.
 ///
-/// Throws InputError (at `file.mark`), all mistakes of the file together, with code
-///   missing-file   the file is not there or cannot be read
-///   bad-model      its format isn't read, it needs a feature that isn't, it is damaged, or too large
-///   empty-mesh     nothing in it has a triangle, or a mesh made for triangles has none
-///   bad-vertex     a position or a node's transform is NaN or infinite, with the node's name
-///   bad-texture    a texture is missing or cannot be decoded, with its material's name
-/// Repairs and lints that do not stop a walk go to `warnings`:
-///   points-and-lines   how many were left out
-///   repaired-normals   normals that are zero or not finite, taken from the faces
-///   repaired-uvs       texture coordinates that are not finite, set to 0
-///   missing-materials  an OBJ's material file isn't there
-///   unsupported-feature  what is passed over in a glTF file although the image or the shape needs it
-///   bad-geography      a COLLADA file's geographic_location is none
-///   unplaced-mesh      a glTF file without a default scene: meshes of no node are put at the origin
-Model import_model(const SceneFile& file, std::vector<Diagnostic>& warnings,
-                   EmptyModel if_empty = EmptyModel::refuse);
-
-/// Likewise, with the files that the model depends on besides `file` itself.
+/// Throws InputError (at `file.mark`) with all errors of the file; the codes are
+///   missing-file   the file does not exist or cannot be read
+///   bad-model      unsupported format or feature, damaged, or too large
+///   empty-mesh     the file or one of its meshes has no triangles
+///   bad-vertex     a position or a node's transform is NaN or infinite; names the node
+///   bad-texture    a texture is missing or cannot be decoded; names the material
+/// Repairs and omissions become warnings:
+///   points-and-lines     ignored primitives
+///   repaired-normals     zero or non-finite normals, replaced by face normals
+///   repaired-uvs         non-finite texture coordinates, set to 0
+///   missing-materials    an OBJ's material file does not exist
+///   unsupported-feature  ignored glTF features that affect the shape or the image
+///   missing-data         glTF arrays without data, read as zeros
+///   bad-geography        an invalid geographic_location in a COLLADA file
+///   unplaced-mesh        glTF meshes that no node places
 ImportedModel import_model(const SceneFile& file, EmptyModel if_empty = EmptyModel::refuse);
 
-/// How a scene file becomes a model, with import_model's errors: by import_model in this process, by a helper
-/// process (helper/import_process.h), out of a cache.
+/// How to get the model of a scene file: import_model in this process, in a helper process
+/// (helper/import_process.h), or from a cache. Throws as import_model does.
 using Importer = std::function<ImportedModel(const SceneFile& file, EmptyModel if_empty)>;
 
 }  // namespace campuswalk::scene

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <string>
 #include <string_view>
+
+#include "scene/import/source/scene_folder.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::array<KnownFormat, 9> kFormats = {{{".gltf", Reader::gltf},
 
 struct RefusedFormat {
     std::string_view extension;
-    std::string_view cure;
+    std::string_view advice;
 };
 
 constexpr std::array<RefusedFormat, 6> kRefused = {{
@@ -40,17 +41,10 @@ constexpr std::array<RefusedFormat, 6> kRefused = {{
     {".usdz", "USD is not supported; convert it to glTF (Blender)"},
 }};
 
-std::string lower_extension(const SceneFile& file) {
-    std::string extension = file.path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 void check_ply_header(const SceneFile& file, std::ifstream& in) {
-    constexpr std::streamsize kLongest = 1 << 20U;
-    std::string header(static_cast<std::size_t>(kLongest), '\0');
-    in.read(header.data(), kLongest);
+    constexpr std::streamsize kMaxHeader = 1 << 20U;
+    std::string header(static_cast<std::size_t>(kMaxHeader), '\0');
+    in.read(header.data(), kMaxHeader);
     header.resize(static_cast<std::size_t>(in.gcount()));
     if (header.find("end_header") == std::string::npos) {
         throw InputError(file.mark, "bad-model",
@@ -63,14 +57,14 @@ void check_ply_header(const SceneFile& file, std::ifstream& in) {
 }  // namespace
 
 Reader reader_for(const SceneFile& file) {
-    const std::string extension = lower_extension(file);
+    const std::string extension = lower_case(file.path.extension().string());
     if (const auto* known = std::ranges::find(kFormats, extension, &KnownFormat::extension);
         known != kFormats.end()) {
         return known->reader;
     }
     if (const auto* refused = std::ranges::find(kRefused, extension, &RefusedFormat::extension);
         refused != kRefused.end()) {
-        throw InputError(file.mark, "bad-model", std::string(refused->cure));
+        throw InputError(file.mark, "bad-model", std::string(refused->advice));
     }
     std::string names;
     for (const KnownFormat& format : kFormats) {
@@ -83,7 +77,7 @@ Reader reader_for(const SceneFile& file) {
 
 void check_readable(const SceneFile& file) {
     std::error_code ignored;
-    // With its folder: a campus' scenes are looked for beside it, which its reader may not have in mind.
+    // The full path: users may not expect that it is relative to the campus file.
     const std::string shown = "'" + file.path.lexically_normal().generic_string() + "': ";
     const auto refuse = [&](const char* why) { throw InputError(file.mark, "missing-file", shown + why); };
     if (!std::filesystem::exists(file.path, ignored)) {
@@ -96,7 +90,7 @@ void check_readable(const SceneFile& file) {
     if (!in) {
         refuse("cannot be read; check its permissions");
     }
-    if (lower_extension(file) == ".ply") {
+    if (lower_case(file.path.extension().string()) == ".ply") {
         check_ply_header(file, in);
     }
 }

@@ -4,15 +4,15 @@
 
 namespace campuswalk::scene {
 
-/// Who reads a format. A format that isn't on the list of those we have tried is refused: assimp would take
-/// forty more, some of whose readers crash.
+/// The reader of a format. Only formats that we have tested are accepted: assimp has forty more, and some of
+/// its readers crash.
 enum class Reader { gltf, assimp };
 
-/// By the file's extension. Throws InputError bad-model, with what to do instead.
+/// By the file's extension. Throws InputError bad-model for others, with what to do instead.
 Reader reader_for(const SceneFile& file);
 
-/// Throws InputError missing-file when the file isn't there or can't be read, bad-model for a PLY file that
-/// ends in its header: assimp 5.2.5 never comes to an end of it.
+/// Throws InputError missing-file if the file doesn't exist or can't be read, and bad-model for a PLY file
+/// that ends inside its header: assimp 5.2.5 loops forever on it.
 void check_readable(const SceneFile& file);
 
 }  // namespace campuswalk::scene

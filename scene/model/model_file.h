@@ -12,36 +12,33 @@
 
 namespace campuswalk::scene {
 
-/// A file that an import looked for beside the scene, found or not: what the model depends on besides the
-/// scene file itself. Asked again of a SceneFolder it gives the same file.
+/// A file that an import looked up besides the scene file itself, found or not: a dependency of the model.
+/// SceneFolder::find() repeats the lookup.
 struct FileRequest {
-    std::string uri;     ///< as the scene names it
-    bool image = false;  ///< looked for as images are (SceneFolder::find_image)
+    std::string uri;     ///< as written in the scene
+    bool image = false;  ///< looked up by SceneFolder::find_image
 
     friend bool operator==(const FileRequest&, const FileRequest&) = default;
 };
 
-/// All that an import gives.
+/// The result of an import.
 struct ImportedModel {
     Model model;
     std::vector<Diagnostic> warnings;
-    std::vector<FileRequest> requests;  ///< in the order they were first made, without repeats
+    std::vector<FileRequest> requests;  ///< unique, in the order of the first lookup
 };
 
-/// Raise it with whatever changes below, in `Model`, or in what an import makes of the same files.
+/// Increment the version whenever the layout, `Model`, or the result of importing the same file changes.
 inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 4};
 
-/// An imported model as the bytes of a file, yet to be sealed: what is large in it is left where it is.
+/// Serializes an imported model. Large arrays are not copied: `imported` must outlive the writer.
 ArchiveWriter archive_model(const ImportedModel& imported);
 
-/// An imported model as bytes, and back to the bit: how the import's helper process hands it over, and how
-/// the cache keeps it. Floats are stored as they lie in memory.
-std::vector<std::byte> write_model_file(const ImportedModel& imported);
-
-/// Reads bytes that may be anything; what it returns keeps all that `Model` promises: indices are in range,
-/// parents come before children, transforms and positions are finite, textures have all their pixels.
-/// Throws DamagedFile; memory is bounded by a small multiple of the bytes. With an `owner` that keeps the
-/// bytes as they are, meshes and images are used where they lie in them; without, they are copied.
+/// The inverse, to the bit; used for the response of the import process and for the cache. Accepts untrusted
+/// bytes and validates what `Model` guarantees: indices are in range, parents precede children, transforms
+/// and positions are finite, textures have all their pixels. Throws DamagedFile; allocates at most a small
+/// multiple of the bytes. With an `owner` (see ArchiveReader), meshes and images refer to the bytes instead
+/// of copying.
 ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<const void> owner = nullptr);
 
 }  // namespace campuswalk::scene

@@ -16,12 +16,12 @@ bool is_upper(char c) {
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
-bool is_beyond_ascii(char c) {
+bool is_non_ascii(char c) {
     return (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
-/// The second byte of a capital of Latin-1 (À to Þ, but ×) as that of the small letter.
-char small_latin1(char lead, char c) {
+/// Lower-cases the second UTF-8 byte of a Latin-1 capital (À to Þ except ×).
+char lower_latin1(char lead, char c) {
     const auto byte = static_cast<unsigned char>(c);
     const bool capital =
         static_cast<unsigned char>(lead) == 0xC3 && byte >= 0x80 && byte <= 0x9E && byte != 0x97;
@@ -46,11 +46,11 @@ bool has_one_of(std::string_view name, const std::array<const char*, N>& list) {
 
 constexpr std::array kDoors = {"doors", "porte", "portes", "puerta", "puertas",
                                "porta", "drzwi", "дверь",  "двери",  "dörrar"};
-// Those of German, Dutch, Swedish and English are written together with what comes before: Haustür,
-// frontdoor.
-constexpr std::array kDoorEnds = {"tür", "türe", "türen", "tuer", "tuere", "tueren", "deur", "dörr", "door"};
-constexpr std::array kNoDoors = {"indoor", "outdoor", "trapdoor"};
-constexpr std::array kDoorSigns = {"门", "門", "ドア", "扉"};
+// In German, Dutch, Swedish and English, compounds end in the word: Haustür, frontdoor.
+constexpr std::array kDoorSuffixes = {"tür",    "türe", "türen", "tuer", "tuere",
+                                      "tueren", "deur", "dörr",  "door"};
+constexpr std::array kDoorExceptions = {"indoor", "outdoor", "trapdoor"};
+constexpr std::array kDoorCharacters = {"门", "門", "ドア", "扉"};
 constexpr std::array kDoorParts = {
     "frame",  "frames", "handle", "handles", "knob",   "bell", "mat",  "way",  "sign",  "step",
     "steps",  "jamb",   "lintel", "hinge",   "hinges", "trim", "hole", "gap",  "arch",  "opening",
@@ -59,8 +59,8 @@ constexpr std::array kDoorParts = {
 constexpr std::array kStairs = {"stair", "stairs",   "staircase", "stairway", "stairwell",
                                 "steps", "escalier", "escaliers", "escalera", "escaleras",
                                 "scala", "trappa",   "schody",    "лестница"};
-constexpr std::array kStairsEnds = {"treppe", "treppen", "stufen"};
-constexpr std::array kStairsSigns = {"楼梯", "階段", "계단"};
+constexpr std::array kStairsSuffixes = {"treppe", "treppen", "stufen"};
+constexpr std::array kStairsCharacters = {"楼梯", "階段", "계단"};
 
 constexpr std::array kSurroundings = {
     "tree",      "trees", "hedge",  "hedges",  "bush",     "bushes",   "plant",   "plants",   "vegetation",
@@ -78,16 +78,16 @@ bool is_hexadecimal(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
-/// Eight, four, four, four and twelve hexadecimal digits, anywhere in it.
-bool holds_guid(std::string_view name) {
-    constexpr std::string_view kForm = "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx";
-    for (std::size_t start = 0; start + kForm.size() <= name.size(); ++start) {
-        bool same = true;
-        for (std::size_t i = 0; same && i < kForm.size(); ++i) {
+/// Whether the name contains a GUID: 8, 4, 4, 4 and 12 hexadecimal digits.
+bool contains_guid(std::string_view name) {
+    constexpr std::string_view kPattern = "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx";
+    for (std::size_t start = 0; start + kPattern.size() <= name.size(); ++start) {
+        bool matches = true;
+        for (std::size_t i = 0; matches && i < kPattern.size(); ++i) {
             const char c = name[start + i];
-            same = kForm[i] == 'x' ? is_hexadecimal(c) : (c == '-' || c == '_');
+            matches = kPattern[i] == 'x' ? is_hexadecimal(c) : (c == '-' || c == '_');
         }
-        if (same) {
+        if (matches) {
             return true;
         }
     }
@@ -96,12 +96,12 @@ bool holds_guid(std::string_view name) {
 
 bool is_ifc_guid(std::string_view name) {
     const auto digits = std::ranges::count_if(name, is_digit);
-    const auto capitals = std::ranges::count_if(name, is_upper);
-    const auto small = std::ranges::count_if(name, is_lower);
+    const auto upper = std::ranges::count_if(name, is_upper);
+    const auto lower = std::ranges::count_if(name, is_lower);
     const bool alphabet = std::ranges::all_of(
         name, [](char c) { return is_digit(c) || is_upper(c) || is_lower(c) || c == '_' || c == '$'; });
-    return name.size() == 22 && name[0] >= '0' && name[0] <= '3' && alphabet && digits >= 2 &&
-           capitals >= 2 && small >= 2;
+    return name.size() == 22 && name[0] >= '0' && name[0] <= '3' && alphabet && digits >= 2 && upper >= 2 &&
+           lower >= 2;
 }
 
 }  // namespace
@@ -110,13 +110,13 @@ std::vector<std::string> words_of(std::string_view name) {
     std::vector<std::string> words;
     char before = ' ';
     for (const char c : name) {
-        const bool letter = is_lower(c) || is_upper(c) || is_beyond_ascii(c);
-        const bool after_letter = is_lower(before) || is_upper(before) || is_beyond_ascii(before);
+        const bool letter = is_lower(c) || is_upper(c) || is_non_ascii(c);
+        const bool after_letter = is_lower(before) || is_upper(before) || is_non_ascii(before);
         if (letter && (!after_letter || (is_upper(c) && is_lower(before)))) {
             words.emplace_back();
         }
         if (letter) {
-            words.back() += is_upper(c) ? static_cast<char>(c - 'A' + 'a') : small_latin1(before, c);
+            words.back() += is_upper(c) ? static_cast<char>(c - 'A' + 'a') : lower_latin1(before, c);
         }
         before = c;
     }
@@ -128,15 +128,15 @@ bool is_door_name(std::string_view name) {
     const bool part =
         std::ranges::any_of(words, [](const std::string& w) { return is_one_of(w, kDoorParts); });
     const bool door = std::ranges::any_of(words, [](const std::string& w) {
-        return is_one_of(w, kDoors) || (ends_with_one_of(w, kDoorEnds) && !is_one_of(w, kNoDoors));
+        return is_one_of(w, kDoors) || (ends_with_one_of(w, kDoorSuffixes) && !is_one_of(w, kDoorExceptions));
     });
-    return !part && (door || has_one_of(name, kDoorSigns));
+    return !part && (door || has_one_of(name, kDoorCharacters));
 }
 
 bool is_stairs_name(std::string_view name) {
     const std::vector<std::string> words = words_of(name);
-    return has_one_of(name, kStairsSigns) || std::ranges::any_of(words, [](const std::string& w) {
-               return is_one_of(w, kStairs) || ends_with_one_of(w, kStairsEnds);
+    return has_one_of(name, kStairsCharacters) || std::ranges::any_of(words, [](const std::string& w) {
+               return is_one_of(w, kStairs) || ends_with_one_of(w, kStairsSuffixes);
            });
 }
 
@@ -148,7 +148,7 @@ bool is_surroundings_name(std::string_view name) {
 bool is_identifier(std::string_view name) {
     const bool number = !name.empty() && std::ranges::all_of(name, is_digit);
     const bool long_number = name.size() >= 16 && std::ranges::all_of(name, is_hexadecimal);
-    return number || long_number || holds_guid(name) || is_ifc_guid(name);
+    return number || long_number || contains_guid(name) || is_ifc_guid(name);
 }
 
 }  // namespace campuswalk::scene

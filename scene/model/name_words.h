@@ -6,24 +6,24 @@
 
 namespace campuswalk::scene {
 
-/// What nodes' names tell of what they are, in the languages that modellers write them in.
+/// Classifies nodes by the words in their names, in the languages that modellers use.
 
-/// A name's runs of letters, in lower case, split also where a capital follows a small letter: `FrontDoor_01`
-/// is `front`, `door`. Characters beyond ASCII count as letters.
+/// The words of a name in lower case, split at non-letters and before a capital that follows a lower-case
+/// letter: `FrontDoor_01` gives `front`, `door`. Non-ASCII characters count as letters.
 std::vector<std::string> words_of(std::string_view name);
 
-/// Whether it names a door: English, German, French, Spanish, Italian, Dutch, Swedish, Polish, Russian,
-/// Chinese, Japanese or Korean. A part of one (`door_frame`, `Türgriff`, `doorbell`) is none.
+/// Whether the name means a door in English, German, French, Spanish, Italian, Dutch, Swedish, Polish,
+/// Russian, Chinese, Japanese or Korean. False for parts of doors: `door_frame`, `Türgriff`, `doorbell`.
 bool is_door_name(std::string_view name);
 
-/// Likewise for flights of stairs.
+/// Whether it means stairs, in the same languages.
 bool is_stairs_name(std::string_view name);
 
-/// Whether it names what is no building: plants, ways, ground, water, walls, furniture of streets and rooms.
+/// Whether it means something other than a building: plants, paths, terrain, water, walls, furniture.
 bool is_surroundings_name(std::string_view name);
 
-/// Whether an identifier was put where a name should be: a GUID, a long hexadecimal number, IFC's 22
-/// characters of base 64, or digits alone.
+/// Whether it is an identifier instead of a name: a GUID, a long hexadecimal number, IFC's 22 characters of
+/// base64, or digits only.
 bool is_identifier(std::string_view name);
 
 }  // namespace campuswalk::scene

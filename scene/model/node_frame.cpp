@@ -11,13 +11,13 @@ namespace {
 using collision::Mat3;
 using collision::Vec3;
 
-/// `v` without its part along the unit vector `along`, normalised; zero when nothing is left.
+/// The component of `v` perpendicular to the unit vector `along`, normalized; zero if they are parallel.
 Vec3 unit_perpendicular(const Vec3& v, const Vec3& along) {
-    constexpr double kNothingLeft = 1e-9;
+    constexpr double kParallel = 1e-9;  // sine
     const double length = v.norm();
     const Vec3 rest = v - along * along.dot(v);
-    const double left = rest.norm();
-    return left > kNothingLeft * length ? Vec3(rest / left) : Vec3::Zero();
+    const double remaining = rest.norm();
+    return remaining > kParallel * length ? Vec3(rest / remaining) : Vec3::Zero();
 }
 
 Vec3 any_perpendicular(const Vec3& unit) {
@@ -72,7 +72,7 @@ SineCosine sine_cosine(double angle) {
 collision::Pose upright_frame(const Eigen::Matrix4d& X_world_node) {
     collision::Pose frame;
     frame.translation = X_world_node.topRightCorner<3, 1>();
-    // The axis nearest to up, preferring y, then z, when two are as near.
+    // The axis nearest to up; ties prefer y, then z.
     const Mat3 linear = X_world_node.topLeftCorner<3, 3>();
     int up = 1;
     double best = -1.0;

@@ -6,15 +6,15 @@
 
 namespace campuswalk::scene {
 
-/// The frame that fitted shapes are measured in: the node's origin and its axes made orthonormal (scale,
-/// shear and mirroring removed), renamed so that y is the axis nearest to up, pointing up. A bench turned on
-/// the spot gives a turned box; an upright node has y up whether its file was written Z-up or Y-up.
+/// The frame in which shapes are fitted to a node: its origin and its orthonormalized axes (without scale,
+/// shear and mirroring), permuted so that y is the axis nearest to the world's up. A bench with a yaw gives a
+/// box with that yaw; a node that stands upright has y up, whether its file is Z-up or Y-up.
 collision::Pose upright_frame(const Eigen::Matrix4d& X_world_node);
 
-/// Rotation about +Y by `yaw` radians, from + - * / alone: the same bits on every machine.
+/// Rotation about +Y by `yaw` radians, the same bits on every machine.
 collision::Mat3 rotation_about_y(double yaw);
 
-/// A rotation whose X axis is `axis` (any length but zero).
+/// A rotation that maps +X to the direction of `axis`, which is not zero.
 collision::Mat3 rotation_with_x_along(const collision::Vec3& axis);
 
 }  // namespace campuswalk::scene

@@ -33,13 +33,13 @@ void take_finite(ArchiveReader& in, std::array<float, Count>& numbers) {
     }
 }
 
-// A list of any of these takes up at least so many bytes an entry.
-constexpr std::size_t kLeastDiagnostic = 36;
-constexpr std::size_t kLeastRequest = 12;
-constexpr std::size_t kLeastTexture = 28;
-constexpr std::size_t kLeastMaterial = 88;
-constexpr std::size_t kLeastMesh = 52;
-constexpr std::size_t kLeastNode = 116;
+// The size of an entry with empty strings and arrays, bytes.
+constexpr std::size_t kMinDiagnosticBytes = 36;
+constexpr std::size_t kMinRequestBytes = 12;
+constexpr std::size_t kMinTextureBytes = 28;
+constexpr std::size_t kMinMaterialBytes = 88;
+constexpr std::size_t kMinMeshBytes = 52;
+constexpr std::size_t kMinNodeBytes = 116;
 
 Diagnostic take_diagnostic(ArchiveReader& in) {
     Diagnostic diagnostic;
@@ -60,7 +60,7 @@ FileRequest take_request(ArchiveReader& in) {
 }
 
 Texture take_texture(ArchiveReader& in) {
-    constexpr std::int32_t kLargest = 1 << 24U;
+    constexpr std::int32_t kMaxSide = 1 << 24U;
     Texture texture;
     texture.name = in.take_text();
     texture.width = in.take<std::int32_t>();
@@ -68,7 +68,7 @@ Texture take_texture(ArchiveReader& in) {
     texture.repeat = in.take_flag();
     texture.rgba = take_counted<std::uint8_t>(in);
     const bool sized =
-        texture.width > 0 && texture.height > 0 && texture.width <= kLargest && texture.height <= kLargest;
+        texture.width > 0 && texture.height > 0 && texture.width <= kMaxSide && texture.height <= kMaxSide;
     if (!sized ||
         static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height) * 4 !=
             texture.rgba.size()) {
@@ -171,9 +171,9 @@ std::optional<GeographicPlace> take_geographic(ArchiveReader& in) {
 }
 
 template <typename Item, typename Take>
-std::vector<Item> take_each(ArchiveReader& in, std::size_t least_bytes, const Take& take) {
+std::vector<Item> take_each(ArchiveReader& in, std::size_t min_bytes, const Take& take) {
     std::vector<Item> items;
-    const std::size_t count = in.take_count(least_bytes);
+    const std::size_t count = in.take_count(min_bytes);
     items.reserve(count);
     while (items.size() < count) {
         items.push_back(take(items.size()));
@@ -187,17 +187,17 @@ ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<
     ArchiveReader in(bytes, kModelFile, std::move(owner));
     ImportedModel read;
     Model& model = read.model;
-    read.warnings = take_each<Diagnostic>(in, kLeastDiagnostic, [&](auto) { return take_diagnostic(in); });
-    read.requests = take_each<FileRequest>(in, kLeastRequest, [&](auto) { return take_request(in); });
+    read.warnings = take_each<Diagnostic>(in, kMinDiagnosticBytes, [&](auto) { return take_diagnostic(in); });
+    read.requests = take_each<FileRequest>(in, kMinRequestBytes, [&](auto) { return take_request(in); });
     model.file = in.take_text();
     model.geographic = take_geographic(in);
-    model.textures = take_each<Texture>(in, kLeastTexture, [&](auto) { return take_texture(in); });
-    model.materials = take_each<Material>(in, kLeastMaterial,
+    model.textures = take_each<Texture>(in, kMinTextureBytes, [&](auto) { return take_texture(in); });
+    model.materials = take_each<Material>(in, kMinMaterialBytes,
                                           [&](auto) { return take_material(in, model.textures.size()); });
     model.meshes =
-        take_each<Mesh>(in, kLeastMesh, [&](auto) { return take_mesh(in, model.materials.size()); });
+        take_each<Mesh>(in, kMinMeshBytes, [&](auto) { return take_mesh(in, model.materials.size()); });
     model.nodes = take_each<Node>(
-        in, kLeastNode, [&](std::size_t before) { return take_node(in, before, model.meshes.size()); });
+        in, kMinNodeBytes, [&](std::size_t before) { return take_node(in, before, model.meshes.size()); });
     in.finish();
     return read;
 }

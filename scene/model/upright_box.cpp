@@ -33,7 +33,7 @@ Rectangle rectangle_about(const std::vector<Vector2d>& points, const Vector2d& a
     return rectangle;
 }
 
-/// A quarter turn or two, until it lies within 45 degrees of +X.
+/// Rotates by multiples of 90 degrees to within 45 degrees of +X.
 Vector2d nearest_to_x(Vector2d along) {
     if (std::abs(along.y()) > std::abs(along.x())) {
         along = Vector2d(along.y(), -along.x());
@@ -41,8 +41,7 @@ Vector2d nearest_to_x(Vector2d along) {
     return along.x() < 0.0 ? Vector2d(-along) : along;
 }
 
-}  // namespace
-
+/// Counter-clockwise for x to the right and y up, without points on its edges. Andrew's monotone chain.
 std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
     std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
         return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -51,7 +50,7 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
     if (points.size() < 3) {
         return points;
     }
-    std::vector<Vector2d> hull;  // Andrew's monotone chain: below, then above
+    std::vector<Vector2d> hull;  // lower chain, then upper
     for (int side = 0; side < 2; ++side) {
         const std::size_t first = hull.size();
         for (const Vector2d& p : points) {
@@ -61,11 +60,13 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
             }
             hull.push_back(p);
         }
-        hull.pop_back();  // it begins the other side
+        hull.pop_back();  // it starts the other chain
         std::reverse(points.begin(), points.end());
     }
     return hull;
 }
+
+}  // namespace
 
 double UprightBox::depth_of(const Vector3d& point) const {
     const Vector3d from = point - center;
@@ -87,7 +88,8 @@ UprightBox UprightBoxFit::box() {
     plan_ = convex_hull(std::move(plan_));
     const Rectangle level = rectangle_about(plan_, Vector2d::UnitX());
     Rectangle best = level;
-    for (std::size_t i = 0; i < plan_.size(); ++i) {  // one side of the smallest lies along one of the hull's
+    for (std::size_t i = 0; i < plan_.size();
+         ++i) {  // a side of the smallest rectangle is collinear with a hull edge
         const Vector2d edge = plan_[(i + 1) % plan_.size()] - plan_[i];
         if (edge.squaredNorm() > 0.0) {
             const Rectangle turned = rectangle_about(plan_, nearest_to_x(edge.normalized()));

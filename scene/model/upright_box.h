@@ -6,35 +6,32 @@
 
 namespace campuswalk::scene {
 
-/// A box with a level floor, turned about +Y.
+/// An oriented box that is rotated about +Y only.
 struct UprightBox {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< along `along`, up, and across
-    Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< unit, level
-    Eigen::Vector3d across() const { return {-along.z(), 0.0, along.x()}; }  ///< +Z for +X
+    Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< along `along`, +Y and across()
+    Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< unit, horizontal
+    Eigen::Vector3d across() const { return {-along.z(), 0.0, along.x()}; }  ///< +Z if along is +X
 
-    /// How far inside of the nearest wall, floor or ceiling a point is; negative outside.
+    /// The distance of an inner point to the nearest face; negative outside.
     double depth_of(const Eigen::Vector3d& point) const;
 };
 
-/// Collects points for the smallest upright box about them.
+/// Fits an upright box to points.
 class UprightBoxFit {
 public:
     void add(const Eigen::Vector3d& point);
     bool empty() const { return low_ > high_; }
 
-    /// The one with least ground, if that is a tenth less than what the axes' box covers; else that. `along`
-    /// then lies within 45 degrees of +X. A size may be 0.
+    /// The box with the smallest footprint if that is 10 % smaller than the axis-aligned box's, else the
+    /// axis-aligned box. `along` is within 45 degrees of +X. Sizes may be 0.
     UprightBox box();
 
 private:
-    std::vector<Eigen::Vector2d> plan_;  ///< x, z: the hull so far and what came since
+    std::vector<Eigen::Vector2d> plan_;  ///< x, z: the hull so far and the points added since
     std::size_t next_hull_ = 1024;
     double low_ = 1e300;
     double high_ = -1e300;
 };
-
-/// Convex hull, counter-clockwise for x to the right and y up, without points on its edges.
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
 }  // namespace campuswalk::scene

@@ -9,7 +9,7 @@
 
 namespace campuswalk::scene {
 
-/// The bits of a float as a key, with -0 and +0 made one.
+/// The bits of a float as a key; -0 and +0 have the same.
 inline std::uint32_t bits_of(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0F);
 }
@@ -18,8 +18,8 @@ inline std::array<std::uint32_t, 3> bits_of(const Eigen::Vector3f& v) {
     return {bits_of(v.x()), bits_of(v.y()), bits_of(v.z())};
 }
 
-/// Numbers distinct keys 0, 1, 2, … in order of first sight: joins vertices that are equal to the bit.
-/// Unlike a tolerance this is independent of order and scale, and takes linear time.
+/// A hash table that numbers distinct keys 0, 1, 2, … in order of insertion; welds vertices that are equal to
+/// the bit. Unlike welding with a tolerance it depends neither on order nor on scale.
 template <std::size_t Words>
 class WeldTable {
 public:
@@ -27,7 +27,7 @@ public:
 
     explicit WeldTable(std::size_t expected) { slots_.assign(std::bit_ceil(expected * 2 + 16), kEmpty); }
 
-    /// `size()` before the call means the key is new.
+    /// Inserts the key if it is new: the result is then size() before the call.
     std::uint32_t number_of(const Key& key) {
         if ((keys_.size() + 1) * 2 > slots_.size()) {
             grow();

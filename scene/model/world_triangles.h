@@ -8,7 +8,7 @@
 
 namespace campuswalk::scene {
 
-/// Calls `visit(a, b, c)` with the world corners of each triangle of the node's own meshes.
+/// Calls `visit(a, b, c)` with the world vertices of each triangle of the node's own meshes.
 template <typename Visit>
 void for_each_triangle(const Model& model, const Node& node, const Visit& visit) {
     const Eigen::Matrix3d linear = node.X_world_node.topLeftCorner<3, 3>();

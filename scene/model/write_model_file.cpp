@@ -63,7 +63,7 @@ void put(ArchiveWriter& out, const Mesh& mesh) {
     put_counted(out, mesh.triangles);
 }
 
-/// An affine transform's last row is known.
+/// Without the last row of the affine transform.
 void put(ArchiveWriter& out, const Node& node) {
     out.put_text(node.name);
     out.put(std::int32_t{node.parent});
@@ -102,17 +102,12 @@ ArchiveWriter archive_model(const ImportedModel& imported) {
     put_each(out, imported.requests);
     out.put_text(imported.model.file);
     put(out, imported.model.geographic);
-    // What is named before what names it.
+    // Referenced items first, so that the reader can check indices.
     put_each(out, imported.model.textures);
     put_each(out, imported.model.materials);
     put_each(out, imported.model.meshes);
     put_each(out, imported.model.nodes);
     return out;
-}
-
-std::vector<std::byte> write_model_file(const ImportedModel& imported) {
-    ArchiveWriter out = archive_model(imported);
-    return joined(out.finish());
 }
 
 }  // namespace campuswalk::scene

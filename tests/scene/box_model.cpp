@@ -12,10 +12,10 @@ MeshIndex add_mesh(Model& model, const Eigen::Vector3d& low, const Eigen::Vector
         model.materials.emplace_back();
     }
     Mesh mesh;
-    for (int corner = 0; corner < 8; ++corner) {
-        mesh.positions.emplace_back(static_cast<float>((corner & 1) != 0 ? high.x() : low.x()),
-                                    static_cast<float>((corner & 2) != 0 ? high.y() : low.y()),
-                                    static_cast<float>((corner & 4) != 0 ? high.z() : low.z()));
+    for (int vertex = 0; vertex < 8; ++vertex) {
+        mesh.positions.emplace_back(static_cast<float>((vertex & 1) != 0 ? high.x() : low.x()),
+                                    static_cast<float>((vertex & 2) != 0 ? high.y() : low.y()),
+                                    static_cast<float>((vertex & 4) != 0 ? high.z() : low.z()));
     }
     mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};

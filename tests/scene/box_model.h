@@ -12,7 +12,7 @@ namespace campuswalk::scene::test {
 std::size_t add_box(Model& model, const std::string& name, const Eigen::Vector3d& low,
                     const Eigen::Vector3d& high, int parent = -1);
 
-/// Likewise one that is turned about the world's Y axis, about its own middle.
+/// The same for a box that is rotated about +Y through its centre.
 std::size_t add_turned_box(Model& model, const std::string& name, const Eigen::Vector3d& center,
                            const Eigen::Vector3d& size, double yaw_deg);
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The corners of a face, counter-clockwise from outside, as bits x, y, z of the box's eight corners.
+// The vertices of each face, counter-clockwise from outside, as bits x, y, z of the box's eight vertices.
 constexpr int kFaces[6][4] = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
                               {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
 
@@ -27,15 +27,15 @@ void append(std::string& bytes, const T& value) {
 std::string box_bytes(const Eigen::Vector3f& size) {
     std::string bytes;
     for (const auto& face : kFaces) {
-        for (const int corner : face) {
+        for (const int vertex : face) {
             for (int axis = 0; axis < 3; ++axis) {
-                append(bytes, size[axis] * ((corner >> axis & 1) != 0 ? 0.5F : -0.5F));
+                append(bytes, size[axis] * ((vertex >> axis & 1) != 0 ? 0.5F : -0.5F));
             }
         }
     }
     for (std::uint16_t face = 0; face < 6; ++face) {
-        for (const int corner : {0, 1, 2, 0, 2, 3}) {
-            append(bytes, static_cast<std::uint16_t>(face * 4 + corner));
+        for (const int vertex : {0, 1, 2, 0, 2, 3}) {
+            append(bytes, static_cast<std::uint16_t>(face * 4 + vertex));
         }
     }
     return bytes;
@@ -141,17 +141,17 @@ std::string obj_box(const std::string& name, const Eigen::Vector3d& low, const E
                     int first_vertex) {
     std::ostringstream out;
     out << "o " << name << "\n";
-    for (int corner = 0; corner < 8; ++corner) {
+    for (int vertex = 0; vertex < 8; ++vertex) {
         out << "v";
         for (int axis = 0; axis < 3; ++axis) {
-            out << " " << ((corner >> axis & 1) != 0 ? high : low)[axis];
+            out << " " << ((vertex >> axis & 1) != 0 ? high : low)[axis];
         }
         out << "\n";
     }
     for (const auto& face : kFaces) {
-        const auto vertex = [&](int k) { return face[k] + first_vertex; };
-        out << "f " << vertex(0) << " " << vertex(1) << " " << vertex(2) << "\n";
-        out << "f " << vertex(0) << " " << vertex(2) << " " << vertex(3) << "\n";
+        const auto index = [&](int k) { return face[k] + first_vertex; };
+        out << "f " << index(0) << " " << index(1) << " " << index(2) << "\n";
+        out << "f " << index(0) << " " << index(2) << " " << index(3) << "\n";
     }
     return out.str();
 }
@@ -234,3 +234,12 @@ double signed_volume(const Model& model) {
 }
 
 }  // namespace campuswalk::scene::test
+
+namespace campuswalk::scene {
+
+std::vector<std::byte> write_model_file(const ImportedModel& imported) {
+    ArchiveWriter archive = archive_model(imported);
+    return concatenated(archive.finish());
+}
+
+}  // namespace campuswalk::scene

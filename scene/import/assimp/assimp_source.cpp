@@ -5,14 +5,12 @@
 #include <assimp/scene.h>
 
 #include "scene/import/assimp/convert_material.h"
-#include "scene/import/assimp/convert_mesh.h"
-#include "scene/import/assimp/convert_nodes.h"
 #include "scene/import/source/file_frame.h"
 
 namespace campuswalk::scene {
 namespace {
 
-/// Uncompressed pixels that an importer unpacked already.
+/// Pixels that assimp has already decoded.
 DecodedImage from_texels(const aiTexture& source) {
     DecodedImage image;
     image.width = static_cast<int>(source.mWidth);
@@ -24,6 +22,92 @@ DecodedImage from_texels(const aiTexture& source) {
         image.rgba.insert(image.rgba.end(), {texel.r, texel.g, texel.b, texel.a});
     }
     return image;
+}
+
+std::vector<Eigen::Vector3f> to_vectors(const aiVector3D* source, unsigned int count) {
+    std::vector<Eigen::Vector3f> result;
+    result.reserve(count);
+    for (unsigned int i = 0; i < count; ++i) {
+        result.emplace_back(source[i].x, source[i].y, source[i].z);
+    }
+    return result;
+}
+
+void convert_faces(const aiMesh& source, RawMesh& out) {
+    out.triangles.reserve(source.mNumFaces);
+    for (unsigned int i = 0; i < source.mNumFaces; ++i) {
+        const aiFace& face = source.mFaces[i];
+        if (face.mNumIndices == 3) {
+            out.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+        }
+    }
+    out.points_and_lines = source.mNumFaces - out.triangles.size();
+}
+
+/// `uv_channel`: of the mesh's material.
+RawMesh convert_mesh(const aiMesh& source, unsigned int uv_channel) {
+    RawMesh out;
+    const unsigned int count = source.mNumVertices;
+    out.name = source.mName.C_Str();
+    out.material = source.mMaterialIndex;
+    convert_faces(source, out);
+    out.positions = to_vectors(source.mVertices, count);
+    if (source.HasNormals()) {
+        out.normals = to_vectors(source.mNormals, count);
+    }
+    if (uv_channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && source.HasTextureCoords(uv_channel)) {
+        for (unsigned int i = 0; i < count; ++i) {
+            const aiVector3D& uv = source.mTextureCoords[uv_channel][i];
+            out.uvs.emplace_back(uv.x, 1.0F - uv.y);  // assimp's v points up, ours down
+        }
+    }
+    if (source.HasVertexColors(0)) {
+        for (unsigned int i = 0; i < count; ++i) {
+            const aiColor4D& c = source.mColors[0][i];
+            out.colors.push_back(to_rgba8(c.r, c.g, c.b, c.a));
+        }
+    }
+    return out;
+}
+
+Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
+    Eigen::Matrix4d result;
+    for (unsigned int row = 0; row < 4; ++row) {
+        for (unsigned int column = 0; column < 4; ++column) {
+            result(row, column) = static_cast<double>(m[row][column]);
+        }
+    }
+    return result;
+}
+
+struct Visit {
+    const aiNode* node = nullptr;
+    int parent = -1;
+};
+
+/// In document order. Local matrices are float32 in assimp; they are multiplied in double.
+NodeTree convert_nodes(const aiNode& root, const Eigen::Matrix4d& X_world_file) {
+    NodeTree tree;
+    std::vector<Visit> pending = {{&root, -1}};
+    while (!pending.empty()) {
+        const Visit visit = pending.back();
+        pending.pop_back();
+        const Eigen::Matrix4d X_world_parent =
+            visit.parent < 0 ? X_world_file : tree.nodes[static_cast<std::size_t>(visit.parent)].X_world_node;
+        const int self = static_cast<int>(tree.nodes.size());
+        Node node;
+        node.name = visit.node->mName.C_Str();
+        node.parent = visit.parent;
+        node.X_world_node = X_world_parent * to_matrix(visit.node->mTransformation);
+        node.X_world_node.bottomRows<1>() << 0, 0, 0, 1;  // whatever the file says
+        tree.nodes.push_back(std::move(node));
+        tree.mesh_numbers.emplace_back(visit.node->mMeshes, visit.node->mMeshes + visit.node->mNumMeshes);
+        // Reversed: the stack pops the first child first.
+        for (unsigned int i = visit.node->mNumChildren; i > 0; --i) {
+            pending.push_back({visit.node->mChildren[i - 1], self});
+        }
+    }
+    return tree;
 }
 
 }  // namespace
@@ -46,29 +130,29 @@ NodeTree AssimpSource::nodes() {
     for (std::vector<std::size_t>& numbers : tree.mesh_numbers) {
         std::erase_if(numbers, [&](std::size_t number) { return number >= scene.mNumMeshes; });
     }
-    name_nodes(tree);
+    replace_generated_names(tree);
     return tree;
 }
 
 std::optional<GeographicPlace> AssimpSource::geographic() const {
     std::optional<GeographicPlace> place = read_.files->geographic().place;
     if (place) {
-        place->at = file_.position;  // it is the place of the file's own origin
+        place->at = file_.position;  // the location is that of the file's origin
     }
     return place;
 }
 
-/// A COLLADA node may have an id and no name: its id is the author's word all the same.
-void AssimpSource::name_nodes(NodeTree& tree) const {
-    const auto is_made_up = [](const Node& node) { return node.name.starts_with(kGeneratedColladaName); };
-    if (!std::ranges::any_of(tree.nodes, is_made_up)) {
+/// COLLADA nodes without a name get their id as name.
+void AssimpSource::replace_generated_names(NodeTree& tree) const {
+    const auto is_generated = [](const Node& node) { return node.name.starts_with(kGeneratedColladaName); };
+    if (!std::ranges::any_of(tree.nodes, is_generated)) {
         return;
     }
     ReadScene with_ids;
     read_scene(file_, folder_, with_ids, ColladaNames::ids);
     const NodeTree ids = convert_nodes(*with_ids.scene->mRootNode, Eigen::Matrix4d::Identity());
     for (std::size_t i = 0; i < tree.nodes.size() && ids.nodes.size() == tree.nodes.size(); ++i) {
-        if (is_made_up(tree.nodes[i])) {
+        if (is_generated(tree.nodes[i])) {
             tree.nodes[i].name = ids.nodes[i].name;
         }
     }
@@ -94,8 +178,7 @@ std::optional<DecodedImage> AssimpSource::load_image(const TextureReference& ref
     if (embedded->mHeight > 0) {
         return from_texels(*embedded);
     }
-    return decode_image_bytes({reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth},
-                              reason);
+    return decode_image({reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth}, reason);
 }
 
 void AssimpSource::add_warnings(DiagnosticList& warnings) {
@@ -104,9 +187,9 @@ void AssimpSource::add_warnings(DiagnosticList& warnings) {
             file_.mark, "repaired-uvs",
             file_.file + ": faces refer to texture coordinates, but the file has none; they are ignored");
     }
-    if (!read_.files->geographic().refused.empty()) {
+    if (!read_.files->geographic().error.empty()) {
         warnings.warning(file_.mark, "bad-geography",
-                         file_.file + ": its geographic_location " + read_.files->geographic().refused +
+                         file_.file + ": its geographic_location " + read_.files->geographic().error +
                              "; the location is ignored");
     }
     for (const std::string& name : read_.files->refused()) {

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "scene/import/assimp/read_scene.h"
-#include "scene/import/source/image_files.h"
 #include "scene/import/source/model_source.h"
 #include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 
-/// OBJ, FBX, COLLADA, STL, PLY, … : whatever assimp reads and no reader of ours does.
+/// OBJ, FBX, COLLADA, STL, PLY and the other formats that assimp reads.
 class AssimpSource final : public ModelSource {
 public:
     /// Throws InputError missing-file or bad-model.
@@ -23,7 +22,7 @@ public:
     std::vector<FileRequest> requests() const override { return folder_.requests(); }
 
 private:
-    void name_nodes(NodeTree& tree) const;
+    void replace_generated_names(NodeTree& tree) const;
 
     const SceneFile& file_;
     SceneFolder folder_;

@@ -9,17 +9,12 @@
 namespace campuswalk::scene {
 namespace {
 
-// Below this an opacity is an exporter's confusion of opacity with transparency: nobody models the invisible.
-constexpr float kLeastOpacity = 0.02F;
+// Below this, an exporter confused opacity with transparency: nobody models invisible surfaces.
+constexpr float kMinOpacity = 0.02F;
 constexpr float kBlack = 0.01F;
 
-/// A colour component as a finite number in 0..1.
-float sanitize(float value) {
-    return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
-}
-
 float linear_from_srgb(float value) {
-    const float v = sanitize(value);
+    const float v = unit_factor(value);
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
 
@@ -27,8 +22,8 @@ bool is_repeating(aiTextureMapMode mode) {
     return mode != aiTextureMapMode_Clamp && mode != aiTextureMapMode_Decal;
 }
 
-/// The first of the types that the material has becomes its `use`. The first image of all says by which
-/// texture coordinates they lie; these formats know no others in practice.
+/// Adds the image of the first of `types` that the material has. The texture coordinates of a material's
+/// first image apply to all: in practice these formats have one set.
 void add_image(const aiMaterial& source, std::initializer_list<aiTextureType> types,
                std::optional<TextureIndex> Material::*use, SourceMaterial& out) {
     for (const aiTextureType type : types) {
@@ -48,8 +43,7 @@ void add_image(const aiMaterial& source, std::initializer_list<aiTextureType> ty
     }
 }
 
-/// Diffuse colours of older formats are display values, and often black when a texture is there to replace
-/// them.
+/// Diffuse colours of older formats are sRGB, and often black if there is a texture.
 void convert_color(const aiMaterial& source, const aiColor4D& diffuse, SourceMaterial& out) {
     const bool textured = !out.images.empty();
     const bool black = std::max({diffuse.r, diffuse.g, diffuse.b}) < kBlack;
@@ -59,7 +53,7 @@ void convert_color(const aiMaterial& source, const aiColor4D& diffuse, SourceMat
     }
     float opacity = 1.0F;
     source.Get(AI_MATKEY_OPACITY, opacity);
-    if (std::isfinite(opacity) && opacity >= kLeastOpacity && opacity < 1.0F) {
+    if (std::isfinite(opacity) && opacity >= kMinOpacity && opacity < 1.0F) {
         color[3] = opacity;
         out.material.alpha_mode = AlphaMode::blend;
     }
@@ -88,7 +82,7 @@ SourceMaterial convert_material(const aiMaterial& source) {
     const std::size_t images = out.images.size();
     add_image(source, {aiTextureType_EMISSIVE}, &Material::emissive_texture, out);
     if (out.images.size() > images && std::ranges::max(material.emissive) < kBlack) {
-        material.emissive = {1, 1, 1};  // black beside an image stands for the image
+        material.emissive = {1, 1, 1};  // black beside a texture means no factor
     }
     add_image(source, {aiTextureType_NORMALS}, &Material::normal_texture, out);
     return out;

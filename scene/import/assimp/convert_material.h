@@ -6,8 +6,8 @@ struct aiMaterial;
 
 namespace campuswalk::scene {
 
-/// The diffuse colour is the base colour. Formats older than glTF know neither culling nor alpha modes: their
-/// materials are drawn from both sides, and as blended when their opacity is below 1.
+/// The diffuse colour becomes the base colour. Formats older than glTF have neither culling nor alpha modes:
+/// their materials are double-sided, and blended if their opacity is below 1.
 SourceMaterial convert_material(const aiMaterial& source);
 
 }  // namespace campuswalk::scene

@@ -9,7 +9,7 @@ namespace {
 
 void configure(Assimp::Importer& importer, ColladaNames names) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names == ColladaNames::names);
-    // One node for one object, not a chain of seven `$AssimpFbx$` pivots.
+    // Else each object becomes a chain of seven `$AssimpFbx$` nodes.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_CAMERAS, false);
@@ -17,7 +17,7 @@ void configure(Assimp::Importer& importer, ColladaNames names) {
 }
 
 struct FaceCheck {
-    bool indices_in_range = true;  ///< triangulation reads vertices by them without looking
+    bool indices_in_range = true;  ///< triangulation does not check them
     bool has_polygons = false;
 };
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string_view>
 
+#include "scene/import/source/sanitize_mesh.h"
+
 namespace campuswalk::scene::gltf {
 
-static_assert(std::endian::native == std::endian::little, "glTF's numbers are copied as they lie");
+static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Eigen::Vector2f) == 2 * sizeof(float));
 
 namespace {
@@ -23,8 +24,8 @@ enum class Component : std::uint16_t {
     single = 5126,
 };
 
-// More than any machine here could hold as a mesh; keeps the sizes below from overflowing.
-constexpr std::size_t kMostElements = std::size_t{1} << 32U;
+// Keeps the sizes below from overflowing.
+constexpr std::size_t kMaxElements = std::size_t{1} << 32U;
 
 std::size_t bytes_of(Component component) {
     switch (component) {
@@ -43,7 +44,7 @@ template <typename Stored, typename T>
 T converted(const std::uint8_t* at, bool normalized) {
     Stored stored{};
     std::memcpy(&stored, at, sizeof stored);
-    // NOLINTNEXTLINE(bugprone-signed-char-misuse): a negative index becomes a huge one, which is refused
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): a negative index becomes huge and is rejected
     const auto value = static_cast<T>(stored);
     if constexpr (std::is_integral_v<Stored> && std::is_floating_point_v<T>) {
         if (normalized) {
@@ -70,26 +71,21 @@ T component_at(const std::uint8_t* at, Component component, bool normalized) {
             break;
     }
     if constexpr (std::is_integral_v<T>) {
-        return T{};  // refused before: see whole_numbers
+        return T{};  // rejected before: see indices()
     } else {
         return converted<float, T>(at, normalized);
     }
 }
 
-std::uint8_t to_byte(float value) {
-    const float clamped = value > 0.0F ? std::min(value, 1.0F) : 0.0F;  // NaN becomes 0
-    return static_cast<std::uint8_t>(std::lround(clamped * 255.0F));
-}
-
-/// Where elements lie in a view's bytes.
-struct Run {
+struct StridedView {
     const std::uint8_t* first = nullptr;
     std::size_t stride = 0;
 };
 
-/// `item` names the view and an offset in it; throws unless `count` elements of `size` bytes fit.
-Run run_in(const Item& item, Bytes view, std::size_t stride, std::size_t count, std::size_t size) {
-    const std::size_t offset = item.whole("byteOffset").value_or(0);
+/// The elements from `item`'s byteOffset on; throws unless `count` elements of `size` bytes fit.
+StridedView strided_view(const JsonObject& item, Bytes view, std::size_t stride, std::size_t count,
+                         std::size_t size) {
+    const std::size_t offset = item.uint("byteOffset").value_or(0);
     const std::size_t step = stride == 0 ? size : stride;
     if (count > 0) {
         const std::size_t room = offset > view.size() ? 0 : view.size() - offset;
@@ -111,45 +107,45 @@ struct Accessors::Layout {
     std::size_t element_bytes() const { return components * bytes_of(component); }
 };
 
-Accessors::Layout Accessors::layout_of(const Item& item) const {
+Accessors::Layout Accessors::layout_of(const JsonObject& item) const {
     struct Shape {
         std::string_view name;
         std::size_t components;
     };
     constexpr std::array<Shape, 4> kShapes = {{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
     Layout layout;
-    layout.count = item.needed_whole("count");
-    const std::size_t component = item.needed_whole("componentType");
-    const std::string type = item.text("type");
+    layout.count = item.required_uint("count");
+    const std::size_t component = item.required_uint("componentType");
+    const std::string type = item.string("type");
     const auto* shape = std::ranges::find(kShapes, type, &Shape::name);
     const bool known = (component >= 5120 && component <= 5123) || component == 5125 || component == 5126;
     if (shape == kShapes.end() || !known) {
         item.fail("has a type or componentType that is not valid for a mesh");
     }
-    if (layout.count > kMostElements) {
+    if (layout.count > kMaxElements) {
         item.fail("has an implausible count of " + std::to_string(layout.count));
     }
     layout.components = shape->components;
     layout.component = static_cast<Component>(component);
-    layout.normalized = item.flag("normalized");
+    layout.normalized = item.boolean("normalized");
     return layout;
 }
 
 template <typename T>
-void Accessors::read(const Item& item, const Layout& layout, std::span<T> out) {
-    const auto view_index = item.whole("bufferView");
+void Accessors::read(const JsonObject& item, const Layout& layout, std::span<T> out) {
+    const auto view_index = item.uint("bufferView");
     const auto view = view_index ? buffers_.view(*view_index) : std::nullopt;
     const auto sparse = item.object("sparse");
     if (view) {
-        const std::size_t stride = document_.item("bufferViews", *view_index).whole("byteStride").value_or(0);
+        const std::size_t stride = document_.item("bufferViews", *view_index).uint("byteStride").value_or(0);
         const std::size_t size = bytes_of(layout.component);
-        const Run run = run_in(item, *view, stride, layout.count, layout.element_bytes());
+        const StridedView run = strided_view(item, *view, stride, layout.count, layout.element_bytes());
         const Component plain = std::is_same_v<T, float> ? Component::single : Component::unsigned_int;
-        const bool as_it_lies = layout.component == plain && run.stride == layout.element_bytes();
-        if (as_it_lies && !out.empty()) {
+        const bool contiguous = layout.component == plain && run.stride == layout.element_bytes();
+        if (contiguous && !out.empty()) {
             std::memcpy(out.data(), run.first, out.size_bytes());
         }
-        for (std::size_t i = 0; !as_it_lies && i < layout.count; ++i) {
+        for (std::size_t i = 0; !contiguous && i < layout.count; ++i) {
             const std::uint8_t* element = run.first + i * run.stride;
             for (std::size_t k = 0; k < layout.components; ++k) {
                 out[i * layout.components + k] =
@@ -165,26 +161,26 @@ void Accessors::read(const Item& item, const Layout& layout, std::span<T> out) {
 }
 
 template <typename T>
-void Accessors::read_sparse(const Item& sparse, const Layout& layout, std::span<T> out) {
-    const std::size_t count = sparse.needed_whole("count");
+void Accessors::read_sparse(const JsonObject& sparse, const Layout& layout, std::span<T> out) {
+    const std::size_t count = sparse.required_uint("count");
     const auto indices = sparse.object("indices");
     const auto values = sparse.object("values");
     if (!indices || !values) {
         sparse.fail("lacks 'indices' or 'values'");
     }
-    const auto index_type = static_cast<Component>(indices->needed_whole("componentType"));
+    const auto index_type = static_cast<Component>(indices->required_uint("componentType"));
     if (index_type != Component::unsigned_byte && index_type != Component::unsigned_short &&
         index_type != Component::unsigned_int) {
         indices->fail("has a componentType that is not valid for indices");
     }
-    const auto index_bytes = buffers_.view(indices->needed_whole("bufferView"));
-    const auto value_bytes = buffers_.view(values->needed_whole("bufferView"));
+    const auto index_bytes = buffers_.view(indices->required_uint("bufferView"));
+    const auto value_bytes = buffers_.view(values->required_uint("bufferView"));
     if (!index_bytes || !value_bytes) {
-        return;  // no data: zeros replace zeros
+        return;  // zeros replace zeros
     }
     const std::size_t size = bytes_of(layout.component);
-    const Run index_run = run_in(*indices, *index_bytes, 0, count, bytes_of(index_type));
-    const Run value_run = run_in(*values, *value_bytes, 0, count, layout.element_bytes());
+    const StridedView index_run = strided_view(*indices, *index_bytes, 0, count, bytes_of(index_type));
+    const StridedView value_run = strided_view(*values, *value_bytes, 0, count, layout.element_bytes());
     for (std::size_t i = 0; i < count; ++i) {
         const auto element =
             component_at<std::uint32_t>(index_run.first + i * index_run.stride, index_type, false);
@@ -203,10 +199,10 @@ std::size_t Accessors::count(std::size_t index) const {
 }
 
 std::vector<float> Accessors::floats(std::size_t index, int components) {
-    const Item item = document_.item("accessors", index);
+    const JsonObject item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
     if (layout.components != static_cast<std::size_t>(components)) {
-        item.fail("has the type " + item.text("type") + ", which is not valid here");
+        item.fail("has the type " + item.string("type") + ", which is not valid here");
     }
     std::vector<float> result(layout.count * layout.components);
     read<float>(item, layout, result);
@@ -216,10 +212,10 @@ std::vector<float> Accessors::floats(std::size_t index, int components) {
 template <int kComponents>
 std::vector<Eigen::Matrix<float, kComponents, 1>> Accessors::vectors(std::size_t index) {
     using Vector = Eigen::Matrix<float, kComponents, 1>;
-    const Item item = document_.item("accessors", index);
+    const JsonObject item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
     if (layout.components != kComponents) {
-        item.fail("has the type " + item.text("type") + " instead of VEC" + std::to_string(kComponents));
+        item.fail("has the type " + item.string("type") + " instead of VEC" + std::to_string(kComponents));
     }
     std::vector<Vector> result(layout.count, Vector::Zero());
     read<float>(item, layout,
@@ -236,10 +232,10 @@ std::vector<Eigen::Vector2f> Accessors::vectors2(std::size_t index) {
 }
 
 std::vector<std::array<std::uint8_t, 4>> Accessors::colors(std::size_t index) {
-    const Item item = document_.item("accessors", index);
+    const JsonObject item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
     if (layout.components < 3) {
-        item.fail("has the type " + item.text("type") + " instead of VEC3 or VEC4");
+        item.fail("has the type " + item.string("type") + " instead of VEC3 or VEC4");
     }
     std::vector<float> values(layout.count * layout.components);
     read<float>(item, layout, values);
@@ -247,14 +243,13 @@ std::vector<std::array<std::uint8_t, 4>> Accessors::colors(std::size_t index) {
     result.reserve(layout.count);
     for (std::size_t i = 0; i < values.size(); i += layout.components) {
         const float alpha = layout.components == 4 ? values[i + 3] : 1.0F;
-        result.push_back(
-            {to_byte(values[i]), to_byte(values[i + 1]), to_byte(values[i + 2]), to_byte(alpha)});
+        result.push_back(to_rgba8(values[i], values[i + 1], values[i + 2], alpha));
     }
     return result;
 }
 
-std::vector<std::uint32_t> Accessors::whole_numbers(std::size_t index) {
-    const Item item = document_.item("accessors", index);
+std::vector<std::uint32_t> Accessors::indices(std::size_t index) {
+    const JsonObject item = document_.item("accessors", index);
     const Layout layout = layout_of(item);
     if (layout.components != 1 || layout.component == Component::single) {
         item.fail("has a type that is not valid for indices");

@@ -1,11 +1,51 @@
 #include "scene/import/gltf/buffers.h"
 
-#include "scene/import/gltf/base64.h"
-#include "scene/import/gltf/fault.h"
+#include <string_view>
+
 #include "scene/import/gltf/meshopt.h"
-#include "scene/import/source/confined_files.h"
 
 namespace campuswalk::scene::gltf {
+namespace {
+
+/// The value of a base64 character (RFC 4648); -1 for others.
+int base64_value(char c) {
+    if (c >= 'A' && c <= 'Z') {
+        return c - 'A';
+    }
+    if (c >= 'a' && c <= 'z') {
+        return c - 'a' + 26;
+    }
+    if (c >= '0' && c <= '9') {
+        return c - '0' + 52;
+    }
+    return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+/// Padding is optional. nullopt if a character is not in the alphabet.
+std::optional<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
+    for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) {
+        text.remove_suffix(1);
+    }
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(text.size() / 4 * 3 + 2);
+    std::uint32_t bits = 0;
+    unsigned int count = 0;
+    for (const char c : text) {
+        const int value = base64_value(c);
+        if (value < 0) {
+            return std::nullopt;
+        }
+        bits = bits << 6U | static_cast<std::uint32_t>(value);
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            bytes.push_back(static_cast<std::uint8_t>(bits >> count));
+        }
+    }
+    return bytes;
+}
+
+}  // namespace
 
 std::optional<std::vector<std::uint8_t>> Buffers::data_of_uri(const std::string& uri) {
     if (!uri.starts_with("data:")) {
@@ -16,12 +56,12 @@ std::optional<std::vector<std::uint8_t>> Buffers::data_of_uri(const std::string&
     auto bytes = at == std::string::npos ? std::nullopt
                                          : decode_base64(std::string_view(uri).substr(at + kBase64.size()));
     if (!bytes) {
-        throw Fault("a data URI is not valid base64; re-export the file");
+        throw GltfError("a data URI is not valid base64; re-export the file");
     }
     return bytes;
 }
 
-std::vector<std::uint8_t> Buffers::fetch(const Item& buffer, const std::string& uri) const {
+std::vector<std::uint8_t> Buffers::fetch(const JsonObject& buffer, const std::string& uri) const {
     if (auto data = data_of_uri(uri)) {
         return std::move(*data);
     }
@@ -34,13 +74,13 @@ std::vector<std::uint8_t> Buffers::fetch(const Item& buffer, const std::string& 
 }
 
 std::optional<Bytes> Buffers::buffer(std::size_t index) {
-    const Item item = document_.item("buffers", index);
-    const std::size_t length = item.needed_whole("byteLength");
+    const JsonObject item = document_.item("buffers", index);
+    const std::size_t length = item.required_uint("byteLength");
     Bytes whole;
     if (item.has("uri")) {
         auto known = fetched_.find(index);
         if (known == fetched_.end()) {
-            known = fetched_.emplace(index, fetch(item, item.text("uri"))).first;
+            known = fetched_.emplace(index, fetch(item, item.string("uri"))).first;
         }
         whole = known->second;
     } else if (index == 0 && binary_) {
@@ -55,40 +95,40 @@ std::optional<Bytes> Buffers::buffer(std::size_t index) {
     return whole.first(length);
 }
 
-/// The part of a buffer that `where` names by byteOffset and byteLength.
-Bytes Buffers::slice(std::size_t buffer, const Item& where, Bytes whole) const {
-    const std::size_t offset = where.whole("byteOffset").value_or(0);
-    const std::size_t length = where.needed_whole("byteLength");
+/// `where` has the byteOffset and byteLength.
+Bytes Buffers::slice(std::size_t buffer, const JsonObject& where, Bytes whole) const {
+    const std::size_t offset = where.uint("byteOffset").value_or(0);
+    const std::size_t length = where.required_uint("byteLength");
     if (offset > whole.size() || length > whole.size() - offset) {
         where.fail("extends past the end of buffers/" + std::to_string(buffer));
     }
     return whole.subspan(offset, length);
 }
 
-Bytes Buffers::unpacked(std::size_t index, const Item& compression) {
-    const auto known = unpacked_.find(index);
-    if (known != unpacked_.end()) {
+Bytes Buffers::decoded(std::size_t index, const JsonObject& compression) {
+    const auto known = decoded_.find(index);
+    if (known != decoded_.end()) {
         return known->second;
     }
-    const std::size_t source = compression.needed_whole("buffer");
+    const std::size_t source = compression.required_uint("buffer");
     const auto whole = buffer(source);
     if (!whole) {
         compression.fail("has no data");
     }
-    return unpacked_.emplace(index, unpack_meshopt(compression, slice(source, compression, *whole)))
+    return decoded_.emplace(index, decode_meshopt(compression, slice(source, compression, *whole)))
         .first->second;
 }
 
 std::optional<Bytes> Buffers::view(std::size_t index) {
-    const Item item = document_.item("bufferViews", index);
+    const JsonObject item = document_.item("bufferViews", index);
     if (const auto extensions = item.object("extensions")) {
         for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
             if (const auto compression = extensions->object(name)) {
-                return unpacked(index, *compression);
+                return decoded(index, *compression);
             }
         }
     }
-    const std::size_t source = item.needed_whole("buffer");
+    const std::size_t source = item.required_uint("buffer");
     const auto whole = buffer(source);
     return whole ? std::optional<Bytes>(slice(source, item, *whole)) : std::nullopt;
 }

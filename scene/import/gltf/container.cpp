@@ -5,8 +5,6 @@
 #include <fstream>
 #include <string>
 
-#include "scene/import/gltf/fault.h"
-
 namespace campuswalk::scene::gltf {
 namespace {
 
@@ -23,16 +21,16 @@ std::uint32_t word_at(Bytes bytes, std::size_t at) {
            static_cast<std::uint32_t>(bytes[at + 3]) << 24U;
 }
 
-/// Takes the next chunk off `rest`.
+/// Removes the next chunk from `rest`.
 Bytes next_chunk(Bytes& rest, std::uint32_t& type) {
     if (rest.size() < kChunkHeader) {
-        throw Fault("it ends inside a GLB chunk header; re-export or copy the file again");
+        throw GltfError("it ends inside a GLB chunk header; re-export or copy the file again");
     }
     const std::uint32_t length = word_at(rest, 0);
     type = word_at(rest, 4);
     rest = rest.subspan(kChunkHeader);
     if (length > rest.size()) {
-        throw Fault("it ends inside a GLB chunk; re-export or copy the file again");
+        throw GltfError("it ends inside a GLB chunk; re-export or copy the file again");
     }
     const Bytes chunk = rest.first(length);
     rest = rest.subspan(length);
@@ -41,22 +39,22 @@ Bytes next_chunk(Bytes& rest, std::uint32_t& type) {
 
 void split_glb(Bytes file, Container& out) {
     if (file.size() < kFileHeader) {
-        throw Fault("it ends inside the GLB header; re-export or copy the file again");
+        throw GltfError("it ends inside the GLB header; re-export or copy the file again");
     }
     if (word_at(file, 4) != kVersion) {
-        throw Fault("it is GLB version " + std::to_string(word_at(file, 4)) +
-                    "; only version 2 is supported: convert it to glTF 2.0");
+        throw GltfError("it is GLB version " + std::to_string(word_at(file, 4)) +
+                        "; only version 2 is supported: convert it to glTF 2.0");
     }
     const std::uint32_t length = word_at(file, 8);
     if (length > file.size() || length < kFileHeader) {
-        throw Fault("its header declares " + std::to_string(length) + " bytes, but the file has " +
-                    std::to_string(file.size()) + "; re-export or copy it again");
+        throw GltfError("its header declares " + std::to_string(length) + " bytes, but the file has " +
+                        std::to_string(file.size()) + "; re-export or copy it again");
     }
     Bytes rest = file.subspan(kFileHeader, length - kFileHeader);
     std::uint32_t type = 0;
     out.json = next_chunk(rest, type);
     if (type != kJsonChunk) {
-        throw Fault("its first GLB chunk is not JSON; re-export it");
+        throw GltfError("its first GLB chunk is not JSON; re-export it");
     }
     while (!rest.empty() && !out.binary) {
         const Bytes chunk = next_chunk(rest, type);
@@ -72,14 +70,14 @@ Container read_container(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary | std::ios::ate);
     const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
     if (size < 0) {
-        throw Fault("it cannot be read");
+        throw GltfError("it cannot be read");
     }
     Container out;
     const auto count = static_cast<std::size_t>(size);
     out.file = std::make_unique_for_overwrite<std::uint8_t[]>(count);
     in.seekg(0);
     if (!in.read(reinterpret_cast<char*>(out.file.get()), size)) {
-        throw Fault("it cannot be read to its end");
+        throw GltfError("it cannot be read to its end");
     }
     const Bytes file(out.file.get(), count);
     if (count >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), file.begin())) {

@@ -7,15 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/import/gltf/fault.h"
-
 namespace campuswalk::scene::gltf {
 namespace {
 
 using Json = nlohmann::json;
 
-/// A JSON number that is a whole one from 0 on; `2.0` is one too.
-std::optional<std::size_t> to_whole(const Json& value) {
+/// A non-negative integer; `2.0` is one too.
+std::optional<std::size_t> to_uint(const Json& value) {
     if (value.is_number_unsigned()) {
         return value.get<std::size_t>();
     }
@@ -31,44 +29,45 @@ std::optional<std::size_t> to_whole(const Json& value) {
 
 }  // namespace
 
-Item::Item(const Json& object, std::string place) : object_(&object), place_(std::move(place)) {
+JsonObject::JsonObject(const Json& object, std::string path) : object_(&object), path_(std::move(path)) {
     if (!object.is_object()) {
         fail("must be an object");
     }
 }
 
-void Item::fail(const std::string& what) const {
-    throw Fault((place_.empty() ? "its JSON" : place_) + " " + what);
+void JsonObject::fail(const std::string& what) const {
+    throw GltfError((path_.empty() ? "its JSON" : path_) + " " + what);
 }
 
-const Json* Item::find(const char* key) const {
+const Json* JsonObject::find(const char* key) const {
     const auto found = object_->find(key);
     return found == object_->end() ? nullptr : &*found;
 }
 
-bool Item::has(const char* key) const {
+bool JsonObject::has(const char* key) const {
     return find(key) != nullptr;
 }
 
-std::optional<Item> Item::object(const char* key) const {
+std::optional<JsonObject> JsonObject::object(const char* key) const {
     const Json* value = find(key);
-    return value == nullptr ? std::nullopt : std::optional<Item>(std::in_place, *value, place_ + "/" + key);
+    return value == nullptr ? std::nullopt
+                            : std::optional<JsonObject>(std::in_place, *value, path_ + "/" + key);
 }
 
-std::vector<Item> Item::objects(const char* key) const {
-    std::vector<Item> result;
+std::vector<JsonObject> JsonObject::objects(const char* key) const {
+    std::vector<JsonObject> result;
     if (const Json* value = find(key)) {
         if (!value->is_array()) {
             fail("has '" + std::string(key) + "', which must be an array");
         }
         for (const Json& element : *value) {
-            result.emplace_back(element, place_ + "/" + key + "/" + std::to_string(result.size()));
+            result.emplace_back(element, path_ + "/" + key + "/" + std::to_string(result.size()));
         }
     }
     return result;
 }
 
-std::string Item::text(const char* key) const {
+std::string JsonObject::string(const char* key) const {
     const Json* value = find(key);
     if (value == nullptr) {
         return {};
@@ -79,7 +78,7 @@ std::string Item::text(const char* key) const {
     return value->get<std::string>();
 }
 
-bool Item::flag(const char* key) const {
+bool JsonObject::boolean(const char* key) const {
     const Json* value = find(key);
     if (value != nullptr && !value->is_boolean()) {
         fail("has '" + std::string(key) + "', which must be true or false");
@@ -87,27 +86,27 @@ bool Item::flag(const char* key) const {
     return value != nullptr && value->get<bool>();
 }
 
-std::optional<std::size_t> Item::whole(const char* key) const {
+std::optional<std::size_t> JsonObject::uint(const char* key) const {
     const Json* value = find(key);
     if (value == nullptr) {
         return std::nullopt;
     }
-    const auto number = to_whole(*value);
+    const auto number = to_uint(*value);
     if (!number) {
         fail("has '" + std::string(key) + "', which must be a non-negative integer");
     }
     return number;
 }
 
-std::size_t Item::needed_whole(const char* key) const {
-    const auto number = whole(key);
+std::size_t JsonObject::required_uint(const char* key) const {
+    const auto number = uint(key);
     if (!number) {
         fail("lacks '" + std::string(key) + "'");
     }
     return *number;
 }
 
-double Item::number(const char* key, double otherwise) const {
+double JsonObject::number(const char* key, double otherwise) const {
     const Json* value = find(key);
     if (value == nullptr) {
         return otherwise;
@@ -118,8 +117,8 @@ double Item::number(const char* key, double otherwise) const {
     return value->get<double>();
 }
 
-std::optional<std::vector<float>> Item::numbers(const char* key, std::size_t count) const {
-    const auto exact = exact_numbers(key, count);
+std::optional<std::vector<float>> JsonObject::floats(const char* key, std::size_t count) const {
+    const auto exact = doubles(key, count);
     if (!exact) {
         return std::nullopt;
     }
@@ -130,7 +129,7 @@ std::optional<std::vector<float>> Item::numbers(const char* key, std::size_t cou
     return result;
 }
 
-std::optional<std::vector<double>> Item::exact_numbers(const char* key, std::size_t count) const {
+std::optional<std::vector<double>> JsonObject::doubles(const char* key, std::size_t count) const {
     const Json* value = find(key);
     if (value == nullptr) {
         return std::nullopt;
@@ -149,11 +148,11 @@ std::optional<std::vector<double>> Item::exact_numbers(const char* key, std::siz
     return result;
 }
 
-std::vector<std::size_t> Item::wholes(const char* key) const {
+std::vector<std::size_t> JsonObject::uints(const char* key) const {
     std::vector<std::size_t> result;
     if (const Json* value = find(key)) {
         for (const Json& element : *value) {
-            const auto number = value->is_array() ? to_whole(element) : std::nullopt;
+            const auto number = value->is_array() ? to_uint(element) : std::nullopt;
             if (!number) {
                 fail("has '" + std::string(key) + "', which must be an array of non-negative integers");
             }
@@ -163,7 +162,7 @@ std::vector<std::size_t> Item::wholes(const char* key) const {
     return result;
 }
 
-std::vector<std::string> Item::texts(const char* key) const {
+std::vector<std::string> JsonObject::strings(const char* key) const {
     std::vector<std::string> result;
     if (const Json* value = find(key)) {
         for (const Json& element : *value) {
@@ -176,7 +175,7 @@ std::vector<std::string> Item::texts(const char* key) const {
     return result;
 }
 
-std::vector<std::string> Item::keys() const {
+std::vector<std::string> JsonObject::keys() const {
     std::vector<std::string> result;
     for (const auto& element : object_->items()) {
         result.push_back(element.key());
@@ -188,19 +187,19 @@ Document::Document(Bytes json) {
     try {
         json_ = std::make_unique<Json>(Json::parse(json.begin(), json.end()));
     } catch (const Json::parse_error& error) {
-        // Its words end in what it read last, perhaps half a character: the place is enough.
-        throw Fault("its JSON can't be parsed at byte " + std::to_string(error.byte));
+        // what() may end in an incomplete UTF-8 sequence.
+        throw GltfError("its JSON can't be parsed at byte " + std::to_string(error.byte));
     } catch (const Json::out_of_range& error) {
-        const std::string_view words = error.what();  // they end in the number, in quotes
-        throw Fault("its JSON contains a number out of range: " +
-                    std::string(words.substr(std::min(words.find('\''), words.size()))));
+        const std::string_view words = error.what();  // ends in the number, in quotes
+        throw GltfError("its JSON contains a number out of range: " +
+                        std::string(words.substr(std::min(words.find('\''), words.size()))));
     }
     root();
 }
 
 Document::~Document() = default;
 
-Item Document::root() const {
+JsonObject Document::root() const {
     return {*json_, ""};
 }
 
@@ -210,17 +209,17 @@ std::size_t Document::size(const char* array) const {
         return 0;
     }
     if (!found->is_array()) {
-        throw Fault("'" + std::string(array) + "' must be an array");
+        throw GltfError("'" + std::string(array) + "' must be an array");
     }
     return found->size();
 }
 
-Item Document::item(const char* array, std::size_t index) const {
-    const std::string place = std::string(array) + "/" + std::to_string(index);
+JsonObject Document::item(const char* array, std::size_t index) const {
+    const std::string path = std::string(array) + "/" + std::to_string(index);
     if (index >= size(array)) {
-        throw Fault(place + " is referenced but does not exist");
+        throw GltfError(path + " is referenced but does not exist");
     }
-    return {(*json_)[array][index], place};
+    return {(*json_)[array][index], path};
 }
 
 }  // namespace campuswalk::scene::gltf

@@ -12,51 +12,48 @@
 
 namespace campuswalk::scene::gltf {
 
-/// An object of the JSON text, with its place in it for messages (`accessors/3`). Reading a key checks its
-/// type and throws Fault; what nobody reads may be anything.
-class Item {
+/// A JSON object and its path for messages (`accessors/3`). Reading a key checks its type and throws
+/// GltfError; other keys are not validated.
+class JsonObject {
 public:
-    Item(const nlohmann::json& object, std::string place);
+    JsonObject(const nlohmann::json& object, std::string path);
 
     bool has(const char* key) const;
-    std::optional<Item> object(const char* key) const;
-    std::vector<Item> objects(const char* key) const;  ///< none when the key isn't there
-    std::string text(const char* key) const;           ///< empty when it isn't there
-    bool flag(const char* key) const;                  ///< false when it isn't there
-    std::optional<std::size_t> whole(const char* key) const;
-    std::size_t needed_whole(const char* key) const;
+    std::optional<JsonObject> object(const char* key) const;
+    std::vector<JsonObject> objects(const char* key) const;  ///< empty if absent
+    std::string string(const char* key) const;               ///< empty if absent
+    bool boolean(const char* key) const;                     ///< false if absent
+    std::optional<std::size_t> uint(const char* key) const;
+    std::size_t required_uint(const char* key) const;
     double number(const char* key, double otherwise) const;
-    /// An array of exactly `count` numbers as single precision, which is all that glTF asks for; none when
-    /// the key isn't there.
-    std::optional<std::vector<float>> numbers(const char* key, std::size_t count) const;
-    /// Likewise as they are written.
-    std::optional<std::vector<double>> exact_numbers(const char* key, std::size_t count) const;
-    std::vector<std::size_t> wholes(const char* key) const;
-    std::vector<std::string> texts(const char* key) const;
+    /// An array of exactly `count` numbers, nullopt if absent. Single precision is what glTF requires.
+    std::optional<std::vector<float>> floats(const char* key, std::size_t count) const;
+    std::optional<std::vector<double>> doubles(const char* key, std::size_t count) const;
+    std::vector<std::size_t> uints(const char* key) const;
+    std::vector<std::string> strings(const char* key) const;
     std::vector<std::string> keys() const;
 
-    const std::string& place() const { return place_; }
     [[noreturn]] void fail(const std::string& what) const;
 
 private:
     const nlohmann::json* find(const char* key) const;
 
     const nlohmann::json* object_;
-    std::string place_;
+    std::string path_;
 };
 
-/// The JSON text, parsed.
+/// The parsed JSON.
 class Document {
 public:
-    explicit Document(Bytes json);  ///< throws Fault with line and column of a syntax error
+    explicit Document(Bytes json);  ///< throws GltfError with the position of a syntax error
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
-    Item root() const;
+    JsonObject root() const;
     std::size_t size(const char* array) const;
-    /// Element `index` of one of the top arrays; throws Fault when there is none.
-    Item item(const char* array, std::size_t index) const;
+    /// Element `index` of a top-level array; throws GltfError if it doesn't exist.
+    JsonObject item(const char* array, std::size_t index) const;
 
 private:
     std::unique_ptr<nlohmann::json> json_;

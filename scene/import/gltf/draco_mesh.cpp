@@ -1,8 +1,6 @@
 #include "scene/import/gltf/draco_mesh.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -19,17 +17,19 @@
 namespace campuswalk::scene::gltf {
 namespace {
 
-const draco::PointAttribute& attribute_of(const Item& compression, const draco::Mesh& mesh, std::size_t id) {
+const draco::PointAttribute& attribute_of(const JsonObject& compression, const draco::Mesh& mesh,
+                                          std::size_t id) {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
     if (attribute == nullptr) {
-        compression.fail("names the attribute " + std::to_string(id) + ", which its data does not contain");
+        compression.fail("refers to attribute " + std::to_string(id) + ", which its data does not contain");
     }
     return *attribute;
 }
 
 /// Calls `take(values)` with the `Components` floats of each point.
 template <std::size_t Components, typename Take>
-void for_each_point(const Item& compression, const draco::Mesh& mesh, std::size_t id, const Take& take) {
+void for_each_point(const JsonObject& compression, const draco::Mesh& mesh, std::size_t id,
+                    const Take& take) {
     const draco::PointAttribute& attribute = attribute_of(compression, mesh, id);
     for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
         std::array<float, Components> values{};
@@ -43,12 +43,7 @@ void for_each_point(const Item& compression, const draco::Mesh& mesh, std::size_
     }
 }
 
-std::uint8_t to_byte(float value) {
-    const float clamped = value > 0.0F ? std::min(value, 1.0F) : 0.0F;
-    return static_cast<std::uint8_t>(std::lround(clamped * 255.0F));
-}
-
-/// Colours are normalized whether Draco's own flag says so or only glTF's accessor.
+/// Integer colours are normalized, whether or not Draco's own flag says so.
 float color_scale(const draco::PointAttribute& attribute) {
     if (attribute.normalized()) {
         return 1.0F;
@@ -58,19 +53,20 @@ float color_scale(const draco::PointAttribute& attribute) {
                                                        : 1.0F;
 }
 
-void append_colors(const Item& compression, const draco::Mesh& mesh, std::size_t id, RawMesh& out) {
+void append_colors(const JsonObject& compression, const draco::Mesh& mesh, std::size_t id, RawMesh& out) {
     const draco::PointAttribute& attribute = attribute_of(compression, mesh, id);
     const bool has_alpha = attribute.num_components() > 3;
     const float scale = color_scale(attribute);
     for_each_point<4>(compression, mesh, id, [&](const auto& c) {
-        out.colors.push_back({to_byte(c[0] * scale), to_byte(c[1] * scale), to_byte(c[2] * scale),
-                              has_alpha ? to_byte(c[3] * scale) : std::uint8_t{255}});
+        out.colors.push_back(
+            to_rgba8(c[0] * scale, c[1] * scale, c[2] * scale, has_alpha ? c[3] * scale : 1.0F));
     });
 }
 
 }  // namespace
 
-void unpack_draco(const Item& compression, Bytes packed, const DracoAttributes& attributes, RawMesh& out) {
+void decode_draco(const JsonObject& compression, Bytes packed, const DracoAttributes& attributes,
+                  RawMesh& out) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(packed.data()), packed.size());
     draco::Decoder decoder;

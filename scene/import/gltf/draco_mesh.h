@@ -8,7 +8,7 @@
 
 namespace campuswalk::scene::gltf {
 
-/// Which of a Draco mesh's attributes is what, by its unique id.
+/// The unique ids of a Draco mesh's attributes.
 struct DracoAttributes {
     std::size_t position = 0;
     std::optional<std::size_t> normal;
@@ -16,8 +16,9 @@ struct DracoAttributes {
     std::optional<std::size_t> color;
 };
 
-/// Unpacks KHR_draco_mesh_compression into `out`, indices of any width. `compression` is the extension's
-/// object. Throws Fault when the bytes are damaged or hold no triangles.
-void unpack_draco(const Item& compression, Bytes packed, const DracoAttributes& attributes, RawMesh& out);
+/// Decodes KHR_draco_mesh_compression into `out`. `compression` is the extension's object. Throws GltfError
+/// if the bytes are damaged or are not a triangle mesh.
+void decode_draco(const JsonObject& compression, Bytes packed, const DracoAttributes& attributes,
+                  RawMesh& out);
 
 }  // namespace campuswalk::scene::gltf

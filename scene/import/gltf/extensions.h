@@ -7,11 +7,11 @@
 
 namespace campuswalk::scene::gltf {
 
-/// Throws Fault when the file is of another major version than 2, or can't be shown without an extension that
-/// isn't read; the message says what to export instead.
+/// Throws GltfError if the major version isn't 2, or if the file requires an unsupported extension; the
+/// message says what to export instead.
 void check_version_and_extensions(const Document& document);
 
-/// Extensions that the file uses, that aren't read and that might show.
+/// Unsupported extensions in use that may change the shape or the image.
 std::vector<std::string> unread_extensions(const Document& document);
 
 }  // namespace campuswalk::scene::gltf

@@ -3,13 +3,48 @@
 #include <charconv>
 
 #include "scene/import/gltf/extensions.h"
-#include "scene/import/gltf/fault.h"
 #include "scene/import/gltf/node_graph.h"
-#include "scene/import/gltf/relative_to_center.h"
 #include "scene/import/source/file_frame.h"
-#include "scene/import/source/image_files.h"
+#include "scene/import/source/tangent_frame.h"
 
 namespace campuswalk::scene::gltf {
+namespace {
+
+/// What CESIUM_RTC says: coordinates are relative to a distant centre ("rtc").
+struct CenterFrame {
+    Eigen::Matrix4d X_file_rtc = Eigen::Matrix4d::Identity();
+    std::optional<GeographicPlace> place;  ///< of the centre, without its `at`
+};
+
+/// A centre in ECEF coordinates, as map servers use, becomes the origin, with the local up and north. Any
+/// other is taken for map coordinates and translates the file. The extension's axes are Z-up. Identity
+/// without it.
+CenterFrame center_frame(const Document& document) {
+    CenterFrame frame;
+    const auto extensions = document.root().object("extensions");
+    const auto relative = extensions ? extensions->object("CESIUM_RTC") : std::nullopt;
+    if (!relative) {
+        return frame;
+    }
+    const auto numbers = relative->doubles("center", 3);
+    if (!numbers) {
+        relative->fail("lacks 'center'");
+    }
+    Eigen::Matrix3d R_center_rtc;  // Y-up to Z-up
+    R_center_rtc << 1, 0, 0,       //
+        0, 0, -1,                  //
+        0, 1, 0;
+    const Eigen::Vector3d center((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    if (const auto tangent = tangent_frame(center)) {
+        frame.place = tangent->place;
+        frame.X_file_rtc.topLeftCorner<3, 3>() = tangent->R_local_ecef * R_center_rtc;
+    } else {
+        frame.X_file_rtc.topRightCorner<3, 1>() = R_center_rtc.transpose() * center;
+    }
+    return frame;
+}
+
+}  // namespace
 
 struct GltfSource::Parts {
     explicit Parts(const std::filesystem::path& path)
@@ -25,17 +60,17 @@ struct GltfSource::Parts {
     std::vector<GltfMaterial> materials;
     std::unique_ptr<Primitives> primitives;
     GraphNotes notes;
-    std::optional<GeographicPlace> geographic;  ///< of what its center is
+    std::optional<GeographicPlace> geographic;  ///< of a CESIUM_RTC centre
 };
 
-/// Calls, and makes an InputError of what is wrong with the file.
+/// Runs `call` and turns GltfError into InputError.
 template <typename Call>
 auto GltfSource::reading(const Call& call) const {
     try {
         return call();
-    } catch (const Fault& fault) {
+    } catch (const GltfError& error) {
         throw InputError(file_.mark, "bad-model",
-                         "'" + file_.file + "' can't be read as a model: " + fault.what());
+                         "'" + file_.file + "' can't be read as a model: " + error.what());
     }
 }
 
@@ -77,16 +112,16 @@ RawMesh GltfSource::mesh(std::size_t number) {
 }
 
 std::optional<DecodedImage> GltfSource::embedded_image(std::size_t image, std::string& reason) {
-    const Item item = parts_->document.item("images", image);
-    if (const auto data = Buffers::data_of_uri(item.text("uri"))) {
-        return decode_image_bytes(*data, reason);
+    const JsonObject item = parts_->document.item("images", image);
+    if (const auto data = Buffers::data_of_uri(item.string("uri"))) {
+        return decode_image(*data, reason);
     }
-    const auto bytes = parts_->buffers.view(item.needed_whole("bufferView"));
+    const auto bytes = parts_->buffers.view(item.required_uint("bufferView"));
     if (!bytes) {
         reason = "has no data in the file; re-export it";
         return std::nullopt;
     }
-    return decode_image_bytes(*bytes, reason);
+    return decode_image(*bytes, reason);
 }
 
 std::optional<DecodedImage> GltfSource::load_image(const TextureReference& reference, std::string& reason) {
@@ -107,18 +142,18 @@ void GltfSource::add_warnings(DiagnosticList& warnings) {
         warnings.warning(file_.mark, code, file_.file + ": " + message);
     };
     const GraphNotes& notes = parts_->notes;
-    if (notes.scenes_left_out > 0) {
+    if (notes.ignored_scenes > 0) {
         warn("unsupported-feature",
-             std::to_string(notes.scenes_left_out + 1) +
+             std::to_string(notes.ignored_scenes + 1) +
                  " scenes: only the default scene is imported; export one file per scene");
     }
-    if (notes.meshes_left_out > 0 && notes.scenes_left_out == 0) {
+    if (notes.unplaced_meshes > 0 && notes.ignored_scenes == 0) {
         warn("unplaced-mesh",
-             "meshes not placed by the scene, ignored: " + std::to_string(notes.meshes_left_out));
+             "meshes not placed by the scene, ignored: " + std::to_string(notes.unplaced_meshes));
     }
-    if (notes.meshes_placed > 0) {
+    if (notes.meshes_at_origin > 0) {
         warn("unplaced-mesh",
-             "meshes without a node, placed at the origin: " + std::to_string(notes.meshes_placed));
+             "meshes without a node, placed at the origin: " + std::to_string(notes.meshes_at_origin));
     }
     if (notes.skinned > 0) {
         warn("unsupported-feature", "skins: " + std::to_string(notes.skinned) +
@@ -134,7 +169,7 @@ void GltfSource::add_warnings(DiagnosticList& warnings) {
                                  std::to_string(parts_->primitives->without_data()));
     }
     for (const GltfMaterial& material : parts_->materials) {
-        for (const std::string& key : material.left_out) {
+        for (const std::string& key : material.ignored_images) {
             warn("unsupported-feature",
                  "material '" + material.source.material.name + "': " + key +
                      " uses a different set of texture coordinates than its first texture; "

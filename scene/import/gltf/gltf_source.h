@@ -7,8 +7,7 @@
 
 namespace campuswalk::scene::gltf {
 
-/// glTF 2.0 and GLB, with Draco, meshopt, instancing, texture transforms and WebP. Other files are read
-/// through SceneFolder only.
+/// glTF 2.0 and GLB, with Draco, meshopt, instancing, texture transforms and WebP.
 class GltfSource final : public ModelSource {
 public:
     /// Throws InputError bad-model.

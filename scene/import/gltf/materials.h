@@ -10,8 +10,8 @@
 
 namespace campuswalk::scene::gltf {
 
-/// How an image lies on a surface: by which texture coordinates, and what KHR_texture_transform makes of
-/// them: uv' = linear * uv + offset.
+/// The mapping of an image to a surface: the set of texture coordinates and KHR_texture_transform,
+/// uv' = linear * uv + offset.
 struct TextureLayout {
     unsigned int channel = 0;
     Eigen::Matrix2f linear = Eigen::Matrix2f::Identity();
@@ -22,12 +22,12 @@ struct TextureLayout {
 
 struct GltfMaterial {
     SourceMaterial source;
-    TextureLayout layout;               ///< of its first image
-    std::vector<std::string> left_out;  ///< keys of images that lie otherwise than the first
+    TextureLayout layout;                     ///< of the first image
+    std::vector<std::string> ignored_images;  ///< keys of images with another layout than the first
 };
 
-/// All of a file's materials and, last, glTF's default one. Images inside the file are called `*N`, N being
-/// the number in `images`.
+/// The file's materials and, last, glTF's default material. Embedded images are named `*N` by their index in
+/// `images`.
 std::vector<GltfMaterial> read_materials(const Document& document);
 
 }  // namespace campuswalk::scene::gltf

@@ -5,11 +5,10 @@
 namespace campuswalk::scene::gltf {
 namespace {
 
-// What the library asserts, or what the extension's text allows.
-constexpr std::size_t kMostStride = 256;
-// One packed byte can't stand for more: a vertex block of 256 x 256 bytes has a header of 16 bytes for
-// each 16.
-constexpr std::size_t kMostGain = 1024;
+constexpr std::size_t kMaxStride = 256;  // of the extension and of the library
+// The highest possible compression ratio: a vertex block of 256 x 256 bytes has a header of 16 bytes for each
+// 16.
+constexpr std::size_t kMaxRatio = 1024;
 
 struct Layout {
     std::size_t count = 0;
@@ -18,28 +17,28 @@ struct Layout {
     std::string filter;
 };
 
-Layout layout_of(const Item& compression, std::size_t packed) {
+Layout layout_of(const JsonObject& compression, std::size_t packed) {
     Layout layout;
-    layout.count = compression.needed_whole("count");
-    layout.stride = compression.needed_whole("byteStride");
-    layout.mode = compression.text("mode");
-    layout.filter = compression.has("filter") ? compression.text("filter") : "NONE";
+    layout.count = compression.required_uint("count");
+    layout.stride = compression.required_uint("byteStride");
+    layout.mode = compression.string("mode");
+    layout.filter = compression.has("filter") ? compression.string("filter") : "NONE";
     if (layout.mode != "ATTRIBUTES" && layout.mode != "TRIANGLES" && layout.mode != "INDICES") {
         compression.fail("has the mode '" + layout.mode + "', which is not supported");
     }
     const bool vertices = layout.mode == "ATTRIBUTES";
-    const bool stride_fits = vertices ? layout.stride % 4 == 0 && layout.stride <= kMostStride
+    const bool stride_fits = vertices ? layout.stride % 4 == 0 && layout.stride <= kMaxStride
                                       : layout.stride == 2 || layout.stride == 4;
     if (layout.stride == 0 || !stride_fits || (layout.mode == "TRIANGLES" && layout.count % 3 != 0)) {
         compression.fail("has a byteStride or count that is not valid for its mode");
     }
-    if (layout.count > (packed + 1) * kMostGain) {
+    if (layout.count > (packed + 1) * kMaxRatio) {
         compression.fail("has a count larger than its bytes can hold");
     }
     return layout;
 }
 
-void apply_filter(const Item& compression, const Layout& layout, std::vector<std::uint8_t>& bytes) {
+void apply_filter(const JsonObject& compression, const Layout& layout, std::vector<std::uint8_t>& bytes) {
     const std::size_t stride = layout.stride;
     if (layout.filter == "NONE") {
         return;
@@ -57,7 +56,7 @@ void apply_filter(const Item& compression, const Layout& layout, std::vector<std
 
 }  // namespace
 
-std::vector<std::uint8_t> unpack_meshopt(const Item& compression, Bytes packed) {
+std::vector<std::uint8_t> decode_meshopt(const JsonObject& compression, Bytes packed) {
     const Layout layout = layout_of(compression, packed.size());
     std::vector<std::uint8_t> bytes(layout.count * layout.stride);
     int failure = 0;

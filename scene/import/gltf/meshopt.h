@@ -7,8 +7,8 @@
 
 namespace campuswalk::scene::gltf {
 
-/// The bytes of a buffer view that EXT_meshopt_compression packed; `compression` is the extension's object.
-/// Throws Fault when they are damaged or the object doesn't say what it must.
-std::vector<std::uint8_t> unpack_meshopt(const Item& compression, Bytes packed);
+/// Decodes a buffer view with EXT_meshopt_compression. `compression` is the extension's object. Throws
+/// GltfError if it is invalid or the bytes are damaged.
+std::vector<std::uint8_t> decode_meshopt(const JsonObject& compression, Bytes packed);
 
 }  // namespace campuswalk::scene::gltf

@@ -4,15 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "scene/import/gltf/fault.h"
-
 namespace campuswalk::scene::gltf {
 namespace {
 
 using Quaternion = std::array<float, 4>;  // x, y, z, w
 
-/// In single precision, as glTF's numbers are, and not normalized, as they should be: what the demo campus'
-/// logs were made with.
+/// Single precision, as glTF's numbers are. Not normalized: the golden logs depend on it.
 Eigen::Matrix3f rotation_of(const Quaternion& q) {
     const auto [x, y, z, w] = q;
     Eigen::Matrix3f m;
@@ -33,38 +30,38 @@ Eigen::Matrix4d transform_of(const Eigen::Vector3f& translation, const Quaternio
     return m.cast<double>();
 }
 
-/// A translation as single precision has it, which is all that glTF asks for; but a map's, where that has
-/// steps of half a millimetre and more, as it is written.
-void place_exactly(const std::vector<double>& written, Eigen::Matrix4d& X_parent_node) {
-    constexpr double kFar = 4096.0;  // metres
+/// Replaces large translations (map coordinates), where single precision has a spacing of 0.5 mm and more, by
+/// their double values.
+void refine_translation(const std::vector<double>& written, Eigen::Matrix4d& X_parent_node) {
+    constexpr double kLarge = 4096.0;  // metres
     for (std::size_t k = 0; k < 3; ++k) {
-        if (std::abs(written[k]) > kFar) {
+        if (std::abs(written[k]) > kLarge) {
             X_parent_node(static_cast<Eigen::Index>(k), 3) = written[k];
         }
     }
 }
 
-Eigen::Matrix4d local_transform(const Item& node) {
-    if (const auto matrix = node.numbers("matrix", 16)) {
+Eigen::Matrix4d local_transform(const JsonObject& node) {
+    if (const auto matrix = node.floats("matrix", 16)) {
         const Eigen::Map<const Eigen::Matrix4f> m(matrix->data());
         if (m.row(3) != Eigen::RowVector4f(0, 0, 0, 1)) {
             node.fail("has a 'matrix' that is not affine; re-export it");
         }
         Eigen::Matrix4d X_parent_node = m.cast<double>();
-        const std::vector<double> written = *node.exact_numbers("matrix", 16);
-        place_exactly({written.begin() + 12, written.begin() + 15}, X_parent_node);
+        const std::vector<double> written = *node.doubles("matrix", 16);
+        refine_translation({written.begin() + 12, written.begin() + 15}, X_parent_node);
         return X_parent_node;
     }
-    const auto t = node.exact_numbers("translation", 3).value_or(std::vector<double>{0, 0, 0});
-    const auto r = node.numbers("rotation", 4).value_or(std::vector<float>{0, 0, 0, 1});
-    const auto s = node.numbers("scale", 3).value_or(std::vector<float>{1, 1, 1});
+    const auto t = node.doubles("translation", 3).value_or(std::vector<double>{0, 0, 0});
+    const auto r = node.floats("rotation", 4).value_or(std::vector<float>{0, 0, 0, 1});
+    const auto s = node.floats("scale", 3).value_or(std::vector<float>{1, 1, 1});
     const Eigen::Vector3f translation = Eigen::Vector3d(t[0], t[1], t[2]).cast<float>();
     Eigen::Matrix4d X_parent_node = transform_of(translation, {r[0], r[1], r[2], r[3]}, {s[0], s[1], s[2]});
-    place_exactly(t, X_parent_node);
+    refine_translation(t, X_parent_node);
     return X_parent_node;
 }
 
-std::vector<Eigen::Matrix4d> instances_of(const Item& instancing, Accessors& accessors) {
+std::vector<Eigen::Matrix4d> instances_of(const JsonObject& instancing, Accessors& accessors) {
     const auto attributes = instancing.object("attributes");
     if (!attributes) {
         instancing.fail("lacks 'attributes'");
@@ -74,7 +71,7 @@ std::vector<Eigen::Matrix4d> instances_of(const Item& instancing, Accessors& acc
     std::vector<float> scales;
     std::size_t count = 0;
     const auto read = [&](const char* name, std::size_t components, std::vector<float>& out) {
-        if (const auto at = attributes->whole(name)) {
+        if (const auto at = attributes->uint(name)) {
             out = accessors.floats(*at, static_cast<int>(components));
             count = std::max(count, out.size() / components);
         }
@@ -98,7 +95,7 @@ std::vector<Eigen::Matrix4d> instances_of(const Item& instancing, Accessors& acc
     return result;
 }
 
-/// Builds the tree; nodes are numbered as in the file until they are added.
+/// Builds the tree. Visit::node is an index in the file; parents are indices in the tree.
 class GraphReader {
 public:
     GraphReader(const Document& document, const Primitives& primitives, Accessors& accessors,
@@ -125,7 +122,7 @@ private:
     void add_node(const Visit& visit, std::vector<Visit>& pending);
     int add(std::string name, int parent, const Eigen::Matrix4d& X_parent_node);
     void draw(int node, std::size_t mesh);
-    void draw_node(int self, const Item& item);
+    void draw_node(int self, const JsonObject& item);
     std::vector<std::size_t> meshes_not_drawn() const;
 
     const Document& document_;
@@ -135,14 +132,14 @@ private:
     GraphNotes& notes_;
     std::vector<bool> reached_;  // by node
     std::vector<bool> drawn_;    // by mesh
-    bool whole_ = true;          // no default scene
+    bool has_default_scene_ = false;
     NodeTree tree_;
 };
 
 std::vector<std::size_t> GraphReader::nodes_without_a_parent() const {
     std::vector<bool> is_child(reached_.size(), false);
     for (std::size_t i = 0; i < reached_.size(); ++i) {
-        for (const std::size_t child : document_.item("nodes", i).wholes("children")) {
+        for (const std::size_t child : document_.item("nodes", i).uints("children")) {
             if (child < is_child.size()) {
                 is_child[child] = true;
             }
@@ -159,17 +156,17 @@ std::vector<std::size_t> GraphReader::nodes_without_a_parent() const {
 
 std::vector<std::size_t> GraphReader::roots() {
     const std::size_t scenes = document_.size("scenes");
-    if (const auto chosen = document_.root().whole("scene")) {
-        whole_ = false;
-        notes_.scenes_left_out = scenes > 0 ? scenes - 1 : 0;
-        return document_.item("scenes", *chosen).wholes("nodes");
+    if (const auto chosen = document_.root().uint("scene")) {
+        has_default_scene_ = true;
+        notes_.ignored_scenes = scenes > 0 ? scenes - 1 : 0;
+        return document_.item("scenes", *chosen).uints("nodes");
     }
     if (scenes == 0) {
         return nodes_without_a_parent();
     }
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < scenes; ++i) {
-        for (const std::size_t node : document_.item("scenes", i).wholes("nodes")) {
+        for (const std::size_t node : document_.item("scenes", i).uints("nodes")) {
             if (std::ranges::find(result, node) == result.end()) {
                 result.push_back(node);
             }
@@ -197,8 +194,8 @@ void GraphReader::draw(int node, std::size_t mesh) {
     }
 }
 
-void GraphReader::draw_node(int self, const Item& item) {
-    const auto mesh = item.whole("mesh");
+void GraphReader::draw_node(int self, const JsonObject& item) {
+    const auto mesh = item.uint("mesh");
     if (!mesh) {
         return;
     }
@@ -220,19 +217,19 @@ void GraphReader::draw_node(int self, const Item& item) {
 }
 
 void GraphReader::add_node(const Visit& visit, std::vector<Visit>& pending) {
-    const Item item = document_.item("nodes", visit.node);
+    const JsonObject item = document_.item("nodes", visit.node);
     if (reached_[visit.node]) {
         item.fail("has two parents or is its own ancestor; re-export it");
     }
     reached_[visit.node] = true;
-    std::string name = item.text("name");
+    std::string name = item.string("name");
     if (name.empty()) {
         name = "nodes[" + std::to_string(visit.node) + "]";
     }
     const int self = add(std::move(name), visit.parent, local_transform(item));
     draw_node(self, item);
-    const std::vector<std::size_t> children = item.wholes("children");
-    for (std::size_t i = children.size(); i > 0; --i) {  // last first: the stack turns them round
+    const std::vector<std::size_t> children = item.uints("children");
+    for (std::size_t i = children.size(); i > 0; --i) {  // reversed: the stack pops the first child first
         pending.push_back({children[i - 1], self});
     }
 }
@@ -265,18 +262,18 @@ NodeTree GraphReader::read() {
     for (const std::size_t root : top) {
         add_tree(root, parent);
     }
-    const std::vector<std::size_t> left = meshes_not_drawn();
-    if (!whole_) {
-        notes_.meshes_left_out = left.size();
+    const std::vector<std::size_t> unplaced = meshes_not_drawn();
+    if (has_default_scene_) {
+        notes_.unplaced_meshes = unplaced.size();
         return std::move(tree_);
     }
-    for (const std::size_t mesh : left) {
-        const std::string name = document_.item("meshes", mesh).text("name");
+    for (const std::size_t mesh : unplaced) {
+        const std::string name = document_.item("meshes", mesh).string("name");
         draw(add(name.empty() ? "meshes[" + std::to_string(mesh) + "]" : name, parent,
                  Eigen::Matrix4d::Identity()),
              mesh);
     }
-    notes_.meshes_placed = left.size();
+    notes_.meshes_at_origin = unplaced.size();
     return std::move(tree_);
 }
 

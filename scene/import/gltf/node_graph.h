@@ -13,18 +13,18 @@
 
 namespace campuswalk::scene::gltf {
 
-/// What the hierarchy says that the Model doesn't show.
+/// What was ignored or changed in the hierarchy, for warnings.
 struct GraphNotes {
-    std::size_t scenes_left_out = 0;
-    std::size_t meshes_left_out = 0;  ///< no node of the default scene draws them
-    std::size_t meshes_placed = 0;    ///< no node draws them: put at the origin
-    std::size_t skinned = 0;          ///< nodes whose mesh bones would move
+    std::size_t ignored_scenes = 0;
+    std::size_t unplaced_meshes = 0;   ///< not in the default scene: ignored
+    std::size_t meshes_at_origin = 0;  ///< in no node: added at the origin
+    std::size_t skinned = 0;           ///< nodes with a skin, which is ignored
 };
 
-/// The nodes of the default scene. A file that names none is a box of parts and is read whole: the nodes of
-/// all scenes, or without scenes all nodes, and meshes that none of them draws, each under a node of its own.
-/// EXT_mesh_gpu_instancing gives a node's copies nodes of their own below it, called `NAME#1`, `NAME#2`, ….
-/// Several roots get a common one called `ROOT`; nodes without a name are called `nodes[N]`.
+/// Reads the nodes of the default scene. Without a default scene, reads everything: the nodes of all scenes,
+/// or all nodes if there are no scenes, and meshes that no node draws, each in a node of its own.
+/// EXT_mesh_gpu_instancing adds a child node per instance, named `NAME#1`, `NAME#2`, …. Several roots get a
+/// common parent named `ROOT`; unnamed nodes are named `nodes[N]`.
 NodeTree read_node_graph(const Document& document, const Primitives& primitives, Accessors& accessors,
                          const Eigen::Matrix4d& X_world_file, GraphNotes& notes);
 

@@ -12,45 +12,45 @@ enum class Mode : std::size_t { points, lines, line_loop, line_strip, triangles,
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// The triangles of corners in the order of `corner(i)`. Every second one of a strip is turned round, so that
-/// all face the same way.
-template <typename Corner>
-Triangles assemble(Mode mode, std::size_t corners, const Corner& corner) {
+/// The triangles of `count` indices `index(i)`. Every second one of a strip is reversed, so that all face the
+/// same way.
+template <typename Index>
+Triangles assemble(Mode mode, std::size_t count, const Index& index) {
     Triangles triangles;
     if (mode == Mode::triangles) {
-        triangles.reserve(corners / 3);
-        for (std::size_t i = 0; i + 2 < corners; i += 3) {
-            triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
+        triangles.reserve(count / 3);
+        for (std::size_t i = 0; i + 2 < count; i += 3) {
+            triangles.push_back({index(i), index(i + 1), index(i + 2)});
         }
     } else if (mode == Mode::strip) {
-        for (std::size_t i = 0; i + 2 < corners; ++i) {
-            triangles.push_back({corner(i), corner(i + 1 + i % 2), corner(i + 2 - i % 2)});
+        for (std::size_t i = 0; i + 2 < count; ++i) {
+            triangles.push_back({index(i), index(i + 1 + i % 2), index(i + 2 - i % 2)});
         }
     } else {
-        for (std::size_t i = 1; i + 1 < corners; ++i) {
-            triangles.push_back({corner(i), corner(i + 1), corner(0)});
+        for (std::size_t i = 1; i + 1 < count; ++i) {
+            triangles.push_back({index(i), index(i + 1), index(0)});
         }
     }
     return triangles;
 }
 
-std::size_t points_and_lines(Mode mode, std::size_t corners) {
+std::size_t points_and_lines(Mode mode, std::size_t count) {
     switch (mode) {
         case Mode::points:
         case Mode::line_loop:
-            return corners;
+            return count;
         case Mode::lines:
-            return corners / 2;
+            return count / 2;
         default:
-            return corners > 0 ? corners - 1 : 0;
+            return count > 0 ? count - 1 : 0;
     }
 }
 
 template <typename Vector>
-void check_length(const Item& primitive, const Vector& values, std::size_t count, const char* name) {
+void check_length(const JsonObject& primitive, const Vector& values, std::size_t count, const char* name) {
     if (!values.empty() && values.size() != count) {
         primitive.fail("has " + std::to_string(count) + " positions and " + std::to_string(values.size()) +
-                       " of " + name + "; export it again");
+                       " of " + name + "; re-export it");
     }
 }
 
@@ -78,82 +78,82 @@ void Primitives::transform_uvs(RawMesh& mesh) const {
     }
 }
 
-void Primitives::read_attributes(const Item& primitive, const Item& attributes, RawMesh& out) {
-    if (const auto position = attributes.whole("POSITION")) {
+void Primitives::read_attributes(const JsonObject& primitive, const JsonObject& attributes, RawMesh& out) {
+    if (const auto position = attributes.uint("POSITION")) {
         out.positions = accessors_.vectors3(*position);
     } else {
-        // Legal, if nothing that can be seen: all its corners are the origin.
+        // Valid, but invisible: all positions are the origin.
         ++without_positions_;
         const auto names = attributes.keys();
         const std::size_t count =
-            names.empty() ? 0 : accessors_.count(attributes.needed_whole(names.front().c_str()));
+            names.empty() ? 0 : accessors_.count(attributes.required_uint(names.front().c_str()));
         out.positions.assign(count, Eigen::Vector3f::Zero());
     }
     const std::size_t count = out.positions.size();
-    if (const auto normal = attributes.whole("NORMAL")) {
+    if (const auto normal = attributes.uint("NORMAL")) {
         out.normals = accessors_.vectors3(*normal);
         check_length(primitive, out.normals, count, "NORMAL");
     }
     const std::string uv = uv_name(out);
-    if (const auto uvs = attributes.whole(uv.c_str())) {
+    if (const auto uvs = attributes.uint(uv.c_str())) {
         out.uvs = accessors_.vectors2(*uvs);
         check_length(primitive, out.uvs, count, uv.c_str());
     }
-    if (const auto colors = attributes.whole("COLOR_0")) {
+    if (const auto colors = attributes.uint("COLOR_0")) {
         out.colors = accessors_.colors(*colors);
         check_length(primitive, out.colors, count, "COLOR_0");
     }
 }
 
-void Primitives::read_triangles(const Item& primitive, RawMesh& out) {
-    const std::size_t mode_number = primitive.whole("mode").value_or(4);
+void Primitives::read_triangles(const JsonObject& primitive, RawMesh& out) {
+    const std::size_t mode_number = primitive.uint("mode").value_or(4);
     if (mode_number > 6) {
         primitive.fail("has the mode " + std::to_string(mode_number) + ", which does not exist");
     }
     const auto mode = static_cast<Mode>(mode_number);
-    const auto indices_at = primitive.whole("indices");
+    const auto indices_at = primitive.uint("indices");
     const std::vector<std::uint32_t> indices =
-        indices_at ? accessors_.whole_numbers(*indices_at) : std::vector<std::uint32_t>{};
-    const std::size_t corners = indices_at ? indices.size() : out.positions.size();
+        indices_at ? accessors_.indices(*indices_at) : std::vector<std::uint32_t>{};
+    const std::size_t count = indices_at ? indices.size() : out.positions.size();
     if (mode < Mode::triangles) {
-        out.points_and_lines = std::max<std::size_t>(points_and_lines(mode, corners), 1);
+        out.points_and_lines = std::max<std::size_t>(points_and_lines(mode, count), 1);
     } else if (indices_at) {
-        out.triangles = assemble(mode, corners, [&](std::size_t i) { return indices[i]; });
+        out.triangles = assemble(mode, count, [&](std::size_t i) { return indices[i]; });
     } else {
-        out.triangles = assemble(mode, corners, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+        out.triangles = assemble(mode, count, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
     }
 }
 
-void Primitives::read_draco(const Item& compression, RawMesh& out) {
+void Primitives::read_draco(const JsonObject& compression, RawMesh& out) {
     const auto ids = compression.object("attributes");
     if (!ids) {
         compression.fail("lacks 'attributes'");
     }
-    const auto packed = buffers_.view(compression.needed_whole("bufferView"));
+    const auto packed = buffers_.view(compression.required_uint("bufferView"));
     if (!packed) {
         compression.fail("has no data");
     }
     DracoAttributes attributes;
-    attributes.position = ids->needed_whole("POSITION");
-    attributes.normal = ids->whole("NORMAL");
-    attributes.uv = ids->whole(uv_name(out).c_str());
-    attributes.color = ids->whole("COLOR_0");
-    unpack_draco(compression, *packed, attributes, out);
+    attributes.position = ids->required_uint("POSITION");
+    attributes.normal = ids->uint("NORMAL");
+    attributes.uv = ids->uint(uv_name(out).c_str());
+    attributes.color = ids->uint("COLOR_0");
+    decode_draco(compression, *packed, attributes, out);
 }
 
 RawMesh Primitives::read(std::size_t number) {
     const auto next = std::upper_bound(first_.begin(), first_.end(), number);
     const auto mesh_index = static_cast<std::size_t>(next - first_.begin()) - 1;
-    const Item mesh = document_.item("meshes", mesh_index);
-    const std::vector<Item> primitives = mesh.objects("primitives");
-    const Item& primitive = primitives[number - first_[mesh_index]];
+    const JsonObject mesh = document_.item("meshes", mesh_index);
+    const std::vector<JsonObject> primitives = mesh.objects("primitives");
+    const JsonObject& primitive = primitives[number - first_[mesh_index]];
 
     RawMesh out;
-    out.name = mesh.text("name");
+    out.name = mesh.string("name");
     if (primitives.size() > 1) {
         out.name += "-" + std::to_string(number - first_[mesh_index]);
     }
-    out.material = primitive.whole("material").value_or(materials_.size() - 1);
+    out.material = primitive.uint("material").value_or(materials_.size() - 1);
     if (out.material >= materials_.size()) {
         primitive.fail("refers to a material that does not exist");
     }

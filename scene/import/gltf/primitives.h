@@ -10,12 +10,12 @@
 
 namespace campuswalk::scene::gltf {
 
-/// The primitives of all meshes, numbered one after the other, and how to read one.
+/// Reads the primitives of all meshes, which are numbered consecutively.
 class Primitives {
 public:
     Primitives(const Document& document, Buffers& buffers, const std::vector<GltfMaterial>& materials);
 
-    /// Those of a mesh: `[first(mesh), first(mesh + 1))`.
+    /// A mesh has the primitives `[first(mesh), first(mesh + 1))`.
     std::size_t first(std::size_t mesh) const { return first_[mesh]; }
     std::size_t mesh_count() const { return first_.size() - 1; }
     RawMesh read(std::size_t number);
@@ -24,10 +24,10 @@ public:
     std::size_t morphed() const { return morphed_; }
 
 private:
-    void read_attributes(const Item& primitive, const Item& attributes, RawMesh& out);
-    void read_draco(const Item& compression, RawMesh& out);
-    void read_triangles(const Item& primitive, RawMesh& out);
-    /// The name of the texture coordinates that the primitive's material uses, empty for none.
+    void read_attributes(const JsonObject& primitive, const JsonObject& attributes, RawMesh& out);
+    void read_draco(const JsonObject& compression, RawMesh& out);
+    void read_triangles(const JsonObject& primitive, RawMesh& out);
+    /// The attribute with the texture coordinates that the mesh's material uses.
     std::string uv_name(const RawMesh& mesh) const;
     void transform_uvs(RawMesh& mesh) const;
 
@@ -35,7 +35,7 @@ private:
     Buffers& buffers_;
     const std::vector<GltfMaterial>& materials_;
     Accessors accessors_;
-    std::vector<std::size_t> first_;  // by mesh, and one more
+    std::vector<std::size_t> first_;  // by mesh, and one past the end
     std::size_t without_positions_ = 0;
     std::size_t morphed_ = 0;
 };

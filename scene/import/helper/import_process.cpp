@@ -29,8 +29,7 @@ namespace {
                              std::generic_category().message(error));
 }
 
-/// A file that lives in memory and has no name: requests and answers go through it, so that neither side
-/// waits for the other.
+/// An anonymous file in memory. Carries the request and the response; unlike a pipe, neither side can block.
 class MemoryFile {
 public:
     explicit MemoryFile(const char* name) : file_(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
@@ -48,8 +47,9 @@ public:
         lseek(number(), 0, SEEK_SET);
     }
 
-    /// Nobody changes it any more, not even a process that the helper left behind; false if one still could.
-    bool finish() const {
+    /// Prevents changes by anyone, such as a process that the helper left running; false if one may still
+    /// write.
+    bool make_read_only() const {
         return fcntl(number(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) == 0;
     }
 
@@ -57,7 +57,7 @@ private:
     Descriptor file_;
 };
 
-/// The bytes of a sealed MemoryFile.
+/// The bytes of a read-only MemoryFile.
 class Mapping {
 public:
     explicit Mapping(const MemoryFile& file) {
@@ -85,9 +85,9 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Ours, but that glibc's malloc is told to take large pages: a large model's import waits a third of its
-/// time for small ones.
-std::vector<std::string> helper_variables() {
+/// Our environment, with large pages enabled for glibc's malloc: else a third of the time of a large import
+/// goes to page faults.
+std::vector<std::string> helper_environment() {
     constexpr std::string_view kTunables = "GLIBC_TUNABLES=";
     constexpr std::string_view kLargePages = "glibc.malloc.hugetlb=1";
     std::vector<std::string> variables;
@@ -104,16 +104,17 @@ std::vector<std::string> helper_variables() {
     return variables;
 }
 
-/// The helper, with the request as its standard input and the answer as its standard output.
-ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request, const MemoryFile& answer) {
+/// Starts the helper with the request as its standard input and the response as its standard output.
+ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request,
+                          const MemoryFile& response) {
     const Descriptor nowhere =
-        open_nowhere();  // what a crash prints is nobody's business: it is told in one line
+        open_nowhere();  // a crash is reported in one line, without the helper's output
     try {
         return start_program({.program = helper.program.string(),
                               .arguments = helper.arguments,
-                              .environment = helper_variables(),
+                              .environment = helper_environment(),
                               .input = request.number(),
-                              .output = answer.number(),
+                              .output = response.number(),
                               .error = nowhere.number(),
                               .detached = true});
     } catch (const std::system_error& error) {
@@ -121,7 +122,7 @@ ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request
     }
 }
 
-/// With the file's size taken into account.
+/// With the CPU time for the size of the file added.
 ImportLimits limits_for(const SceneFile& file, ImportLimits limits) {
     std::error_code none;
     const std::uintmax_t bytes = std::filesystem::file_size(file.path, none);
@@ -136,28 +137,28 @@ std::string in_megabytes(std::uint64_t bytes) {
     return std::to_string(bytes >> 20U) + " MB";
 }
 
-/// Why there is no answer, in words; empty when there should be one.
-std::string trouble_of(const ExitStatus& ending, bool out_of_time, const ImportLimits& limits) {
-    if (out_of_time) {
+/// Why there is no response; empty if there is one.
+std::string failure_of(const ExitStatus& end, bool timed_out, const ImportLimits& limits) {
+    if (timed_out) {
         return "its import was stopped after " + std::to_string(limits.cpu + limits.waiting) +
                " s; re-export, simplify or split it";
     }
-    if (ending.signal == SIGXCPU || (ending.signal == SIGKILL && ending.cpu_seconds >= limits.cpu)) {
+    if (end.signal == SIGXCPU || (end.signal == SIGKILL && end.cpu_seconds >= limits.cpu)) {
         return "its import was stopped after " + std::to_string(limits.cpu) +
                " s of CPU time: it is damaged or too large; re-export, simplify or split it";
     }
-    if (ending.signal == SIGXFSZ) {
-        return "the imported model exceeds " + in_megabytes(limits.answer) + "; simplify or split it";
+    if (end.signal == SIGXFSZ) {
+        return "the imported model exceeds " + in_megabytes(limits.response) + "; simplify or split it";
     }
-    if (ending.signal == SIGKILL) {
+    if (end.signal == SIGKILL) {
         return "its import was killed, probably because it ran out of memory; simplify or split it";
     }
-    if (ending.signal != 0) {
-        return "its reader crashed (signal " + std::to_string(ending.signal) +
+    if (end.signal != 0) {
+        return "its reader crashed (signal " + std::to_string(end.signal) +
                "); the file is damaged or uses unsupported features: convert it to glTF";
     }
-    if (ending.exit_code != 0) {
-        return "its import ended without producing a model (exit code " + std::to_string(ending.exit_code) +
+    if (end.exit_code != 0) {
+        return "its import ended without producing a model (exit code " + std::to_string(end.exit_code) +
                ", perhaps more than " + in_megabytes(limits.memory) + " of memory); simplify or split it";
     }
     return {};
@@ -167,25 +168,25 @@ ImportedModel import_with(const HelperProgram& helper, const ImportRequest& requ
     const auto refuse = [&](const std::string& why) {
         throw InputError(request.file.mark, "bad-model", "'" + request.file.file + "' can't be read: " + why);
     };
-    const MemoryFile question("campuswalk-import-request");
-    const MemoryFile answer("campuswalk-import-answer");
-    question.write(write_request(request));
-    ChildProcess process = start_helper(helper, question, answer);
-    const std::chrono::seconds patience(request.limits.cpu + request.limits.waiting);
-    const bool out_of_time = !process.ends_within(patience);
-    if (out_of_time) {
+    const MemoryFile request_file("campuswalk-import-request");
+    const MemoryFile response_file("campuswalk-import-response");
+    request_file.write(write_request(request));
+    ChildProcess process = start_helper(helper, request_file, response_file);
+    const std::chrono::seconds time_limit(request.limits.cpu + request.limits.waiting);
+    const bool timed_out = !process.ends_within(time_limit);
+    if (timed_out) {
         process.send_signal(SIGKILL);
     }
-    const std::string trouble = trouble_of(process.wait(), out_of_time, request.limits);
-    if (!trouble.empty()) {
-        refuse(trouble);
+    const std::string failure = failure_of(process.wait(), timed_out, request.limits);
+    if (!failure.empty()) {
+        refuse(failure);
     }
-    if (!answer.finish()) {
+    if (!response_file.make_read_only()) {
         refuse("its import left a process running; do not trust this file");
     }
     try {
-        const auto mapping = std::make_shared<const Mapping>(answer);
-        return read_answer(mapping->bytes(), mapping);
+        const auto mapping = std::make_shared<const Mapping>(response_file);
+        return read_response(mapping->bytes(), mapping);
     } catch (const DamagedFile& damage) {
         refuse(std::string("its import returned invalid data (") + damage.what() +
                "); do not trust this file");

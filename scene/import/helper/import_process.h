@@ -14,9 +14,9 @@ struct HelperProgram {
     std::vector<std::string> arguments;  ///< without the program's name
 };
 
-/// import_model in a process of its own, started with posix_spawn: the models of strangers can crash it, not
-/// this one. A helper that crashes, runs into a limit or answers what is no model gives InputError bad-model;
-/// one that can't be started std::runtime_error.
+/// Runs import_model in a child process, so that an untrusted model can't crash this one. A helper that
+/// crashes, exceeds a limit or sends an invalid response gives InputError bad-model; one that can't be
+/// started gives std::runtime_error.
 Importer import_in_process(HelperProgram helper, ImportLimits limits = {});
 
 }  // namespace campuswalk::scene

@@ -36,8 +36,8 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(request.limits.cpu);
     out.put(request.limits.cpu_per_megabyte);
     out.put(request.limits.waiting);
-    out.put(request.limits.answer);
-    return joined(out.finish());
+    out.put(request.limits.response);
+    return concatenated(out.finish());
 }
 
 ImportRequest read_request(std::span<const std::byte> bytes) {
@@ -55,28 +55,28 @@ ImportRequest read_request(std::span<const std::byte> bytes) {
     for (Eigen::Index i = 0; i < 3; ++i) {
         file.position[i] = in.take<double>();
     }
-    request.if_empty = static_cast<EmptyModel>(in.take_below(2, "way with empty models"));
+    request.if_empty = static_cast<EmptyModel>(in.take_below(2, "treatment of empty models"));
     request.limits.memory = in.take<std::uint64_t>();
     request.limits.cpu = in.take<std::uint32_t>();
     request.limits.cpu_per_megabyte = in.take<std::uint32_t>();
     request.limits.waiting = in.take<std::uint32_t>();
-    request.limits.answer = in.take<std::uint64_t>();
+    request.limits.response = in.take<std::uint64_t>();
     in.finish();
     return request;
 }
 
-ImportedModel refusal_of(const InputError& error) {
-    ImportedModel refusal;
-    refusal.warnings = error.diagnostics();
-    return refusal;
+ImportedModel error_response(const InputError& error) {
+    ImportedModel response;
+    response.warnings = error.diagnostics();
+    return response;
 }
 
-ImportedModel read_answer(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
-    ImportedModel answer = read_model_file(bytes, std::move(owner));
-    if (std::ranges::any_of(answer.warnings, is_error)) {
-        throw InputError(std::move(answer.warnings));
+ImportedModel read_response(std::span<const std::byte> bytes, std::shared_ptr<const void> owner) {
+    ImportedModel response = read_model_file(bytes, std::move(owner));
+    if (std::ranges::any_of(response.warnings, is_error)) {
+        throw InputError(std::move(response.warnings));
     }
-    return answer;
+    return response;
 }
 
 }  // namespace campuswalk::scene

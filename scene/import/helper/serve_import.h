@@ -1,13 +1,17 @@
 #pragma once
 
+#include "scene/import/helper/import_protocol.h"
+
 namespace campuswalk::scene {
 
-/// The first argument by which a program says that it was started as import helper.
+/// The first argument of a program that is started as import helper.
 inline constexpr const char* kImportHelperArgument = "import-helper";
 
-/// What such a program does, and nothing else: reads the request from standard input, limits itself, imports,
-/// writes the answer to standard output, both of them files. The exit code: 0 for an answer, else none was
-/// possible.
+/// The main function of the helper: reads the request from standard input, limits its resources, imports, and
+/// writes the response to standard output; both are files. Returns the exit code, 0 if there is a response.
 int serve_import();
+
+/// Limits the resources of this process, except wall clock time, which the parent watches.
+void limit_process(const ImportLimits& limits);
 
 }  // namespace campuswalk::scene

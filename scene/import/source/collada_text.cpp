@@ -10,7 +10,7 @@
 namespace campuswalk::scene {
 namespace {
 
-/// A number alone, but for white space about it.
+/// The whole text as a number; white space around it is allowed.
 std::optional<double> number_of(std::string_view text) {
     constexpr std::string_view kSpace = " \t\r\n";
     const std::size_t first = text.find_first_not_of(kSpace);
@@ -19,7 +19,7 @@ std::optional<double> number_of(std::string_view text) {
     }
     text = text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
-        text.remove_prefix(1);  // allowed in XML, not by from_chars
+        text.remove_prefix(1);  // valid in XML, but not for from_chars
     }
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -32,9 +32,9 @@ std::optional<double> number_of(std::string_view text) {
 ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
     pugi::xml_document document;
     if (!document.load_buffer(xml.data(), xml.size())) {
-        return {};  // who imports it says what is wrong with it
+        return {};  // the importer reports it
     }
-    // COLLADA 1.5 puts it into <coverage>, and others right into <asset>.
+    // Inside <coverage> in COLLADA 1.5, directly in <asset> elsewhere.
     const pugi::xml_node location = document.child("COLLADA").child("asset").find_node(
         [](const pugi::xml_node& node) { return std::string_view(node.name()) == "geographic_location"; });
     if (!location) {

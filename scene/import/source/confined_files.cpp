@@ -1,10 +1,8 @@
 #include "scene/import/source/confined_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <memory>
 
 #include <assimp/MemoryIOWrapper.h>
@@ -15,7 +13,7 @@
 namespace campuswalk::scene {
 namespace {
 
-/// A file on disk, read where it lies: a copy in memory would double the cost of large models.
+/// A file on disk, not copied to memory: that would double the memory for large models.
 class OpenFile final : public Assimp::IOStream {
 public:
     OpenFile(std::FILE* file, std::size_t size) : file_(file, &std::fclose), size_(size) {}
@@ -45,40 +43,7 @@ private:
     std::size_t size_ = 0;
 };
 
-}  // namespace
-
-std::optional<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary | std::ios::ate);
-    if (!in) {
-        return std::nullopt;
-    }
-    const std::streamoff size = in.tellg();
-    if (size < 0) {
-        return std::nullopt;
-    }
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    in.seekg(0);
-    in.read(reinterpret_cast<char*>(bytes.data()), size);
-    if (!in) {
-        return std::nullopt;
-    }
-    return bytes;
-}
-
-bool ConfinedFiles::Exists(const char* name) const {
-    return folder_.find_file(name).has_value();
-}
-
-namespace {
-
-bool has_extension(const std::filesystem::path& path, const char* lower_case) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == lower_case;
-}
-
-Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
+Assimp::IOStream* open_unchanged(const std::filesystem::path& path) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
     std::FILE* file = error ? nullptr : std::fopen(path.c_str(), "rb");
@@ -87,7 +52,10 @@ Assimp::IOStream* open_as_it_is(const std::filesystem::path& path) {
 
 }  // namespace
 
-/// Text made such that assimp can read it; nullptr when the file can't be read.
+bool ConfinedFiles::Exists(const char* name) const {
+    return folder_.find_file(name).has_value();
+}
+
 Assimp::IOStream* ConfinedFiles::open_collada(const std::filesystem::path& path) {
     auto text = read_bytes(path);
     if (!text) {
@@ -95,12 +63,12 @@ Assimp::IOStream* ConfinedFiles::open_collada(const std::filesystem::path& path)
     }
     trim_element_starts(*text);
     geographic_ = read_geography(*text);
-    auto* copy = new std::uint8_t[text->size()];  // assimp's stream deletes it
+    auto* copy = new std::uint8_t[text->size()];  // owned by the stream
     std::ranges::copy(*text, copy);
     return new Assimp::MemoryIOStream(copy, text->size(), true);
 }
 
-/// Assimp opens it more than once.
+/// Assimp opens it more than once: the result is cached.
 Assimp::IOStream* ConfinedFiles::open_obj(const std::filesystem::path& path) {
     if (!obj_) {
         obj_ = read_bytes(path).value_or(std::vector<std::uint8_t>());
@@ -110,16 +78,17 @@ Assimp::IOStream* ConfinedFiles::open_obj(const std::filesystem::path& path) {
             obj_ = std::vector<std::uint8_t>();
         }
     }
-    return obj_->empty() ? open_as_it_is(path) : new Assimp::MemoryIOStream(obj_->data(), obj_->size());
+    return obj_->empty() ? open_unchanged(path) : new Assimp::MemoryIOStream(obj_->data(), obj_->size());
 }
 
 Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
-    Assimp::IOStream* stream = !path                          ? nullptr
-                               : has_extension(*path, ".dae") ? open_collada(*path)
-                               : has_extension(*path, ".obj") ? open_obj(*path)
-                                                              : open_as_it_is(*path);
+    const std::string extension = path ? lower_case(path->extension().string()) : "";
+    Assimp::IOStream* stream = !path                 ? nullptr
+                               : extension == ".dae" ? open_collada(*path)
+                               : extension == ".obj" ? open_obj(*path)
+                                                     : open_unchanged(*path);
     if (stream == nullptr) {
         refused_.emplace_back(name);
     }

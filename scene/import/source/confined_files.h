@@ -14,14 +14,11 @@
 
 namespace campuswalk::scene {
 
-/// The whole file, or nullopt when it can't be read.
-std::optional<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path& path);
-
-/// What assimp sees of the disk: the scene's folder and nothing else, read only. Names are relative to that
-/// folder, so its messages carry no path of this machine.
+/// Assimp's access to the disk: the scene's folder only, read only. Names are relative to that folder, so
+/// that assimp's messages contain no absolute paths. Text that assimp can't handle is corrected on the fly.
 class ConfinedFiles final : public Assimp::IOSystem {
 public:
-    /// `metres_per_unit` of the scene: see obj_text.h.
+    /// `metres_per_unit`: for move_vertices_near.
     explicit ConfinedFiles(SceneFolder folder, double metres_per_unit = 1.0)
         : folder_(std::move(folder)), metres_per_unit_(metres_per_unit) {}
 
@@ -31,13 +28,12 @@ public:
     void Close(Assimp::IOStream* stream) override;
 
     const SceneFolder& folder() const { return folder_; }
-    /// By how much the vertices of an OBJ were moved near the origin, in its units.
+    /// What move_vertices_near subtracted from an OBJ's vertices, in its units.
     const Eigen::Vector3d& origin() const { return origin_; }
-    /// Where a COLLADA file says it is.
     const ColladaGeography& geographic() const { return geographic_; }
-    /// Whether faces of an OBJ named texture coordinates that it hasn't.
+    /// Whether drop_absent_uvs changed an OBJ.
     bool dropped_uvs() const { return dropped_uvs_; }
-    /// Names that were asked for and not given, in order.
+    /// Names of the files that were missing or refused, in order.
     const std::vector<std::string>& refused() const { return refused_; }
 
 private:
@@ -46,7 +42,8 @@ private:
 
     SceneFolder folder_;
     double metres_per_unit_;
-    std::optional<std::vector<std::uint8_t>> obj_;  ///< once opened: mended text, empty if it is as it was
+    std::optional<std::vector<std::uint8_t>>
+        obj_;  ///< once opened: corrected text, or empty if it is unchanged
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     ColladaGeography geographic_;
     bool dropped_uvs_ = false;

@@ -6,17 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "scene/import/source/scene_folder.h"
+
 namespace campuswalk::scene {
 
-/// Pixels of a decoded image: 8-bit RGBA, rows from top to bottom.
+/// 8-bit RGBA, top row first.
 struct DecodedImage {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
 };
 
-/// Decodes PNG, JPEG, WebP, BMP, TGA, GIF (first frame) and PSD; sides up to 16,384 pixels. On failure gives
-/// nullopt and says in `reason` why.
+/// Decodes PNG, JPEG, WebP, BMP, TGA, GIF (first frame) and PSD, up to 16,384 pixels a side. On failure
+/// returns nullopt and a `reason` that completes "texture X …" and says what to do.
 std::optional<DecodedImage> decode_image(std::span<const std::uint8_t> bytes, std::string& reason);
+
+/// The same for an image file that a scene refers to.
+std::optional<DecodedImage> read_image(const SceneFolder& folder, const std::string& uri,
+                                       std::string& reason);
 
 }  // namespace campuswalk::scene

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMetresPerCentimetre = 0.01;
 
-/// Metres a unit of an FBX file, 1 for every other format.
+/// Metres per unit of an FBX file; 1 for other formats.
 double metres_per_file_unit(const aiMetadata& metadata) {
     float unit = 0.0F;
     double centimetres = 0.0;
@@ -21,8 +21,8 @@ double metres_per_file_unit(const aiMetadata& metadata) {
     return std::isfinite(centimetres) && centimetres > 0.0 ? centimetres * kMetresPerCentimetre : 1.0;
 }
 
-/// The rotation that brings an FBX file's axes (right, up and towards the viewer) to +X, +Y and +Z; identity
-/// for every other format and for axes that make no right-handed frame.
+/// The rotation from an FBX file's axes (right, up, towards the viewer) to +X, +Y, +Z; identity for other
+/// formats and for axes that are not right-handed.
 Eigen::Matrix3d world_from_file_axes(const aiMetadata& metadata) {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
     int row = 0;

@@ -8,16 +8,15 @@ struct aiScene;
 
 namespace campuswalk::scene {
 
-/// The transform from what assimp hands out to the house frame (metres, +Y up).
+/// The transform from assimp's coordinates to the world frame (metres, +Y up).
 ///
-/// What a file says about itself comes first: glTF is in metres with +Y up, assimp puts COLLADA's <unit> and
-/// <up_axis> into the root node, and FBX's UnitScaleFactor (in centimetres) and axes, which assimp
-/// passes over, are applied here. `up`, `unit`, `scale` and `position` of the campus file come on top and are
-/// neutral by default, so they are for formats that say nothing (OBJ, STL, PLY) and for files that are wrong
-/// about themselves.
+/// What the file states comes first: assimp puts COLLADA's <unit> and <up_axis> into the root node, and
+/// ignores FBX's UnitScaleFactor (in centimetres) and axes, which are applied here. `up`, `unit`, `scale` and
+/// `position` of the campus file come on top. They are neutral by default: they are for formats that state
+/// nothing (OBJ, STL, PLY) and for files that are wrong.
 Eigen::Matrix4d world_from_file(const SceneFile& file, const aiScene& scene);
 
-/// Likewise for a file that is in the house frame by itself: what the campus file says of it.
+/// The same for a format in metres with +Y up: only what the campus file says.
 Eigen::Matrix4d world_from_file(const SceneFile& file);
 
 }  // namespace campuswalk::scene

@@ -1,16 +1,21 @@
 #include "scene/import/source/mirror_meshes.h"
 
 #include <optional>
+#include <utility>
 
 #include <Eigen/LU>
-
-#include "scene/import/source/sanitize_mesh.h"
 
 namespace campuswalk::scene {
 namespace {
 
 bool mirrors(const Node& node) {
     return node.X_world_node.topLeftCorner<3, 3>().determinant() < 0.0;
+}
+
+void flip_winding(Mesh& mesh) {
+    for (auto& triangle : mesh.triangles) {
+        std::swap(triangle[1], triangle[2]);
+    }
 }
 
 }  // namespace

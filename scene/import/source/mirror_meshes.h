@@ -4,8 +4,8 @@
 
 namespace campuswalk::scene {
 
-/// A mirroring transform turns triangles inside out: nodes with a negative determinant get a copy of their
-/// meshes with the winding flipped, shared among them.
+/// A mirroring transform turns triangles inside out: gives nodes with a negative determinant copies of their
+/// meshes with flipped winding. The nodes share the copies.
 void mirror_meshes(Model& model);
 
 }  // namespace campuswalk::scene

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,34 +15,38 @@
 
 namespace campuswalk::scene {
 
-/// An image as a material names it: a path, or `*N` for the N-th that is embedded in the file.
+/// A material's reference to an image: a path, or `*N` for the N-th image embedded in the file.
 struct TextureReference {
     std::string uri;
     bool repeat = true;
 };
 
-/// An image that a material names, and what of it the image is: `&Material::normal_texture`.
+/// An image of a material and the member that it belongs to, such as `&Material::normal_texture`.
 struct SourceImage {
     std::optional<TextureIndex> Material::*use = nullptr;
     TextureReference reference;
 };
 
+/// A colour or factor limited to 0..1; 1 if it is not finite.
+inline float unit_factor(float value) {
+    return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
+}
+
 struct SourceMaterial {
-    Material material;                ///< without its textures, which are loaded apart
-    std::vector<SourceImage> images;  ///< at most one for each use
-    unsigned int uv_channel = 0;      ///< the texture coordinates that all of them lie by
-    bool cut_out_by_texture = false;  ///< no alpha mode in the file: a texture with holes makes it `mask`
+    Material material;                ///< without textures, which are loaded later
+    std::vector<SourceImage> images;  ///< at most one per use
+    unsigned int uv_channel = 0;      ///< the set of texture coordinates of all images
+    bool cut_out_by_texture = false;  ///< the format has no alpha mode: `mask` if the texture has holes
 };
 
-/// The hierarchy, parents first, in the order of the document: `mesh_numbers[i]` are the reader's numbers of
-/// what node i draws.
+/// The hierarchy in document order, parents first. Node i draws the source's meshes `mesh_numbers[i]`.
 struct NodeTree {
-    std::vector<Node> nodes;  ///< in the house frame, not yet with meshes
+    std::vector<Node> nodes;  ///< in the world frame, without meshes
     std::vector<std::vector<std::size_t>> mesh_numbers;
 };
 
-/// A model file, opened. What readers of different formats have in common; build_model makes a Model of it.
-/// Every member may throw InputError (bad-model).
+/// An open model file: the interface of the readers, from which import_model makes a Model. Every member may
+/// throw InputError (bad-model).
 class ModelSource {
 public:
     ModelSource() = default;
@@ -51,16 +57,16 @@ public:
     virtual NodeTree nodes() = 0;
     virtual const std::vector<SourceMaterial>& materials() = 0;  ///< at least one
     virtual RawMesh mesh(std::size_t number) = 0;
-    /// Where the file says it is on the Earth, asked for after the nodes.
+    /// The location that the file states. Call after nodes().
     virtual std::optional<GeographicPlace> geographic() const = 0;
-    /// nullopt when it is missing or can't be decoded, with the reason.
+    /// nullopt if it is missing or can't be decoded; `reason` then completes "texture X …".
     virtual std::optional<DecodedImage> load_image(const TextureReference& reference,
                                                    std::string& reason) = 0;
-    /// How surfaces without normals are shaded: flat as glTF demands, else creased.
+    /// Whether meshes without normals get flat ones, as glTF requires; else smooth ones with creases.
     virtual bool flat_normals() const = 0;
-    /// What was passed over or made up, asked for after all else.
+    /// What was ignored or repaired. Call last.
     virtual void add_warnings(DiagnosticList& warnings) = 0;
-    /// The other files that were asked for so far.
+    /// The lookups of other files so far.
     virtual std::vector<FileRequest> requests() const = 0;
 };
 

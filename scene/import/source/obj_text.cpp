@@ -12,15 +12,14 @@
 namespace campuswalk::scene {
 namespace {
 
-/// Half of float32's step, relative to the number.
-constexpr double kFloatUnit = 0x1p-24;
-constexpr double kCoarse = 0.00025;  ///< metres
+constexpr double kFloatRounding = 0x1p-24;  ///< unit roundoff of float32
+constexpr double kMaxRounding = 0.00025;    ///< metres
 
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// A line that tells of a vertex: `v`, three numbers, and what follows.
+/// `v`, three numbers, and the rest of the line.
 struct VertexLine {
     Eigen::Vector3d at;
     std::string_view rest;
@@ -61,10 +60,10 @@ bool is_uv(std::string_view line) {
     return line.starts_with("vt");
 }
 
-/// A face's line with its corners' second numbers taken out: `1/2/3` is `1//3`, `1/2` is `1`.
+/// A face line without its second indices: `1/2/3` becomes `1//3`, `1/2` becomes `1`.
 std::string without_uvs(std::string_view line) {
     std::string kept;
-    int slashes = 0;  // of this corner
+    int slashes = 0;  // in the current vertex reference
     for (const char c : line) {
         slashes = is_space(c) ? 0 : slashes + (c == '/' ? 1 : 0);
         if (slashes == 2 && c == '/') {
@@ -76,7 +75,7 @@ std::string without_uvs(std::string_view line) {
     return kept;
 }
 
-/// nullopt if it isn't plainly written: no three numbers, a weight, or a line that goes on in the next.
+/// nullopt without three numbers, with a weight, or if the line continues in the next.
 std::optional<VertexLine> read_vertex(std::string_view line) {
     VertexLine vertex;
     vertex.rest = line.substr(1);
@@ -93,12 +92,12 @@ std::optional<VertexLine> read_vertex(std::string_view line) {
     return weighted || line.find('\\') != std::string_view::npos ? std::nullopt : std::optional(vertex);
 }
 
-/// Calls `see(line)` for each without its end; stops when that gives false.
-template <typename See>
-bool each_line(std::string_view text, const See& see) {
+/// Calls `visit(line)` for each line until it returns false; whether it never did.
+template <typename Visit>
+bool for_each_line(std::string_view text, const Visit& visit) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        if (!see(text.substr(0, end))) {
+        if (!visit(text.substr(0, end))) {
             return false;
         }
         text.remove_prefix(std::min(end + 1, text.size()));
@@ -107,21 +106,21 @@ bool each_line(std::string_view text, const See& see) {
 }
 
 bool is_coarse(const Eigen::Vector3d& at, double metres_per_unit) {
-    return at.cwiseAbs().maxCoeff() * metres_per_unit * kFloatUnit > kCoarse;
+    return at.cwiseAbs().maxCoeff() * metres_per_unit * kFloatRounding > kMaxRounding;
 }
 
-/// Zero where there is nothing to gain.
+/// Zero if moving gains nothing.
 Eigen::Vector3d origin_of(std::string_view text, double metres_per_unit) {
     Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
     Eigen::Vector3d high = -low;
-    const bool plain = each_line(text, [&](std::string_view line) {
+    const bool plain = for_each_line(text, [&](std::string_view line) {
         line = without_indent(line);
         if (!is_vertex(line)) {
             return true;
         }
         const std::optional<VertexLine> vertex = read_vertex(line);
         if (!vertex || !is_coarse(vertex->at, metres_per_unit)) {
-            return false;  // one that is near: all of them would have to be far
+            return false;  // all vertices have to be far
         }
         low = low.cwiseMin(vertex->at);
         high = high.cwiseMax(vertex->at);
@@ -131,9 +130,9 @@ Eigen::Vector3d origin_of(std::string_view text, double metres_per_unit) {
         return Eigen::Vector3d::Zero();
     }
     const double farthest = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
-    const Eigen::Vector3d middle = 0.5 * (low + high);
+    const Eigen::Vector3d center = 0.5 * (low + high);
     const bool gains = (0.5 * (high - low)).maxCoeff() + 1.0 <= 0.5 * farthest;
-    return gains ? Eigen::Vector3d(middle.array().round()) : Eigen::Vector3d::Zero();
+    return gains ? Eigen::Vector3d(center.array().round()) : Eigen::Vector3d::Zero();
 }
 
 void append(std::vector<std::uint8_t>& to, std::string_view text) {
@@ -157,7 +156,7 @@ void append_moved(std::vector<std::uint8_t>& to, const VertexLine& vertex, const
 bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
     const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());
     bool named = false;
-    const bool absent = each_line(text, [&](std::string_view line) {
+    const bool absent = for_each_line(text, [&](std::string_view line) {
         line = without_indent(line);
         named = named || (is_face(line) && without_uvs(line) != line);
         return !is_uv(line);
@@ -167,7 +166,7 @@ bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
     }
     std::vector<std::uint8_t> kept;
     kept.reserve(obj.size());
-    each_line(text, [&](std::string_view line) {
+    for_each_line(text, [&](std::string_view line) {
         if (is_face(without_indent(line))) {
             append(kept, without_uvs(line));
         } else {
@@ -188,7 +187,7 @@ Eigen::Vector3d move_vertices_near(std::vector<std::uint8_t>& obj, double metres
     }
     std::vector<std::uint8_t> moved;
     moved.reserve(obj.size());
-    each_line(text, [&](std::string_view line) {
+    for_each_line(text, [&](std::string_view line) {
         const std::string_view plain = without_indent(line);
         const auto vertex = is_vertex(plain) ? read_vertex(plain) : std::nullopt;
         if (vertex) {

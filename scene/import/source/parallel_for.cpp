@@ -7,18 +7,18 @@
 
 namespace campuswalk::scene {
 
-void parallel_for(std::size_t count, std::size_t most, const std::function<void(std::size_t)>& work) {
+void parallel_for(std::size_t count, std::size_t max_threads, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next = 0;
-    const auto take_turns = [&] {
+    const auto run = [&] {
         for (std::size_t i = next++; i < count; i = next++) {
             work(i);
         }
     };
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(count, most); ++i) {
-        others.emplace_back(take_turns);
+    for (std::size_t i = 1; i < std::min(count, max_threads); ++i) {
+        others.emplace_back(run);
     }
-    take_turns();
+    run();
 }
 
 }  // namespace campuswalk::scene

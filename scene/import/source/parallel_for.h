@@ -5,8 +5,8 @@
 
 namespace campuswalk::scene {
 
-/// Does `work(0)` to `work(count - 1)`, up to `most` at a time in threads of their own; comes back when all
-/// are done. For what mostly waits for other processes. `work` throws nothing.
-void parallel_for(std::size_t count, std::size_t most, const std::function<void(std::size_t)>& work);
+/// Calls `work(0)` to `work(count - 1)` on up to `max_threads` threads and waits for all of them. Meant for
+/// work that waits for other processes. `work` must not throw.
+void parallel_for(std::size_t count, std::size_t max_threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace campuswalk::scene

@@ -11,7 +11,7 @@
 namespace campuswalk::scene {
 namespace {
 
-// cos 40 deg: keeps the corners of rooms and kerbs sharp, makes trunks and domes round.
+// cos 40 deg: rooms and kerbs keep sharp edges, trunks and domes are smooth.
 constexpr double kCreaseCosine = 0.766044443;
 constexpr double kFlat = 1.0;
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
@@ -21,7 +21,7 @@ bool indices_in_range(const RawMesh& source) {
 }
 
 bool positions_finite(const RawMesh& source) {
-    // Nearly always all are; where one isn't, it counts only when a triangle uses it.
+    // Fast path. Only vertices that triangles use have to be finite.
     if (std::isfinite(collision::largest_coordinate(source.positions))) {
         return true;
     }
@@ -31,7 +31,7 @@ bool positions_finite(const RawMesh& source) {
     });
 }
 
-/// One vertex of a triangle's corner, made of whatever the file has for it.
+/// Makes the vertex at each index position ("corner", 3 per triangle) from the attributes of the file.
 class VertexSource {
 public:
     VertexSource(const RawMesh& source, bool flat_normals) : source_(source) {
@@ -41,7 +41,6 @@ public:
         }
     }
 
-    /// Appends the vertex of corner `corner` (3 a triangle) to the tidied mesh.
     void append(std::size_t corner, SanitizedMesh& out) const {
         const std::uint32_t vertex = source_.triangles[corner / 3][corner % 3];
         out.mesh.positions.push_back(source_.positions[vertex]);
@@ -82,7 +81,7 @@ private:
     std::vector<Eigen::Vector3f> generated_;
 };
 
-/// Every corner makes a vertex; equal ones are joined.
+/// Makes a vertex per corner and welds identical ones.
 void append_welded(const VertexSource& vertices, std::size_t corners, SanitizedMesh& out) {
     WeldTable<9> welded(corners);
     Mesh& mesh = out.mesh;
@@ -114,7 +113,7 @@ void append_welded(const VertexSource& vertices, std::size_t corners, SanitizedM
     }
 }
 
-/// The file's own sharing of vertices is kept; only those that no triangle uses are dropped.
+/// Keeps the file's index buffer; drops unused vertices.
 void append_indexed(const VertexSource& vertices, const RawMesh& source, SanitizedMesh& out) {
     const std::size_t vertex_count = source.positions.size();
     std::vector<std::uint32_t> number(vertex_count, kUnused);
@@ -133,7 +132,7 @@ void append_indexed(const VertexSource& vertices, const RawMesh& source, Sanitiz
 }
 
 bool all_vertices_used(const RawMesh& source) {
-    std::vector<std::uint8_t> used(source.positions.size());  // bits would wait for each other
+    std::vector<std::uint8_t> used(source.positions.size());  // faster than vector<bool>
     for (const auto& t : source.triangles) {
         used[t[0]] = 1;
         used[t[1]] = 1;
@@ -142,8 +141,7 @@ bool all_vertices_used(const RawMesh& source) {
     return std::ranges::find(used, 0) == used.end();
 }
 
-/// Double has room for the square of any float.
-bool have_directions(std::span<const Eigen::Vector3f> normals) {
+bool finite_and_nonzero(std::span<const Eigen::Vector3f> normals) {
     return std::isfinite(collision::largest_coordinate(normals)) &&
            std::ranges::all_of(normals, [](const auto& n) { return n.x() != 0 || n.y() != 0 || n.z() != 0; });
 }
@@ -155,10 +153,11 @@ void normalize(std::vector<Eigen::Vector3f>& normals) {
     }
 }
 
-/// Most meshes of large files need no repair: nothing is copied. False, with nothing done, for others.
-bool take_whole(RawMesh& source, SanitizedMesh& out) {
+/// Moves a mesh that needs no repair, as most in large files, instead of copying it. Else returns false and
+/// changes nothing.
+bool move_if_valid(RawMesh& source, SanitizedMesh& out) {
     const bool finite_uvs = std::ranges::all_of(source.uvs, [](const auto& uv) { return uv.allFinite(); });
-    if (!finite_uvs || !have_directions(source.normals) || !all_vertices_used(source)) {
+    if (!finite_uvs || !finite_and_nonzero(source.normals) || !all_vertices_used(source)) {
         return false;
     }
     normalize(source.normals);
@@ -183,13 +182,13 @@ SanitizedMesh sanitize_mesh(RawMesh source, bool flat_normals) {
         out.position_not_finite = true;
         return out;
     }
-    const bool every_vertex_its_own = source.positions.size() >= source.triangles.size() * 3;
-    if (!source.normals.empty() && !every_vertex_its_own && take_whole(source, out)) {
+    const bool no_shared_vertices = source.positions.size() >= source.triangles.size() * 3;
+    if (!source.normals.empty() && !no_shared_vertices && move_if_valid(source, out)) {
         return out;
     }
     const VertexSource vertices(source, flat_normals);
     out.mesh.triangles.resize(source.triangles.size());
-    if (source.normals.empty() || every_vertex_its_own) {
+    if (source.normals.empty() || no_shared_vertices) {
         append_welded(vertices, source.triangles.size() * 3, out);
     } else {
         append_indexed(vertices, source, out);
@@ -197,10 +196,12 @@ SanitizedMesh sanitize_mesh(RawMesh source, bool flat_normals) {
     return out;
 }
 
-void flip_winding(Mesh& mesh) {
-    for (auto& triangle : mesh.triangles) {
-        std::swap(triangle[1], triangle[2]);
-    }
+std::array<std::uint8_t, 4> to_rgba8(float red, float green, float blue, float alpha) {
+    const auto to_byte = [](float value) {
+        const float clamped = value > 0.0F ? std::min(value, 1.0F) : 0.0F;
+        return static_cast<std::uint8_t>(std::lround(clamped * 255.0F));
+    };
+    return {to_byte(red), to_byte(green), to_byte(blue), to_byte(alpha)};
 }
 
 }  // namespace campuswalk::scene

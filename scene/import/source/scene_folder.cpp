@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <fstream>
 #include <system_error>
 
 namespace campuswalk::scene {
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kImageSiblings = {"textures", "materials", "images", "maps"};
 
-// Where exporters put images that a scene names without a folder, nearest first.
+// Where exporters put images, in order of preference.
 constexpr std::array<std::string_view, 6> kImageFolders = {
     "", "textures/", "images/", "../textures/", "../materials/textures/", "../images/"};
 
@@ -24,18 +25,12 @@ int hex_digit(char c) {
     return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-std::string lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-std::string tidy_path(std::string_view uri) {
+std::string normalized_path(std::string_view uri) {
     constexpr std::string_view kScheme = "file://";
     if (uri.starts_with(kScheme)) {
         uri.remove_prefix(kScheme.size());
     }
-    // PLY comments end in the carriage return of another system.
+    // PLY comments may end in a carriage return.
     uri = uri.substr(0, uri.find_last_not_of(" \t\r\n") + 1);
     std::string path(uri);
     std::ranges::replace(path, '\\', '/');
@@ -43,6 +38,24 @@ std::string tidy_path(std::string_view uri) {
 }
 
 }  // namespace
+
+std::optional<std::vector<std::uint8_t>> read_bytes(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary | std::ios::ate);
+    const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
+    if (size < 0) {
+        return std::nullopt;
+    }
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+    in.seekg(0);
+    in.read(reinterpret_cast<char*>(bytes.data()), size);
+    return in ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
 
 std::string percent_decoded(std::string_view text) {
     std::string decoded;
@@ -71,7 +84,7 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
     if (folder_.empty()) {
         return false;
     }
-    if (folder_ == folder_.root_path()) {  // "below" would be the whole machine
+    if (folder_ == folder_.root_path()) {  // else all files would be below it
         return resolved.parent_path() == folder_;
     }
     const auto below = [](const fs::path& path, const fs::path& base) {
@@ -102,7 +115,7 @@ std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool 
     return resolved;
 }
 
-void SceneFolder::keep_request(std::string_view uri, bool image) const {
+void SceneFolder::record(std::string_view uri, bool image) const {
     FileRequest request{std::string(uri), image};
     if (std::ranges::find(*requests_, request) == requests_->end()) {
         requests_->push_back(std::move(request));
@@ -110,8 +123,8 @@ void SceneFolder::keep_request(std::string_view uri, bool image) const {
 }
 
 std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
-    keep_request(uri, false);
-    const std::string path = tidy_path(uri);
+    record(uri, false);
+    const std::string path = normalized_path(uri);
     if (auto found = try_path(path, false)) {
         return found;
     }
@@ -119,8 +132,8 @@ std::optional<fs::path> SceneFolder::find_file(std::string_view uri) const {
 }
 
 std::optional<fs::path> SceneFolder::find_image(std::string_view uri) const {
-    keep_request(uri, true);
-    const std::string path = tidy_path(uri);
+    record(uri, true);
+    const std::string path = normalized_path(uri);
     for (const std::string& name : {path, percent_decoded(path)}) {
         if (auto found = try_path(name, true)) {
             return found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,36 +12,35 @@
 
 namespace campuswalk::scene {
 
-/// Which files a scene file may draw in. A model is data from strangers: a buffer URI of `/etc/passwd` or
-/// `../../secret` must not be read, nor what a symbolic link in its folder points to elsewhere.
-///   - anything: at or below the scene file's own folder;
-///   - images only: also below a sibling of that folder called `textures`, `materials`, `images` or `maps`
-///     (any case), because the usual layout of simulators is `meshes/x.dae` + `materials/textures/x.png`.
-/// Paths are compared after symbolic links are resolved; only regular files are opened.
+/// Which files a scene file may refer to. Models are untrusted: a URI such as `/etc/passwd` or `../../secret`
+/// must not be read, nor a symbolic link that leads outside.
+///   - any file in the scene file's folder or below;
+///   - images also below a sibling of that folder named `textures`, `materials`, `images` or `maps` (in any
+///     case), since the usual layout of simulators is `meshes/x.dae` and `materials/textures/x.png`.
+/// Paths are compared after resolving symbolic links; only regular files are opened.
 ///
-/// What it was asked for is kept, found or not, and shared by its copies: all of it decides what the model
-/// is.
+/// Lookups are recorded, successful or not, and shared among copies: the model depends on all of them.
 class SceneFolder {
 public:
     explicit SceneFolder(const std::filesystem::path& scene_file);
 
-    /// A file named by the scene: a relative path, `%20` decoded when the plain name isn't there, `\` read as
-    /// `/`. nullopt when it is missing, absolute or outside.
+    /// Resolves a relative path; `\` means `/`, and if there is no such file, percent escapes are decoded.
+    /// nullopt if the file is missing or outside, or the path is absolute.
     std::optional<std::filesystem::path> find_file(std::string_view uri) const;
 
-    /// Likewise for an image; when it isn't where the scene says (absolute paths of another machine, bare
-    /// names), its bare name is looked for beside the scene and in the usual texture folders.
+    /// The same for an image. If it isn't there, its base name is looked up beside the scene and in the usual
+    /// texture folders: exporters write absolute paths and bare names.
     std::optional<std::filesystem::path> find_image(std::string_view uri) const;
 
-    /// One of the two, as the request says.
+    /// Repeats a recorded lookup.
     std::optional<std::filesystem::path> find(const FileRequest& request) const {
         return request.image ? find_image(request.uri) : find_file(request.uri);
     }
-    /// What it and its copies were asked for, in the order of the first time, without repeats.
+    /// The lookups of all copies, unique, in the order of the first.
     const std::vector<FileRequest>& requests() const { return *requests_; }
 
 private:
-    void keep_request(std::string_view uri, bool image) const;
+    void record(std::string_view uri, bool image) const;
     bool may_read(const std::filesystem::path& resolved, bool image) const;
     std::optional<std::filesystem::path> try_path(const std::string& relative, bool image) const;
 
@@ -48,7 +48,13 @@ private:
     std::shared_ptr<std::vector<FileRequest>> requests_ = std::make_shared<std::vector<FileRequest>>();
 };
 
-/// `a%20b` to `a b`; malformed escapes stay as they are.
+/// The whole file; nullopt if it can't be read.
+std::optional<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path& path);
+
+/// ASCII letters only.
+std::string lower_case(std::string text);
+
+/// `a%20b` to `a b`; malformed escapes are kept.
 std::string percent_decoded(std::string_view text);
 
 }  // namespace campuswalk::scene

@@ -8,13 +8,13 @@
 namespace campuswalk::scene {
 namespace {
 
-// WGS 84: the equator's radius and the flattening.
+// WGS 84: semi-major axis and flattening.
 constexpr double kEquator = 6378137.0;
 constexpr double kFlattening = 1.0 / 298.257223563;
 constexpr double kPole = kEquator * (1.0 - kFlattening);
 constexpr double kSquaredEccentricity = kFlattening * (2.0 - kFlattening);
 constexpr double kSecondSquaredEccentricity = kSquaredEccentricity / (1.0 - kSquaredEccentricity);
-constexpr double kHighest = 100e3;  // metres, up or down
+constexpr double kMaxHeight = 100e3;  // metres, above or below
 
 struct Direction {
     double sine = 0.0;
@@ -26,8 +26,8 @@ Direction direction_of(double y, double x) {
     return length > 0.0 ? Direction{y / length, x / length} : Direction{};
 }
 
-/// B. R. Bowring's iteration for the latitude (Survey Review 23, 1976), with directions in place of angles;
-/// near the surface a second round is exact to the last bits.
+/// B. R. Bowring's iteration for the latitude (Survey Review 23, 1976), with sine and cosine instead of
+/// angles. Near the surface it converges to the last bits in the second round.
 Direction latitude_of(double z, double from_axis) {
     Direction reduced = direction_of(z * kEquator, from_axis * kPole);
     Direction latitude;
@@ -48,7 +48,7 @@ std::optional<TangentFrame> tangent_frame(const Eigen::Vector3d& p_ecef) {
     const Direction longitude = direction_of(p_ecef.y(), p_ecef.x());
     const double height = from_axis * latitude.cosine + p_ecef.z() * latitude.sine -
                           kEquator * std::sqrt(1.0 - kSquaredEccentricity * latitude.sine * latitude.sine);
-    if (!(std::abs(height) <= kHighest)) {
+    if (!(std::abs(height) <= kMaxHeight)) {
         return std::nullopt;
     }
     constexpr double kDegrees = 180.0 / std::numbers::pi;

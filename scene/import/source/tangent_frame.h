@@ -8,15 +8,15 @@
 
 namespace campuswalk::scene {
 
-/// A place near the Earth's surface, found from its coordinates in the Earth's own frame (ECEF: metres from
-/// the centre, x to latitude 0 and longitude 0, z to the north pole; WGS 84).
+/// The local tangent frame at a point near the Earth's surface, which is given in ECEF coordinates (metres
+/// from the Earth's centre, x towards latitude 0 and longitude 0, z towards the north pole; WGS 84).
 struct TangentFrame {
     GeographicPlace place;
-    /// Turns the Earth's axes to the house's there: x east, y up, z south.
+    /// To x east, y up, z south.
     Eigen::Matrix3d R_local_ecef = Eigen::Matrix3d::Identity();
 };
 
-/// nullopt for what lies more than 100 km above or below the ellipsoid: not the Earth's frame, then.
+/// nullopt if the point is over 100 km from the ellipsoid: then it isn't in ECEF coordinates.
 std::optional<TangentFrame> tangent_frame(const Eigen::Vector3d& p_ecef);
 
 }  // namespace campuswalk::scene

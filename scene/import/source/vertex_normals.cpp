@@ -9,8 +9,8 @@ namespace {
 
 using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
-// A fan of more faces about one point is not smoothed: the work there grows with its square.
-constexpr std::size_t kMostFacesToSmooth = 128;
+// A vertex with more faces is not smoothed: its cost is quadratic.
+constexpr std::size_t kMaxSmoothedFaces = 128;
 
 Eigen::Vector3d area_vector(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
     const Eigen::Vector3d origin = a.cast<double>();
@@ -22,34 +22,35 @@ Eigen::Vector3d unit_or_up(const Eigen::Vector3d& v) {
     return length > 0.0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d::UnitY();
 }
 
-/// The triangles around each position: `faces[first[p] .. first[p + 1])`.
-struct FacesAround {
+/// The triangles at each welded position p: `faces[first[p] .. first[p + 1])`.
+struct FaceAdjacency {
     std::vector<std::uint32_t> position_of_vertex;
     std::vector<std::uint32_t> first;
     std::vector<std::uint32_t> faces;
 };
 
-FacesAround faces_around(std::span<const Eigen::Vector3f> positions, Triangles triangles) {
-    FacesAround around;
+FaceAdjacency find_adjacency(std::span<const Eigen::Vector3f> positions, Triangles triangles) {
+    FaceAdjacency adjacency;
     WeldTable<3> welded(positions.size());
     for (const auto& triangle : triangles) {
         for (const std::uint32_t vertex : triangle) {
-            around.position_of_vertex.push_back(welded.number_of(bits_of(positions[vertex])));
+            adjacency.position_of_vertex.push_back(welded.number_of(bits_of(positions[vertex])));
         }
     }
-    around.first.assign(welded.size() + 1, 0);
-    for (const std::uint32_t position : around.position_of_vertex) {
-        ++around.first[position + 1];
+    adjacency.first.assign(welded.size() + 1, 0);
+    for (const std::uint32_t position : adjacency.position_of_vertex) {
+        ++adjacency.first[position + 1];
     }
-    for (std::size_t i = 1; i < around.first.size(); ++i) {
-        around.first[i] += around.first[i - 1];
+    for (std::size_t i = 1; i < adjacency.first.size(); ++i) {
+        adjacency.first[i] += adjacency.first[i - 1];
     }
-    around.faces.resize(around.position_of_vertex.size());
-    std::vector<std::uint32_t> next = around.first;
-    for (std::size_t corner = 0; corner < around.position_of_vertex.size(); ++corner) {
-        around.faces[next[around.position_of_vertex[corner]]++] = static_cast<std::uint32_t>(corner / 3);
+    adjacency.faces.resize(adjacency.position_of_vertex.size());
+    std::vector<std::uint32_t> next = adjacency.first;
+    for (std::size_t corner = 0; corner < adjacency.position_of_vertex.size(); ++corner) {
+        adjacency.faces[next[adjacency.position_of_vertex[corner]]++] =
+            static_cast<std::uint32_t>(corner / 3);
     }
-    return around;
+    return adjacency;
 }
 
 }  // namespace
@@ -74,15 +75,15 @@ std::vector<Eigen::Vector3f> vertex_normals(std::span<const Eigen::Vector3f> pos
         }
         return result;
     }
-    const FacesAround around = faces_around(positions, triangles);
+    const FaceAdjacency adjacency = find_adjacency(positions, triangles);
     for (std::size_t corner = 0; corner < result.size(); ++corner) {
         const std::size_t face = corner / 3;
-        const std::uint32_t position = around.position_of_vertex[corner];
-        const std::size_t begin = around.first[position];
-        const std::size_t end = around.first[position + 1];
+        const std::uint32_t position = adjacency.position_of_vertex[corner];
+        const std::size_t begin = adjacency.first[position];
+        const std::size_t end = adjacency.first[position + 1];
         Eigen::Vector3d sum = areas[face];
-        for (std::size_t i = begin; i < end && end - begin <= kMostFacesToSmooth; ++i) {
-            const std::uint32_t other = around.faces[i];
+        for (std::size_t i = begin; i < end && end - begin <= kMaxSmoothedFaces; ++i) {
+            const std::uint32_t other = adjacency.faces[i];
             if (other != face && normals[other].dot(normals[face]) >= crease_cosine) {
                 sum += areas[other];
             }

@@ -14,8 +14,7 @@ std::vector<scene::Model> demo_models() {
         scene::SceneFile file;
         file.path = std::filesystem::path(CAMPUSWALK_SOURCE_DIR) / "campus_assets" / "demo" /
                     (std::string(name) + ".glb");
-        std::vector<scene::Diagnostic> warnings;
-        models.push_back(scene::import_model(file, warnings));
+        models.push_back(scene::import_model(file).model);
     }
     return models;
 }

@@ -27,7 +27,7 @@ std::ptrdiff_t files_in(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-TEST(AtomicFile, ReplacesAFileAndMakesItsFolders) {
+TEST(AtomicFile, ReplacesAFileAndCreatesItsFolders) {
     const support::TemporaryFolder folder;
     const fs::path file = folder.path() / "a" / "b" / "c.txt";
     write_file_atomically(file, "first and long");
@@ -36,14 +36,14 @@ TEST(AtomicFile, ReplacesAFileAndMakesItsFolders) {
     EXPECT_EQ(files_in(file.parent_path()), 1);
 }
 
-/// A process of the same number may have been killed, here or in another container.
-TEST(AtomicFile, LeavesNeighboursOfOthersAlone) {
+/// Another process with the same id may have left it, for example in another container.
+TEST(AtomicFile, LeavesForeignTemporaryFilesAlone) {
     const support::TemporaryFolder folder;
-    const std::string others = "c.txt." + std::to_string(getpid()) + "-0.part";
-    folder.write(others, "of somebody else");
+    const std::string foreign = "c.txt." + std::to_string(getpid()) + "-0.part";
+    folder.write(foreign, "of somebody else");
     write_file_atomically(folder.path() / "c.txt", "mine");
     EXPECT_EQ(text_of(folder.path() / "c.txt"), "mine");
-    EXPECT_EQ(text_of(folder.path() / others), "of somebody else");
+    EXPECT_EQ(text_of(folder.path() / foreign), "of somebody else");
     EXPECT_EQ(files_in(folder.path()), 2);
 }
 
@@ -51,33 +51,33 @@ std::span<const std::byte> bytes(std::string_view text) {
     return std::as_bytes(std::span(text));
 }
 
-TEST(AtomicFile, IsThereOnceItIsFinished) {
+TEST(AtomicFile, ReplacesTheFileOnFinish) {
     const support::TemporaryFolder folder;
     const fs::path file = folder.path() / "c.txt";
     write_file_atomically(file, "before");
     {
-        AtomicFile whole(file);
-        whole.write(bytes("0000 and "));
-        whole.replace(2, bytes("12"));
-        whole.write(bytes("more"));
+        AtomicFile out(file);
+        out.write(bytes("0000 and "));
+        out.replace(2, bytes("12"));
+        out.write(bytes("more"));
         EXPECT_EQ(text_of(file), "before");
-        whole.finish();
+        out.finish();
     }
     EXPECT_EQ(text_of(file), "0012 and more");
     EXPECT_EQ(files_in(folder.path()), 1);
 }
 
-TEST(AtomicFile, IsNothingWhenItIsGivenUp) {
+TEST(AtomicFile, LeavesNothingIfNotFinished) {
     const support::TemporaryFolder folder;
     {
-        AtomicFile whole(folder.path() / "c.txt");
-        whole.write(bytes("half"));
+        AtomicFile out(folder.path() / "c.txt");
+        out.write(bytes("half"));
         EXPECT_EQ(files_in(folder.path()), 1);
     }
     EXPECT_EQ(files_in(folder.path()), 0);
 }
 
-TEST(AtomicFile, PutsNoFileInADevicesPlace) {
+TEST(AtomicFile, NeverReplacesADevice) {
     EXPECT_THROW(write_file_atomically("/dev/null", "x"), std::runtime_error);
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }

@@ -10,7 +10,7 @@ std::span<const std::byte> bytes_of(std::string_view text) {
 }
 
 /// The values are those of `xxhsum -H2` and `-H3` (xxhash 0.8.1) of the same bytes.
-TEST(ContentHash, IsXxh3) {
+TEST(ContentHash, AgreesWithXxhsum) {
     EXPECT_EQ(checksum_of(bytes_of("campuswalk\n")), 0x3ea6e94f40d187a9U);
     ContentHasher hasher;
     hasher.add(bytes_of("campus"));
@@ -19,7 +19,7 @@ TEST(ContentHash, IsXxh3) {
     EXPECT_EQ(hash_of(bytes_of("campuswalk\n")), hasher.result());
 }
 
-TEST(ContentHash, TellsWhereTextsEnd) {
+TEST(ContentHash, DependsOnTextBoundaries) {
     ContentHasher one;
     one.add_text("ab");
     one.add_text("c");

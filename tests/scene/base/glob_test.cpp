@@ -16,7 +16,7 @@ TEST(GlobMatches, PlainNamesMatchThemselvesOnly) {
     EXPECT_FALSE(glob_matches("", "a"));
 }
 
-TEST(GlobMatches, StarTakesAnyNumberOfCharacters) {
+TEST(GlobMatches, StarMatchesAnyNumberOfCharacters) {
     EXPECT_TRUE(glob_matches("*", ""));
     EXPECT_TRUE(glob_matches("*", "anything at all"));
     EXPECT_TRUE(glob_matches("library_*", "library_"));
@@ -26,13 +26,13 @@ TEST(GlobMatches, StarTakesAnyNumberOfCharacters) {
     EXPECT_TRUE(glob_matches("**x**", "x"));
 }
 
-TEST(GlobMatches, QuestionMarkTakesExactlyOne) {
+TEST(GlobMatches, QuestionMarkMatchesExactlyOne) {
     EXPECT_TRUE(glob_matches("tree_??", "tree_07"));
     EXPECT_FALSE(glob_matches("tree_??", "tree_7"));
     EXPECT_FALSE(glob_matches("tree_??", "tree_007"));
 }
 
-TEST(GlobMatches, ClassesHaveRangesAndNegation) {
+TEST(GlobMatches, ClassesSupportRangesAndNegation) {
     EXPECT_TRUE(glob_matches("room_[a-c1]", "room_b"));
     EXPECT_TRUE(glob_matches("room_[a-c1]", "room_1"));
     EXPECT_FALSE(glob_matches("room_[a-c1]", "room_d"));
@@ -42,7 +42,7 @@ TEST(GlobMatches, ClassesHaveRangesAndNegation) {
     EXPECT_TRUE(glob_matches("[a-]", "-"));
 }
 
-TEST(GlobMatches, BracketsCanBeMeant) {
+TEST(GlobMatches, SpecialCharactersCanBeLiteral) {
     EXPECT_TRUE(glob_matches("nodes[3", "nodes[3"));  // never closed: stands for itself
     EXPECT_FALSE(glob_matches("nodes[3]", "nodes[3]"));
     EXPECT_TRUE(glob_matches("nodes[3]", "nodes3"));
@@ -51,7 +51,7 @@ TEST(GlobMatches, BracketsCanBeMeant) {
     EXPECT_FALSE(glob_matches("\\*", "a"));
 }
 
-TEST(GlobFor, MatchesTheNameAlone) {
+TEST(GlobFor, MatchesTheNameOnly) {
     for (const std::string name : {"door", "*", "a?b", "nodes[3]", "[!x]", "\\", "a\\*", "Tür [1] *"}) {
         EXPECT_TRUE(glob_matches(glob_for(name), name)) << name;
         EXPECT_FALSE(glob_matches(glob_for(name), name + "x")) << name;
@@ -61,7 +61,7 @@ TEST(GlobFor, MatchesTheNameAlone) {
     EXPECT_FALSE(glob_matches(glob_for("nodes[3]"), "nodes3"));
 }
 
-TEST(GlobMatches, HostilePatternsEnd) {
+TEST(GlobMatches, HostilePatternsTerminate) {
     std::string pattern;
     for (int i = 0; i < 200; ++i) {
         pattern += "a*";

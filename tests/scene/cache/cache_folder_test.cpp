@@ -27,7 +27,7 @@ class CacheFolderTest : public testing::Test {
 protected:
     static void store(const CacheFolder& cache, const ContentHash& key, std::size_t size) {
         const std::vector<std::byte> bytes(size, std::byte{7});
-        cache.store(key, "model", Parts{bytes});
+        cache.store(key, "model", BufferSequence{bytes});
     }
     CacheFolder diagnosing(const fs::path& where) {
         return CacheFolder(where, CacheFolder::kDefaultLimit,
@@ -37,7 +37,7 @@ protected:
     std::ptrdiff_t files() const {
         return std::distance(fs::directory_iterator(where_), fs::directory_iterator());
     }
-    /// As if it had been used so many seconds after 1970.
+    /// Sets the time of the last use.
     void set_used(const ContentHash& key, time_t seconds) const {
         const timespec times[2] = {{seconds, 0}, {seconds, 0}};
         ASSERT_EQ(utimensat(AT_FDCWD, file_of(key).c_str(), times, 0), 0);
@@ -48,7 +48,7 @@ protected:
     fs::path where_ = folder_.path() / "deep" / "cache";
 };
 
-TEST_F(CacheFolderTest, KeepsFilesByKeyAndKind) {
+TEST_F(CacheFolderTest, FindsFilesByKeyAndKind) {
     const CacheFolder cache = diagnosing(where_);
     EXPECT_FALSE(cache.find(kA, "model"));
     store(cache, kA, 5);
@@ -63,20 +63,20 @@ TEST_F(CacheFolderTest, KeepsFilesByKeyAndKind) {
     EXPECT_EQ(fs::status(where_).permissions() & fs::perms(077), fs::perms::none);
 }
 
-TEST_F(CacheFolderTest, RemovesWhatWasUsedLongestAgo) {
+TEST_F(CacheFolderTest, EvictsTheLeastRecentlyUsedFile) {
     const CacheFolder cache(where_, 250);
     store(cache, kA, 100);
     store(cache, kB, 100);
     set_used(kA, 1000);
     set_used(kB, 2000);
-    EXPECT_TRUE(cache.find(kA, "model"));  // now B is the older one
+    EXPECT_TRUE(cache.find(kA, "model"));  // B is now the least recently used
     store(cache, kC, 100);
     EXPECT_TRUE(cache.find(kA, "model"));
     EXPECT_FALSE(cache.find(kB, "model"));
     EXPECT_TRUE(cache.find(kC, "model"));
 }
 
-TEST_F(CacheFolderTest, DoesNotKeepWhatIsLargerThanAllItMayHold) {
+TEST_F(CacheFolderTest, DoesNotStoreAFileLargerThanTheLimit) {
     const CacheFolder cache(where_, 250);
     store(cache, kA, 100);
     store(cache, kB, 251);
@@ -84,8 +84,8 @@ TEST_F(CacheFolderTest, DoesNotKeepWhatIsLargerThanAllItMayHold) {
     EXPECT_TRUE(cache.find(kA, "model"));
 }
 
-/// The user may have named any folder.
-TEST_F(CacheFolderTest, RemovesNothingOfOthers) {
+/// The user may choose any folder.
+TEST_F(CacheFolderTest, NeverRemovesForeignFiles) {
     const std::string hash = to_string(kA);
     for (const std::string& name :
          {std::string("thesis.pdf"), hash, hash + ".model", "x" + hash + ".campuswalk"}) {
@@ -95,30 +95,30 @@ TEST_F(CacheFolderTest, RemovesNothingOfOthers) {
     folder_.write("deep/cache/" + hash + ".model.campuswalk.123-0.part", std::string(500, 'x'));
     const CacheFolder cache(where_, 250);
     store(cache, kB, 100);
-    EXPECT_EQ(files(), 6) << "what a killed process of ours left behind is gone";
+    EXPECT_EQ(files(), 6) << "the temporary file of a killed process is removed";
     EXPECT_TRUE(cache.find(kB, "model"));
 }
 
-TEST_F(CacheFolderTest, SaysWhyNothingCanBeKept) {
+TEST_F(CacheFolderTest, ReportsWriteErrors) {
     folder_.write("file", "not a folder");
     const CacheFolder cache = diagnosing(folder_.path() / "file" / "cache");
     store(cache, kA, 1);
     ASSERT_EQ(diagnostics_.size(), 1U);
-    EXPECT_NE(diagnostics_[0].find("can't write"), std::string::npos) << diagnostics_[0];
+    EXPECT_NE(diagnostics_[0].find("cache"), std::string::npos) << diagnostics_[0];
     EXPECT_FALSE(cache.find(kA, "model"));
 }
 
-TEST_F(CacheFolderTest, ReadsRegularFilesAlone) {
+TEST_F(CacheFolderTest, ReadsRegularFilesOnly) {
     const CacheFolder cache = diagnosing(where_);
     fs::create_directories(where_);
     ASSERT_EQ(mkfifo(file_of(kA).c_str(), 0600), 0);
-    EXPECT_FALSE(cache.find(kA, "model")) << "and doesn't wait for somebody to write into it";
+    EXPECT_FALSE(cache.find(kA, "model")) << "and does not block";
     store(cache, kA, 3);
     EXPECT_EQ(diagnostics_.size(), 1U);
 }
 
-/// What is found is used where it lies: nobody may change it in place.
-TEST_F(CacheFolderTest, KeepsWhatItFoundWhoeverMayWriteToTheFile) {
+/// Found files are used without copying, so they must not change.
+TEST_F(CacheFolderTest, FoundBytesStayTheSameIfOthersWriteToTheFile) {
     const CacheFolder cache(where_);
     store(cache, kA, 5000);
     EXPECT_EQ(fs::status(file_of(kA)).permissions() & fs::perms(022), fs::perms::none);

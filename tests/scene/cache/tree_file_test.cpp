@@ -57,7 +57,7 @@ std::vector<collision::MeshHit> hits(const MeshCollider& mesh) {
     return found;
 }
 
-/// Asks whatever could be read a few things, where a sanitizer sees what it does. False if it was refused.
+/// Queries what could be read, for sanitizers. False if it was rejected.
 bool can_be_read(std::span<const std::byte> bytes) {
     try {
         for (const PlacedMesh& mesh : read_tree_file(bytes)) {
@@ -75,7 +75,13 @@ bool can_be_read(std::span<const std::byte> bytes) {
     }
 }
 
-void seal_anew(std::vector<std::byte>& bytes) {
+std::vector<std::byte> write_tree_file(std::span<const PlacedMesh> meshes) {
+    ArchiveWriter archive = archive_trees(meshes);
+    return concatenated(archive.finish());
+}
+
+/// Corrects the size and the checksum, as a forger would.
+void fix_header(std::vector<std::byte>& bytes) {
     const std::uint64_t payload = bytes.size() - kArchiveHeaderBytes;
     const std::uint64_t checksum =
         checksum_of(std::span<const std::byte>(bytes).subspan(kArchiveHeaderBytes));
@@ -83,7 +89,7 @@ void seal_anew(std::vector<std::byte>& bytes) {
     std::memcpy(bytes.data() + 24, &checksum, sizeof checksum);
 }
 
-TEST(TreeFile, BringsBackMeshesThatAnswerAsBefore) {
+TEST(TreeFile, RoundTripsMeshesThatAnswerQueriesAlike) {
     const std::vector<PlacedMesh> made = {placed(1, 1), placed(900, 2)};
     const std::vector<PlacedMesh> read = read_tree_file(write_tree_file(made));
     ASSERT_EQ(read.size(), 2U);
@@ -98,7 +104,7 @@ TEST(TreeFile, BringsBackMeshesThatAnswerAsBefore) {
     EXPECT_GT(hits(*made[1].collider).size(), 20U);
 }
 
-/// Memory of its own that begins `off` an address that suits any element.
+/// A copy that starts `off` bytes after an aligned address.
 std::pair<std::shared_ptr<const void>, std::span<const std::byte>> owned(const std::vector<std::byte>& bytes,
                                                                          std::size_t off) {
     struct alignas(64) Line {
@@ -110,7 +116,7 @@ std::pair<std::shared_ptr<const void>, std::span<const std::byte>> owned(const s
     return {lines, {start, bytes.size()}};
 }
 
-TEST(TreeFile, UsesOwnedBytesWhereTheyLie) {
+TEST(TreeFile, RefersToOwnedBytesWithoutCopying) {
     std::vector<PlacedMesh> made = {placed(900, 2)};
     TriangleMesh box;
     support::add_box(box, {0, 0, 0}, {1, 1, 1});
@@ -127,7 +133,7 @@ TEST(TreeFile, UsesOwnedBytesWhereTheyLie) {
         ASSERT_EQ(read.size(), 2U);
         const auto& nodes = read[0].collider->bvh8().nodes;
         const auto* first = reinterpret_cast<const std::byte*>(nodes.data());
-        EXPECT_EQ(nodes.is_elsewhere(), off == 0) << "what isn't aligned is copied";
+        EXPECT_EQ(nodes.is_elsewhere(), off == 0) << "unaligned arrays are copied";
         EXPECT_EQ(first > start && first < start + bytes.size(), off == 0);
         EXPECT_TRUE(read[0].collider->mesh().positions.is_elsewhere());
         EXPECT_EQ(hits(*read[0].collider), hits(*made[0].collider));
@@ -137,7 +143,7 @@ TEST(TreeFile, UsesOwnedBytesWhereTheyLie) {
     }
 }
 
-TEST(TreeFile, IsNeverReadCutShortOrWithABitTurned) {
+TEST(TreeFile, RejectsEveryTruncationAndFlippedBit) {
     const std::vector<PlacedMesh> made = {placed(20, 3)};
     std::vector<std::byte> bytes = write_tree_file(made);
     for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -151,8 +157,8 @@ TEST(TreeFile, IsNeverReadCutShortOrWithABitTurned) {
     EXPECT_TRUE(can_be_read(bytes));
 }
 
-/// With the right checksum: what is accepted is safe to ask.
-TEST(TreeFile, StaysSafeWhenForged) {
+/// With a valid checksum: what is accepted is safe to query.
+TEST(TreeFile, IsRejectedOrSafeToQueryWhenForged) {
     const std::vector<PlacedMesh> made = {placed(150, 4)};
     const std::vector<std::byte> whole = write_tree_file(made);
     std::size_t refused = 0;
@@ -160,24 +166,24 @@ TEST(TreeFile, StaysSafeWhenForged) {
         for (const int value : {0x01, 0x10, 0x80, 0xFF}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(value);
-            seal_anew(bytes);
+            fix_header(bytes);
             refused += can_be_read(bytes) ? 0U : 1U;
         }
     }
     EXPECT_GT(refused, whole.size() / 10);
     for (std::size_t length = kArchiveHeaderBytes; length < whole.size(); length += 5) {
         std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-        seal_anew(part);
+        fix_header(part);
         EXPECT_FALSE(can_be_read(part)) << length;
     }
 }
 
-TEST(TreeFile, RefusesAFlagThatIsNone) {
+TEST(TreeFile, RejectsAnInvalidBool) {
     const std::vector<PlacedMesh> made = {placed(1, 4)};
     std::vector<std::byte> bytes = write_tree_file(made);
-    ASSERT_TRUE(made[0].collider->closed_parts().empty()) << "else it ends with these";
+    ASSERT_TRUE(made[0].collider->closed_parts().empty()) << "else it would end with these";
     bytes[bytes.size() - sizeof(collision::Bvh8Leaf) + offsetof(collision::Bvh8Leaf, exact)] = std::byte{2};
-    seal_anew(bytes);
+    fix_header(bytes);
     EXPECT_FALSE(can_be_read(bytes));
 }
 

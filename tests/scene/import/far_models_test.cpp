@@ -1,4 +1,4 @@
-// Models far from their file's origin, and what files say of their place on the Earth.
+// Models far from their file's origin, and the geographic locations of files.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,12 @@ protected:
     void place_about(const std::string& name, const test::Json& center) {
         place(name, test::Json::object(), {{"CESIUM_RTC", {{"center", center}}}});
     }
-    Model import(const std::string& name) { return import_model(test::scene_file(folder_, name), warnings_); }
+    Model import(const SceneFile& file) {
+        ImportedModel imported = import_model(file);
+        warnings_ = std::move(imported.warnings);
+        return std::move(imported.model);
+    }
+    Model import(const std::string& name) { return import(test::scene_file(folder_, name)); }
     Campus campus(const std::string& name, const CampusOrigin& origin, const CacheFolder* cache = nullptr) {
         CampusDescription description;
         description.scenes = {test::scene_file(folder_, name)};
@@ -60,7 +65,7 @@ Vector3d place_of(const Model& model) {
     return model.nodes.back().X_world_node.topRightCorner<3, 1>();
 }
 
-TEST_F(FarModels, KeepTheirMicrometres) {
+TEST_F(FarModels, KeepMicrometres) {
     const Vector3d written(84512.123456, 1.5, -447321.654321);
     EXPECT_LT((place_of(import("far.glb")) - written).norm(), kMicrometre);
     place("matrix.glb",
@@ -68,7 +73,7 @@ TEST_F(FarModels, KeepTheirMicrometres) {
     EXPECT_LT((place_of(import("matrix.glb")) - written).norm(), kMicrometre);
 }
 
-TEST_F(FarModels, ComeBackFromTheHelperAndTheCacheToTheBit) {
+TEST_F(FarModels, RoundTripThroughHelperAndCacheToTheBit) {
     const SceneFile file = test::scene_file(folder_, "far.glb");
     const Vector3d here = place_of(import("far.glb"));
     const Importer apart = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
@@ -79,13 +84,13 @@ TEST_F(FarModels, ComeBackFromTheHelperAndTheCacheToTheBit) {
     }
 }
 
-TEST_F(FarModels, StayWhereTheyAreUnlessAsked) {
+TEST_F(FarModels, KeepTheirOriginByDefault) {
     const Campus there = campus("far.glb", {});
     EXPECT_FALSE(there.origin.is_known());
     EXPECT_LT((place_of(there.models[0]) - Vector3d(84512.123456, 1.5, -447321.654321)).norm(), kMicrometre);
 }
 
-TEST_F(FarModels, ComeNearWhereACampusSaysSo) {
+TEST_F(FarModels, MoveNearTheOriginOnRequest) {
     const CacheFolder cache(folder_.path() / "cache");
     for (const CacheFolder* kept : {static_cast<const CacheFolder*>(nullptr), &cache, &cache}) {
         const Campus there = campus("far.glb", {}, kept);
@@ -102,16 +107,15 @@ TEST_F(FarModels, ComeNearWhereACampusSaysSo) {
     EXPECT_LT((place_of(given.models[0]) - Vector3d(0.123456, 1.5, 0.345679)).norm(), kMicrometre);
 }
 
-TEST_F(FarModels, NearOnesAreLeftAlone) {
+TEST_F(FarModels, KeepsNearModelsInPlace) {
     place("near.glb", {{"translation", {9000, 0, -20}}});
     EXPECT_FALSE(campus("near.glb", {.near = true, .origin = {}}).origin.is_known());
 }
 
-// Latitude 52, longitude 4.375, 10 m up, by WGS 84's formula (see earth_frame_test.cpp), to a hundredth of a
-// millimetre.
+// Latitude 52, longitude 4.375, 10 m up, by WGS 84's formula (see tangent_frame_test.cpp), to 0.01 mm.
 const test::Json kDelft = {3923500.65116, 300174.89356, 5002811.22559};
 
-TEST_F(FarModels, StandUprightAboutACenterOnTheEarth) {
+TEST_F(FarModels, UseTheTangentFrameOfAnEcefCenter) {
     place_about("tile.glb", kDelft);
     const Model model = import("tile.glb");
     EXPECT_EQ(test::text_of(warnings_), "");
@@ -120,7 +124,7 @@ TEST_F(FarModels, StandUprightAboutACenterOnTheEarth) {
     EXPECT_NEAR(model.geographic->latitude_deg, 52.0, 1e-9);
     EXPECT_NEAR(model.geographic->longitude_deg, 4.375, 1e-9);
     EXPECT_NEAR(model.geographic->height, 10.0, 1e-4);
-    // The file's axes are the Earth's, y-up: +Y is the north pole.
+    // The file's axes are ECEF, converted to Y-up: +Y points to the north pole.
     const Vector3d pole = model.nodes.back().X_world_node.topLeftCorner<3, 3>() * Vector3d::UnitY();
     const double latitude = model.geographic->latitude_deg * 3.14159265358979323846 / 180.0;
     EXPECT_LT((pole - Vector3d(0, std::sin(latitude), -std::cos(latitude))).norm(), 1e-12);
@@ -128,7 +132,7 @@ TEST_F(FarModels, StandUprightAboutACenterOnTheEarth) {
     EXPECT_EQ(campus("tile.glb", {}).origin.geographic, model.geographic);
 }
 
-TEST_F(FarModels, AreMovedByACenterThatIsAMaps) {
+TEST_F(FarModels, AreTranslatedByACenterInMapCoordinates) {
     place_about("map.glb", {84512.123456, 447321.654321, 3.5});
     const Model model = import("map.glb");
     EXPECT_FALSE(model.geographic);
@@ -156,24 +160,24 @@ std::string collada_at(const std::string& location) {
            "</library_visual_scenes><scene><instance_visual_scene url=\"#vs\"/></scene></COLLADA>";
 }
 
-TEST_F(FarModels, KnowTheGeographicLocationOfCollada) {
+TEST_F(FarModels, ReadTheGeographicLocationOfCollada) {
     folder_.write("a.dae",
                   collada_at("<geographic_location><longitude> -105.283 </longitude>\n<latitude>40.017"
                              "</latitude><altitude mode=\"absolute\">1655.5</altitude>"
                              "</geographic_location>"));
     SceneFile file = test::scene_file(folder_, "a.dae");
     file.position = {10, 0, -20};
-    const Model model = import_model(file, warnings_);
+    const Model model = import(file);
     EXPECT_EQ(test::text_of(warnings_), "");
     EXPECT_EQ(model.geographic, (GeographicPlace{40.017, -105.283, 1655.5, {10, 0, -20}}));
-    // What a campus says itself goes first, and is of its own origin.
+    // The campus file overrides the model; its location is that of the campus origin.
     const GeographicPlace said = {1.0, 2.0, 3.0, {0, 0, 0}};
     EXPECT_EQ(campus("a.dae", {.near = false, .origin = {{5, 0, 0}, said}}).origin.geographic, said);
     EXPECT_EQ(campus("a.dae", {.near = false, .origin = {{5, 0, 0}, {}}}).origin.geographic->at,
               Vector3d(-5, 0, 0));
 }
 
-TEST_F(FarModels, AreNowhereWhereColladaSaysNoPlace) {
+TEST_F(FarModels, RejectInvalidGeographicLocationsOfCollada) {
     for (const char* location :
          {"<geographic_location><longitude>4</longitude><latitude>91</latitude></geographic_location>",
           "<geographic_location><longitude>-180.5</longitude><latitude>9</latitude></geographic_location>",

@@ -18,7 +18,12 @@ using test::text_of;
 
 class ImportModelTest : public testing::Test {
 protected:
-    Model import(const std::string& name) { return import_model(scene_file(folder_, name), warnings_); }
+    Model import(const SceneFile& file, EmptyModel if_empty = EmptyModel::refuse) {
+        ImportedModel imported = import_model(file, if_empty);
+        warnings_ = std::move(imported.warnings);
+        return std::move(imported.model);
+    }
+    Model import(const std::string& name) { return import(scene_file(folder_, name)); }
     std::vector<Diagnostic> errors(const std::string& name) {
         return errors_of([&] { import(name); });
     }
@@ -36,7 +41,7 @@ protected:
     std::vector<Diagnostic> warnings_;
 };
 
-TEST_F(ImportModelTest, KeepsNamesHierarchyAndPlaces) {
+TEST_F(ImportModelTest, KeepsNamesHierarchyAndTransforms) {
     test::write_gltf(
         folder_, "campus",
         {{.name = "campus"},
@@ -55,7 +60,7 @@ TEST_F(ImportModelTest, KeepsNamesHierarchyAndPlaces) {
     EXPECT_TRUE(warnings_.empty()) << text_of(warnings_);
 }
 
-TEST_F(ImportModelTest, GivesFlatNormalsToGltfWithout) {
+TEST_F(ImportModelTest, GeneratesFlatNormalsForGltf) {
     test::write_gltf(folder_, "box", {{.name = "box", .size = {2, 2, 2}}});
     const Model model = import("box.gltf");
     const Mesh& mesh = model.meshes[0];
@@ -74,14 +79,14 @@ TEST_F(ImportModelTest, AppliesUpUnitScaleAndPosition) {
     file.metres_per_unit = 0.01;
     file.scale = 2.0;
     file.position = {10, 20, 30};
-    const Model model = import_model(file, warnings_);
+    const Model model = import(file);
     // 2 x 4 x 6 m, z up becomes y up: (x, y, z) goes to (x, z, -y).
     EXPECT_LT((world_bounds(model).min - Eigen::Vector3d(10, 20, 26)).norm(), 1e-9);
     EXPECT_LT((world_bounds(model).max - Eigen::Vector3d(12, 26, 30)).norm(), 1e-9);
     EXPECT_NEAR(test::signed_volume(model), 48.0, 1e-9);
 }
 
-TEST_F(ImportModelTest, TurnsMirroredNodesRightSideOut) {
+TEST_F(ImportModelTest, CorrectsTheWindingOfMirroredNodes) {
     Eigen::Matrix4d mirror = Eigen::Matrix4d::Identity();
     mirror(0, 0) = -1.0;
     test::write_gltf(folder_, "pair", {{.name = "mirrored", .size = {1, 2, 3}, .X_parent_node = mirror}});
@@ -97,7 +102,7 @@ TEST_F(ImportModelTest, TurnsMirroredNodesRightSideOut) {
     EXPECT_NEAR(test::signed_volume(model), 12.0, 1e-6);
 }
 
-TEST_F(ImportModelTest, IsTheSameEachTime) {
+TEST_F(ImportModelTest, IsDeterministic) {
     folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
     const Model first = import("box.obj");
     const Model second = import("box.obj");
@@ -107,12 +112,12 @@ TEST_F(ImportModelTest, IsTheSameEachTime) {
     EXPECT_EQ(first.meshes[0].triangles, second.meshes[0].triangles);
 }
 
-TEST_F(ImportModelTest, JoinsTheVerticesThatObjFacesShare) {
+TEST_F(ImportModelTest, WeldsVerticesOfObjFiles) {
     folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
     EXPECT_EQ(import("box.obj").meshes[0].positions.size(), 24U);  // three normals at each of 8 corners
 }
 
-TEST_F(ImportModelTest, TriangulatesPolygonsAndLeavesLinesOut) {
+TEST_F(ImportModelTest, TriangulatesPolygonsAndIgnoresLines) {
     folder_.write("face.obj", "o face\nv 0 0 0\nv 2 0 0\nv 2 0 1\nv 1 0 0.2\nv 0 0 1\nf 1 5 4 3 2\nl 1 2\n");
     EXPECT_EQ(count_triangles(import("face.obj")), 3U);
     EXPECT_TRUE(has_code(warnings_, "points-and-lines")) << text_of(warnings_);
@@ -144,7 +149,7 @@ TEST_F(ImportModelTest, AppliesFbxUnitsAndAxes) {
     EXPECT_LT((world_bounds(import("z_m.fbx")).max - Eigen::Vector3d(100, 200, 0)).norm(), 1e-9);
 }
 
-TEST_F(ImportModelTest, ReportsAMissingFileWhereItIsNamed) {
+TEST_F(ImportModelTest, ReportsAMissingFileAtItsMark) {
     const auto found = errors("nowhere.gltf");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, "missing-file");
@@ -153,7 +158,7 @@ TEST_F(ImportModelTest, ReportsAMissingFileWhereItIsNamed) {
     EXPECT_TRUE(has_code(errors("."), "missing-file"));  // a folder
 }
 
-TEST_F(ImportModelTest, ReportsWhatCannotBeRead) {
+TEST_F(ImportModelTest, ReportsUnreadableFormatsAndDamage) {
     folder_.write("broken.gltf", "{\"asset\":");
     const auto found = errors("broken.gltf");
     ASSERT_EQ(found.size(), 1U);
@@ -165,12 +170,12 @@ TEST_F(ImportModelTest, ReportsWhatCannotBeRead) {
     EXPECT_NE(text_of(errors("house.ifc")).find("glTF"), std::string::npos);
 }
 
-TEST_F(ImportModelTest, RefusesAPlyFileThatEndsInItsHeader) {
+TEST_F(ImportModelTest, RejectsAPlyFileTruncatedInItsHeader) {
     folder_.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nelement face 1");
     EXPECT_NE(text_of(errors("cut.ply")).find("PLY header"), std::string::npos);
 }
 
-TEST_F(ImportModelTest, ReadsNoBufferOutsideTheScenesFolder) {
+TEST_F(ImportModelTest, ReadsNoBufferOutsideOfTheSceneFolder) {
     test::TemporaryFolder outside;
     test::write_gltf(folder_, "box", {{.name = "box", .size = {1, 1, 1}}});
     ASSERT_EQ(count_triangles(import("box.gltf")), 12U);
@@ -187,15 +192,15 @@ TEST_F(ImportModelTest, ReadsNoBufferOutsideTheScenesFolder) {
     EXPECT_EQ(count_triangles(import("box.gltf")), 12U);
 }
 
-TEST_F(ImportModelTest, RefusesAFileWithoutTrianglesUnlessAskedToLook) {
+TEST_F(ImportModelTest, RejectsAnEmptyModelUnlessAccepted) {
     test::write_gltf(folder_, "empty", {{.name = "nothing"}});
     EXPECT_TRUE(has_code(errors("empty.gltf"), "empty-mesh"));
-    const Model model = import_model(scene_file(folder_, "empty.gltf"), warnings_, EmptyModel::accept);
+    const Model model = import(scene_file(folder_, "empty.gltf"), EmptyModel::accept);
     EXPECT_EQ(model.nodes.size(), 1U);
     EXPECT_TRUE(model.meshes.empty());
 }
 
-TEST_F(ImportModelTest, NamesTheNodesOfBadVertices) {
+TEST_F(ImportModelTest, NamesNodesWithBadVertices) {
     const std::string good = test::obj_box("good", {0, 0, 0}, {1, 1, 1});
     folder_.write("nan.obj", good + "o bad_tree\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n" +
                                  "o bad_wall\nv 0 0 0\nv 1 inf 0\nv 0 1 0\nf 12 13 14\n");
@@ -206,13 +211,13 @@ TEST_F(ImportModelTest, NamesTheNodesOfBadVertices) {
     EXPECT_NE(found[1].message.find("bad_wall"), std::string::npos);
 }
 
-TEST_F(ImportModelTest, AnUnusedBadVertexHarmsNobody) {
+TEST_F(ImportModelTest, IgnoresUnusedBadVertices) {
     folder_.write("spare.obj", "v nan nan nan\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n");
     const Model model = import("spare.obj");
     EXPECT_EQ(world_bounds(model).max, Eigen::Vector3d(1, 1, 0));
 }
 
-TEST_F(ImportModelTest, ReportsAllMistakesOfAFileTogether) {
+TEST_F(ImportModelTest, ReportsAllErrorsTogether) {
     folder_.write("two.mtl", "newmtl wood\nmap_Kd wood.png\nnewmtl stone\nmap_Kd stone.png\n");
     folder_.write("two.obj",
                   "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\no a\nusemtl wood\nf 1 2 3\n"
@@ -223,13 +228,13 @@ TEST_F(ImportModelTest, ReportsAllMistakesOfAFileTogether) {
     EXPECT_TRUE(has_code(found, "bad-texture"));
 }
 
-TEST_F(ImportModelTest, WarnsOfMissingMaterials) {
+TEST_F(ImportModelTest, WarnsOfAMissingMaterialFile) {
     folder_.write("plain.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 1, 1}));
     EXPECT_EQ(count_triangles(import("plain.obj")), 12U);
     EXPECT_TRUE(has_code(warnings_, "missing-materials")) << text_of(warnings_);
 }
 
-TEST_F(ImportModelTest, TakesColladaNumbersWithASpaceBeforeThem) {
+TEST_F(ImportModelTest, ReadsColladaNumbersAfterWhiteSpace) {
     const auto collada = [](const std::string& space) {
         return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
                "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset>\n"

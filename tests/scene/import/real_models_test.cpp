@@ -1,5 +1,5 @@
-// Files that nobody here wrote, held against figures that don't come from our importer: the conformance
-// corpus' own reports, a reader of ten lines, and what is known about the places.
+// Third-party files, checked against figures that don't come from our importer: the conformance corpus' own
+// reports, a reader of ten lines, and published sizes.
 
 #include <algorithm>
 #include <fstream>
@@ -25,9 +25,7 @@ protected:
             GTEST_SKIP() << "no models at " << CAMPUSWALK_SHARED_DATA;
         }
     }
-    Model import(const std::string& name) { return import_model(test::shared_scene(name), warnings_); }
-
-    std::vector<Diagnostic> warnings_;
+    static Model import(const std::string& name) { return import_model(test::shared_scene(name)).model; }
 };
 
 struct ObjFigures {
@@ -72,12 +70,12 @@ TEST_F(RealModels, ObjFilesHaveTheTrianglesAndBoundsOfTheirText) {
     }
 }
 
-TEST_F(RealModels, DelftIsTurnedUpright) {
+TEST_F(RealModels, ZUpMapIsConvertedToYUp) {
     SceneFile file = test::shared_scene("delft_3dfier/testarea.obj");
     file.up = UpAxis::z;
     file.position = {-84616, 0, 447750};
     const ObjFigures figures = read_obj(file.path);
-    const Model model = import_model(file, warnings_);
+    const Model model = import_model(file).model;
     EXPECT_EQ(count_triangles(model), figures.triangles);
     const Bounds bounds = world_bounds(model);
     // Heights of a Dutch district; x runs east, -z north. Coordinates of 450 km come on a 3 cm grid.
@@ -110,7 +108,7 @@ TEST_F(RealModels, ColladaUnitsAndAxesAreApplied) {
     EXPECT_GT(floor_area[0], 1500.0);
     EXPECT_GT(floor_area[39], 1500.0);
     EXPECT_NEAR(world_bounds(model).min.y(), 0.0, 0.1);
-    EXPECT_EQ(model.textures.size(), 1U);  // named bare, found in ../materials/textures
+    EXPECT_EQ(model.textures.size(), 1U);  // referred to by base name, found in ../materials/textures
 }
 
 TEST_F(RealModels, GazeboOfficesHaveTheirSizes) {
@@ -121,19 +119,19 @@ TEST_F(RealModels, GazeboOfficesHaveTheirSizes) {
     const Model cafe = import("gazebo/cafe/meshes/cafe.dae");
     EXPECT_EQ(cafe.textures.size(), 15U);
     EXPECT_FALSE(match_nodes(cafe, "instance_0").empty());
-    // A node with an id and no name goes by its id.
+    // A node without a name gets its id.
     EXPECT_FALSE(
         match_nodes(import("gazebo/nist_stairs_120/meshes/nist_stairs_120.dae"), "Plane_001").empty());
 }
 
-TEST_F(RealModels, TheSmallHouseIsWhole) {
+TEST_F(RealModels, SmallHouseIsComplete) {
     const Model model = import("small_house/small_house_visual.glb");
     EXPECT_NEAR(static_cast<double>(count_triangles(model)), 146e3, 1e3);
     EXPECT_EQ(count_triangles(import("small_house/small_house_collision.glb")), 4131U);
     EXPECT_FALSE(match_nodes(model, "aws_robomaker_residential_Bed_01").empty());
 }
 
-/// Those that have a report beside them.
+/// Files with a report.
 std::vector<fs::path> gltf_files(const fs::path& folder) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -147,7 +145,7 @@ std::vector<fs::path> gltf_files(const fs::path& folder) {
     return files;
 }
 
-/// `"totalTriangleCount": 12` or `"numErrors": 0` out of a report.
+/// The value of a key such as `"numErrors": 0` in a report.
 int figure(const std::string& report, const std::string& key) {
     std::smatch match;
     return std::regex_search(report, match, std::regex('"' + key + "\": (\\d+)")) ? std::stoi(match[1]) : -1;
@@ -164,7 +162,7 @@ TEST_F(RealModels, ConformanceFilesWithoutErrorsHaveTheReportedTriangles) {
         file.file = path.filename().string();
         std::size_t triangles = 0;
         const auto errors = test::errors_of(
-            [&] { triangles = count_triangles(import_model(file, warnings_, EmptyModel::accept)); });
+            [&] { triangles = count_triangles(import_model(file, EmptyModel::accept).model); });
         if (figure(report.str(), "numErrors") == 0) {
             ++without_errors;
             EXPECT_TRUE(errors.empty()) << path << test::text_of(errors);
@@ -178,8 +176,8 @@ TEST_F(RealModels, ConformanceFilesWithoutErrorsHaveTheReportedTriangles) {
     EXPECT_GT(refused, 30);
 }
 
-/// Their triangles as other readers count them.
-TEST_F(RealModels, GltfOfManyKindsIsWhole) {
+/// Triangle counts from other readers.
+TEST_F(RealModels, GltfFilesHaveTheTrianglesOfOtherReaders) {
     const std::vector<std::pair<const char*, std::size_t>> known = {
         {"BoxInterleaved.glb", 12}, {"BoxTextured.glb", 12}, {"Duck.glb", 4212},
         {"cubevc.glb", 48},         {"monkey.glb", 968},     {"Mesh_PrimitiveMode_04.gltf", 2}};

@@ -20,18 +20,16 @@ protected:
     Model import_with(const std::string& material) {
         folder_.write("x.mtl", "newmtl wood\n" + material);
         folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) + "usemtl wood\nf 1/1 2/2 3/3\n");
-        return import_model(scene_file(folder_, "x.obj"), warnings_);
+        return import_model(scene_file(folder_, "x.obj")).model;
     }
     static const Material& material_of(const Model& model) {
         return model.materials[index_of(model.meshes[0].material)];
     }
 
     test::TemporaryFolder folder_;
-    std::vector<Diagnostic> warnings_;
 };
 
-/// What decides over the model besides the file itself, there or not.
-TEST_F(TextureTest, AreAmongTheFilesThatAModelDependsOn) {
+TEST_F(TextureTest, RecordsMaterialAndImageLookups) {
     folder_.write("x.mtl", "newmtl wood\nmap_Kd wood.tga\n");
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) + "usemtl wood\nf 1/1 2/2 3/3\n");
@@ -40,11 +38,12 @@ TEST_F(TextureTest, AreAmongTheFilesThatAModelDependsOn) {
     EXPECT_EQ(std::ranges::count(requests, FileRequest{"wood.tga", true}), 1);
     std::filesystem::remove(folder_.path() / "x.mtl");
     const std::vector<FileRequest> without = import_model(scene_file(folder_, "x.obj")).requests;
-    EXPECT_EQ(std::ranges::count(without, FileRequest{"x.mtl", false}), 1) << "it may come";
+    EXPECT_EQ(std::ranges::count(without, FileRequest{"x.mtl", false}), 1)
+        << "the model depends on its absence";
     EXPECT_EQ(std::ranges::count(without, FileRequest{"wood.tga", true}), 0);
 }
 
-TEST_F(TextureTest, AreDecodedToRgbaFromTheTop) {
+TEST_F(TextureTest, DecodesRgbaTopRowFirst) {
     folder_.write("maps/wood.tga", test::tga_image(3, 2, {10, 20, 30, 255}));
     const Model model = import_with("Kd 0 0 0\nmap_Kd maps/wood.tga\n");
     ASSERT_EQ(model.textures.size(), 1U);
@@ -57,26 +56,26 @@ TEST_F(TextureTest, AreDecodedToRgbaFromTheTop) {
     // A black diffuse colour beside a texture is an exporter's habit, not a black wall.
     EXPECT_EQ(material_of(model).base_color, (std::array<float, 4>{1, 1, 1, 1}));
     EXPECT_EQ(material_of(model).alpha_mode, AlphaMode::opaque);
-    // OBJ's v runs up, ours down.
+    // OBJ's v points up, ours down.
     EXPECT_EQ(model.meshes[0].uvs[0], Eigen::Vector2f(0, 1));
     EXPECT_EQ(model.meshes[0].uvs[2], Eigen::Vector2f(0, 0));
 }
 
-TEST_F(TextureTest, AreLoadedOnceForSeveralMaterials) {
+TEST_F(TextureTest, LoadsASharedImageOnce) {
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     folder_.write("x.mtl", "newmtl a\nmap_Kd wood.tga\nnewmtl b\nmap_Kd wood.tga\n");
     folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) +
                                "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n");
-    EXPECT_EQ(import_model(scene_file(folder_, "x.obj"), warnings_).textures.size(), 1U);
+    EXPECT_EQ(import_model(scene_file(folder_, "x.obj")).model.textures.size(), 1U);
 }
 
-TEST_F(TextureTest, WithHolesCutOut) {
+TEST_F(TextureTest, TexturesWithHolesSetTheMaskMode) {
     folder_.write("leaf.tga",
                   test::tga_image(1, 1, {0, 255, 0, 255}).replace(12, 1, "\2") + std::string(4, '\0'));
     EXPECT_EQ(material_of(import_with("map_Kd leaf.tga\n")).alpha_mode, AlphaMode::mask);
 }
 
-TEST_F(TextureTest, MissingOrBrokenOnesAreErrorsWithTheirMaterial) {
+TEST_F(TextureTest, ReportsMissingAndBrokenImagesWithTheirMaterial) {
     const auto missing = test::errors_of([&] { import_with("map_Kd gone.png\n"); });
     ASSERT_EQ(missing.size(), 1U);
     EXPECT_EQ(missing[0].code, "bad-texture");
@@ -90,7 +89,7 @@ TEST_F(TextureTest, MissingOrBrokenOnesAreErrorsWithTheirMaterial) {
     EXPECT_NE(broken[0].message.find("decoded"), std::string::npos) << broken[0].message;
 }
 
-TEST_F(TextureTest, OfUnusedMaterialsMayBeMissing) {
+TEST_F(TextureTest, IgnoresMissingImagesOfUnusedMaterials) {
     EXPECT_NO_THROW(import_with("\nnewmtl spare\nmap_Kd gone.png\nnewmtl wood\n"));
 }
 
@@ -111,7 +110,7 @@ TEST_F(TextureTest, LegacyColoursBecomeLinear) {
     EXPECT_FLOAT_EQ(material.base_color[2], 0.0F);
 }
 
-TEST_F(TextureTest, GltfMaterialsKeepAlphaSidesWrapAndEmbeddedImages) {
+TEST_F(TextureTest, ReadsGltfAlphaSidesWrapModeAndEmbeddedImages) {
     test::write_gltf(folder_, "box", {{.name = "box", .size = {1, 1, 1}}});
     std::string json;
     {
@@ -131,7 +130,7 @@ TEST_F(TextureTest, GltfMaterialsKeepAlphaSidesWrapAndEmbeddedImages) {
            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8DwHwAFBQIAX8jx0gAAAABJRU5ErkJggg=="
            R"("}],)");
     folder_.write("box.gltf", json);
-    const Model model = import_model(scene_file(folder_, "box.gltf"), warnings_);
+    const Model model = import_model(scene_file(folder_, "box.gltf")).model;
     const Material& material = material_of(model);
     EXPECT_EQ(material.name, "leaf");
     EXPECT_EQ(material.base_color, (std::array<float, 4>{0.5F, 0.25F, 1, 1}));  // linear already
@@ -146,7 +145,7 @@ TEST_F(TextureTest, GltfMaterialsKeepAlphaSidesWrapAndEmbeddedImages) {
     EXPECT_FALSE(texture.repeat);
 }
 
-TEST(DecodeImage, SaysWhyItFails) {
+TEST(DecodeImage, GivesAReasonForFailure) {
     std::string reason;
     EXPECT_FALSE(decode_image({}, reason));
     EXPECT_FALSE(reason.empty());

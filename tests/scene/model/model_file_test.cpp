@@ -8,11 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "scene/base/content_hash.h"
+#include "tests/scene/model_files.h"
 
 namespace campuswalk::scene {
 namespace {
 
-/// Some of everything, no two numbers alike.
+/// Uses every member, with distinct values.
 ImportedModel small_import() {
     ImportedModel imported;
     imported.warnings = {{Severity::warning, {"a.campus.yaml", 3, 7}, "repaired-uvs", "two of them"}};
@@ -122,8 +123,8 @@ void expect_equal(const Model& a, const Model& b) {
     }
 }
 
-/// What `read_model_file` promises of anything that it returns.
-void expect_sound(const Model& model) {
+/// What read_model_file guarantees.
+void expect_valid(const Model& model) {
     for (const Texture& texture : model.textures) {
         EXPECT_EQ(static_cast<double>(texture.rgba.size()), 4.0 * texture.width * texture.height);
     }
@@ -158,26 +159,30 @@ void expect_sound(const Model& model) {
     }
 }
 
-/// What is said of the bytes; empty if they can be read.
-std::string diagnostic_of(std::span<const std::byte> bytes) {
+/// Why the bytes are rejected; empty if they can be read.
+std::string rejection_of(std::span<const std::byte> bytes) {
     try {
         const ImportedModel read = read_model_file(bytes);
-        expect_sound(read.model);
+        expect_valid(read.model);
         return "";
     } catch (const DamagedFile& damage) {
         return damage.what();
     }
 }
 
-/// As a forger would: the checksum is right again.
-void seal_anew(std::vector<std::byte>& bytes) {
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Corrects the checksum, as a forger would.
+void fix_header(std::vector<std::byte>& bytes) {
     constexpr std::size_t kChecksumAt = 24;
     const std::uint64_t checksum =
         checksum_of(std::span<const std::byte>(bytes).subspan(kArchiveHeaderBytes));
     std::memcpy(bytes.data() + kChecksumAt, &checksum, sizeof checksum);
 }
 
-TEST(ModelFile, BringsBackEverything) {
+TEST(ModelFile, RoundTripsEveryMember) {
     const ImportedModel imported = small_import();
     const ImportedModel read = read_model_file(write_model_file(imported));
     expect_equal(read.model, imported.model);
@@ -187,15 +192,15 @@ TEST(ModelFile, BringsBackEverything) {
     EXPECT_EQ(read.warnings[0].severity, Severity::warning);
 }
 
-TEST(ModelFile, BringsBackAnEmptyModel) {
+TEST(ModelFile, RoundTripsAnEmptyModel) {
     const ImportedModel read = read_model_file(write_model_file({}));
     expect_equal(read.model, Model{});
     EXPECT_TRUE(read.warnings.empty());
     EXPECT_TRUE(read.requests.empty());
 }
 
-/// Nothing in the file but a long list of what takes up the fewest bytes.
-TEST(ModelFile, BringsBackManyOfTheLeast) {
+/// Lists of entries of minimal size are not mistaken for truncated ones.
+TEST(ModelFile, RoundTripsManyEntriesOfMinimalSize) {
     constexpr std::size_t kMany = 1000;
     const auto read_back = [](const auto& fill) {
         ImportedModel imported;
@@ -213,106 +218,96 @@ TEST(ModelFile, BringsBackManyOfTheLeast) {
     EXPECT_EQ(read_back(meshes).model.meshes.size(), kMany);
 }
 
-TEST(ModelFile, SaysWhatIsWrong) {
+TEST(ModelFile, NamesTheReasonOfARejection) {
     const std::vector<std::byte> whole = write_model_file(small_import());
-    EXPECT_EQ(diagnostic_of({}), "it is truncated");
-    EXPECT_EQ(diagnostic_of(std::span(whole).first(whole.size() - 1)), "it is truncated");
+    EXPECT_TRUE(contains(rejection_of({}), "truncated"));
+    EXPECT_TRUE(contains(rejection_of(std::span(whole).first(whole.size() - 1)), "truncated"));
     std::vector<std::byte> longer = whole;
     longer.push_back(std::byte{0});
-    EXPECT_EQ(diagnostic_of(longer), "it has trailing bytes");
+    EXPECT_TRUE(contains(rejection_of(longer), "trailing"));
     std::vector<std::byte> other = whole;
     other[0] = std::byte{'C'};
-    EXPECT_EQ(diagnostic_of(other), "it is another kind of file");
+    EXPECT_TRUE(contains(rejection_of(other), "another kind"));
     other = whole;
     std::reverse(other.begin() + 8, other.begin() + 12);
-    EXPECT_EQ(diagnostic_of(other), "it was written on a machine with a different byte order");
+    EXPECT_TRUE(contains(rejection_of(other), "byte order"));
     other = whole;
     other[12] = std::byte{0};
-    EXPECT_EQ(diagnostic_of(other), "it is of version 0, not " + std::to_string(kModelFile.version));
+    EXPECT_TRUE(contains(rejection_of(other), "version 0, not " + std::to_string(kModelFile.version)));
     other = whole;
     other.back() ^= std::byte{1};
-    EXPECT_EQ(diagnostic_of(other), "its checksum is wrong");
+    EXPECT_TRUE(contains(rejection_of(other), "checksum"));
 }
 
-TEST(ModelFile, IsNeverReadWhenCutShort) {
+TEST(ModelFile, RejectsEveryTruncation) {
     const std::vector<std::byte> whole = write_model_file(small_import());
     for (std::size_t length = 0; length < whole.size(); ++length) {
-        // In memory of just that size, where a sanitizer sees a read beyond.
+        // A copy of that size, so that a sanitizer detects reads past the end.
         const std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-        EXPECT_EQ(diagnostic_of(part), "it is truncated") << length;
+        EXPECT_TRUE(contains(rejection_of(part), "truncated")) << length;
     }
 }
 
-TEST(ModelFile, IsNeverReadWithABitTurned) {
+TEST(ModelFile, RejectsEveryFlippedBit) {
     std::vector<std::byte> bytes = write_model_file(small_import());
     for (std::size_t at = 0; at < bytes.size(); ++at) {
         for (unsigned bit = 0; bit < 8; ++bit) {
             bytes[at] ^= std::byte{1} << bit;
-            EXPECT_NE(diagnostic_of(bytes), "") << at << " bit " << bit;
+            EXPECT_NE(rejection_of(bytes), "") << at << " bit " << bit;
             bytes[at] ^= std::byte{1} << bit;
         }
     }
 }
 
-TEST(ModelFile, StaysSoundWhenForged) {
+TEST(ModelFile, IsRejectedOrValidWhenForged) {
     const std::vector<std::byte> whole = write_model_file(small_import());
     std::size_t refused = 0;
     for (std::size_t at = kArchiveHeaderBytes; at < whole.size(); ++at) {
         for (const int value : {0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0xFF}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(value);
-            seal_anew(bytes);
-            refused += diagnostic_of(bytes).empty() ? 0U : 1U;
+            fix_header(bytes);
+            refused += rejection_of(bytes).empty() ? 0U : 1U;
         }
     }
-    EXPECT_GT(refused, whole.size());  // counts and indices make up a good part of a small file
+    EXPECT_GT(refused, whole.size());  // much of a small file are counts and indices
 }
 
-TEST(ModelFile, StaysSoundWhenCutShortAndForged) {
+TEST(ModelFile, RejectsForgedTruncations) {
     const std::vector<std::byte> whole = write_model_file(small_import());
     for (std::size_t length = kArchiveHeaderBytes; length < whole.size(); ++length) {
         std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
         const std::uint64_t payload = length - kArchiveHeaderBytes;
         std::memcpy(part.data() + 16, &payload, sizeof payload);
-        seal_anew(part);
-        EXPECT_NE(diagnostic_of(part), "") << length;
+        fix_header(part);
+        EXPECT_NE(rejection_of(part), "") << length;
     }
 }
 
-TEST(ModelFile, RefusesWhatAModelNeverHas) {
-    const auto diagnostic = [](const auto& spoil) {
+TEST(ModelFile, RejectsInvalidModels) {
+    const auto rejects = [](const char* what, const auto& spoil) {
         ImportedModel imported = small_import();
         spoil(imported.model);
-        return diagnostic_of(write_model_file(imported));
+        return contains(rejection_of(write_model_file(imported)), what);
     };
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[0].triangles[1][2] = 4; }),
-              "a triangle in it refers to a vertex that does not exist");
-    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[1].positions[2].y() = kNan; }),
-              "a vertex in it is not a number");
-    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[1].positions[0].x() = -kInfinity; }),
-              "a vertex in it is not a number");
-    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[0].normals.pop_back(); }),
-              "a mesh in it does not have one normal, texture coordinate or colour per vertex");
-    EXPECT_EQ(diagnostic([](Model& m) { m.meshes[0].material = MaterialIndex{2}; }),
-              "a material's number in it is out of range");
-    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[1].parent = 1; }), "a node in it comes before its parent");
-    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[0].parent = -2; }), "a node in it comes before its parent");
-    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[1].meshes[0] = MeshIndex{2}; }),
-              "a node in it refers to a mesh that does not exist");
-    EXPECT_EQ(diagnostic([](Model& m) { m.nodes[1].X_world_node(1, 3) = std::nan(""); }),
-              "a transform in it is not finite");
-    EXPECT_EQ(diagnostic([](Model& m) { m.textures[0].width = 1; }),
-              "an image in it has the wrong number of pixels");
+    EXPECT_TRUE(rejects("triangle", [](Model& m) { m.meshes[0].triangles[1][2] = 4; }));
+    EXPECT_TRUE(rejects("vertex", [](Model& m) { m.meshes[1].positions[2].y() = kNan; }));
+    EXPECT_TRUE(rejects("vertex", [](Model& m) { m.meshes[1].positions[0].x() = -kInfinity; }));
+    EXPECT_TRUE(rejects("normal", [](Model& m) { m.meshes[0].normals.pop_back(); }));
+    EXPECT_TRUE(rejects("material", [](Model& m) { m.meshes[0].material = MaterialIndex{2}; }));
+    EXPECT_TRUE(rejects("parent", [](Model& m) { m.nodes[1].parent = 1; }));
+    EXPECT_TRUE(rejects("parent", [](Model& m) { m.nodes[0].parent = -2; }));
+    EXPECT_TRUE(rejects("node", [](Model& m) { m.nodes[1].meshes[0] = MeshIndex{2}; }));
+    EXPECT_TRUE(rejects("transform", [](Model& m) { m.nodes[1].X_world_node(1, 3) = std::nan(""); }));
+    EXPECT_TRUE(rejects("pixels", [](Model& m) { m.textures[0].width = 1; }));
     for (const auto texture : {&Material::base_color_texture, &Material::emissive_texture,
                                &Material::normal_texture, &Material::metallic_roughness_texture}) {
-        EXPECT_EQ(diagnostic([&](Model& m) { m.materials[1].*texture = TextureIndex{2}; }),
-                  "a texture's number in it is out of range");
+        EXPECT_TRUE(rejects("texture", [&](Model& m) { m.materials[1].*texture = TextureIndex{2}; }));
     }
     for (const auto number : {&Material::normal_scale, &Material::metallic, &Material::roughness}) {
-        EXPECT_EQ(diagnostic([&](Model& m) { m.materials[1].*number = std::nanf(""); }),
-                  "a colour in it is not a number");
+        EXPECT_TRUE(rejects("colour", [&](Model& m) { m.materials[1].*number = std::nanf(""); }));
     }
 }
 

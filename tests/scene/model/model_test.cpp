@@ -33,14 +33,14 @@ TEST(Model, CountsTrianglesAsDrawn) {
     EXPECT_EQ(count_triangles(Model{}), 0U);
 }
 
-TEST(Model, BoundsAreInTheWorld) {
+TEST(Model, BoundsAreInWorldCoordinates) {
     const Bounds bounds = world_bounds(small_model());
     EXPECT_EQ(bounds.min, Eigen::Vector3d(1, 0, 0));
     EXPECT_EQ(bounds.max, Eigen::Vector3d(5, 2, 0));
     EXPECT_TRUE(world_bounds(Model{}).empty());
 }
 
-TEST(Model, MatchingANodeTakesItsSubtree) {
+TEST(Model, MatchingANodeIncludesItsSubtree) {
     using Indices = std::vector<std::size_t>;
     const Model model = small_model();
     EXPECT_EQ(match_nodes(model, "library"), (Indices{1, 2}));

@@ -7,14 +7,14 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-TEST(NameWords, AreRunsOfLetters) {
+TEST(NameWords, SplitsNamesIntoWords) {
     EXPECT_EQ(words_of("FrontDoor_01"), (Words{"front", "door"}));
     EXPECT_EQ(words_of("DOOR.002"), (Words{"door"}));
     EXPECT_EQ(words_of("TÜR_Ost"), (Words{"tür", "ost"}));
     EXPECT_EQ(words_of("42"), Words{});
 }
 
-TEST(NameWords, KnowDoorsAndNotTheirParts) {
+TEST(NameWords, RecognizesDoorsButNotTheirParts) {
     for (const char* door :
          {"door", "Door_01", "FrontDoor", "front_doors", "Haustür", "TÜR_3", "Eingangstuer", "porte.001",
           "puerta", "voordeur", "ドア2", "library/door_main"}) {
@@ -26,7 +26,7 @@ TEST(NameWords, KnowDoorsAndNotTheirParts) {
     }
 }
 
-TEST(NameWords, KnowStairs) {
+TEST(NameWords, RecognizesStairs) {
     for (const char* stairs : {"stairs", "Main_Staircase", "Kellertreppe", "escalier-2", "library_steps"}) {
         EXPECT_TRUE(is_stairs_name(stairs)) << stairs;
     }
@@ -35,7 +35,7 @@ TEST(NameWords, KnowStairs) {
     }
 }
 
-TEST(NameWords, KnowIdentifiers) {
+TEST(NameWords, RecognizesIdentifiers) {
     for (const char* id : {"b31bcc29d-00ba-11e6-b420-2bdcc4ab5d7f", "{6F9619FF-8B86-D011-B42D-00CF4FC964FF}",
                            "2O2Fr$t4X7Zf8NOew3FLOH", "1234", "9f4ce64aa98b7f01"}) {
         EXPECT_TRUE(is_identifier(id)) << id;
@@ -46,7 +46,7 @@ TEST(NameWords, KnowIdentifiers) {
     }
 }
 
-TEST(NameWords, KnowSurroundings) {
+TEST(NameWords, RecognizesSurroundings) {
     EXPECT_TRUE(is_surroundings_name("hedge_04"));
     EXPECT_TRUE(is_surroundings_name("StreetLamp"));
     EXPECT_TRUE(is_surroundings_name("wall_0"));

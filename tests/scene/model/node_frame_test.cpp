@@ -23,13 +23,13 @@ void expect_near(const Mat3& a, const Mat3& b) {
     EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-12) << a << "\n" << b;
 }
 
-TEST(UprightFrame, OfAnUnturnedNodeIsTheWorlds) {
+TEST(UprightFrame, IsTheWorldFrameForAnUnrotatedNode) {
     const auto frame = upright_frame(with_linear(Mat3::Identity()));
     expect_near(frame.rotation, Mat3::Identity());
     EXPECT_EQ(frame.translation, Vec3(1, 2, 3));
 }
 
-TEST(UprightFrame, KeepsTheYawAndDropsScaleMirroringAndShear) {
+TEST(UprightFrame, KeepsYawAndDropsScaleMirroringAndShear) {
     const Mat3 yaw = rotation_about_y(0.5);
     expect_near(upright_frame(with_linear(yaw)).rotation, yaw);
     expect_near(upright_frame(with_linear(yaw * Vec3(2, 3, 0.1).asDiagonal())).rotation, yaw);
@@ -61,13 +61,13 @@ TEST(UprightFrame, IsRightHandedForEveryOrientation) {
     }
 }
 
-TEST(UprightFrame, OfACollapsedNodeIsStillAFrame) {
+TEST(UprightFrame, IsOrthonormalForACollapsedNode) {
     expect_near(upright_frame(with_linear(Mat3::Zero())).rotation, Mat3::Identity());
     const Mat3 flat = upright_frame(with_linear(Vec3(0, 1, 0).asDiagonal())).rotation;
     expect_near(flat.transpose() * flat, Mat3::Identity());
 }
 
-TEST(RotationAboutY, AgreesWithTheLibraryToTheLastBits) {
+TEST(RotationAboutY, AgreesWithLibmToTheLastBits) {
     for (int i = -2000; i < 2000; ++i) {
         const double angle = i * 0.01;
         const Mat3 rotation = rotation_about_y(angle);
@@ -79,7 +79,7 @@ TEST(RotationAboutY, AgreesWithTheLibraryToTheLastBits) {
     EXPECT_LT((left - Vec3(-1, 0, 0)).norm(), 1e-15);
 }
 
-TEST(RotationWithXAlong, PutsXThere) {
+TEST(RotationWithXAlong, MapsXToTheAxis) {
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, -3), Vec3(1, 2, 3)}) {
         const Mat3 rotation = rotation_with_x_along(axis);
         EXPECT_LT((rotation.col(0) - axis.normalized()).norm(), 1e-15);

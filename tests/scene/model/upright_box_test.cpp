@@ -28,7 +28,7 @@ UprightBox box_of_turned(double degrees) {
     return fit.box();
 }
 
-TEST(UprightBox, FollowsWhatIsTurned) {
+TEST(UprightBox, AlignsWithRotatedPoints) {
     for (const double degrees : {30.0, -30.0, 44.0, -20.0}) {
         const UprightBox box = box_of_turned(degrees);
         EXPECT_TRUE(box.center.isApprox(Vector3d(100, 3, -50), 1e-9)) << degrees;
@@ -37,7 +37,7 @@ TEST(UprightBox, FollowsWhatIsTurned) {
     }
 }
 
-TEST(UprightBox, StaysWithTheAxesWhereTurningGainsNothing) {
+TEST(UprightBox, IsAxisAlignedUnlessRotationGainsMuch) {
     EXPECT_EQ(box_of_turned(0.0).along, Vector3d::UnitX());
     EXPECT_TRUE(box_of_turned(90.0).size.isApprox(Vector3d(5, 4, 12), 1e-9));
     UprightBoxFit disc;
@@ -48,14 +48,14 @@ TEST(UprightBox, StaysWithTheAxesWhereTurningGainsNothing) {
     EXPECT_EQ(disc.box().along, Vector3d::UnitX());
 }
 
-TEST(UprightBox, TellsHowDeepAPointIs) {
+TEST(UprightBox, MeasuresTheDepthOfAPoint) {
     const UprightBox box = box_of_turned(30.0);
     EXPECT_NEAR(box.depth_of(box.center), 2.0, 1e-9);  // to floor and ceiling
     EXPECT_NEAR(box.depth_of(box.center + 5.5 * box.along), 0.5, 1e-9);
     EXPECT_NEAR(box.depth_of(box.center + 3.5 * box.across()), -1.0, 1e-9);
 }
 
-TEST(UprightBox, OfManyPointsHoldsThemAllAndIsNoLargerThanAnyOther) {
+TEST(UprightBox, ContainsAllPointsWithTheSmallestFootprint) {
     support::Dice dice(7);
     std::vector<Vector3d> points;
     UprightBoxFit fit;
@@ -82,7 +82,7 @@ TEST(UprightBox, OfManyPointsHoldsThemAllAndIsNoLargerThanAnyOther) {
     }
 }
 
-TEST(UprightBox, OfALineIsThin) {
+TEST(UprightBox, HasNoWidthForALine) {
     UprightBoxFit fit;
     fit.add({0, 0, 0});
     fit.add({3, 2, 4});

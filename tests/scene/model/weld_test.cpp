@@ -8,7 +8,7 @@
 namespace campuswalk::scene {
 namespace {
 
-TEST(WeldTable, NumbersKeysInOrderOfFirstSight) {
+TEST(WeldTable, NumbersKeysInOrderOfInsertion) {
     WeldTable<1> table(0);
     EXPECT_EQ(table.number_of({7}), 0U);
     EXPECT_EQ(table.number_of({3}), 1U);
@@ -29,7 +29,7 @@ TEST(WeldTable, AgreesWithAMapWhileItGrows) {
     EXPECT_EQ(table.size(), expected.size());
 }
 
-TEST(BitsOf, MakesBothZerosOne) {
+TEST(BitsOf, AreTheSameForBothZeros) {
     EXPECT_EQ(bits_of(-0.0F), bits_of(0.0F));
     EXPECT_NE(bits_of(1.0F), bits_of(-1.0F));
 }

@@ -1,4 +1,4 @@
-// What files of the wild use, each in a small file of its own; the encoders of the same libraries pack it.
+// Features of real files, each in a small file that is encoded with the same libraries.
 
 #include <cmath>
 #include <cstring>
@@ -21,8 +21,9 @@ using test::Json;
 class GltfSourceTest : public testing::Test {
 protected:
     Model import(const std::string& name, EmptyModel if_empty = EmptyModel::refuse) {
-        warnings_.clear();
-        return import_model(test::scene_file(folder_, name), warnings_, if_empty);
+        ImportedModel imported = import_model(test::scene_file(folder_, name), if_empty);
+        warnings_ = std::move(imported.warnings);
+        return std::move(imported.model);
     }
     Model import(const GltfText& text) {
         text.write_glb(folder_, "x.glb");
@@ -59,7 +60,7 @@ double area_of(const Model& model) {
 
 // ---- packed meshes
 
-TEST_F(GltfSourceTest, UnpacksDracoOfAllIndexWidths) {
+TEST_F(GltfSourceTest, DecodesDracoOfAllIndexWidths) {
     for (const std::size_t side : {10U, 100U, 300U}) {  // 100, 10,000 and 90,000 vertices
         const test::GridMesh grid = test::grid_mesh(side);
         const Model model = import(test::draco_gltf(grid));
@@ -71,7 +72,7 @@ TEST_F(GltfSourceTest, UnpacksDracoOfAllIndexWidths) {
     }
 }
 
-TEST_F(GltfSourceTest, RefusesDamagedDraco) {
+TEST_F(GltfSourceTest, RejectsDamagedDraco) {
     std::vector<std::uint8_t> packed = test::draco_of(test::grid_mesh(10));
     packed.resize(packed.size() / 2);
     GltfText text;
@@ -79,10 +80,10 @@ TEST_F(GltfSourceTest, RefusesDamagedDraco) {
     const Json packing = {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
     text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", 0}}},
                                            {"extensions", {{"KHR_draco_mesh_compression", packing}}}})}});
-    EXPECT_TRUE(contains(refusal(text), "without Draco"));
+    EXPECT_TRUE(contains(refusal(text), "KHR_draco_mesh_compression"));
 }
 
-TEST_F(GltfSourceTest, UnpacksMeshopt) {
+TEST_F(GltfSourceTest, DecodesMeshopt) {
     const test::GridMesh grid = test::grid_mesh(50);
     const Model model = import(test::meshopt_gltf(grid));
     EXPECT_EQ(count_triangles(model), grid.indices.size() / 3);
@@ -90,7 +91,7 @@ TEST_F(GltfSourceTest, UnpacksMeshopt) {
     EXPECT_EQ(world_bounds(model).max, Eigen::Vector3d(1, 0, 1));
 }
 
-TEST_F(GltfSourceTest, RefusesMeshoptThatCannotBe) {
+TEST_F(GltfSourceTest, RejectsInvalidMeshopt) {
     const GltfText good = test::meshopt_gltf(test::grid_mesh(10));
     const auto refused_with = [&](const char* key, const Json& value) {
         GltfText text = good;
@@ -102,14 +103,14 @@ TEST_F(GltfSourceTest, RefusesMeshoptThatCannotBe) {
     EXPECT_TRUE(contains(refused_with("count", 1'000'000'000), "count"));
     EXPECT_TRUE(contains(refused_with("mode", "MAGIC"), "MAGIC"));
     EXPECT_TRUE(contains(refused_with("filter", "OCTAHEDRAL"), "OCTAHEDRAL"));
-    EXPECT_TRUE(contains(refused_with("byteLength", 1'000'000), "past the end"));
+    EXPECT_TRUE(contains(refused_with("byteLength", 1'000'000), "buffers/0"));
 }
 
 // ---- arrays
 
 TEST_F(GltfSourceTest, ReadsInterleavedSparseAndQuantizedPositions) {
     GltfText text;
-    // A triangle of positions with 8 bytes between them, its last corner moved by a sparse accessor.
+    // Interleaved positions with a stride of 20 bytes; a sparse accessor replaces the last one.
     const std::vector<float> mixed = {0, 0, 0, 9, 9, 0, 0, 1, 9, 9, 5, 5, 5, 9, 9};
     const std::size_t view = text.add_view(mixed);
     text.json["bufferViews"][view]["byteStride"] = 20;
@@ -133,7 +134,7 @@ TEST_F(GltfSourceTest, ReadsInterleavedSparseAndQuantizedPositions) {
     EXPECT_EQ(model.meshes[1].positions[2], Eigen::Vector3f(1, 0, -1));
 }
 
-TEST_F(GltfSourceTest, TurnsStripsAndFansTheSameWay) {
+TEST_F(GltfSourceTest, StripsAndFansFaceTheSameWay) {
     GltfText text;
     const std::size_t strip = text.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 2, 0, 0}, "VEC3");
     const std::size_t fan = text.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0}, "VEC3");
@@ -149,7 +150,7 @@ TEST_F(GltfSourceTest, TurnsStripsAndFansTheSameWay) {
     EXPECT_NEAR(area_of(model), 1.5 + 1.0, 1e-6);
 }
 
-TEST_F(GltfSourceTest, RefusesArraysThatReachTooFar) {
+TEST_F(GltfSourceTest, RejectsInvalidAccessors) {
     const auto with_accessor = [&](const Json& change) {
         GltfText text;
         text.add_node({{"mesh", text.add_triangle_mesh()}});
@@ -157,16 +158,16 @@ TEST_F(GltfSourceTest, RefusesArraysThatReachTooFar) {
         return refusal(text);
     };
     EXPECT_EQ(with_accessor(Json::object()), "");
-    EXPECT_TRUE(contains(with_accessor({{"count", 4}}), "past the end"));
+    EXPECT_TRUE(contains(with_accessor({{"count", 4}}), "accessors/0"));
     EXPECT_TRUE(contains(with_accessor({{"count", 1e15}}), "count"));
     EXPECT_TRUE(contains(with_accessor({{"count", -3}}), "count"));
-    EXPECT_TRUE(contains(with_accessor({{"byteOffset", 1e15}}), "past the end"));
+    EXPECT_TRUE(contains(with_accessor({{"byteOffset", 1e15}}), "accessors/0"));
     EXPECT_TRUE(contains(with_accessor({{"bufferView", 7}}), "bufferViews/7"));
     EXPECT_TRUE(contains(with_accessor({{"type", "MAT4"}}), "type"));
     EXPECT_TRUE(contains(with_accessor({{"componentType", 5124}}), "componentType"));
 }
 
-TEST_F(GltfSourceTest, ReadsMissingDataAsZeroAndSaysSo) {
+TEST_F(GltfSourceTest, ReadsMissingDataAsZerosWithAWarning) {
     GltfText text;
     text.add_node({{"mesh", text.add_triangle_mesh()}});
     text.json["accessors"][0].erase("bufferView");
@@ -201,7 +202,7 @@ TEST_F(GltfSourceTest, PlacesInstances) {
     EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndTellsOfOthers) {
+TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndWarnsOfOthers) {
     GltfText text;
     const std::size_t mesh = text.add_triangle_mesh();
     text.add_node({{"name", "here"}, {"mesh", mesh}});
@@ -209,7 +210,7 @@ TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndTellsOfOthers) {
     text.json["scenes"].push_back({{"nodes", {1}}});
     EXPECT_EQ(count_triangles(import(text)), 1U);
     EXPECT_TRUE(contains(warnings(), "2 scenes")) << warnings();
-    // No scene is the default: the file is read whole.
+    // Without a default scene, everything is read.
     text.json.erase("scene");
     const Model whole = import(text);
     EXPECT_EQ(count_triangles(whole), 2U);
@@ -217,30 +218,31 @@ TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndTellsOfOthers) {
     EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(GltfSourceTest, PlacesWhatHasNoNodeOnlyWhereNoSceneIsTheDefault) {
+TEST_F(GltfSourceTest, PlacesUnusedMeshesOnlyWithoutADefaultScene) {
     GltfText text;
     text.add_node({{"mesh", text.add_triangle_mesh()}});
     text.add_triangle_mesh();
     EXPECT_EQ(count_triangles(import(text)), 1U);
-    EXPECT_TRUE(contains(warnings(), "left out: 1")) << warnings();
+    EXPECT_TRUE(contains(warnings(), "warning unplaced-mesh") && contains(warnings(), ": 1")) << warnings();
     text.json.erase("scene");
     EXPECT_EQ(count_triangles(import(text)), 2U);
-    EXPECT_TRUE(contains(warnings(), "at the origin: 1")) << warnings();
+    EXPECT_TRUE(contains(warnings(), "warning unplaced-mesh") && contains(warnings(), "origin: 1"))
+        << warnings();
 }
 
-TEST_F(GltfSourceTest, RefusesLoops) {
+TEST_F(GltfSourceTest, RejectsLoops) {
     GltfText text;
     text.add_node({{"mesh", text.add_triangle_mesh()}, {"children", {1}}});
     text.json["nodes"].push_back({{"children", {0}}});
-    EXPECT_TRUE(contains(refusal(text), "loop"));
+    EXPECT_TRUE(contains(refusal(text), "error bad-model") && contains(refusal(text), "nodes/0"));
     text.json["nodes"][1]["children"] = {7};
     EXPECT_TRUE(contains(refusal(text), "nodes/7"));
 }
 
-TEST_F(GltfSourceTest, NamesNumbersThatAreTooLargeForOne) {
+TEST_F(GltfSourceTest, NamesNumbersOutOfRange) {
     folder_.write("x.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"translation": [0, 1e309, 0]}]})");
     const std::string diagnostic = test::text_of(test::errors_of([&] { import("x.gltf"); }));
-    EXPECT_TRUE(contains(diagnostic, "its JSON contains a number out of range: '1e309'")) << diagnostic;
+    EXPECT_TRUE(contains(diagnostic, "error bad-model") && contains(diagnostic, "'1e309'")) << diagnostic;
 }
 
 // ---- materials
@@ -268,7 +270,7 @@ TEST_F(GltfSourceTest, AppliesTextureTransforms) {
         {"KHR_texture_transform",
          {{"offset", {0.25, 0.5}}, {"rotation", std::numbers::pi / 2}, {"scale", {2, 4}}}}};
     const Storage<Eigen::Vector2f> moved = import(text).meshes[0].uvs;
-    // Anticlockwise on an image whose v runs down: right becomes up, down becomes right.
+    // Counter-clockwise on an image whose v points down: right becomes up, down becomes right.
     EXPECT_LT((moved[0] - Eigen::Vector2f(0.25F, 0.5F)).norm(), 1e-6F);
     EXPECT_LT((moved[1] - Eigen::Vector2f(0.25F, 0.5F - 2.0F)).norm(), 1e-6F);
     EXPECT_LT((moved[2] - Eigen::Vector2f(0.25F + 4.0F, 0.5F)).norm(), 1e-6F);
@@ -288,7 +290,7 @@ TEST_F(GltfSourceTest, DecodesWebp) {
     EXPECT_TRUE(contains(refusal(textured_triangle({{"uri", "wood.webp"}}, texture)), "WebP"));
 }
 
-TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
+TEST_F(GltfSourceTest, RejectsKtxUnlessThereIsAFallback) {
     folder_.write("wood.ktx2", "\xABKTX 20\xBB\r\n\x1A\n and so on");
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     Json texture = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
@@ -303,7 +305,7 @@ TEST_F(GltfSourceTest, NamesKtxAndItsCureAndTakesWhatStandsInForIt) {
     EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(GltfSourceTest, ReadsAllOfAMaterialsImages) {
+TEST_F(GltfSourceTest, ReadsAllImagesOfAMaterial) {
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     folder_.write("bumps.tga", test::tga_image(1, 1, {128, 128, 255, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
@@ -319,32 +321,34 @@ TEST_F(GltfSourceTest, ReadsAllOfAMaterialsImages) {
                           {"KHR_materials_unlit", Json::object()}};
     const Model model = import(text);
     EXPECT_EQ(warnings(), "");
-    ASSERT_EQ(model.textures.size(), 2U) << "each read once";
+    ASSERT_EQ(model.textures.size(), 2U) << "each is read once";
     const Material& material = model.materials[0];
     EXPECT_EQ(material.base_color_texture, TextureIndex{0});
     EXPECT_EQ(material.metallic_roughness_texture, TextureIndex{1});
     EXPECT_EQ(material.normal_texture, TextureIndex{1});
     EXPECT_EQ(material.emissive_texture, TextureIndex{0});
     EXPECT_EQ(material.metallic, 0.25F);
-    EXPECT_EQ(material.roughness, 1.0F) << "what glTF means by silence";
+    EXPECT_EQ(material.roughness, 1.0F) << "the default of glTF";
     EXPECT_EQ(material.normal_scale, 0.5F);
     EXPECT_EQ(material.emissive, (std::array<float, 3>{2.0F, 1.0F, 4.0F}));
     EXPECT_TRUE(material.unlit);
 }
 
-TEST_F(GltfSourceTest, LeavesOutImagesThatLieOtherwiseAndSaysSo) {
+TEST_F(GltfSourceTest, IgnoresImagesWithAnotherLayoutWithAWarning) {
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     Json& wall = text.json["materials"][0];
     wall["emissiveFactor"] = {1, 1, 1};
     wall["emissiveTexture"] = {{"index", 0}, {"texCoord", 1}};
     const Material material = import(text).materials[0];
-    EXPECT_TRUE(contains(warnings(), "'wall': emissiveTexture lies by other")) << warnings();
+    EXPECT_TRUE(contains(warnings(), "warning unsupported-feature") &&
+                contains(warnings(), "'wall': emissiveTexture"))
+        << warnings();
     EXPECT_FALSE(material.emissive_texture);
-    EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0})) << "not all over";
+    EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0})) << "nowhere without the texture";
 }
 
-TEST_F(GltfSourceTest, DoesWithoutAMissingImageOfGlowOrBumps) {
+TEST_F(GltfSourceTest, ToleratesMissingEmissiveAndNormalImages) {
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     text.json["images"].push_back({{"uri", "gone.tga"}});
@@ -354,7 +358,8 @@ TEST_F(GltfSourceTest, DoesWithoutAMissingImageOfGlowOrBumps) {
     wall["emissiveTexture"] = {{"index", 1}};
     wall["normalTexture"] = {{"index", 1}};
     const Material material = import(text).materials[0];
-    EXPECT_TRUE(contains(warnings(), "'gone.tga'") && contains(warnings(), "drawn without it")) << warnings();
+    EXPECT_TRUE(contains(warnings(), "warning bad-texture") && contains(warnings(), "'gone.tga'"))
+        << warnings();
     EXPECT_TRUE(material.base_color_texture);
     EXPECT_FALSE(material.emissive_texture || material.normal_texture);
     EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0}));
@@ -362,7 +367,7 @@ TEST_F(GltfSourceTest, DoesWithoutAMissingImageOfGlowOrBumps) {
 
 // ---- the file
 
-TEST_F(GltfSourceTest, NamesWhatItCannotReadAndTheCure) {
+TEST_F(GltfSourceTest, NamesUnsupportedExtensionsAndVersions) {
     GltfText text;
     text.add_node({{"mesh", text.add_triangle_mesh()}});
     text.json["extensionsUsed"] = {"ACME_curved_walls", "KHR_materials_sheen"};
@@ -370,23 +375,23 @@ TEST_F(GltfSourceTest, NamesWhatItCannotReadAndTheCure) {
     EXPECT_TRUE(contains(warnings(), "ACME_curved_walls")) << warnings();
     EXPECT_FALSE(contains(warnings(), "sheen")) << warnings();
     text.json["extensionsRequired"] = {"ACME_curved_walls"};
-    EXPECT_TRUE(contains(refusal(text), "ACME_curved_walls, which is not read; export it without"));
+    EXPECT_TRUE(contains(refusal(text), "error bad-model") && contains(refusal(text), "ACME_curved_walls"));
     text.json["asset"]["version"] = "1.0";
-    EXPECT_TRUE(contains(refusal(text), "convert it to glTF 2.0"));
+    EXPECT_TRUE(contains(refusal(text), "error bad-model") && contains(refusal(text), "'1.0'"));
 }
 
-TEST_F(GltfSourceTest, TellsOfBonesAndMorphTargets) {
+TEST_F(GltfSourceTest, WarnsOfSkinsAndMorphTargets) {
     GltfText text;
     const std::size_t positions = text.add_triangle_positions();
     const Json targets = Json::array({{{"POSITION", positions}}});
     text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"targets", targets}})},
                    {"skin", 0}});
     EXPECT_EQ(count_triangles(import(text)), 1U);
-    EXPECT_TRUE(contains(warnings(), "bones")) << warnings();
+    EXPECT_TRUE(contains(warnings(), "skins: 1")) << warnings();
     EXPECT_TRUE(contains(warnings(), "morph targets")) << warnings();
 }
 
-TEST_F(GltfSourceTest, RefusesEveryTruncationOfAGlb) {
+TEST_F(GltfSourceTest, RejectsEveryTruncationOfAGlb) {
     GltfText text;
     text.add_node({{"mesh", text.add_triangle_mesh()}});
     text.write_glb(folder_, "whole.glb");

@@ -112,11 +112,11 @@ GltfText meshopt_gltf(const GridMesh& grid) {
     const std::size_t count = grid.positions.size() / 3;
     const std::size_t positions =
         text.add_accessor(pack(vertices, 12, count, "ATTRIBUTES"), 5126, count, "VEC3");
-    const std::size_t corners = text.add_accessor(pack(indices, 4, grid.indices.size(), "TRIANGLES"), 5125,
-                                                  grid.indices.size(), "SCALAR");
+    const std::size_t indices_at = text.add_accessor(pack(indices, 4, grid.indices.size(), "TRIANGLES"), 5125,
+                                                     grid.indices.size(), "SCALAR");
     text.add_node(
         {{"name", "packed"},
-         {"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", corners}})}});
+         {"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices_at}})}});
     text.json["buffers"] = {{{"byteLength", text.buffer_bytes()}}, {{"byteLength", 1'000'000}}};
     text.json["extensionsRequired"] = {"EXT_meshopt_compression"};
     return text;

@@ -17,14 +17,14 @@ class ImportProcess : public testing::Test {
 protected:
     void SetUp() override { folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3})); }
 
-    ImportedModel import(const char* way, const std::string& name = "box.obj",
+    ImportedModel import(const char* behaviour, const std::string& name = "box.obj",
                          const ImportLimits& limits = {}) {
-        return import_in_process({ODD_IMPORT_HELPER, {way}}, limits)(test::scene_file(folder_, name),
-                                                                     EmptyModel::refuse);
+        return import_in_process({ODD_IMPORT_HELPER, {behaviour}}, limits)(test::scene_file(folder_, name),
+                                                                           EmptyModel::refuse);
     }
-    std::string refusal(const char* way, const std::string& name = "box.obj",
+    std::string refusal(const char* behaviour, const std::string& name = "box.obj",
                         const ImportLimits& limits = {}) {
-        const auto errors = test::errors_of([&] { import(way, name, limits); });
+        const auto errors = test::errors_of([&] { import(behaviour, name, limits); });
         EXPECT_EQ(errors.size(), 1U);
         EXPECT_TRUE(test::has_code(errors, "bad-model"));
         return test::text_of(errors);
@@ -37,39 +37,39 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-TEST_F(ImportProcess, GivesWhatAnImportInThisProcessGives) {
+TEST_F(ImportProcess, AgreesWithAnImportInThisProcess) {
     folder_.write("lines.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 2, 3}) + "l 1 2\n");
     const ImportedModel here = import_model(test::scene_file(folder_, "lines.obj"));
     ASSERT_EQ(here.warnings.size(), 2U);
     EXPECT_EQ(write_model_file(import("serve", "lines.obj")), write_model_file(here));
 }
 
-TEST_F(ImportProcess, ThrowsTheMistakesThatTheHelperFound) {
-    const auto mistakes_of = [&](const Importer& importer, const std::string& name) {
+TEST_F(ImportProcess, ThrowsTheErrorsOfTheHelper) {
+    const auto errors_of = [&](const Importer& importer, const std::string& name) {
         return test::text_of(
             test::errors_of([&] { importer(test::scene_file(folder_, name), EmptyModel::refuse); }));
     };
     folder_.write("nan.obj", "o a\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 inf 0\nf 2 3 4\n");
     const Importer apart = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
     for (const char* name : {"nan.obj", "gone.glb", "box.ifc"}) {
-        EXPECT_EQ(mistakes_of(apart, name), mistakes_of(import_model, name));
-        EXPECT_NE(mistakes_of(apart, name), "");
+        EXPECT_EQ(errors_of(apart, name), errors_of(import_model, name));
+        EXPECT_NE(errors_of(apart, name), "");
     }
 }
 
-TEST_F(ImportProcess, MakesAMessageOfACrash) {
-    // A sanitizer catches this one and ends the program in its own way.
+TEST_F(ImportProcess, ReportsACrash) {
+    // A sanitizer catches this one and exits.
     EXPECT_TRUE(contains(refusal("crash"), support::kSanitized ? "exit code 1" : "crashed (signal 11)"));
     EXPECT_TRUE(contains(refusal("abort"), "crashed (signal 6)"));
     EXPECT_TRUE(contains(refusal("fail"), "exit code 3"));
 }
 
-TEST_F(ImportProcess, BelievesNoAnswerThatIsNoModel) {
-    EXPECT_TRUE(contains(refusal("garbage"), "no model"));
-    EXPECT_TRUE(contains(refusal("nothing"), "no model"));
+TEST_F(ImportProcess, RejectsAnInvalidResponse) {
+    EXPECT_TRUE(contains(refusal("garbage"), "another kind of file"));
+    EXPECT_TRUE(contains(refusal("nothing"), "truncated"));
 }
 
-TEST_F(ImportProcess, EndsAHelperThatTakesTooLong) {
+TEST_F(ImportProcess, KillsAHelperThatExceedsItsTime) {
     const auto start = std::chrono::steady_clock::now();
     ImportLimits limits;
     limits.cpu = 1;
@@ -80,13 +80,13 @@ TEST_F(ImportProcess, EndsAHelperThatTakesTooLong) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(50));
 }
 
-TEST_F(ImportProcess, EndsAHelperWhoseAnswerGrowsTooLarge) {
+TEST_F(ImportProcess, LimitsTheSizeOfTheResponse) {
     ImportLimits limits;
-    limits.answer = 100;
-    EXPECT_TRUE(contains(refusal("serve", "box.obj", limits), "larger than"));
+    limits.response = 100;
+    EXPECT_TRUE(contains(refusal("serve", "box.obj", limits), "0 MB"));
 }
 
-TEST_F(ImportProcess, EndsAModelThatWantsTooMuchMemory) {
+TEST_F(ImportProcess, LimitsTheMemory) {
     if (support::kSanitized) {
         GTEST_SKIP() << "memory can't be limited under the address sanitizer";
     }
@@ -98,12 +98,12 @@ TEST_F(ImportProcess, EndsAModelThatWantsTooMuchMemory) {
     EXPECT_TRUE(contains(refusal("serve", "zeros.gltf", limits), "memory"));
 }
 
-TEST_F(ImportProcess, SaysWhenThereIsNoHelper) {
+TEST_F(ImportProcess, ThrowsIfTheHelperCannotBeStarted) {
     const Importer importer = import_in_process({folder_.path() / "nobody", {}});
     EXPECT_THROW(importer(test::scene_file(folder_, "box.obj"), EmptyModel::refuse), std::runtime_error);
 }
 
-TEST(ImportRequest, ComesBackAsItWasWritten) {
+TEST(ImportRequest, RoundTrips) {
     ImportRequest request;
     request.file = {{"a.campus.yaml", 3, 7}, "a.glb", "models/a.glb", UpAxis::z, 0.01, 2.0, {1, 2, 3}};
     request.if_empty = EmptyModel::accept;
@@ -118,31 +118,31 @@ TEST(ImportRequest, ComesBackAsItWasWritten) {
     EXPECT_EQ(back.limits.waiting, 7U);
 }
 
-/// As a forger would: the checksum is right again.
-void seal_anew(std::vector<std::byte>& bytes) {
+/// Corrects the checksum, as a forger would.
+void fix_header(std::vector<std::byte>& bytes) {
     constexpr std::size_t kChecksumAt = 24;
     const std::uint64_t checksum =
         checksum_of(std::span<const std::byte>(bytes).subspan(kArchiveHeaderBytes));
     std::memcpy(bytes.data() + kChecksumAt, &checksum, sizeof checksum);
 }
 
-/// Calls with every byte of the payload changed in nine ways, and with every length: several thousand
-/// mutants.
+/// Calls with each byte of the payload changed in nine ways, with and without a valid checksum, and with each
+/// truncation.
 template <typename Call>
 void with_forgeries(const std::vector<std::byte>& whole, const Call& call) {
     for (std::size_t at = kArchiveHeaderBytes; at < whole.size(); ++at) {
         for (const int value : {0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0xFF}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(value);
-            call(std::span<const std::byte>(bytes));  // its checksum tells
-            seal_anew(bytes);
+            call(std::span<const std::byte>(bytes));  // with a wrong checksum
+            fix_header(bytes);
             call(std::span<const std::byte>(bytes));
         }
         call(std::span(whole).first(at));
     }
 }
 
-TEST(ImportRequest, IsRefusedOrSoundWhenForged) {
+TEST(ImportRequest, IsRejectedOrValidWhenForged) {
     ImportRequest request;
     request.file = {{"a.campus.yaml", 3, 7}, "a.glb", "models/a.glb", UpAxis::z, 0.01, 2.0, {1, 2, 3}};
     int refused = 0;
@@ -161,18 +161,18 @@ TEST(ImportRequest, IsRefusedOrSoundWhenForged) {
     EXPECT_GT(read, 100);
 }
 
-TEST(ImportAnswer, IsRefusedOrSoundWhenForged) {
-    ImportedModel answer;
-    answer.model.nodes.resize(2);
-    answer.warnings = {{Severity::warning, {"a.glb", 0, 0}, "mirrored", "a warning"}};
+TEST(ImportResponse, IsRejectedOrValidWhenForged) {
+    ImportedModel response;
+    response.model.nodes.resize(2);
+    response.warnings = {{Severity::warning, {"a.glb", 0, 0}, "mirrored", "a warning"}};
     int refused = 0;
     int thrown = 0;
-    with_forgeries(write_model_file(answer), [&](std::span<const std::byte> bytes) {
+    with_forgeries(write_model_file(response), [&](std::span<const std::byte> bytes) {
         try {
-            read_answer(bytes);
+            read_response(bytes);
         } catch (const DamagedFile&) {
             ++refused;
-        } catch (const InputError& error) {  // a warning that was made an error
+        } catch (const InputError& error) {  // a warning changed to an error
             ++thrown;
             EXPECT_EQ(error.diagnostics().size(), 1U);
         }

@@ -1,4 +1,4 @@
-// An import helper that does what its argument says; see import_process_test.cpp.
+// An import helper that misbehaves as its argument says, for import_process_test.cpp.
 
 #include <unistd.h>
 
@@ -7,36 +7,35 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "scene/import/helper/limit_process.h"
 #include "scene/import/helper/serve_import.h"
 
 using namespace campuswalk::scene;
 
 int main(int argc, char** argv) {
-    const std::string_view way = argc > 1 ? argv[1] : "";
-    if (way == "serve") {
+    const std::string_view behaviour = argc > 1 ? argv[1] : "";
+    if (behaviour == "serve") {
         return serve_import();
     }
-    if (way == "crash") {
+    if (behaviour == "crash") {
         std::raise(SIGSEGV);
     }
-    if (way == "abort") {
+    if (behaviour == "abort") {
         std::abort();
     }
-    if (way == "sleep") {
+    if (behaviour == "sleep") {
         sleep(1000);
     }
-    if (way == "spin") {
+    if (behaviour == "spin") {
         ImportLimits limits;
         limits.cpu = 1;
         limit_process(limits);
         for (std::atomic<unsigned int> i = 0;; ++i) {
         }
     }
-    if (way == "garbage") {
-        constexpr std::string_view kWords =
-            "this is no model, whatever its writer says of it, and it is long enough";
-        return write(STDOUT_FILENO, kWords.data(), kWords.size()) > 0 ? 0 : 1;
+    if (behaviour == "garbage") {
+        constexpr std::string_view kGarbage =
+            "not a model, but longer than the header of one, so that its contents are looked at";
+        return write(STDOUT_FILENO, kGarbage.data(), kGarbage.size()) > 0 ? 0 : 1;
     }
-    return way == "nothing" ? 0 : 3;
+    return behaviour == "nothing" ? 0 : 3;
 }

@@ -22,7 +22,7 @@ Moved moved(std::string_view text, double metres_per_unit = 1.0) {
     return {std::string(bytes.begin(), bytes.end()), origin};
 }
 
-TEST(ObjText, MovesVerticesOfAMapNear) {
+TEST(ObjText, MovesMapCoordinatesNearTheOrigin) {
     const Moved far = moved(
         "# Delft\nv 85012.343 447455.577 0.88\nvn 0 0 1\n  v +85010.343 447457.577 0.88 0.1 0.2 0.3\r\nf 1 2 "
         "1\n");
@@ -31,15 +31,15 @@ TEST(ObjText, MovesVerticesOfAMapNear) {
               "# Delft\nv 1.343 -1.423 -0.12\nvn 0 0 1\nv -0.657 0.577 -0.12 0.1 0.2 0.3\r\nf 1 2 1\n");
 }
 
-TEST(ObjText, LeavesWhatIsNearWideOrNotPlain) {
+TEST(ObjText, KeepsNearWideOrUnusualVertices) {
     for (const std::string text : {
              "v 1 2 3\nv 4 5 6\n",                        // near
              "v 85012 447455 1\nv 0 0 0\n",               // one is near
-             "v -85012 447455 1\nv 85012 -447455 1\n",    // as wide as it is far
+             "v -85012 447455 1\nv 85012 -447455 1\n",    // as large as it is far
              "v 85012 447455 nan\nv 85012 447456 1\n",    // no number
              "v 85012 447455\nv 85012 447456 1\n",        // two numbers
              "v 85012 447455 1 2\nv 85012 447456 1 2\n",  // weights
-             "v 85012 447455 \\\n1\nv 85012 447456 1\n",  // goes on in the next line
+             "v 85012 447455 \\\n1\nv 85012 447456 1\n",  // continues in the next line
              "v 85012 447455 1x\nv 85012 447456 1\n",     // more than a number
              "v 1e999 447455 1\nv 85012 447456 1\n",      // out of range
              "vt 85012 447455\nvn 85012 447455 1\n",
@@ -53,14 +53,14 @@ TEST(ObjText, LeavesWhatIsNearWideOrNotPlain) {
     EXPECT_NE(moved("v 85012 447455 1 1.0\nv 85012 447456 1 1.0").origin, Eigen::Vector3d::Zero());
 }
 
-/// Half a millimetre is half a millimetre in any unit.
-TEST(ObjText, GoesByMetres) {
+/// The limit is in metres, whatever the unit.
+TEST(ObjText, MeasuresPrecisionInMetres) {
     const std::string text = "v 85012.343 447455.577 0.88\nv 85012.443 447455.577 0.88\n";
     EXPECT_EQ(moved(text, 0.001).origin, Eigen::Vector3d::Zero());
     EXPECT_NE(moved(text, 0.1).origin, Eigen::Vector3d::Zero());
 }
 
-TEST(ObjText, DropsTextureCoordinatesThatAreNotThere) {
+TEST(ObjText, DropsReferencesToMissingTextureCoordinates) {
     const auto dropped = [](std::string_view text) {
         std::vector<std::uint8_t> bytes(text.begin(), text.end());
         const bool changed = drop_absent_uvs(bytes);
@@ -76,27 +76,26 @@ TEST(ObjText, DropsTextureCoordinatesThatAreNotThere) {
     }
 }
 
-TEST(ObjText, LoadsFacesThatNameTextureCoordinatesWithoutAny) {
+TEST(ObjText, ImportsFacesWithMissingTextureCoordinates) {
     const test::TemporaryFolder folder;
     folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n");
-    std::vector<Diagnostic> warnings;
-    EXPECT_EQ(count_triangles(import_model(test::scene_file(folder, "a.obj"), warnings)), 1U);
-    EXPECT_TRUE(test::has_code(warnings, "repaired-uvs"));
+    const ImportedModel imported = import_model(test::scene_file(folder, "a.obj"));
+    EXPECT_EQ(count_triangles(imported.model), 1U);
+    EXPECT_TRUE(test::has_code(imported.warnings, "repaired-uvs"));
 }
 
-TEST(ObjText, KeepsMillimetresOfAModelFarAway) {
+TEST(ObjText, KeepsMillimetresFarFromTheOrigin) {
     const test::TemporaryFolder folder;
     folder.write("far.obj",
                  "o house\nv 85012.343 447455.577 1.251\nv 85013.344 447455.577 1.251\n"
                  "v 85013.344 447456.578 2.252\nf 1 2 3\n");
     SceneFile file = test::scene_file(folder, "far.obj");
     file.up = UpAxis::z;
-    std::vector<Diagnostic> warnings;
-    const Bounds far = world_bounds(import_model(file, warnings));
+    const Bounds far = world_bounds(import_model(file).model);
     EXPECT_LT((far.min - Eigen::Vector3d(85012.343, 1.251, -447456.578)).norm(), 1e-6) << far.min.transpose();
     EXPECT_LT((far.max - Eigen::Vector3d(85013.344, 2.252, -447455.577)).norm(), 1e-6) << far.max.transpose();
     file.position = {-85012, 0, 447456};
-    const Bounds near = world_bounds(import_model(file, warnings));
+    const Bounds near = world_bounds(import_model(file).model);
     EXPECT_LT((near.min - Eigen::Vector3d(0.343, 1.251, -0.578)).norm(), 1e-6) << near.min.transpose();
 }
 

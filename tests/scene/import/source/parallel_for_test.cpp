@@ -10,7 +10,7 @@
 namespace campuswalk::scene {
 namespace {
 
-TEST(AtOnce, DoesEverythingOnce) {
+TEST(ParallelFor, CallsEachIndexOnce) {
     for (const std::size_t most : {0U, 1U, 3U, 100U}) {
         std::vector<int> done(20);
         parallel_for(done.size(), most, [&](std::size_t i) { ++done[i]; });
@@ -19,7 +19,7 @@ TEST(AtOnce, DoesEverythingOnce) {
     parallel_for(0, 4, [](std::size_t) { FAIL(); });
 }
 
-TEST(AtOnce, DoesNoMoreThanAllowedAtATime) {
+TEST(ParallelFor, LimitsTheNumberOfThreads) {
     std::atomic<int> now = 0;
     std::atomic<int> highest = 0;
     parallel_for(12, 3, [&](std::size_t) {

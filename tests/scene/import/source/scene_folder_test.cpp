@@ -34,24 +34,24 @@ TEST_F(SceneFolderTest, FindsFilesInTheFolderAndBelow) {
     EXPECT_TRUE(folder().find_file("deep\\er\\x.bin"));
     EXPECT_FALSE(folder().find_file("nothing.bin"));
     EXPECT_FALSE(folder().find_file(""));
-    EXPECT_FALSE(folder().find_file("deep"));  // a folder is no file
+    EXPECT_FALSE(folder().find_file("deep"));  // a folder
 }
 
-TEST_F(SceneFolderTest, RefusesWhatLiesOutside) {
+TEST_F(SceneFolderTest, RejectsFilesOutside) {
     EXPECT_FALSE(folder().find_file("/etc/passwd"));
     EXPECT_FALSE(folder().find_file("file:///etc/passwd"));
     EXPECT_FALSE(folder().find_file("../secret.bin"));
     EXPECT_FALSE(folder().find_file("..%2Fsecret.bin"));
     EXPECT_FALSE(folder().find_file("..\\secret.bin"));
     EXPECT_FALSE(folder().find_file("../../outside.bin"));
-    EXPECT_FALSE(folder().find_file("../materials/textures/wood.png"));  // images only as images
+    EXPECT_FALSE(folder().find_file("../materials/textures/wood.png"));  // for images only
     EXPECT_FALSE(folder().find_image("../private/secret.png"));
     EXPECT_FALSE(folder().find_image("/etc/passwd"));
 }
 
-TEST_F(SceneFolderTest, KeepsWhatItWasAskedFor) {
+TEST_F(SceneFolderTest, RecordsLookups) {
     const SceneFolder asked = folder();
-    const SceneFolder copy = asked;  // NOLINT(performance-unnecessary-copy-initialization): that is the point
+    const SceneFolder copy = asked;  // NOLINT(performance-unnecessary-copy-initialization): tests the copy
     EXPECT_TRUE(asked.find_file("a%20b.bin"));
     EXPECT_FALSE(copy.find_image("nothing.png"));
     EXPECT_FALSE(copy.find_file("nothing.png"));
@@ -63,7 +63,7 @@ TEST_F(SceneFolderTest, KeepsWhatItWasAskedFor) {
     EXPECT_TRUE(folder().requests().empty());
 }
 
-TEST_F(SceneFolderTest, RefusesSymbolicLinksThatLeadOutside) {
+TEST_F(SceneFolderTest, RejectsSymbolicLinksToTheOutside) {
     fs::create_symlink(files_.path() / "outside.bin", files_.path() / "model/meshes/link.bin");
     fs::create_symlink(files_.path() / "model/meshes/deep/er/x.bin",
                        files_.path() / "model/meshes/inner.bin");
@@ -81,11 +81,11 @@ TEST_F(SceneFolderTest, FindsImagesWhereExportersPutThem) {
     EXPECT_FALSE(folder().find_image("marble.png"));
 }
 
-TEST(SceneFolder, OfASceneThatIsNotThereFindsNothing) {
+TEST(SceneFolder, FindsNothingBesideAMissingScene) {
     EXPECT_FALSE(SceneFolder("/no/such/folder/scene.gltf").find_file("scene.gltf"));
 }
 
-TEST(PercentDecoded, LeavesMalformedEscapes) {
+TEST(PercentDecoded, KeepsMalformedEscapes) {
     EXPECT_EQ(percent_decoded("a%20b%2Fc"), "a b/c");
     EXPECT_EQ(percent_decoded("100%"), "100%");
     EXPECT_EQ(percent_decoded("%zz%4"), "%zz%4");

@@ -51,7 +51,7 @@ TEST(VertexNormals, AreFlatOnRequest) {
     EXPECT_NE(normals[0], normals[3]);
 }
 
-TEST(VertexNormals, OfATriangleWithoutAreaPointUp) {
+TEST(VertexNormals, PointUpForDegenerateTriangles) {
     const std::vector<Eigen::Vector3f> positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}};
     for (const Eigen::Vector3f& normal : vertex_normals(positions, triangles, kCrease)) {
