@@ -13,7 +13,7 @@
 #include "engine/events/decimals.h"
 #include "scene/cache/load_model.h"
 #include "scene/campus/campus_description.h"
-#include "scene/model/model_report.h"
+#include "scene/lint/model_report.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
