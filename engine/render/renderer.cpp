@@ -28,12 +28,12 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Around the campus on a plan, linear: the grey of paper.
+// Around the campus on a plan; linear.
 const Eigen::Vector3d kBackground(0.60, 0.61, 0.59);
 
-// Shares of open sky: with less the camera is in a room, with more it is outside.
-constexpr double kInside = 0.06;
-constexpr double kOutside = 0.42;
+// Sky view factors: at or below the first the camera is indoors, at or above the second outdoors.
+constexpr double kIndoorSkyView = 0.06;
+constexpr double kOutdoorSkyView = 0.42;
 
 std::unique_ptr<GlContext> made_current(std::unique_ptr<GlContext> context) {
     context->make_current();
@@ -58,7 +58,7 @@ public:
                         {shaders::kVersion, shaders::kInstanceChunk, shaders::kDepthVertex},
                         {shaders::kVersion, shaders::kMaskedDepthFragment}),
           sky_(gl_, "sky", {shaders::kVersion, shaders::kScreenChunk, shaders::kSkyVertex},
-               {shaders::kVersion, light_constants(settings_).text(), shaders::kAirChunk, shaders::kSrgbChunk,
+               {shaders::kVersion, light_constants(settings_).text(), shaders::kSkyChunk, shaders::kSrgbChunk,
                 shaders::kSkyFragment}),
           shadows_(gl_, settings_, geometry_, campus_, depth_, masked_depth_),
           surfaces_(gl_, settings_.shadows, settings_.ambient_occlusion_radius > 0.0,
@@ -70,12 +70,12 @@ public:
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    // Members free their GL objects by number: those of this context, not of whichever is current.
+    // Members delete GL objects by name, so their own context must be current.
     ~Impl() {
         try {
             context_->make_current();
         } catch (const RenderError&) {
-            // The driver has lost the context, and its objects with it.
+            // The context is lost, and its objects with it.
         }
     }
 
@@ -84,7 +84,7 @@ public:
         context_->make_current();
         if (settings_.supersampling > 1) {
             RenderTarget::check_size(gl_, width, height, 2);
-            return halved(draw_once(view, 2 * width, 2 * height, figure, lines));
+            return downsampled_by_two(draw_once(view, 2 * width, 2 * height, figure, lines));
         }
         Image image = draw_once(view, width, height, figure, lines);
         return settings_.fxaa ? apply_fxaa(image) : std::move(image);
@@ -93,38 +93,38 @@ public:
     Image draw_once(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure,
                     std::span<const OverlayLine> lines) {
         fit_target(width, height);
-        occlusion_.fit(width, height);
-        Frame frame;
-        frame.eye = view.position - geometry_.origin;
-        frame.clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
-        frame.perspective = view.projection == Projection::perspective;
-        frame.room_share = room_share(frame);
-        frame.figure = figure ? upload(*figure) : nullptr;
-        frame.near_shadows = settings_.shadows && frame.perspective;
-        frame.occlusion = frame.perspective && settings_.ambient_occlusion_radius > 0.0;
-        if (frame.near_shadows) {
-            shadows_.draw_near(frame.eye, -view.R_world_camera.col(2), frame.figure, figure_indices_);
+        occlusion_.resize(width, height);
+        PassInputs inputs;
+        inputs.eye = view.position - geometry_.origin;
+        inputs.clip_campus = clip_from_campus(view, static_cast<double>(width) / height);
+        inputs.perspective = view.projection == Projection::perspective;
+        inputs.indoor_share = indoor_share(inputs);
+        inputs.figure = figure ? upload(*figure) : nullptr;
+        inputs.near_shadows = settings_.shadows && inputs.perspective;
+        inputs.occlusion = inputs.perspective && settings_.ambient_occlusion_radius > 0.0;
+        if (inputs.near_shadows) {
+            shadows_.draw_near(inputs.eye, -view.R_world_camera.col(2), inputs.figure, figure_indices_);
         }
-        if (frame.occlusion) {
-            occlusion_.draw(campus_, frame.figure, figure_indices_, view, frame.clip_campus,
+        if (inputs.occlusion) {
+            occlusion_.draw(campus_, inputs.figure, figure_indices_, view, inputs.clip_campus,
                             settings_.ambient_occlusion_radius);
         } else {
             occlusion_.clear_to_unoccluded();
         }
         target_->begin(kBackground);
-        // What covers a pixel is written as its byte; what is mixed with what is there, as light.
+        // Opaque surfaces encode sRGB in the shader; blending needs linear light.
         gl_.Disable(GL_FRAMEBUFFER_SRGB);
-        draw_solid(frame);
-        if (frame.perspective) {
+        draw_solid(inputs);
+        if (inputs.perspective) {
             draw_sky(view, width, height);
         }
         gl_.Enable(GL_FRAMEBUFFER_SRGB);
-        draw_see_through(frame);
+        draw_blended(inputs);
         if (!lines.empty()) {
             if (!lines_) {
                 lines_ = std::make_unique<LinePass>(gl_);
             }
-            lines_->draw(lines, frame.clip_campus, geometry_.origin, width, height);
+            lines_->draw(lines, inputs.clip_campus, geometry_.origin, width, height);
         }
         return target_->finish();
     }
@@ -145,9 +145,9 @@ public:
 
 private:
     // What the passes of one image share.
-    struct Frame {
+    struct PassInputs {
         Eigen::Vector3d eye = Eigen::Vector3d::Zero();  // campus frame
-        double room_share = 0.0;                        // 1 in a room
+        double indoor_share = 0.0;                      // 1 in a room
         Eigen::Matrix4d clip_campus = Eigen::Matrix4d::Identity();
         bool perspective = true;
         bool near_shadows = false;
@@ -155,7 +155,7 @@ private:
         const GpuMesh* figure = nullptr;
     };
 
-    // Depth from 1 (near) to 0 (far) needs GL's clip space changed before anything is drawn.
+    // Reversed depth needs a clip space of 0 to 1; set before anything is drawn.
     static const GlFunctions& reversed_depth(const GlFunctions& gl) {
         gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
         gl.Enable(GL_FRAMEBUFFER_SRGB);
@@ -170,12 +170,12 @@ private:
         }
     }
 
-    double room_share(const Frame& frame) const {
-        if (!frame.perspective) {
+    double indoor_share(const PassInputs& inputs) const {
+        if (!inputs.perspective) {
             return 0.0;
         }
-        const double open = open_sky(geometry_, frame.eye);
-        return std::clamp((kOutside - open) / (kOutside - kInside), 0.0, 1.0);
+        const double open = sky_view_factor(geometry_, inputs.eye);
+        return std::clamp((kOutdoorSkyView - open) / (kOutdoorSkyView - kIndoorSkyView), 0.0, 1.0);
     }
 
     Eigen::Matrix4d clip_from_campus(const Viewpoint& view, double aspect) const {
@@ -192,38 +192,38 @@ private:
         return &figure_mesh_;
     }
 
-    void begin_surfaces(const ShaderProgram& surface, const Frame& frame) const {
+    void begin_surface(const ShaderProgram& surface, const PassInputs& inputs) const {
         surface.use();
-        surface.set("clip_campus", frame.clip_campus);
-        surface.set("eye", frame.eye);
-        surface.set("room_share", frame.room_share);
-        const bool fog = frame.perspective && settings_.fog_distance > 0.0;
+        surface.set("clip_campus", inputs.clip_campus);
+        surface.set("eye", inputs.eye);
+        surface.set("indoor_share", inputs.indoor_share);
+        const bool fog = inputs.perspective && settings_.fog_distance > 0.0;
         surface.set("fog_density", fog ? 1.0 / settings_.fog_distance : 0.0);
         surface.set("base_color_map", 0);
-        shadows_.bind(surface, frame.near_shadows);
+        shadows_.bind(surface, inputs.near_shadows);
         occlusion_.bind(surface);
     }
 
-    void draw_solid(const Frame& frame) {
-        const Frustum frustum(frame.clip_campus);
-        HierarchicalZ* depth = settings_.occlusion_culling && frame.perspective ? &hierarchical_z_ : nullptr;
+    void draw_solid(const PassInputs& inputs) {
+        const Frustum frustum(inputs.clip_campus);
+        HierarchicalZ* depth = settings_.occlusion_culling && inputs.perspective ? &hierarchical_z_ : nullptr;
         if (depth != nullptr) {
-            depth->begin(*target_, frame.clip_campus);
+            depth->begin(*target_, inputs.clip_campus);
         }
         gl_.Disable(GL_BLEND);
-        if (frame.figure != nullptr) {
+        if (inputs.figure != nullptr) {
             const ShaderProgram& plain = surfaces_.of({});
-            begin_surfaces(plain, frame);
+            begin_surface(plain, inputs);
             campus_.set_plain_material(plain);
-            frame.figure->bind();
-            frame.figure->draw(0, figure_indices_);
+            inputs.figure->bind();
+            inputs.figure->draw(0, figure_indices_);
         }
-        const ProgramSelector program_of = prepared_programs(frame);
-        campus_.draw_solid(program_of, scene::AlphaMode::opaque, frustum, frame.eye, depth);
+        const ProgramSelector program_of = prepared_programs(inputs);
+        campus_.draw_solid(program_of, scene::AlphaMode::opaque, frustum, inputs.eye, depth);
         if (settings_.samples > 1) {
             gl_.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
         }
-        campus_.draw_solid(program_of, scene::AlphaMode::mask, frustum, frame.eye, depth);
+        campus_.draw_solid(program_of, scene::AlphaMode::mask, frustum, inputs.eye, depth);
         gl_.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     }
 
@@ -240,27 +240,27 @@ private:
         gl_.DepthMask(GL_TRUE);
     }
 
-    // Each with the frame's light, set when it is first asked for.
-    ProgramSelector prepared_programs(const Frame& frame) {
-        return [this, &frame, begun = std::set<const ShaderProgram*>()](
+    // Selects surface programs; each gets its per-image uniforms on first use.
+    ProgramSelector prepared_programs(const PassInputs& inputs) {
+        return [this, &inputs, begun = std::set<const ShaderProgram*>()](
                    const scene::Material& material) mutable -> const ShaderProgram& {
             const ShaderProgram& program = surfaces_.of(kind_of(material));
             if (begun.insert(&program).second) {
-                begin_surfaces(program, frame);
+                begin_surface(program, inputs);
             }
             return program;
         };
     }
 
-    // Without the occlusion map, which knows what is behind a pane but not the pane.
-    void draw_see_through(const Frame& frame) {
+    // Without the occlusion map, which lacks blended surfaces.
+    void draw_blended(const PassInputs& inputs) {
         if (geometry_.blend.empty()) {
             return;
         }
         gl_.Enable(GL_BLEND);
         gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_.DepthMask(GL_FALSE);
-        campus_.draw_blend(prepared_programs(frame), Frustum(frame.clip_campus), frame.eye);
+        campus_.draw_blend(prepared_programs(inputs), Frustum(inputs.clip_campus), inputs.eye);
         gl_.DepthMask(GL_TRUE);
         gl_.Disable(GL_BLEND);
     }
@@ -281,7 +281,7 @@ private:
     HierarchicalZ hierarchical_z_;
     GLuint no_vertices_ = 0;
     std::unique_ptr<RenderTarget> target_;
-    std::unique_ptr<ChannelPass> channels_;  // none before the first is asked for
+    std::unique_ptr<ChannelPass> channels_;  // created on first use
     std::unique_ptr<LinePass> lines_;        // likewise
 };
 

@@ -16,35 +16,35 @@
 
 namespace campuswalk::engine::render {
 
-/// The avatar to be drawn as a figure.
+/// The avatar as it is drawn.
 struct Figure {
     AvatarState avatar;
     AvatarProfile profile;
-    double stride = 0.0;  ///< phase of its step, radians; 0 stands still
+    double stride = 0.0;  ///< phase of the gait, radians; 0 stands still
 };
 
-/// Draws models with sun, shadows and sky. The same models, settings and arguments give the same bytes.
-/// All calls from one thread at a time.
+/// Draws models with sun, shadows and sky. The same models, settings and arguments give the same bytes. Not
+/// thread-safe.
 class Renderer {
 public:
-    /// Uploads the models and draws the campus' shadow map, so the first image isn't the slow one. The
-    /// models must outlive the renderer. Throws RenderError when the machine can't draw.
+    /// Uploads the models and draws the far shadow map. The models must outlive the renderer. Throws
+    /// RenderError if no OpenGL context can be made.
     explicit Renderer(std::span<const scene::Model> models, const RenderSettings& settings = {},
                       std::unique_ptr<GlContext> context = make_gl_context(RenderingBackend::automatic));
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// An image of `width` x `height` pixels. Throws RenderError for a size that can't be drawn.
-    /// `lines` go over it.
+    /// Draws an image of `width` x `height` pixels with `lines` over it. Throws RenderError if the driver
+    /// can't render this size.
     Image draw(const Viewpoint& view, int width, int height, const std::optional<Figure>& figure = {},
                std::span<const OverlayLine> lines = {});
 
-    /// What the same image shows in numbers, as far as `choice` asks for it. Throws RenderError likewise.
+    /// The channels of the same image that `choice` selects. Throws like `draw`.
     Channels draw_channels(const Viewpoint& view, int width, int height, const ChannelChoice& choice,
                            const std::optional<Figure>& figure = {});
 
-    /// Of all models together.
+    /// Bounds of all models, world frame.
     const scene::Bounds& bounds() const;
 
 private:

@@ -62,8 +62,8 @@ class Imgdiff(ProgramCase):
 
     def test_pixels(self):
         outcome = self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1")
-        self.assertEqual((outcome.code, outcome.out), (1, "grey.png and spotted.png differ: 10 pixels differ (0.122 %), "
-                                                          "at most 0 may\n"))
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.out, "^grey.png and spotted.png .*: 10 pixels .*0[.]122 %.* 0\n$")
         for limit, code in (("10", 0), ("9", 1)):
             self.assertEqual(self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1", "--max-diff-pixels",
                                           limit).code, code)
@@ -75,8 +75,7 @@ class Imgdiff(ProgramCase):
     def test_structure(self):
         outcome = self.imgdiff("grey.png", "striped.png")
         self.assertEqual(outcome.code, 1)
-        self.assertRegex(outcome.out, "differ: the tile of 64x64 pixels at 0,0 has a similarity of 0.[0-9]{3}, at least "
-                                      "0.970 is wanted")
+        self.assertRegex(outcome.out, "64x64 pixels at 0,0 .*0[.][0-9]{3}.* 0[.]970")
         self.assertEqual(self.imgdiff("grey.png", "striped.png", "--min-tile-ssim", "0.1").code, 0)
 
     def test_masks(self):
@@ -112,10 +111,10 @@ class Imgdiff(ProgramCase):
 
     def test_what_is_no_picture(self):
         self.refused("^none.png: error missing-file: can't read the picture: No such file", "none.png", "grey.png")
-        self.refused("^room.obj: error bad-picture: this is no PNG file", "grey.png", "room.obj")
+        self.refused("^room.obj: error bad-picture: ", "grey.png", "room.obj")
         self.refused("^avatars: error unreadable-file: ", "avatars", "grey.png")
         self.write("cut.png", self.read("grey.png")[:-30])
-        self.refused("^cut.png: error bad-picture: the PNG file is cut short or broken", "grey.png", "cut.png")
+        self.refused("^cut.png: error bad-picture: ", "grey.png", "cut.png")
 
     def test_numbers_out_of_range(self):
         self.refused("--threshold", "grey.png", "grey.png", "--threshold", "1.5")

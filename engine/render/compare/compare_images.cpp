@@ -9,7 +9,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-/// A value that isn't enough mustn't look like enough: 0.96996 is told as 0.969, not 0.970.
+/// Rounded down, so that an insufficient 0.96996 is not reported as 0.970.
 std::string rounded_down(double value, int decimals) {
     double unit = 1.0;
     for (int i = 0; i < decimals; ++i) {
@@ -49,24 +49,23 @@ std::string describe_violations(const ImageComparison& comparison, const ImageTo
                                                        : (unlimited ? 0 : pixels);
     if (pixels > most) {
         add(std::to_string(pixels) + (pixels == 1 ? " pixel differs (" : " pixels differ (") +
-            percent(comparison.ratio) + "), at most " + std::to_string(most) + " may");
+            percent(comparison.ratio) + "), the limit is " + std::to_string(most));
     }
     if (tolerance.max_diff_pixel_ratio && comparison.ratio > *tolerance.max_diff_pixel_ratio) {
-        add(percent(comparison.ratio) + " of the pixels differ, at most " +
-            percent(*tolerance.max_diff_pixel_ratio) + " may");
+        add(percent(comparison.ratio) + " of the pixels differ, the limit is " +
+            percent(*tolerance.max_diff_pixel_ratio));
     }
     if (comparison.worst.ssim < tolerance.min_tile_ssim) {
         const PixelBox& box = comparison.worst.box;
-        const auto unlike = std::ranges::count_if(comparison.tiles, [&](const TileSimilarity& tile) {
+        const auto dissimilar = std::ranges::count_if(comparison.tiles, [&](const TileSimilarity& tile) {
             return tile.ssim < tolerance.min_tile_ssim;
         });
         add("the tile of " + std::to_string(box.width) + "x" + std::to_string(box.height) + " pixels at " +
             std::to_string(box.x) + "," + std::to_string(box.y) + " has a similarity of " +
-            rounded_down(comparison.worst.ssim, 3) + ", at least " + fixed(tolerance.min_tile_ssim, 3) +
-            " is wanted" +
-            (unlike > 1 ? " (" + std::to_string(unlike) + " tiles of " +
-                              std::to_string(comparison.tiles.size()) + ")"
-                        : ""));
+            rounded_down(comparison.worst.ssim, 3) + ", the minimum is " + fixed(tolerance.min_tile_ssim, 3) +
+            (dissimilar > 1 ? " (" + std::to_string(dissimilar) + " of " +
+                                  std::to_string(comparison.tiles.size()) + " tiles)"
+                            : ""));
     }
     return why;
 }

@@ -11,22 +11,22 @@
 
 namespace campuswalk::engine::render {
 
-/// How two images of one size differ, by both rules.
+/// The differences between two images of one size, by pixels and by tiles.
 struct ImageComparison {
     PixelDifference pixels;
-    double ratio = 0.0;                 ///< of the pixels that differ, of all
+    double ratio = 0.0;                 ///< share of pixels that differ
     std::vector<TileSimilarity> tiles;  ///< row by row
-    TileSimilarity worst;               ///< the first of those least alike
+    TileSimilarity worst;               ///< the first of the least similar
 };
 
-/// Both images must have one size, one pixel at least. Symmetric.
+/// The images must have the same size of at least one pixel. Symmetric.
 ImageComparison compare_images(const Image& a, const Image& b, const ImageTolerance& tolerance);
 
-/// Which rules of the tolerance don't hold, in words; empty when they all do.
+/// Describes the violated limits of the tolerance; empty if there are none.
 std::string describe_violations(const ImageComparison& comparison, const ImageTolerance& tolerance);
 
-/// An image for the eye. Grey and pale: the same. Orange: other colours, within the threshold. Yellow:
-/// smoothed otherwise. Red: different. Hatched: masked. Tiles that aren't alike enough have a magenta frame.
+/// Visualizes the differences. Pale grey: equal. Orange: within the threshold. Yellow: anti-aliased
+/// differently. Red: different. Hatched: masked. Dissimilar tiles have a magenta border.
 Image draw_difference(const Image& a, const Image& b, const ImageComparison& comparison,
                       const ImageTolerance& tolerance);
 

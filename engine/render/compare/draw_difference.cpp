@@ -12,7 +12,7 @@ using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb kRed = {220, 0, 0};
 constexpr Rgb kYellow = {255, 200, 0};
 constexpr Rgb kMagenta = {200, 0, 200};
-constexpr int kHatch = 8;  ///< pixels from line to line
+constexpr int kHatch = 8;  ///< pixels between lines
 
 std::uint8_t pale_grey(const Image& image, std::size_t offset) {
     const int brightness =
@@ -20,7 +20,7 @@ std::uint8_t pale_grey(const Image& image, std::size_t offset) {
     return static_cast<std::uint8_t>(200 + brightness * 55 / 255);
 }
 
-/// White at no difference to orange at the threshold; the least one can be seen.
+/// From white (no difference) to orange at the threshold; even the smallest difference is visible.
 Rgb close_color(double share) {
     const double strength = 0.25 + 0.75 * std::min(share, 1.0);
     return {255, static_cast<std::uint8_t>(255 - 115 * strength),
@@ -55,7 +55,7 @@ public:
         }
     }
 
-    void frame(const PixelBox& box) {
+    void border(const PixelBox& box) {
         const int right = box.x + box.width - 1;
         const int bottom = box.y + box.height - 1;
         for (int x = box.x; x <= right; ++x) {
@@ -92,7 +92,7 @@ Image draw_difference(const Image& a, const Image& b, const ImageComparison& com
     }
     for (const TileSimilarity& tile : comparison.tiles) {
         if (tile.ssim < tolerance.min_tile_ssim) {
-            drawn.frame(tile.box);
+            drawn.border(tile.box);
         }
     }
     return drawn.take();

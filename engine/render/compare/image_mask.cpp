@@ -5,7 +5,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-/// Where a box that begins at `start` ends, at most `size`; in 64 bits, as the sum may not fit an int.
+/// The end of a box, clamped to `size`. In 64 bits against overflow.
 int end_of(int start, int length, int size) {
     return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{start} + length, 0, size));
 }

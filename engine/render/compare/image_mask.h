@@ -8,10 +8,10 @@
 
 namespace campuswalk::engine::render {
 
-/// Which pixels of an image aren't looked at.
+/// The pixels of an image that comparisons ignore.
 class ImageMask {
 public:
-    /// Boxes may reach beyond the image.
+    /// Boxes may extend beyond the image.
     ImageMask(int width, int height, std::span<const PixelBox> boxes);
 
     bool empty() const { return hidden_.empty(); }
@@ -22,7 +22,7 @@ public:
 
 private:
     int width_;
-    std::vector<std::uint8_t> hidden_;  ///< one a pixel, row by row; empty without boxes
+    std::vector<std::uint8_t> hidden_;  ///< one per pixel, row-major; empty without boxes
 };
 
 }  // namespace campuswalk::engine::render

@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <functional>
 
 #include "engine/render/image/row_bands.h"
 
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr double kLargestSquare = 35215.0;  ///< between yellow and blue, the farthest two colours
-constexpr int kEven = 3;                    ///< equal neighbours that make an area an even one
+constexpr double kLargestSquare = 35215.0;  ///< between yellow and blue, the most distant colours
+constexpr int kMinEqual = 3;                ///< equal neighbours in a uniform area
 
 double luma(const std::uint8_t* rgb) {
     return 0.29889531 * rgb[0] + 0.58662247 * rgb[1] + 0.11448223 * rgb[2];
@@ -29,7 +28,7 @@ double distance_squared(const std::uint8_t* a, const std::uint8_t* b) {
     return 0.5053 * y * y + 0.299 * i * i + 0.1957 * q * q;
 }
 
-/// All four bytes at once: images are opaque.
+/// Compares all four bytes at once, as images are opaque.
 bool same_color(const std::uint8_t* a, const std::uint8_t* b) {
     std::uint32_t pixel_a = 0;
     std::uint32_t pixel_b = 0;
@@ -42,94 +41,41 @@ bool on_border(const Image& image, int x, int y) {
     return x == 0 || y == 0 || x == image.width - 1 || y == image.height - 1;
 }
 
-template <typename Visit>
-void each_neighbour(const Image& image, int x, int y, const Visit& visit) {
-    if (!on_border(image, x, y)) {
-        // As below, without a question a neighbour.
-        for (int i = -1; i <= 1; ++i) {
-            visit(x + i, y - 1);
-        }
-        visit(x - 1, y);
-        visit(x + 1, y);
-        for (int i = -1; i <= 1; ++i) {
-            visit(x + i, y + 1);
-        }
-        return;
-    }
-    for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, image.height - 1); ++ny) {
-        for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, image.width - 1); ++nx) {
-            if (nx != x || ny != y) {
-                visit(nx, ny);
-            }
-        }
-    }
+bool is_inside(const Image& image, int x, int y) {
+    return x >= 0 && y >= 0 && x < image.width && y < image.height;
 }
 
-/// What lies beyond the border counts as one equal neighbour.
-bool in_even_area(const Image& image, int x, int y) {
-    const std::uint8_t* centre = &image.rgba[image.offset(x, y)];
-    int equal = on_border(image, x, y) ? 1 : 0;
-    each_neighbour(image, x, y, [&](int nx, int ny) {
-        equal += same_color(centre, &image.rgba[image.offset(nx, ny)]) ? 1 : 0;
-    });
-    return equal >= kEven;
-}
-
+/// Offset to a neighbour of a pixel.
 struct Step {
     int x = 0;
     int y = 0;
 };
-/// To a pixel's neighbours, in the order of each_neighbour.
-constexpr std::array<Step, 8> kAround = {
+constexpr std::array<Step, 8> kNeighbours = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-/// is_antialiased(), with what gives the brightness at a place.
-template <typename LumaAt>
-bool antialiased(const Image& image, const Image& other, int x, int y, const LumaAt& luma_at) {
-    const double centre = luma_at(x, y);
+/// The outside of the image counts as one equal neighbour.
+bool in_uniform_area(const Image& image, int x, int y) {
+    const std::uint8_t* centre = &image.rgba[image.offset(x, y)];
     const bool border = on_border(image, x, y);
-    std::array<double, 8> relative{};  // to the pixel in the middle; 0 for what lies beyond the border
-    int beyond = 0;
-    for (std::size_t i = 0; i < kAround.size(); ++i) {
-        const int nx = x + kAround[i].x;
-        const int ny = y + kAround[i].y;
-        if (border && (nx < 0 || ny < 0 || nx >= image.width || ny >= image.height)) {
-            ++beyond;
-        } else {
-            relative[i] = luma_at(nx, ny) - centre;
+    int equal = border ? 1 : 0;
+    for (const Step& step : kNeighbours) {
+        if (!border || is_inside(image, x + step.x, y + step.y)) {
+            equal += same_color(centre, &image.rgba[image.offset(x + step.x, y + step.y)]) ? 1 : 0;
         }
     }
-    // Without a branch a neighbour: which of them is darker is as good as chance.
-    int equal = (border ? 1 : 0) - beyond;
-    double darkest = 0.0;
-    double brightest = 0.0;
-    for (const double difference : relative) {
-        equal += difference == 0.0 ? 1 : 0;
-        darkest = difference < darkest ? difference : darkest;
-        brightest = difference > brightest ? difference : brightest;
-    }
-    if (equal >= kEven || darkest == 0.0 || brightest == 0.0) {
-        return false;
-    }
-    const auto even_in_both = [&](double extreme) {
-        const Step& way = kAround[static_cast<std::size_t>(
-            std::find(relative.begin(), relative.end(), extreme) - relative.begin())];
-        return in_even_area(image, x + way.x, y + way.y) && in_even_area(other, x + way.x, y + way.y);
-    };
-    return even_in_both(darkest) || even_in_both(brightest);
+    return equal >= kMinEqual;
 }
 
-/// The brightness of an image's row and of those above and below: in one that differs much, each pixel's is
-/// asked for nine times.
-class NearLumas {
+/// Cached luma of a row and its two neighbours: each pixel is read up to nine times.
+class LumaRows {
 public:
-    explicit NearLumas(const Image& image) : image_(image) {
+    explicit LumaRows(const Image& image) : image_(image) {
         for (std::vector<double>& row : rows_) {
             row.resize(static_cast<std::size_t>(image.width));
         }
     }
 
-    /// Before any of them is asked for: the row in the middle.
+    /// Sets the middle row, before lookups.
     void go_to(int y) {
         if (y == middle_) {
             return;
@@ -166,7 +112,45 @@ private:
     std::array<std::vector<double>, 3> rows_;
 };
 
-/// Judges the pixels of two images, best row by row.
+/// Whether a pixel results from anti-aliasing between two uniform areas: it has a darker and a brighter
+/// neighbour, at most two equal ones, and its darkest or brightest neighbour is in a uniform area in both
+/// images (Vyšniauskas, Anti-aliased pixel and intensity slope detector, 2009).
+bool is_antialiased(const Image& image, const Image& other, int x, int y, const LumaRows& luma_at) {
+    const double centre = luma_at(x, y);
+    const bool border = on_border(image, x, y);
+    std::array<double, 8> relative{};  // to the centre pixel; 0 outside of the image
+    int outside = 0;
+    for (std::size_t i = 0; i < kNeighbours.size(); ++i) {
+        const int nx = x + kNeighbours[i].x;
+        const int ny = y + kNeighbours[i].y;
+        if (border && !is_inside(image, nx, ny)) {
+            ++outside;
+        } else {
+            relative[i] = luma_at(nx, ny) - centre;
+        }
+    }
+    // Branchless, as these comparisons are unpredictable.
+    int equal = (border ? 1 : 0) - outside;
+    double darkest = 0.0;
+    double brightest = 0.0;
+    for (const double difference : relative) {
+        equal += difference == 0.0 ? 1 : 0;
+        darkest = difference < darkest ? difference : darkest;
+        brightest = difference > brightest ? difference : brightest;
+    }
+    if (equal >= kMinEqual || darkest == 0.0 || brightest == 0.0) {
+        return false;
+    }
+    const auto uniform_in_both = [&](double extreme) {
+        const Step& step = kNeighbours[static_cast<std::size_t>(
+            std::find(relative.begin(), relative.end(), extreme) - relative.begin())];
+        return in_uniform_area(image, x + step.x, y + step.y) &&
+               in_uniform_area(other, x + step.x, y + step.y);
+    };
+    return uniform_in_both(darkest) || uniform_in_both(brightest);
+}
+
+/// Classifies the pixels of two images, fastest in row order.
 class PixelComparer {
 public:
     PixelComparer(const Image& a, const Image& b, double largest_square)
@@ -182,7 +166,7 @@ public:
         }
         lumas_a_.go_to(y);
         lumas_b_.go_to(y);
-        return antialiased(a_, b_, x, y, std::ref(lumas_a_)) || antialiased(b_, a_, x, y, std::ref(lumas_b_))
+        return is_antialiased(a_, b_, x, y, lumas_a_) || is_antialiased(b_, a_, x, y, lumas_b_)
                    ? PixelVerdict::antialiased
                    : PixelVerdict::different;
     }
@@ -191,8 +175,8 @@ private:
     const Image& a_;
     const Image& b_;
     double largest_square_;
-    NearLumas lumas_a_;
-    NearLumas lumas_b_;
+    LumaRows lumas_a_;
+    LumaRows lumas_b_;
 };
 
 }  // namespace
@@ -201,18 +185,13 @@ double color_distance(const std::uint8_t* rgb_a, const std::uint8_t* rgb_b) {
     return std::sqrt(distance_squared(rgb_a, rgb_b) / kLargestSquare);
 }
 
-bool is_antialiased(const Image& image, const Image& other, int x, int y) {
-    return antialiased(image, other, x, y,
-                       [&](int nx, int ny) { return luma(&image.rgba[image.offset(nx, ny)]); });
-}
-
 PixelDifference pixel_difference(const Image& a, const Image& b, double threshold, const ImageMask& mask) {
     const double largest_square = kLargestSquare * threshold * threshold;
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(a.width);
     PixelDifference difference;
     difference.verdicts.assign(a.rgba.size() / 4, PixelVerdict::same);
     for_row_bands(a.height, [&](int first, int end) {
-        PixelComparer evaluator(a, b, largest_square);
+        PixelComparer comparer(a, b, largest_square);
         for (int y = first; y < end; ++y) {
             const std::size_t row = a.offset(0, y);
             if (mask.empty() && std::memcmp(&a.rgba[row], &b.rgba[row], row_bytes) == 0) {
@@ -220,7 +199,7 @@ PixelDifference pixel_difference(const Image& a, const Image& b, double threshol
             }
             for (int x = 0; x < a.width; ++x) {
                 difference.verdicts[a.offset(x, y) / 4] =
-                    mask.hides(x, y) ? PixelVerdict::masked : evaluator.verdict(x, y);
+                    mask.hides(x, y) ? PixelVerdict::masked : comparer.verdict(x, y);
             }
         }
     });

@@ -9,12 +9,12 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr int kBlock = 4;         ///< pixels a side; a window is 2 x 2 blocks
-constexpr int kTileWindows = 16;  ///< a side
+constexpr int kBlock = 4;         ///< pixels per side; a window is 2 x 2 blocks
+constexpr int kTileWindows = 16;  ///< per side
 constexpr double kC1 = 0.01 * 255 * 0.01 * 255;
 constexpr double kC2 = 0.03 * 255 * 0.03 * 255;
 
-/// Whole numbers, so that windows can be put together from blocks in any order without rounding.
+/// Integers, so that windows can be summed from blocks in any order without rounding.
 struct Sums {
     std::uint32_t pixels = 0;
     std::uint32_t a = 0;
@@ -50,11 +50,11 @@ double ssim(const Sums& window) {
     const double squared_means = mean_a * mean_a + mean_b * mean_b;
     const double variances = window.squares / n - squared_means;
     const double covariance = window.products / n - mean_a * mean_b;
-    // For equal images each left factor is its right one to the last bit.
+    // Exactly 1 for equal images: both fractions have bitwise equal factors.
     return (2 * mean_a * mean_b + kC1) * (2 * covariance + kC2) / ((squared_means + kC1) * (variances + kC2));
 }
 
-/// The sums of all blocks, row by row; those at the right and lower border may be smaller.
+/// The sums of all blocks, row-major; blocks at the right and lower border may be smaller.
 class Blocks {
 public:
     Blocks(const Image& a, const Image& b, const ImageMask& mask)
@@ -70,7 +70,7 @@ public:
     int columns() const { return columns_; }
     int rows() const { return rows_; }
 
-    /// The window that begins with this block.
+    /// The window whose upper left block this is.
     Sums window(int column, int row) const {
         Sums sums;
         for (int y = row; y < std::min(row + 2, rows_); ++y) {
@@ -108,7 +108,7 @@ private:
     std::vector<Sums> sums_;
 };
 
-/// Where tiles begin in a row of so many windows.
+/// First windows of the tiles in a row.
 std::vector<int> tile_starts(int windows) {
     std::vector<int> starts;
     for (int at = 0; at < windows; at += kTileWindows) {
@@ -117,8 +117,8 @@ std::vector<int> tile_starts(int windows) {
     return starts;
 }
 
-/// The pixels of a window that is whole: what it would weigh without masks.
-int whole(int first_block, int pixels) {
+/// Side length of an unmasked window, pixels.
+int window_length(int first_block, int pixels) {
     return std::min(2 * kBlock, pixels - first_block * kBlock);
 }
 
@@ -133,7 +133,7 @@ double tile_ssim(const Blocks& blocks, const Windows& windows, const Image& imag
     for (int y = row; y < std::min(row + kTileWindows, windows.rows); ++y) {
         for (int x = column; x < std::min(column + kTileWindows, windows.columns); ++x) {
             const Sums sums = blocks.window(x, y);
-            weight += whole(x, image.width) * whole(y, image.height);
+            weight += window_length(x, image.width) * window_length(y, image.height);
             lost += sums.pixels > 0 ? sums.pixels * (1.0 - ssim(sums)) : 0.0;
         }
     }

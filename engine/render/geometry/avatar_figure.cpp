@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -11,11 +12,10 @@ namespace {
 using Eigen::Vector3d;
 using Color = std::array<std::uint8_t, 4>;
 
-constexpr double kPi = 3.141592653589793;
 constexpr int kSides = 20;
 constexpr int kRings = 7;  // per cap
 
-// Linear values of muted clothes; the jacket stands out from grass, brick and asphalt.
+// Linear colours; the jacket contrasts with grass, brick and asphalt.
 constexpr Color kJacket = {176, 36, 20, 255};
 constexpr Color kTrousers = {12, 17, 32, 255};
 constexpr Color kShoes = {70, 66, 60, 255};
@@ -23,14 +23,13 @@ constexpr Color kSkin = {176, 108, 74, 255};
 constexpr Color kHair = {20, 11, 6, 255};
 constexpr Color kRucksack = {16, 58, 66, 255};
 
-// Proportions of a body of height 1, z backwards (the figure faces -z), x to its right.
+// Builds a body of height 1: z backwards (the figure faces -z), x to its right.
 class FigureBuilder {
 public:
     FigureBuilder(const Eigen::Matrix3d& rotation, double scale, const Vector3d& foot)
         : rotation_(rotation), scale_(scale), foot_(foot) {}
 
-    // A round-ended limb from a to b that is `radius_a` thick at a and `radius_b` at b; `flatten` narrows it
-    // front to back.
+    // A tapered capsule from a to b with radii `radius_a` and `radius_b`; `flatten` scales it front to back.
     void limb(const Vector3d& a, const Vector3d& b, double radius_a, double radius_b, const Color& color,
               double flatten = 1.0) {
         const Vector3d axis = (b - a).normalized();
@@ -41,11 +40,12 @@ public:
         const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
         for (int ring = 0; ring < 2 * kRings; ++ring) {
             const bool far_cap = ring >= kRings;
-            const double polar = 0.5 * kPi * (far_cap ? ring - kRings : ring - (kRings - 1)) / (kRings - 1);
+            const double polar =
+                0.5 * std::numbers::pi * (far_cap ? ring - kRings : ring - (kRings - 1)) / (kRings - 1);
             const double radius = far_cap ? radius_b : radius_a;
             const Vector3d centre = (far_cap ? b : a) + std::sin(polar) * radius * axis;
             for (int i = 0; i <= kSides; ++i) {
-                const double turn = 2.0 * kPi * i / kSides;
+                const double turn = 2.0 * std::numbers::pi * i / kSides;
                 const Vector3d out = std::cos(turn) * side + flatten * std::sin(turn) * front;
                 const Vector3d normal =
                     std::cos(polar) * (std::cos(turn) * side + std::sin(turn) / flatten * front) +
@@ -81,7 +81,7 @@ private:
     FigureMesh mesh_;
 };
 
-// `swing` is the angle of the thigh forwards; the knee gives way behind.
+// `swing` is the forward angle of the thigh; the knee bends backwards.
 void leg(FigureBuilder& figure, double x, double swing) {
     const Vector3d hip(x, 0.50, 0);
     const double shin = swing - (swing < 0.0 ? 0.5 : 0.15) * std::abs(swing);

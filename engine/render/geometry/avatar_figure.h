@@ -11,15 +11,15 @@
 
 namespace campuswalk::engine::render {
 
-/// Triangles of the visitor as others see them.
+/// Triangles of the avatar.
 struct FigureMesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
 };
 
-/// A simple walker with a rucksack, standing on the avatar's foot point and facing its yaw, `profile.height`
-/// tall. `stride` is the phase of the step in radians: 0 stands still, pi / 2 is the widest step. Vertices
-/// count from `origin` (world).
+/// A simple figure with a rucksack at the avatar's foot point, facing its yaw, `profile.height` tall.
+/// `stride` is the phase of the gait in radians: 0 stands still, pi / 2 is the widest step. Vertices are
+/// relative to `origin` (world frame).
 FigureMesh make_figure(const AvatarState& avatar, const AvatarProfile& profile, double stride,
                        const Eigen::Vector3d& origin);
 

@@ -6,7 +6,7 @@
 
 namespace campuswalk::engine::render {
 
-/// World-space boxes of the buildings' nodes, one a building; empty for a building that names no nodes.
+/// Bounds of each building's nodes, world frame; empty for a building without nodes.
 std::vector<scene::Bounds> building_bounds(const scene::Campus& campus);
 
 }  // namespace campuswalk::engine::render

@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 
 #include "engine/render/geometry/instancing.h"
-#include "engine/render/geometry/reversed_twins.h"
+#include "engine/render/geometry/reversed_duplicates.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -17,13 +17,13 @@ std::int16_t to_signed_16(double value) {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767.0));
 }
 
-// An opaque triangle with the place it has in the drawing order.
+// An opaque triangle with its sort key.
 struct SortedTriangle {
     std::size_t material = 0;
-    std::uint32_t shared = 0;  // number of the shared mesh it belongs to, from 1 on; 0 for none
+    std::uint32_t shared = 0;  // one-based number of its instanced mesh; 0 for none
     std::int32_t cell_x = 0;
     std::int32_t cell_z = 0;
-    std::array<std::uint32_t, 3> corners = {0, 0, 0};
+    std::array<std::uint32_t, 3> vertices = {0, 0, 0};
 
     std::tuple<std::size_t, std::uint32_t, std::int32_t, std::int32_t> order() const {
         return {material, shared, cell_x, cell_z};
@@ -52,63 +52,64 @@ public:
     }
 
     CampusGeometry finish() {
-        // Stable: triangles of a batch keep the models' order, so equal depths resolve the same everywhere.
+        // Stable: triangles of a batch keep the models' order, so equal depths resolve the same way
+        // everywhere.
         std::ranges::stable_sort(triangles_, {}, &SortedTriangle::order);
         geometry_.indices.reserve(3 * triangles_.size());
         for (const SortedTriangle& triangle : triangles_) {
-            geometry_.indices.insert(geometry_.indices.end(), triangle.corners.begin(),
-                                     triangle.corners.end());
+            geometry_.indices.insert(geometry_.indices.end(), triangle.vertices.begin(),
+                                     triangle.vertices.end());
         }
-        const std::vector<bool> one_sided = one_sided_triangles();
+        const std::vector<bool> single_sided = single_sided_triangles();
         for (std::size_t first = 0; first < triangles_.size();) {
             std::size_t end = first + 1;
             while (end < triangles_.size() && triangles_[end].same_batch(triangles_[first])) {
                 ++end;
             }
-            add_batches(first, end, one_sided);
+            add_batches(first, end, single_sided);
             first = end;
         }
-        geometry_.vertices.shrink_to_fit();  // they grew by doubling
+        geometry_.vertices.shrink_to_fit();  // it grew geometrically
         return std::move(geometry_);
     }
 
 private:
-    bool double_sided(std::size_t material) const {
+    bool is_double_sided(std::size_t material) const {
         return geometry_.materials[material].material.double_sided;
     }
 
-    // Drawn from both sides, a twin would fight with its other half for every pixel: each shows its own side.
-    std::vector<bool> one_sided_triangles() const {
+    // Drawn double-sided, coincident triangles of opposite winding would z-fight: each shows its front only.
+    std::vector<bool> single_sided_triangles() const {
         const bool any = std::ranges::any_of(
-            triangles_, [this](const SortedTriangle& t) { return double_sided(t.material); });
+            triangles_, [this](const SortedTriangle& t) { return is_double_sided(t.material); });
         if (!any) {
             return std::vector<bool>(triangles_.size(), true);
         }
-        // A shared mesh is looked at in one of its many places: what happens to lie there is no twin of it.
-        std::vector<std::uint32_t> families;
-        families.reserve(triangles_.size());
+        // Only within a mesh: an instanced mesh may coincide with other geometry at its first placement.
+        std::vector<std::uint32_t> groups;
+        groups.reserve(triangles_.size());
         for (const SortedTriangle& triangle : triangles_) {
-            families.push_back(triangle.shared);
+            groups.push_back(triangle.shared);
         }
-        return reversed_twins(geometry_.vertices, geometry_.indices, families);
+        return find_reversed_duplicates(geometry_.vertices, geometry_.indices, groups);
     }
 
-    // The triangles of one material and cell: those that are drawn from both sides, then the others.
-    void add_batches(std::size_t first, std::size_t end, const std::vector<bool>& one_sided) {
+    // Adds the triangles of one material and cell: double-sided ones, then the others.
+    void add_batches(std::size_t first, std::size_t end, const std::vector<bool>& single_sided) {
         const std::size_t material = triangles_[first].material;
         std::size_t at = 3 * first;
-        for (const bool both_sides : {true, false}) {
+        for (const bool double_sided : {true, false}) {
             Batch batch;
             batch.material = material;
             batch.first = at;
-            batch.both_sides = both_sides;
+            batch.double_sided = double_sided;
             for (std::size_t i = first; i < end; ++i) {
-                if ((double_sided(material) && !one_sided[i]) != both_sides) {
+                if ((is_double_sided(material) && !single_sided[i]) != double_sided) {
                     continue;
                 }
-                for (const std::uint32_t corner : triangles_[i].corners) {
-                    geometry_.indices[at++] = corner;
-                    batch.bounds.extend(position(corner).cast<double>());
+                for (const std::uint32_t vertex : triangles_[i].vertices) {
+                    geometry_.indices[at++] = vertex;
+                    batch.bounds.extend(position(vertex).cast<double>());
                 }
                 batch.count += 3;
             }
@@ -123,7 +124,7 @@ private:
             geometry_.batches.push_back(batch);
             return;
         }
-        InstancedMesh& mesh = shared_[shared - 1];
+        InstancedMesh& mesh = instanced_meshes_[shared - 1];
         const std::vector<InstanceGroup> groups = mesh.group(batch.bounds, cell_size_);
         for (const InstanceGroup& group : groups) {
             Batch& added = geometry_.batches.emplace_back(batch);
@@ -144,29 +145,30 @@ private:
         for (const scene::Material& material : model.materials) {
             geometry_.materials.push_back({material, &model});
         }
-        const std::size_t plain = geometry_.materials.size();  // for meshes without a material
+        const std::size_t default_material = geometry_.materials.size();  // for meshes without a material
         geometry_.materials.emplace_back();
-        const std::vector<bool> share =
-            instancing_ ? meshes_to_share(model) : std::vector<bool>(model.meshes.size(), false);
-        std::vector<std::optional<std::size_t>> shared(model.meshes.size());  // index into shared_
+        const std::vector<bool> instanced =
+            instancing_ ? meshes_to_instance(model) : std::vector<bool>(model.meshes.size(), false);
+        std::vector<std::optional<std::size_t>> shared(model.meshes.size());  // index into instanced_meshes_
         for (const scene::Node& node : model.nodes) {
             ++node_;
             Eigen::Matrix4d X_campus_node = node.X_world_node;
             X_campus_node.topRightCorner<3, 1>() -= geometry_.origin;
             for (const scene::MeshIndex mesh_index : node.meshes) {
                 const std::size_t i = index_of(mesh_index);
-                if (shared[i] && shared_[*shared[i]].add(X_campus_node, node_)) {
+                if (shared[i] && instanced_meshes_[*shared[i]].add(X_campus_node, node_)) {
                     continue;
                 }
                 std::uint32_t number = 0;
-                if (share[i] && !shared[i]) {
-                    shared[i] = shared_.size();
-                    shared_.emplace_back(X_campus_node, node_);
-                    number = static_cast<std::uint32_t>(shared_.size());
+                if (instanced[i] && !shared[i]) {
+                    shared[i] = instanced_meshes_.size();
+                    instanced_meshes_.emplace_back(X_campus_node, node_);
+                    number = static_cast<std::uint32_t>(instanced_meshes_.size());
                 }
                 const std::size_t material = index_of(model.meshes[i].material);
                 add_mesh(model.meshes[i], X_campus_node,
-                         material < model.materials.size() ? first_material + material : plain, number);
+                         material < model.materials.size() ? first_material + material : default_material,
+                         number);
             }
         }
     }
@@ -177,7 +179,7 @@ private:
         geometry_.placements.push_back({first, node_});
         const Eigen::Matrix3d linear = X_campus_mesh.topLeftCorner<3, 3>();
         const Eigen::Vector3d offset = X_campus_mesh.topRightCorner<3, 1>();
-        // The cofactor matrix maps normals; unlike the inverse it also exists for flattened nodes.
+        // Normals transform by the cofactor matrix, which unlike the inverse exists for flattened nodes too.
         Eigen::Matrix3d cofactor;
         for (int i = 0; i < 3; ++i) {
             cofactor.col(i) = linear.col((i + 1) % 3).cross(linear.col((i + 2) % 3));
@@ -199,25 +201,25 @@ private:
         }
     }
 
-    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t material,
+    void add_triangle(const std::array<std::uint32_t, 3>& vertices, std::size_t material,
                       std::uint32_t shared) {
         const Eigen::Vector3f centre =
-            (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0F;
+            (position(vertices[0]) + position(vertices[1]) + position(vertices[2])) / 3.0F;
         if (geometry_.materials[material].material.alpha_mode == scene::AlphaMode::blend) {
-            geometry_.blend.push_back({material, corners, centre});
+            geometry_.blend.push_back({material, vertices, centre});
             return;
         }
-        const auto cell = [&](float value) {  // a shared mesh stays whole: its instances have cells
+        const auto cell = [&](float value) {  // an instanced mesh stays whole: its instances have cells
             return shared > 0 ? 0 : static_cast<std::int32_t>(std::floor(value / cell_size_));
         };
-        triangles_.push_back({material, shared, cell(centre.x()), cell(centre.z()), corners});
+        triangles_.push_back({material, shared, cell(centre.x()), cell(centre.z()), vertices});
     }
 
     double cell_size_;
     bool instancing_;
     std::uint32_t node_ = 0;  // number of the node that is being added
     CampusGeometry geometry_;
-    std::vector<InstancedMesh> shared_;
+    std::vector<InstancedMesh> instanced_meshes_;
     std::vector<SortedTriangle> triangles_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace campuswalk::engine::render {
 
-/// The space that a clip matrix shows, for leaving out what can't be seen.
+/// View frustum of a clip matrix, for culling.
 class Frustum {
 public:
     explicit Frustum(const Eigen::Matrix4d& clip_frame) {
@@ -16,8 +16,8 @@ public:
                    row(3) - row(1), row(2),          row(3) - row(2)};
     }
 
-    /// False only when the box (in the matrix' frame) is wholly outside.
-    bool may_show(const Eigen::AlignedBox3d& box) const {
+    /// Conservative: false only if the box (in the matrix's source frame) is entirely outside.
+    bool may_intersect(const Eigen::AlignedBox3d& box) const {
         for (const Eigen::Vector4d& plane : planes_) {
             const Eigen::Vector3d furthest = (plane.head<3>().array() > 0.0).select(box.max(), box.min());
             if (plane.head<3>().dot(furthest) + plane.w() < 0.0) {

@@ -9,30 +9,30 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Measured on llvmpipe with 30 to 2,000 trees of 12 to 500 triangles: an image costs the same either way
-// (what is drawn is what counts), but for small things, whose calls add up; and 75 bytes a triangle needn't
-// be kept.
-constexpr std::size_t kPlacements = 8;
-constexpr std::size_t kSavedTriangles = 20000;  // of one mesh: 1.5 MB
+// Measured on llvmpipe with 30 to 2,000 trees of 12 to 500 triangles: drawing takes the same time either way,
+// except for small meshes, whose draw calls add up. Instancing saves 75 bytes per triangle.
+constexpr std::size_t kMinPlacements = 8;
+constexpr std::size_t kMinSavedTriangles = 20000;  // per mesh: 1.5 MB
 
-constexpr double kLargest = 4.0;    // times the first: its vertices are rounded to floats where it stands
-constexpr double kRounding = 1e-6;  // of an element of a turn
+constexpr double kMaxScale =
+    4.0;  // scale relative to the first placement, whose vertices were rounded to floats
+constexpr double kTolerance = 1e-6;  // of an element of a rotation matrix
 
-bool keeps_shape(const Eigen::Matrix4d& transform) {
+bool is_similarity(const Eigen::Matrix4d& transform) {
     const Eigen::Matrix3d linear = transform.topLeftCorner<3, 3>();
     const double volume = linear.determinant();
     if (!(volume > 0.0) || !std::isfinite(volume)) {
         return false;
     }
     const double scale = std::cbrt(volume);
-    if (scale > kLargest) {
+    if (scale > kMaxScale) {
         return false;
     }
-    const Eigen::Matrix3d stretch = linear.transpose() * linear / (scale * scale);
-    return (stretch - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < kRounding;
+    const Eigen::Matrix3d gram = linear.transpose() * linear / (scale * scale);
+    return (gram - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < kTolerance;
 }
 
-Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Instance& instance) {
+Eigen::AlignedBox3d transformed(const Eigen::AlignedBox3d& box, const Instance& instance) {
     const Eigen::Affine3d X = placement_of(instance);
     Eigen::AlignedBox3d result;
     for (int i = 0; i < 8; ++i) {
@@ -52,24 +52,24 @@ struct PlacedInstance {
 
 }  // namespace
 
-std::vector<bool> meshes_to_share(const scene::Model& model) {
+std::vector<bool> meshes_to_instance(const scene::Model& model) {
     std::vector<std::size_t> placements(model.meshes.size(), 0);
     for (const scene::Node& node : model.nodes) {
         for (const scene::MeshIndex mesh : node.meshes) {
             ++placements[index_of(mesh)];
         }
     }
-    std::vector<bool> share(model.meshes.size(), false);
-    for (std::size_t i = 0; i < share.size(); ++i) {
+    std::vector<bool> instanced(model.meshes.size(), false);
+    for (std::size_t i = 0; i < instanced.size(); ++i) {
         const scene::Mesh& mesh = model.meshes[i];
         const std::size_t material = index_of(mesh.material);
-        // See-through triangles are sorted one by one.
+        // Blended triangles are sorted individually.
         const bool blend = material < model.materials.size() &&
                            model.materials[material].alpha_mode == scene::AlphaMode::blend;
-        share[i] = !blend && placements[i] >= kPlacements &&
-                   (placements[i] - 1) * mesh.triangles.size() >= kSavedTriangles;
+        instanced[i] = !blend && placements[i] >= kMinPlacements &&
+                       (placements[i] - 1) * mesh.triangles.size() >= kMinSavedTriangles;
     }
-    return share;
+    return instanced;
 }
 
 InstancedMesh::InstancedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node) {
@@ -85,7 +85,7 @@ bool InstancedMesh::add(const Eigen::Matrix4d& X_campus_mesh, std::uint32_t node
         return false;
     }
     const Eigen::Matrix4d from_first = X_campus_mesh * *X_mesh_campus_;
-    if (!keeps_shape(from_first)) {
+    if (!is_similarity(from_first)) {
         return false;
     }
     Instance instance{.node = node};
@@ -102,7 +102,7 @@ bool InstancedMesh::add(const Eigen::Matrix4d& X_campus_mesh, std::uint32_t node
 std::vector<InstanceGroup> InstancedMesh::group(const Eigen::AlignedBox3d& first, double cell_size) {
     std::vector<PlacedInstance> sorted;
     for (const Instance& instance : instances_) {
-        const Eigen::AlignedBox3d bounds = placed(first, instance);
+        const Eigen::AlignedBox3d bounds = transformed(first, instance);
         const Eigen::Vector3d cell = bounds.center() / cell_size;
         sorted.push_back({static_cast<std::int64_t>(std::floor(cell.x())),
                           static_cast<std::int64_t>(std::floor(cell.z())), bounds, instance});

@@ -12,35 +12,35 @@
 
 namespace campuswalk::engine::render {
 
-/// Which meshes of the model are kept once however often they are placed: those that would take much memory.
-/// For others baking all placements draws faster, as they join what is near them in one call.
-std::vector<bool> meshes_to_share(const scene::Model& model);
+/// Which meshes of the model are worth instancing: those whose placements would take much memory. Others draw
+/// faster baked, as they are batched with their surroundings.
+std::vector<bool> meshes_to_instance(const scene::Model& model);
 
 /// Instances that are culled together.
 struct InstanceGroup {
     std::size_t first = 0;  ///< index into InstancedMesh::instances
     std::size_t count = 0;
-    Eigen::AlignedBox3d bounds;  ///< metres from CampusGeometry::origin
+    Eigen::AlignedBox3d bounds;  ///< campus frame
 };
 
-/// A mesh whose vertices are kept where its first placement has them, and its placements.
+/// A mesh baked at its first placement, and its placements relative to that.
 class InstancedMesh {
 public:
-    /// `X_campus_first` places the mesh first, at this node. It must have an inverse, or nothing is added.
+    /// `X_campus_first` is the placement at `node`. If it is singular, `add` rejects all others.
     InstancedMesh(const Eigen::Matrix4d& X_campus_first, std::uint32_t node);
 
-    /// False for a placement that isn't the first one turned, moved and scaled alike in every direction: its
-    /// normals would need more than that.
+    /// Returns false unless the placement is a similarity transform of the first one: others would need a
+    /// separate matrix for normals.
     bool add(const Eigen::Matrix4d& X_campus_mesh, std::uint32_t node);
 
-    /// Sorts the instances by the cells of `cell_size` metres that they are in, those of one in the order in
-    /// which they were added. `first` bounds the first.
+    /// Groups the instances by cells of `cell_size` metres, in order of addition within a cell. `first`
+    /// bounds the first placement.
     std::vector<InstanceGroup> group(const Eigen::AlignedBox3d& first, double cell_size);
 
     const std::vector<Instance>& instances() const { return instances_; }
 
 private:
-    std::optional<Eigen::Matrix4d> X_mesh_campus_;  // of the first placement; none: it has no inverse
+    std::optional<Eigen::Matrix4d> X_mesh_campus_;  // inverse of the first placement; none if it is singular
     std::vector<Instance> instances_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -19,17 +20,17 @@ using Eigen::Vector3d;
 using Color = std::array<float, 3>;
 
 constexpr Color kSolid = {0.02F, 0.55F, 0.95F};
-constexpr Color kSeen = {0.75F, 0.10F, 0.85F};  // but not solid
+constexpr Color kRayTarget = {0.75F, 0.10F, 0.85F};  // ray targets that are not solid
 constexpr Color kTrigger = {1.0F, 0.45F, 0.02F};
 constexpr Color kPath = {1.0F, 0.60F, 0.02F};
 constexpr Color kContact = {1.0F, 0.02F, 0.02F};
 constexpr Color kTree = {0.05F, 0.85F, 0.10F};
 
-constexpr double kFlatEnough = 0.93969262;  // cosine of 20 degrees
+constexpr double kMaxFlatCosine = 0.93969262;  // cosine of 20 degrees
 constexpr int kCircleParts = 24;
-constexpr double kFullTurn = 6.283185307179586;
-constexpr double kOverGround = 0.04;     // metres, so that a path isn't half in the ground
-constexpr double kContactRadius = 0.35;  // metres: a little more than a person's
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kOverGround = 0.04;     // metres, to keep lines out of the ground
+constexpr double kContactRadius = 0.35;  // metres, slightly wider than a person
 
 class Outliner {
 public:
@@ -55,7 +56,7 @@ public:
         }
     }
 
-    /// From `start` on, `turn` radians from axis `u` towards axis `v`.
+    /// Starts at angle `start` and spans `turn` radians, from axis `u` towards axis `v`.
     void arc(const Vector3d& centre, double radius, int u, int v, double start, double turn) {
         const int parts = std::max(2, static_cast<int>(std::lround(kCircleParts * turn / kFullTurn)));
         const auto at = [&](int i) {
@@ -115,8 +116,8 @@ private:
     std::vector<OverlayLine>& lines_;
 };
 
-// A side of a triangle, its ends in a fixed order.
-struct Side {
+// A triangle's edge with its ends in canonical order.
+struct Edge {
     Vector3d a;
     Vector3d b;
     Vector3d normal;
@@ -124,31 +125,31 @@ struct Side {
     auto ends() const { return std::tuple(a.x(), a.y(), a.z(), b.x(), b.y(), b.z()); }
 };
 
-Side side_of(const Vector3d& a, const Vector3d& b, const Vector3d& normal) {
+Edge edge_of(const Vector3d& a, const Vector3d& b, const Vector3d& normal) {
     const bool ordered = std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
-    return ordered ? Side{a, b, normal} : Side{b, a, normal};
+    return ordered ? Edge{a, b, normal} : Edge{b, a, normal};
 }
 
 void Outliner::mesh(const collision::TriangleMesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
+    std::vector<Edge> edges;
+    edges.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const collision::Triangle t = collision::corners(mesh, i);
         const Vector3d normal = (t.b - t.a).cross(t.c - t.a).normalized();
-        sides.push_back(side_of(t.a, t.b, normal));
-        sides.push_back(side_of(t.b, t.c, normal));
-        sides.push_back(side_of(t.c, t.a, normal));
+        edges.push_back(edge_of(t.a, t.b, normal));
+        edges.push_back(edge_of(t.b, t.c, normal));
+        edges.push_back(edge_of(t.c, t.a, normal));
     }
-    std::ranges::stable_sort(sides, {}, [](const Side& side) { return side.ends(); });
-    for (std::size_t first = 0; first < sides.size();) {
+    std::ranges::stable_sort(edges, {}, [](const Edge& edge) { return edge.ends(); });
+    for (std::size_t first = 0; first < edges.size();) {
         std::size_t end = first + 1;
         bool bent = false;
-        while (end < sides.size() && sides[end].ends() == sides[first].ends()) {
-            bent = bent || std::abs(sides[end].normal.dot(sides[first].normal)) < kFlatEnough;
+        while (end < edges.size() && edges[end].ends() == edges[first].ends()) {
+            bent = bent || std::abs(edges[end].normal.dot(edges[first].normal)) < kMaxFlatCosine;
             ++end;
         }
         if (bent || end == first + 1) {
-            line(sides[first].a, sides[first].b);
+            line(edges[first].a, edges[first].b);
         }
         first = end;
     }
@@ -160,7 +161,7 @@ void add_objects(const scene::Campus& campus, bool colliders, bool triggers,
         const collision::Object& object = campus.world.object(collision::ObjectId{i});
         const bool solid = any_of(object.detection, Detection::solid);
         if (colliders && (solid || any_of(object.detection, Detection::ray))) {
-            add_outline(object.shape, object.X_world_shape, solid ? kSolid : kSeen, lines);
+            add_outline(object.shape, object.X_world_shape, solid ? kSolid : kRayTarget, lines);
         }
         if (triggers && any_of(object.detection, Detection::trigger)) {
             add_outline(object.shape, object.X_world_shape, kTrigger, lines);

@@ -9,17 +9,17 @@
 
 namespace campuswalk::engine::render {
 
-/// What an image shows of one owner.
+/// The visible pixels of one owner in an image.
 struct VisiblePart {
     std::uint32_t owner = 0;
     std::size_t pixels = 0;
-    /// The pixel that is deepest inside: the farthest from whatever isn't the owner's, and from the edges of
-    /// the image. A step across counts a quarter of one up or down, because names are wide.
+    /// The pixel farthest from other owners and from the image border. A horizontal step counts a quarter of
+    /// a vertical one, as labels are wide.
     Eigen::Vector2d deepest = Eigen::Vector2d::Zero();
 };
 
-/// `owners`: one a pixel, rows from top to bottom, `width` in each. By owner; those below `count` that are
-/// seen, in their order.
+/// The visible owners below `count`, in ascending order. `owners` has one entry per pixel, rows of `width`
+/// from top to bottom.
 std::vector<VisiblePart> visible_parts(std::span<const std::uint32_t> owners, std::size_t width,
                                        std::uint32_t count);
 

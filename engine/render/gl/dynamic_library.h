@@ -5,14 +5,14 @@
 
 namespace campuswalk::engine::render {
 
-/// A library opened while the program runs: linking a GL driver would load 100 MB at every start. Never
-/// closed: LLVM's threads and exit handlers outlive any context.
+/// A library opened at run time: linking a GL driver would load 100 MB at every start. Never closed, as
+/// LLVM's threads and exit handlers outlive any context.
 class DynamicLibrary {
 public:
-    /// The first of `names` that can be opened. Throws RenderError with `missing` and the system's reason.
+    /// Opens the first of `names` that exists. Throws RenderError with `missing` and the system's reason.
     DynamicLibrary(std::initializer_list<const char*> names, const std::string& missing);
 
-    /// Throws RenderError with the symbol's name and `advice` when the library hasn't got it.
+    /// Throws RenderError with the symbol's name and `advice` if the library lacks it.
     template <typename Function>
     void load(const char* symbol, Function& function, const char* advice) const {
         function = reinterpret_cast<Function>(find(symbol, advice));

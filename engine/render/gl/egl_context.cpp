@@ -16,7 +16,7 @@ constexpr const char* kAdvice =
     "install Mesa 18 or newer (Debian, Ubuntu: apt install libegl1 libgl1-mesa-dri; Fedora: dnf install "
     "mesa-libEGL mesa-dri-drivers)";
 
-// The functions of <EGL/egl.h> as pointers, and those of its extensions that need no display.
+// Function pointers of <EGL/egl.h> and of its client extensions.
 struct EglLibrary {
     decltype(&eglGetProcAddress) proc_address = nullptr;
     decltype(&eglQueryString) query_string = nullptr;
@@ -53,7 +53,7 @@ bool offers(const char* extensions, const std::string& wanted) {
            (' ' + std::string(extensions) + ' ').find(' ' + wanted + ' ') != std::string::npos;
 }
 
-// Displays are shared by all contexts of the process and never closed: closing one would take the others'.
+// All contexts of a process share the display, so it is never closed.
 EGLDisplay open_display(const EglLibrary& egl) {
     const char* offered = egl.query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     std::vector<EGLDisplay> displays;
@@ -76,7 +76,7 @@ EGLDisplay open_display(const EglLibrary& egl) {
             return display;
         }
     }
-    throw RenderError(std::string("libEGL has no driver that draws without a window: ") + kAdvice);
+    throw RenderError(std::string("libEGL has no driver that can render without a window: ") + kAdvice);
 }
 
 class EglContext final : public GlContext {
@@ -92,7 +92,7 @@ public:
                                                   EGL_NONE};
         context_ = egl_.create_context(display_, config(), EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) {
-            throw RenderError(std::string("EGL refuses an OpenGL 3.3 core context: ") + kAdvice);
+            throw RenderError(std::string("EGL can't create an OpenGL 3.3 core context: ") + kAdvice);
         }
         EglContext::make_current();
     }
@@ -103,8 +103,8 @@ public:
 
     void make_current() override {
         egl_.bind_api(EGL_OPENGL_API);  // per thread
-        // Let go first: EGL takes a context that it knows as current for granted, though another backend may
-        // have put its own in Mesa's hands since.
+        // Release first: EGL skips a context that it believes to be current, although another backend may
+        // have made its own current in Mesa since.
         egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
             throw RenderError("EGL can't make its context current");
@@ -116,7 +116,7 @@ public:
     std::string_view backend() const override { return "EGL"; }
 
 private:
-    // Nothing is drawn to a surface, so any config will do, and none where that is allowed.
+    // Nothing is drawn to a surface, so any config will do, or none where that is supported.
     EGLConfig config() const {
         if (offers(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_no_config_context")) {
             return EGL_NO_CONFIG_KHR;

@@ -7,7 +7,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-std::unique_ptr<GlContext> make_either() {
+std::unique_ptr<GlContext> make_first_available() {
     std::string first_reason;
     try {
         return make_osmesa_context();
@@ -19,7 +19,7 @@ std::unique_ptr<GlContext> make_either() {
     } catch (const RenderError& error) {
         throw RenderError("pictures need OSMesa or EGL, and neither can be used.\n  OSMesa: " + first_reason +
                           "\n  EGL: " + error.what() +
-                          "\n  Or do without pictures: --rendering-backend none");
+                          "\n  Or run without pictures: --rendering-backend none");
     }
 }
 
@@ -34,7 +34,7 @@ std::unique_ptr<GlContext> make_gl_context(RenderingBackend backend) {
         case RenderingBackend::automatic:
             break;
     }
-    return make_either();
+    return make_first_available();
 }
 
 }  // namespace campuswalk::engine::render

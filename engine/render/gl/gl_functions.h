@@ -8,7 +8,7 @@
 
 namespace campuswalk::engine::render {
 
-/// X(TYPE, Name) for every GL function that is used: PFNGL<TYPE>PROC and "gl<Name>".
+/// X(TYPE, Name) for every GL function in use: PFNGL<TYPE>PROC and "gl<Name>".
 #define CAMPUSWALK_GL_FUNCTIONS(X)                                          \
     X(ACTIVETEXTURE, ActiveTexture)                                         \
     X(ATTACHSHADER, AttachShader)                                           \
@@ -27,7 +27,6 @@ namespace campuswalk::engine::render {
     X(CLEARCOLOR, ClearColor)                                               \
     X(CLEARDEPTH, ClearDepth)                                               \
     X(CLIPCONTROL, ClipControl)                                             \
-    X(COLORMASK, ColorMask)                                                 \
     X(COMPILESHADER, CompileShader)                                         \
     X(CREATEPROGRAM, CreateProgram)                                         \
     X(CREATESHADER, CreateShader)                                           \
@@ -59,7 +58,6 @@ namespace campuswalk::engine::render {
     X(GETPROGRAMIV, GetProgramiv)                                           \
     X(GETSHADERINFOLOG, GetShaderInfoLog)                                   \
     X(GETSHADERIV, GetShaderiv)                                             \
-    X(GETSTRING, GetString)                                                 \
     X(GETUNIFORMLOCATION, GetUniformLocation)                               \
     X(LINKPROGRAM, LinkProgram)                                             \
     X(PIXELSTOREI, PixelStorei)                                             \
@@ -71,7 +69,6 @@ namespace campuswalk::engine::render {
     X(SHADERSOURCE, ShaderSource)                                           \
     X(TEXIMAGE2D, TexImage2D)                                               \
     X(TEXIMAGE2DMULTISAMPLE, TexImage2DMultisample)                         \
-    X(TEXPARAMETERF, TexParameterf)                                         \
     X(TEXPARAMETERI, TexParameteri)                                         \
     X(UNIFORM1F, Uniform1f)                                                 \
     X(UNIFORM1I, Uniform1i)                                                 \
@@ -86,19 +83,19 @@ namespace campuswalk::engine::render {
     X(VERTEXATTRIBPOINTER, VertexAttribPointer)                             \
     X(VIEWPORT, Viewport)
 
-/// The GL entry points, loaded once per context: `gl.Clear(…)`.
+/// GL entry points, loaded once per context: `gl.Clear(…)`.
 struct GlFunctions {
 #define CAMPUSWALK_DECLARE(type, name) PFNGL##type##PROC name = nullptr;
     CAMPUSWALK_GL_FUNCTIONS(CAMPUSWALK_DECLARE)
 #undef CAMPUSWALK_DECLARE
 };
 
-/// Where something is in the buffer that is bound, as GL wants to be told.
+/// An offset into the bound buffer in the form that GL expects.
 inline const void* buffer_offset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): GL's interface
 }
 
-/// Throws RenderError naming the first function that the driver lacks.
+/// Throws RenderError that names the first function that the driver lacks.
 GlFunctions load_gl_functions(const GlContext& context);
 
 }  // namespace campuswalk::engine::render

@@ -37,12 +37,12 @@ void GpuMesh::describe_vertices() const {
 }
 
 void GpuMesh::describe_instances() const {
-    const Instance in_place;
-    upload_instances(std::span(&in_place, 1));
+    const Instance identity;
+    upload_instances(std::span(&identity, 1));
     constexpr GLsizei stride = sizeof(Instance);
     for (GLuint row = 0; row < 3; ++row) {
         gl_.VertexAttribPointer(4 + row, 4, GL_FLOAT, GL_FALSE, stride,
-                                buffer_offset(offsetof(Instance, rows) + row * sizeof(in_place.rows[row])));
+                                buffer_offset(offsetof(Instance, rows) + row * sizeof(identity.rows[row])));
     }
     gl_.VertexAttribIPointer(7, 1, GL_UNSIGNED_INT, stride, buffer_offset(offsetof(Instance, node)));
     for (GLuint i = 4; i < 8; ++i) {

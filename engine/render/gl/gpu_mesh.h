@@ -8,21 +8,21 @@
 
 namespace campuswalk::engine::render {
 
-/// Vertices and indices in the driver's memory, as long as its context lives.
+/// A vertex array with its buffers in GPU memory. Must not outlive its context.
 class GpuMesh {
 public:
     explicit GpuMesh(const GlFunctions& gl);
 
     void upload_vertices(std::span<const Vertex> vertices) const;
     void upload_indices(std::span<const std::uint32_t> indices) const;
-    /// Before the first, one that leaves the vertices where they are is there.
+    /// Initially there is one identity instance.
     void upload_instances(std::span<const Instance> instances) const;
-    /// Triangles of `count` indices from `first` on. The mesh must be bound.
+    /// Draws `count` indices from `first` as triangles. The mesh must be bound.
     void draw(std::size_t first, std::size_t count) const;
-    /// Likewise a batch, all its instances.
+    /// Draws all instances of a batch. The mesh must be bound.
     void draw(const Batch& batch) const;
     void bind() const;
-    /// A second list of indices over this mesh's vertices.
+    /// Another mesh with its own indices over this mesh's vertices.
     GpuMesh sharing_vertices() const;
 
 private:

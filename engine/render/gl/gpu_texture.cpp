@@ -24,8 +24,8 @@ void upload_level(const GlFunctions& gl, int level, int width, int height, const
     gl.TexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
-// Linear light for the smaller copies, but bytes as they are for the shaders, which decode them after
-// filtering: before it, the driver would decode each of a look-up's eight texels.
+// Mip levels are averaged in linear light, but shaders decode after filtering: the driver would decode each
+// of a lookup's eight texels.
 void skip_srgb_decode(const GlFunctions& gl) {
     while (gl.GetError() != GL_NO_ERROR) {
     }
@@ -42,7 +42,7 @@ GLuint upload_color_texture(const GlFunctions& gl, const scene::Texture& texture
     const GLuint name = make_texture(gl, texture.repeat);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
     gl.GenerateMipmap(GL_TEXTURE_2D);
-    skip_srgb_decode(gl);  // after the copies: else they would be means of bytes, not of light
+    skip_srgb_decode(gl);  // after mip generation, which has to average linear light
     return name;
 }
 

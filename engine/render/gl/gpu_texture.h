@@ -5,17 +5,16 @@
 
 namespace campuswalk::engine::render {
 
-/// Uploads an sRGB texture with its chain of smaller copies. Shaders get it as it is encoded, and decode it
-/// (kSrgbChunk).
+/// Uploads an sRGB texture with its mip levels. Samples are still encoded; shaders decode them (kSrgbChunk).
 GLuint upload_color_texture(const GlFunctions& gl, const scene::Texture& texture);
-/// Likewise one whose alpha is tested against `alpha_cutoff` when drawn: the smaller copies keep the share of
-/// the texture that passes, or trees would lose their leaves with distance.
+/// Likewise for alpha testing against `alpha_cutoff`: mip levels preserve coverage, or trees would lose their
+/// leaves in the distance.
 GLuint upload_cutout_texture(const GlFunctions& gl, const scene::Texture& texture, float alpha_cutoff);
-/// Likewise one of numbers, not colours: bumps, roughness.
+/// Likewise a texture of linear data: normals, roughness.
 GLuint upload_data_texture(const GlFunctions& gl, const scene::Texture& texture);
 
-/// All white and opaque, for materials without a texture. With a smaller copy like any other texture: for one
-/// without, the driver would compile the shaders again.
+/// Opaque white, for materials without a texture. Has mip levels like any other texture: without, the driver
+/// would recompile the shaders.
 GLuint upload_white_texture(const GlFunctions& gl);
 
 }  // namespace campuswalk::engine::render

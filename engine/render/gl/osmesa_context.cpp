@@ -10,7 +10,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// The functions of <GL/osmesa.h> as pointers.
+// Function pointers of <GL/osmesa.h>.
 struct OsMesaLibrary {
     OSMesaContext (*create)(const int* attributes, OSMesaContext shared) = nullptr;
     void (*destroy)(OSMesaContext) = nullptr;
@@ -36,7 +36,7 @@ OsMesaLibrary open_library() {
 class OsMesaContext final : public GlContext {
 public:
     OsMesaContext() : library_(open_library()) {
-        // No depth or stencil of its own: nothing is drawn to the default framebuffer.
+        // No depth or stencil buffer, as nothing is drawn to the default framebuffer.
         const std::array<int, 15> attributes = {OSMESA_FORMAT,
                                                 OSMESA_RGBA,
                                                 OSMESA_DEPTH_BITS,
@@ -53,7 +53,7 @@ public:
         context_ = library_.create(attributes.data(), nullptr);
         if (context_ == nullptr) {
             throw RenderError(
-                "libOSMesa refuses an OpenGL 3.3 core context: install Mesa with llvmpipe "
+                "libOSMesa can't create an OpenGL 3.3 core context: install Mesa with llvmpipe "
                 "(Debian: apt install libosmesa6)");
         }
         OsMesaContext::make_current();

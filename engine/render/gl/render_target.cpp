@@ -10,7 +10,7 @@ namespace {
 
 void check_complete(const GlFunctions& gl, int width, int height, int samples) {
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw RenderError("the OpenGL driver can't draw a picture of " + std::to_string(width) + "x" +
+        throw RenderError("the OpenGL driver can't render a picture of " + std::to_string(width) + "x" +
                           std::to_string(height) + " pixels with " + std::to_string(samples) +
                           " samples each");
     }
@@ -63,7 +63,7 @@ GLuint RenderTarget::attach_color(int samples) const {
     return buffer;
 }
 
-// A texture: it is read while the image is being drawn.
+// A texture, as hierarchical Z reads it while the image is drawn.
 GLuint RenderTarget::attach_depth() const {
     GLuint texture = 0;
     gl_.GenTextures(1, &texture);
@@ -109,17 +109,11 @@ Image RenderTarget::finish() const {
         gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_framebuffer_);
     }
-    Image image;
-    image.width = width_;
-    image.height = height_;
-    const std::size_t row = 4 * static_cast<std::size_t>(width_);
-    image.rgba.resize(row * static_cast<std::size_t>(height_));
+    Image image = Image::filled(width_, height_);
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    flip_rows(image.rgba, row);
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
-        image.rgba[i] = 255;
-    }
+    flip_rows(image.rgba, image.offset(0, 1));
+    image.make_opaque();
     return image;
 }
 

@@ -7,30 +7,29 @@
 
 namespace campuswalk::engine::render {
 
-/// Where an image is drawn: colour (sRGB) and depth (float) with several samples a pixel, and the plain
-/// image that they are averaged into.
+/// A framebuffer with sRGB colour and float depth, multisampled or not, and the single-sample one that it is
+/// resolved to.
 class RenderTarget {
 public:
-    /// Throws RenderError when the driver can't do the size or the number of samples.
+    /// Throws RenderError if the driver doesn't support the size or number of samples.
     RenderTarget(const GlFunctions& gl, int width, int height, int samples);
     RenderTarget(const RenderTarget&) = delete;
     RenderTarget& operator=(const RenderTarget&) = delete;
     ~RenderTarget();
 
-    /// Throws RenderError, naming what is possible, when the driver has no image `scale` times this size.
+    /// Throws RenderError with the valid range unless the driver supports `scale` times this size.
     static void check_size(const GlFunctions& gl, int width, int height, int scale = 1);
 
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Impl goes here from now on; cleared to `background` (linear) and the far plane.
+    /// Binds the framebuffer and clears it to `background` (linear) and the far plane.
     void begin(const Eigen::Vector3d& background) const;
-    /// Impl goes here again, after it went elsewhere.
+    /// Binds the framebuffer again.
     void resume() const;
-    /// Binds the depth of what has been drawn to the active texture unit: a 2D texture, multisampled when the
-    /// target is.
+    /// Binds the depth texture to the active texture unit; multisampled if the target is.
     void bind_depth() const;
-    /// Averages the samples and fetches the pixels.
+    /// Resolves the samples and reads the pixels back.
     Image finish() const;
 
 private:
@@ -40,7 +39,7 @@ private:
     const GlFunctions& gl_;
     int width_ = 0;
     int height_ = 0;
-    int samples_ = 0;  // as GL counts them: 0 for one a pixel
+    int samples_ = 0;  // 0 for a single-sample target, as in GL
     GLuint framebuffer_ = 0;
     GLuint color_ = 0;
     GLuint depth_ = 0;

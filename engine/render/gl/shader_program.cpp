@@ -8,12 +8,26 @@
 namespace campuswalk::engine::render {
 namespace {
 
+/// Throws RenderError with the driver's log unless `status` is GL_TRUE.
+template <typename GetLog>
+void check(GLint status, const char* action, std::string_view name, GLuint object, GetLog get_log) {
+    if (status == GL_TRUE) {
+        return;
+    }
+    std::string log(2000, '\0');
+    GLsizei length = 0;
+    get_log(object, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    throw RenderError(std::string("the OpenGL driver can't ") + action + " the shader '" + std::string(name) +
+                      "': " + log);
+}
+
 GLuint compile(const GlFunctions& gl, std::string_view name, GLenum kind,
                std::initializer_list<std::string_view> chunks) {
     std::vector<const GLchar*> texts;
     std::vector<GLint> lengths;
     for (const std::string_view chunk : chunks) {
-        if (!chunk.empty()) {  // an empty one may be a null pointer, which GL refuses
+        if (!chunk.empty()) {  // an empty one may be null, which GL rejects
             texts.push_back(chunk.data());
             lengths.push_back(static_cast<GLint>(chunk.size()));
         }
@@ -23,13 +37,7 @@ GLuint compile(const GlFunctions& gl, std::string_view name, GLenum kind,
     gl.CompileShader(shader);
     GLint ok = 0;
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (ok != GL_TRUE) {
-        std::string log(2000, '\0');
-        GLsizei length = 0;
-        gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
-        log.resize(static_cast<std::size_t>(length));
-        throw RenderError("the OpenGL driver can't compile the shader '" + std::string(name) + "': " + log);
-    }
+    check(ok, "compile", name, shader, gl.GetShaderInfoLog);
     return shader;
 }
 
@@ -44,13 +52,7 @@ ShaderProgram::ShaderProgram(const GlFunctions& gl, std::string_view name,
     gl.LinkProgram(program_);
     GLint ok = 0;
     gl.GetProgramiv(program_, GL_LINK_STATUS, &ok);
-    if (ok != GL_TRUE) {
-        std::string log(2000, '\0');
-        GLsizei length = 0;
-        gl.GetProgramInfoLog(program_, static_cast<GLsizei>(log.size()), &length, log.data());
-        log.resize(static_cast<std::size_t>(length));
-        throw RenderError("the OpenGL driver can't link the shader '" + std::string(name) + "': " + log);
-    }
+    check(ok, "link", name, program_, gl.GetProgramInfoLog);
 }
 
 void ShaderProgram::use() const {

@@ -9,11 +9,11 @@
 
 namespace campuswalk::engine::render {
 
-/// A linked program. Uniforms are set by name while it is in use; names that the compiler dropped are
-/// ignored. Lives as long as its context.
+/// A linked program. Uniforms are set by name while it is in use; those that the compiler optimized out are
+/// ignored. Must not outlive its context.
 class ShaderProgram {
 public:
-    /// Each list is joined to one source. Throws RenderError with the compiler's words and `name`.
+    /// Each list is concatenated to one source. Throws RenderError with `name` and the driver's log.
     ShaderProgram(const GlFunctions& gl, std::string_view name,
                   std::initializer_list<std::string_view> vertex,
                   std::initializer_list<std::string_view> fragment);

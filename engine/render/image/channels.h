@@ -7,26 +7,25 @@
 
 namespace campuswalk::engine::render {
 
-/// What is wanted of a view besides its colours.
+/// Which channels to draw besides colour.
 struct ChannelChoice {
     bool nodes = false;
     bool depth = false;
     bool normals = false;
 };
 
-/// What the pixels of a view show, in numbers: each is what a ray through its middle meets first, nothing is
-/// averaged over a pixel's edges. Holes of cut-outs are holes, and a see-through surface counts where it
-/// hides at least half of what is behind it: foliage does, window panes and water don't. Rows from top to
-/// bottom; a channel that wasn't asked for is empty.
+/// Per-pixel data of an image: what a ray through the pixel's centre hits first, without anti-aliasing.
+/// Cut-outs have holes, and a blended surface counts where its alpha is at least a half: foliage does, window
+/// panes and water don't. Rows from top to bottom; channels that weren't requested are empty.
 struct Channels {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
-    /// The node's number: those of all models one after the other, from 1 on. 0 is nothing, or the avatar.
+    /// Node number: one-based, counted over all models. 0 is the background or the avatar.
     std::vector<std::uint32_t> nodes;
-    /// Metres before the camera, measured along its axis as depth cameras do; 0 is nothing.
+    /// Metres along the camera axis; 0 is the background.
     std::vector<float> depth;
-    /// The shading normal's side that faces the camera, world frame: 128 + 127 times x, y, z as red, green,
-    /// blue; black is nothing.
+    /// Shading normals towards the camera, world frame: red, green, blue = 128 + 127 (x, y, z); black is the
+    /// background.
     Image normals;
 };
 

@@ -6,7 +6,7 @@
 
 namespace campuswalk::engine::render {
 
-/// GL counts rows from below, images from above. `values` holds whole rows of `row` values each.
+/// Turns GL images, stored bottom-up, upside down. `values` holds rows of `row` values each.
 template <typename Value>
 void flip_rows(std::vector<Value>& values, std::size_t row) {
     if (row == 0) {

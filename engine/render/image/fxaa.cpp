@@ -9,31 +9,29 @@
 #include <vector>
 
 #include "engine/render/image/row_bands.h"
+#include "engine/render/image/srgb.h"
 
 namespace campuswalk::engine::render {
 namespace {
 
-// ---- sRGB and back, by tables -----------------------------------------------------------------------------
+// ---- sRGB conversion by tables ----------------------------------------------------------------------------
 
-constexpr int kWhite = 16383;  // linear: four of them fit 16 bits
+constexpr int kWhite = 16383;  // linear; the sum of four fits 16 bits
 
 std::array<std::uint16_t, 256> linear_table() {
     std::array<std::uint16_t, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const double s = static_cast<double>(i) / 255.0;
-        const double linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-        table[i] = static_cast<std::uint16_t>(std::lround(kWhite * linear));
+        table[i] = static_cast<std::uint16_t>(std::lround(kWhite * linear_by_srgb_byte()[i]));
     }
     return table;
 }
 
-// By the sum of four.
+// Indexed by the sum of four linear values.
 std::vector<std::uint8_t> srgb_table() {
     std::vector<std::uint8_t> table(4 * kWhite + 1);
     for (std::size_t i = 0; i < table.size(); ++i) {
         const double linear = static_cast<double>(i) / (4.0 * kWhite);
-        const double s = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-        table[i] = static_cast<std::uint8_t>(std::lround(255.0 * s));
+        table[i] = static_cast<std::uint8_t>(std::lround(255.0 * linear_to_srgb(linear)));
     }
     return table;
 }
@@ -50,31 +48,32 @@ const std::vector<std::uint8_t>& srgb_by_sum() {
 
 // ---- edges ------------------------------------------------------------------------------------------------
 
-constexpr std::uint8_t kLeastContrast = 10;  // of 255: less is no edge
-constexpr std::uint16_t kSixth = 171;        // of 1024: nor is less than a sixth of the brightest neighbour
-constexpr int kReach = 12;                   // pixels along an edge in which its ends are looked for
-constexpr double kSoftestPixel = 0.6;        // how much of a single pixel that stands out is given up
+constexpr std::uint8_t kMinContrast = 10;  // of 255; pixels with less contrast are no edges
+constexpr std::uint16_t kRelativeContrast =
+    171;                           // of 1024; nor are those with less than a sixth of the brightest neighbour
+constexpr int kSearchLength = 12;  // pixels searched along an edge for its ends
+constexpr double kSubpixelWeight = 0.6;  // weight of subpixel aliasing removal
 
-// The image's brightness with its last pixels going on beyond its rim, so that no step asks where it is.
-class Brightness {
+// Luma of the image, padded by replicating its border, so that no access needs a bounds check.
+class PaddedLuma {
 public:
-    static constexpr int kRim = kReach + 1;
+    static constexpr int kPadding = kSearchLength + 1;
 
-    explicit Brightness(const Image& image) : stride_(image.width + 2 * kRim) {
-        luma_.resize(static_cast<std::size_t>(stride_ * (image.height + 2 * kRim)));
+    explicit PaddedLuma(const Image& image) : stride_(image.width + 2 * kPadding) {
+        luma_.resize(static_cast<std::size_t>(stride_ * (image.height + 2 * kPadding)));
         for (int y = 0; y < image.height; ++y) {
             fill_row(image, y);
         }
-        for (int i = 1; i <= kRim; ++i) {
-            std::copy_n(row(0) - kRim, stride_, luma_.begin() + (row(-i) - kRim - luma_.data()));
-            std::copy_n(row(image.height - 1) - kRim, stride_,
-                        luma_.begin() + (row(image.height - 1 + i) - kRim - luma_.data()));
+        for (int i = 1; i <= kPadding; ++i) {
+            std::copy_n(row(0) - kPadding, stride_, luma_.begin() + (row(-i) - kPadding - luma_.data()));
+            std::copy_n(row(image.height - 1) - kPadding, stride_,
+                        luma_.begin() + (row(image.height - 1 + i) - kPadding - luma_.data()));
         }
     }
 
     std::ptrdiff_t stride() const { return stride_; }
-    /// Of the row's first pixel; others are beside it, `stride` apart from row to row.
-    const std::uint8_t* row(int y) const { return luma_.data() + (y + kRim) * stride_ + kRim; }
+    /// The row's first pixel; rows are `stride` apart.
+    const std::uint8_t* row(int y) const { return luma_.data() + (y + kPadding) * stride_ + kPadding; }
 
 private:
     void fill_row(const Image& image, int y) {
@@ -84,33 +83,34 @@ private:
         for (int x = 0; x < width; ++x, rgba += 4) {
             to[x] = static_cast<std::uint8_t>((54 * rgba[0] + 183 * rgba[1] + 19 * rgba[2]) >> 8);
         }
-        std::fill_n(to - kRim, kRim, to[0]);
-        std::fill_n(to + image.width, kRim, to[image.width - 1]);
+        std::fill_n(to - kPadding, kPadding, to[0]);
+        std::fill_n(to + image.width, kPadding, to[image.width - 1]);
     }
 
     std::ptrdiff_t stride_;
     std::vector<std::uint8_t> luma_;
 };
 
-// Values, not references as std::min takes them, and no wider than they must be: so compilers work on many
-// pixels at once.
-std::uint8_t less(std::uint8_t a, std::uint8_t b) {
+// By value and in 8 bits, unlike std::min, so that compilers vectorize the loop.
+std::uint8_t lesser(std::uint8_t a, std::uint8_t b) {
     return a < b ? a : b;
 }
-std::uint8_t more(std::uint8_t a, std::uint8_t b) {
+std::uint8_t greater(std::uint8_t a, std::uint8_t b) {
     return a > b ? a : b;
 }
 
-// 1 for each pixel of a row that differs enough from one beside it, above or below; else 0.
+// 1 for each pixel of a row with enough local contrast, else 0.
 void mark_edges(const std::uint8_t* above, const std::uint8_t* row, const std::uint8_t* below, int width,
                 std::uint8_t* marks) {
     for (int x = 0; x < width; ++x) {
         const std::uint8_t m = row[x];
-        const std::uint8_t most = more(more(more(row[x - 1], row[x + 1]), more(above[x], below[x])), m);
-        const std::uint8_t least = less(less(less(row[x - 1], row[x + 1]), less(above[x], below[x])), m);
+        const std::uint8_t most =
+            greater(greater(greater(row[x - 1], row[x + 1]), greater(above[x], below[x])), m);
+        const std::uint8_t least =
+            lesser(lesser(lesser(row[x - 1], row[x + 1]), lesser(above[x], below[x])), m);
         const auto range = static_cast<std::uint8_t>(most - least);
-        const auto share = static_cast<std::uint8_t>((kSixth * most) >> 10);
-        marks[x] = static_cast<std::uint8_t>(range >= more(share, kLeastContrast));
+        const auto share = static_cast<std::uint8_t>((kRelativeContrast * most) >> 10);
+        marks[x] = static_cast<std::uint8_t>(range >= greater(share, kMinContrast));
     }
 }
 
@@ -119,13 +119,13 @@ public:
     explicit FxaaFilter(const Image& image) : in_(image), out_(image), luma_(image) {}
 
     Image smooth() {
-        // Each pixel is worked out from the image as it was.
+        // Every pixel depends on the input image only.
         for_row_bands(in_.height, [this](int first, int end) { smooth_rows(first, end); });
         return std::move(out_);
     }
 
 private:
-    // Most pixels aren't on an edge: they are sorted out a row at a time, which compilers do many at once.
+    // Most pixels aren't on an edge; those are rejected row by row in a vectorized loop.
     void smooth_rows(int first, int end) {
         std::vector<std::uint8_t> on_edge(static_cast<std::size_t>(in_.width));
         for (int y = first; y < end; ++y) {
@@ -152,57 +152,57 @@ private:
         const int ne = luma(1, -1);
         const int sw = luma(-1, 1);
         const int se = luma(1, 1);
-        // A level edge bends brightness from row to row, an upright one from column to column.
+        // A horizontal edge has its second derivative across rows, a vertical one across columns.
         const int rows = 2 * std::abs(n + s - 2 * m) + std::abs(nw + sw - 2 * w) + std::abs(ne + se - 2 * e);
         const int columns =
             2 * std::abs(w + e - 2 * m) + std::abs(nw + ne - 2 * n) + std::abs(sw + se - 2 * s);
-        const bool level = rows >= columns;
-        const int before = level ? n : w;
-        const int after = level ? s : e;
+        const bool horizontal = rows >= columns;
+        const int before = horizontal ? n : w;
+        const int after = horizontal ? s : e;
         const int side = std::abs(before - m) >= std::abs(after - m) ? -1 : 1;
         const double mean = (2 * (n + s + w + e) + nw + ne + sw + se) / 12.0;
-        // Beside a straight edge a third of the neighbours are other; what has more stands out by itself.
-        const double alone = std::clamp(1.5 * std::abs(mean - m) / range - 0.5, 0.0, 1.0);
-        const double by_itself = kSoftestPixel * alone * alone;
-        const std::ptrdiff_t along = level ? 1 : luma_.stride();
-        const std::ptrdiff_t across = side * (level ? luma_.stride() : 1);
-        mix(x, y, level, side, std::max(by_itself, from_steps(here, along, across)));
+        // On a straight edge a third of the neighbours differ; more indicates an isolated pixel.
+        const double isolation = std::clamp(1.5 * std::abs(mean - m) / range - 0.5, 0.0, 1.0);
+        const double subpixel = kSubpixelWeight * isolation * isolation;
+        const std::ptrdiff_t along = horizontal ? 1 : luma_.stride();
+        const std::ptrdiff_t across = side * (horizontal ? luma_.stride() : 1);
+        blend(x, y, horizontal, side, std::max(subpixel, edge_weight(here, along, across)));
     }
 
-    // How much of the neighbour belongs to the pixel, from where along the edge it steps to the side: a half
-    // next to the step, less further away, nothing on the step's other side. `along` and `across` are the
-    // ways to the next pixel on the edge and over it.
-    static double from_steps(const std::uint8_t* pixel, std::ptrdiff_t along, std::ptrdiff_t across) {
-        const auto pair = [&](std::ptrdiff_t i) {  // brightness on the edge, twice
+    // Blend weight of the neighbour across the edge, from the distance to the nearer end of the edge: a half
+    // next to the end, falling off with distance, 0 on the other side. `along` and `across` are pointer
+    // offsets.
+    static double edge_weight(const std::uint8_t* pixel, std::ptrdiff_t along, std::ptrdiff_t across) {
+        const auto pair = [&](std::ptrdiff_t i) {  // twice the luma on the edge
             return pixel[i * along] + pixel[i * along + across];
         };
         const int here = pair(0);
         const int step = std::abs(pixel[0] - pixel[across]);
-        const auto end = [&](int way) {
-            int i = way;
-            while (std::abs(i) < kReach && 2 * std::abs(pair(i) - here) < step) {
-                i += way;
+        const auto end = [&](int direction) {
+            int i = direction;
+            while (std::abs(i) < kSearchLength && 2 * std::abs(pair(i) - here) < step) {
+                i += direction;
             }
             return i;
         };
         const int back = end(-1);
-        const int forth = end(1);
-        const int near = -back <= forth ? back : forth;
+        const int forward = end(1);
+        const int near = -back <= forward ? back : forward;
         const bool dark = 2 * pixel[0] < here;
-        // At the nearer end the edge goes over to this pixel's side, or away from it.
+        // Whether the edge turns towards this pixel's side at the nearer end.
         const bool towards = (pair(near) < here) != dark;
-        return towards ? 0.5 - static_cast<double>(std::abs(near) - 0.5) / (forth - back - 1) : 0.0;
+        return towards ? 0.5 - static_cast<double>(std::abs(near) - 0.5) / (forward - back - 1) : 0.0;
     }
 
-    void mix(int x, int y, bool level, int side, double share) {
-        const int ox = std::clamp(level ? x : x + side, 0, in_.width - 1);
-        const int oy = std::clamp(level ? y + side : y, 0, in_.height - 1);
+    void blend(int x, int y, bool horizontal, int side, double share) {
+        const int ox = std::clamp(horizontal ? x : x + side, 0, in_.width - 1);
+        const int oy = std::clamp(horizontal ? y + side : y, 0, in_.height - 1);
         const std::uint8_t* own = &in_.rgba[in_.offset(x, y)];
         const std::uint8_t* other = &in_.rgba[in_.offset(ox, oy)];
         std::uint8_t* out = &out_.rgba[out_.offset(x, y)];
         const int weight = std::clamp(static_cast<int>(std::lround(256.0 * share)), 0, 256);
         for (std::size_t i = 0; i < 3; ++i) {
-            // Light is mixed, as among the samples of a pixel; the weights sum to 64 times four.
+            // Blended in linear light, like samples; the weights sum to 256 = 64 * 4.
             const int light = linear_[own[i]] * (256 - weight) + linear_[other[i]] * weight;
             out[i] = srgb_[static_cast<std::size_t>(light >> 6)];
         }
@@ -210,19 +210,18 @@ private:
 
     const Image& in_;
     Image out_;
-    Brightness luma_;
+    PaddedLuma luma_;
     const std::array<std::uint16_t, 256>& linear_ = linear_by_srgb();
     const std::vector<std::uint8_t>& srgb_ = srgb_by_sum();
 };
 
 }  // namespace
 
-Image halved(const Image& image) {
+Image downsampled_by_two(const Image& image) {
     assert(image.width % 2 == 0 && image.height % 2 == 0);
     const std::array<std::uint16_t, 256>& linear = linear_by_srgb();
     const std::vector<std::uint8_t>& srgb = srgb_by_sum();
-    Image half{image.width / 2, image.height / 2, {}};
-    half.rgba.resize(image.rgba.size() / 4);
+    Image half = Image::filled(image.width / 2, image.height / 2);
     const std::size_t row = image.offset(0, 1);
     for (int y = 0; y < half.height; ++y) {
         for (int x = 0; x < half.width; ++x) {
@@ -232,7 +231,6 @@ Image halved(const Image& image) {
                 to[i] = srgb[static_cast<std::size_t>(linear[from[i]] + linear[from[i + 4]] +
                                                       linear[from[row + i]] + linear[from[row + i + 4]])];
             }
-            to[3] = 255;
         }
     }
     return half;

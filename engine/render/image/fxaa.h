@@ -4,12 +4,11 @@
 
 namespace campuswalk::engine::render {
 
-/// Half as wide and high: each pixel is the mean of four, in linear light. Width and height are even.
-Image halved(const Image& image);
+/// Box-filters 2x2 pixels in linear light. Width and height must be even.
+Image downsampled_by_two(const Image& image);
 
-/// Smooths stairs along edges: where brightness changes across a pixel, it is mixed with its neighbour across
-/// the edge, by how near it is to a step of the edge. Flat parts and fine texture keep their pixels. After
-/// the idea of FXAA (Lottes 2009): from the finished image alone, so no sharper than that.
+/// Anti-aliases a finished image like FXAA (Lottes 2009): a pixel on an edge is blended with its neighbour
+/// across the edge, by its distance to the end of the edge. Flat areas and fine texture keep their pixels.
 Image apply_fxaa(const Image& image);
 
 }  // namespace campuswalk::engine::render

@@ -13,6 +13,21 @@ struct Image {
     int height = 0;  ///< pixels
     std::vector<std::uint8_t> rgba;
 
+    /// All bytes are `value`, but alpha.
+    static Image filled(int width, int height, std::uint8_t value = 0) {
+        Image image{width, height, {}};
+        image.rgba.assign(image.offset(0, height), value);
+        image.make_opaque();
+        return image;
+    }
+
+    void make_opaque() {
+        for (std::size_t i = 3; i < rgba.size(); i += 4) {
+            rgba[i] = 255;
+        }
+    }
+
+    /// Index into `rgba` of the pixel in column x and row y.
     std::size_t offset(int x, int y) const {
         return 4 *
                (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));

@@ -4,39 +4,22 @@
 #include <array>
 #include <cmath>
 
+#include "engine/render/image/srgb.h"
+
 namespace campuswalk::engine::render {
 namespace {
-
-double to_linear(double srgb) {
-    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
-
-double to_srgb(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
 
 std::uint8_t to_byte(double value) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
 }
 
-const std::array<double, 256>& linear_table() {
-    static const std::array<double, 256> table = [] {
-        std::array<double, 256> values{};
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = to_linear(static_cast<double>(i) / 255.0);
-        }
-        return values;
-    }();
-    return table;
-}
-
-MipLevel halved(const MipLevel& from) {
+MipLevel downsampled(const MipLevel& from) {
     MipLevel to{std::max(1, from.width / 2), std::max(1, from.height / 2), {}};
     to.rgba.resize(4 * static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height));
-    const auto& linear = linear_table();
+    const auto& linear = linear_by_srgb_byte();
     for (int y = 0; y < to.height; ++y) {
         for (int x = 0; x < to.width; ++x) {
-            // A little weight even for clear texels, so that a hole's colour is still defined.
+            // Transparent texels have a small weight, so that the colour of holes is defined.
             std::array<double, 3> sum = {0, 0, 0};
             double weights = 0.0;
             double alphas = 0.0;
@@ -56,7 +39,7 @@ MipLevel halved(const MipLevel& from) {
             const std::size_t t = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(to.width) +
                                        static_cast<std::size_t>(x));
             for (std::size_t c = 0; c < 3; ++c) {
-                to.rgba[t + c] = to_byte(to_srgb(sum[c] / weights));
+                to.rgba[t + c] = to_byte(linear_to_srgb(sum[c] / weights));
             }
             to.rgba[t + 3] = to_byte(alphas / 4.0 / 255.0);
         }
@@ -64,13 +47,13 @@ MipLevel halved(const MipLevel& from) {
     return to;
 }
 
-// The factor on alpha that gives `wanted` coverage, by bisection.
-double coverage_scale(const MipLevel& level, double wanted, double cutoff) {
+// The scale of alpha that yields `target` coverage, by bisection.
+double coverage_scale(const MipLevel& level, double target, double cutoff) {
     double low = 0.25;
     double high = 4.0;
     for (int i = 0; i < 10; ++i) {
         const double middle = 0.5 * (low + high);
-        (alpha_coverage(level.rgba, middle, cutoff) < wanted ? low : high) = middle;
+        (alpha_coverage(level.rgba, middle, cutoff) < target ? low : high) = middle;
     }
     return high;
 }
@@ -87,13 +70,13 @@ double alpha_coverage(std::span<const std::uint8_t> rgba, double scale, double c
 
 std::vector<MipLevel> cutout_mip_chain(const scene::Texture& texture, float alpha_cutoff) {
     const double cutoff = alpha_cutoff;
-    const double wanted = alpha_coverage(texture.rgba, 1.0, cutoff);
+    const double target = alpha_coverage(texture.rgba, 1.0, cutoff);
     std::vector<MipLevel> chain;
     MipLevel level{texture.width, texture.height, {texture.rgba.begin(), texture.rgba.end()}};
     while (level.width > 1 || level.height > 1) {
-        level = halved(level);
+        level = downsampled(level);
         chain.push_back(level);
-        const double scale = coverage_scale(level, wanted, cutoff);
+        const double scale = coverage_scale(level, target, cutoff);
         for (std::size_t i = 3; i < chain.back().rgba.size(); i += 4) {
             chain.back().rgba[i] = to_byte(scale * level.rgba[i] / 255.0);
         }

@@ -14,9 +14,9 @@ struct MipLevel {
     std::vector<std::uint8_t> rgba;  ///< sRGB with linear alpha, as in scene::Texture
 };
 
-/// Smaller copies of a cut-out texture, each half the size of the one before, down to one texel. Colours are
-/// averaged in linear light and weighted by alpha, so that the colour of holes doesn't bleed into edges;
-/// alpha is scaled so that every copy has the same share of texels at or above `alpha_cutoff`.
+/// The mip levels of a cut-out texture below the full size, down to one texel. Colours are averaged in linear
+/// light and weighted by alpha, so that holes don't bleed into edges. Alpha is scaled so that every level
+/// keeps the coverage: the share of texels at or above `alpha_cutoff`.
 std::vector<MipLevel> cutout_mip_chain(const scene::Texture& texture, float alpha_cutoff);
 
 /// The share of texels whose alpha, times `scale`, is at least `cutoff`.

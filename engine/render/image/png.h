@@ -8,11 +8,14 @@
 
 namespace campuswalk::engine::render {
 
-/// A PNG file's bytes: 8-bit RGB, the same bytes for the same image.
+/// Encodes as 8-bit RGB; the same image gives the same bytes.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Writes `file` whole or not at all (a temporary neighbour is renamed over it); its folder is made when
-/// missing. Throws std::runtime_error that names the file and the system's reason.
+/// Encodes as 16-bit greyscale, rows from top to bottom.
+std::vector<std::uint8_t> encode_depth_png(int width, int height, const std::vector<std::uint16_t>& values);
+
+/// Writes `file` atomically (through a temporary file); creates its folder if missing. Throws
+/// std::runtime_error that names the file and the system's reason.
 void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace campuswalk::engine::render

@@ -8,13 +8,13 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Level 1 and one filter for all rows: 15 times faster than libpng's defaults, files a fifth larger.
+// Level 1 and a fixed filter: 15 times faster than libpng's defaults, files a fifth larger.
 constexpr int kCompressionLevel = 1;
 constexpr std::uint8_t kFilterSub = 1;
 
 constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 
-/// Each byte less that of the same channel one pixel to the left.
+/// The Sub filter: each byte minus that of the same channel one pixel to the left.
 void filter_row(const std::uint8_t* rgba, std::size_t width, std::uint8_t* out) {
     *out++ = kFilterSub;
     std::copy(rgba, rgba + 3, out);
@@ -33,7 +33,7 @@ std::array<std::uint8_t, 4> png_uint32(std::uint32_t value) {
 }
 
 PngWriter::PngWriter(int width, int height) : bytes_(kSignature.begin(), kSignature.end()) {
-    const std::array<std::uint8_t, 5> kind = {8, 2, 0, 0, 0};  // bits, RGB, the only methods there are
+    const std::array<std::uint8_t, 5> kind = {8, 2, 0, 0, 0};  // bit depth, RGB, default methods
     chunk("IHDR", {png_uint32(static_cast<std::uint32_t>(width)),
                    png_uint32(static_cast<std::uint32_t>(height)), kind});
 }

@@ -14,28 +14,28 @@ struct libdeflate_compressor;
 
 namespace campuswalk::engine::render {
 
-/// Puts a PNG file of 8-bit RGB together in memory, chunk by chunk: an image or, with the chunks of
-/// animations, several of one size. (libspng writes neither those nor as fast as libdeflate compresses.)
+/// Assembles an 8-bit RGB PNG file in memory, chunk by chunk: an image, or an animation of images of one
+/// size. (libspng can't write animations, and libdeflate compresses faster.)
 class PngWriter {
 public:
     /// Writes the signature and the header.
     PngWriter(int width, int height);
 
-    /// `kind` has four letters. The data are the parts, one after the other.
+    /// `kind` has four letters; `parts` are concatenated.
     void chunk(std::string_view kind, std::initializer_list<std::span<const std::uint8_t>> parts);
     void end() { chunk("IEND", {}); }
 
-    /// What has come since the last time.
+    /// The bytes since the last call.
     std::vector<std::uint8_t> take() { return std::exchange(bytes_, {}); }
 
 private:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// Four bytes as PNG has its numbers, the highest first.
+/// Big-endian bytes of an integer.
 std::array<std::uint8_t, 4> png_uint32(std::uint32_t value);
 
-/// Compresses images as PNG files have them. Keeps its memory from one to the next.
+/// Filters and compresses the pixels of PNG images. Reuses its memory.
 class PixelCompressor {
 public:
     PixelCompressor();

@@ -14,10 +14,10 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// A file of some kilobytes can claim any size; 8K is 33 million pixels.
-constexpr std::uint32_t kLongestSide = 32768;
-constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 27U;
-constexpr std::size_t kLargestChunk = std::size_t{1} << 24U;  ///< of those kept in memory: texts, profiles
+// A small file can claim any size; 8K is 33 million pixels.
+constexpr std::uint32_t kMaxSide = 32768;
+constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27U;
+constexpr std::size_t kMaxChunk = std::size_t{1} << 24U;  ///< bytes, of texts and profiles
 
 constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 
@@ -40,11 +40,11 @@ public:
     Image read() {
         check(decoder_ ? 0 : SPNG_EMEM);
         check(spng_set_png_file(decoder_.get(), stream_.get()));
-        check(spng_set_image_limits(decoder_.get(), kLongestSide, kLongestSide));
-        check(spng_set_chunk_limits(decoder_.get(), kLargestChunk, kLargestChunk));
+        check(spng_set_image_limits(decoder_.get(), kMaxSide, kMaxSide));
+        check(spng_set_chunk_limits(decoder_.get(), kMaxChunk, kMaxChunk));
         spng_ihdr header{};
         check(spng_get_ihdr(decoder_.get(), &header));
-        if (std::uint64_t{header.width} * header.height > kMostPixels) {
+        if (std::uint64_t{header.width} * header.height > kMaxPixels) {
             refuse("bad-picture", "the picture has " + std::to_string(header.width) + "x" +
                                       std::to_string(header.height) + " pixels, which is too large");
         }
@@ -54,13 +54,13 @@ public:
         image.rgba.resize(std::size_t{4} * header.width * header.height);
         check(spng_decode_image(decoder_.get(), image.rgba.data(), image.rgba.size(), SPNG_FMT_RGBA8,
                                 SPNG_DECODE_TRNS));
-        // The checksums of what follows the pixels.
+        // Verifies the checksums of the chunks after the pixels.
         check(spng_decode_chunks(decoder_.get()));
         return image;
     }
 
 private:
-    /// Before libspng does, which calls a short text cut short.
+    /// libspng would report a short text file as truncated.
     void check_signature() const {
         std::array<unsigned char, kSignature.size()> read{};
         const std::size_t count = std::fread(read.data(), 1, read.size(), stream_.get());
@@ -68,7 +68,7 @@ private:
             refuse("unreadable-file", std::string("can't read the picture: ") + std::strerror(errno));
         }
         if (count < read.size() || read != kSignature) {
-            refuse("bad-picture", "this is no PNG file");
+            refuse("bad-picture", "this is not a PNG file");
         }
         std::rewind(stream_.get());
     }
@@ -80,9 +80,9 @@ private:
         if (error == SPNG_EWIDTH || error == SPNG_EHEIGHT || error == SPNG_EUSER_WIDTH ||
             error == SPNG_EUSER_HEIGHT) {
             refuse("bad-picture",
-                   "a side of the picture isn't 1 to " + std::to_string(kLongestSide) + " pixels long");
+                   "each side of the picture must be 1 to " + std::to_string(kMaxSide) + " pixels long");
         }
-        refuse("bad-picture", std::string("the PNG file is cut short or broken: ") + spng_strerror(error));
+        refuse("bad-picture", std::string("the PNG file is truncated or corrupt: ") + spng_strerror(error));
     }
 
     [[noreturn]] void refuse(const char* code, const std::string& message) const {
@@ -94,8 +94,8 @@ private:
     std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> decoder_;
 };
 
-/// Over white, in sRGB as browsers do it.
-void make_opaque(Image& image) {
+/// Blends over white, in sRGB like browsers.
+void blend_over_white(Image& image) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         const int alpha = image.rgba[i + 3];
         if (alpha == 255) {
@@ -113,7 +113,7 @@ void make_opaque(Image& image) {
 
 Image read_png(const std::filesystem::path& file) {
     Image image = PngReader(file).read();
-    make_opaque(image);
+    blend_over_white(image);
     return image;
 }
 

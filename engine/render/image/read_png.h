@@ -6,8 +6,8 @@
 
 namespace campuswalk::engine::render {
 
-/// The image in a PNG file of any kind: 16 bits are rounded to 8, palettes and greys become colours, and
-/// what is transparent shows white. Throws scene::InputError (missing-file, unreadable-file, bad-image)
+/// Reads a PNG file of any kind: 16 bits are rounded to 8, palettes and greyscale become RGB, and
+/// transparency is blended over white. Throws scene::InputError (missing-file, unreadable-file, bad-image)
 /// that names the file.
 Image read_png(const std::filesystem::path& file);
 

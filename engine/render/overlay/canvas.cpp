@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numbers>
 
 #include <cairo.h>
 #include <pango/pangocairo.h>
@@ -9,9 +10,9 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
+constexpr double kPi = std::numbers::pi;
 
-// Cairo keeps a pixel as one native 32-bit number, alpha highest.
+// Cairo stores a pixel as a native 32-bit integer with alpha in the highest byte.
 cairo_surface_t* to_surface(const Image& image) {
     cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height);
     cairo_surface_flush(surface);
@@ -79,8 +80,8 @@ void Canvas::draw_image(const Image& image, double scale, const Eigen::Vector2d&
     cairo_restore(cairo());
 }
 
-std::unique_ptr<_PangoLayout, Canvas::Release> Canvas::set_text(const std::string& text,
-                                                                const TextStyle& style) const {
+std::unique_ptr<_PangoLayout, Canvas::Release> Canvas::lay_out(const std::string& text,
+                                                               const TextStyle& style) const {
     std::unique_ptr<_PangoLayout, Release> layout(pango_layout_new(fonts_.context()));
     PangoFontDescription* font = pango_font_description_new();
     pango_font_description_set_family_static(font, "DejaVu Sans,WenQuanYi Micro Hei");
@@ -101,7 +102,7 @@ std::unique_ptr<_PangoLayout, Canvas::Release> Canvas::set_text(const std::strin
 }
 
 Eigen::Vector2d Canvas::text_size(const std::string& text, const TextStyle& style) const {
-    const auto layout = set_text(text, style);
+    const auto layout = lay_out(text, style);
     int width = 0;
     int height = 0;
     pango_layout_get_size(layout.get(), &width, &height);
@@ -109,7 +110,7 @@ Eigen::Vector2d Canvas::text_size(const std::string& text, const TextStyle& styl
 }
 
 double Canvas::text(double x, double y, const std::string& text, const TextStyle& style) const {
-    const auto layout = set_text(text, style);
+    const auto layout = lay_out(text, style);
     set_color(style.color);
     cairo_move_to(cairo(), x, y);
     pango_cairo_show_layout(cairo(), layout.get());
@@ -119,7 +120,7 @@ double Canvas::text(double x, double y, const std::string& text, const TextStyle
 }
 
 void Canvas::label(double x, double y, const std::string& text, const TextStyle& style) const {
-    const auto layout = set_text(text, style);
+    const auto layout = lay_out(text, style);
     int width = 0;
     int height = 0;
     pango_layout_get_size(layout.get(), &width, &height);
@@ -137,10 +138,7 @@ Image Canvas::image() const {
     cairo_surface_flush(surface_.get());
     const unsigned char* data = cairo_image_surface_get_data(surface_.get());
     const int stride = cairo_image_surface_get_stride(surface_.get());
-    Image image;
-    image.width = width_;
-    image.height = height_;
-    image.rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    Image image = Image::filled(width_, height_);
     for (int y = 0; y < height_; ++y) {
         const unsigned char* from = data + static_cast<std::ptrdiff_t>(y) * stride;
         std::uint8_t* to = &image.rgba[image.offset(0, y)];
@@ -150,7 +148,6 @@ Image Canvas::image() const {
             to[0] = static_cast<std::uint8_t>(value >> 16U);
             to[1] = static_cast<std::uint8_t>(value >> 8U);
             to[2] = static_cast<std::uint8_t>(value);
-            to[3] = 255;
         }
     }
     return image;

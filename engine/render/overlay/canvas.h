@@ -24,16 +24,15 @@ struct Rgba {
     double alpha = 1.0;
 };
 
-/// The fonts that images are lettered with: fixed files, not what the machine's font settings say, so that
-/// the same text gives the same pixels everywhere. Grey antialiasing, no hinting.
+/// The fonts of overlays: fixed files regardless of the machine's font settings, so that text gives the same
+/// pixels everywhere. Greyscale anti-aliasing, no hinting.
 class Fonts {
 public:
-    /// Where Debian and Ubuntu, Fedora, Arch and openSUSE put them.
-    static std::span<const std::filesystem::path> usual_folders();
+    /// The font folders of Debian, Ubuntu, Fedora, Arch and openSUSE.
+    static std::span<const std::filesystem::path> default_folders();
 
-    /// Throws RenderError when a file isn't in any of the folders: boxes instead of letters would be another
-    /// image than elsewhere.
-    explicit Fonts(std::span<const std::filesystem::path> folders = usual_folders());
+    /// Throws RenderError if a file is in none of the folders: substitutes would change images.
+    explicit Fonts(std::span<const std::filesystem::path> folders = default_folders());
 
     struct Release {
         void operator()(_PangoContext* context) const;
@@ -44,36 +43,36 @@ private:
     std::unique_ptr<_PangoContext, Release> context_;
 };
 
-/// How a piece of text is set.
+/// Layout of a text.
 struct TextStyle {
     double size = 16.0;  ///< pixels
     bool bold = false;
     Rgba color = {1, 1, 1, 1};
-    double width = 0.0;  ///< pixels to wrap at; 0 = one line
-    int max_lines = 0;   ///< more are cut with an ellipsis; 0 = no limit
+    double width = 0.0;  ///< pixels to wrap at; 0 = no wrapping
+    int max_lines = 0;   ///< then ends in an ellipsis; 0 = no limit
 };
 
-/// An image to draw lines and letters on with cairo: take the pixels over, draw, give them back.
+/// A copy of an image to draw lines and text on with cairo.
 class Canvas {
 public:
     Canvas(const Image& image, const Fonts& fonts);
 
     int width() const { return width_; }
     int height() const { return height_; }
-    /// Sizes are made for images 720 pixels high; others multiply them by this.
+    /// Factor for sizes, which are designed for images 720 pixels high.
     double scale() const;
     _cairo* cairo() const { return cairo_.get(); }
 
     void set_color(const Rgba& color) const;
     void rounded_rectangle(double x, double y, double width, double height, double radius) const;
-    /// Paints `image` so that its pixel p lands on scale * p + offset; only inside the current clip.
+    /// Draws `image`, mapping its pixel p to scale * p + offset, within the current clip.
     void draw_image(const Image& image, double scale, const Eigen::Vector2d& offset) const;
 
-    /// Width and height in pixels of the text as set.
+    /// Width and height of the text layout, pixels.
     Eigen::Vector2d text_size(const std::string& text, const TextStyle& style) const;
     /// Draws with the upper left corner at (x, y); returns the height.
     double text(double x, double y, const std::string& text, const TextStyle& style) const;
-    /// Draws one line centred on (x, y) with a dark rim, readable on any ground.
+    /// Draws text centred on (x, y) with a dark outline, readable on any background.
     void label(double x, double y, const std::string& text, const TextStyle& style) const;
 
     Image image() const;
@@ -84,7 +83,7 @@ private:
         void operator()(_cairo_surface* surface) const;
         void operator()(_PangoLayout* layout) const;
     };
-    std::unique_ptr<_PangoLayout, Release> set_text(const std::string& text, const TextStyle& style) const;
+    std::unique_ptr<_PangoLayout, Release> lay_out(const std::string& text, const TextStyle& style) const;
 
     int width_ = 0;
     int height_ = 0;

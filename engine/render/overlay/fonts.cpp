@@ -29,7 +29,7 @@ bool add_font(FcConfig* config, std::span<const fs::path> folders, const char* f
 
 }  // namespace
 
-std::span<const fs::path> Fonts::usual_folders() {
+std::span<const fs::path> Fonts::default_folders() {
     static const std::array<fs::path, 7> folders = {
         "/usr/share/fonts/truetype/dejavu",
         "/usr/share/fonts/truetype/wqy",
@@ -48,7 +48,7 @@ Fonts::Fonts(std::span<const fs::path> folders) {
         if (!add_font(config, folders, file)) {
             FcConfigDestroy(config);
             throw RenderError(
-                std::string("pictures are lettered with DejaVu Sans and WenQuanYi Micro Hei, and ") + file +
+                std::string("pictures need the fonts DejaVu Sans and WenQuanYi Micro Hei, but ") + file +
                 " is missing: install them (Debian, Ubuntu: apt install fonts-dejavu-core "
                 "fonts-wqy-microhei; Fedora: dnf install dejavu-sans-fonts wqy-microhei-fonts)");
         }
@@ -59,7 +59,7 @@ Fonts::Fonts(std::span<const fs::path> folders) {
     context_.reset(pango_font_map_create_context(map));
     g_object_unref(map);
 
-    // Not the user's locale, which also picks between fonts.
+    // Independent of the user's locale, which also selects fonts.
     pango_context_set_language(context_.get(), pango_language_from_string("en"));
     pango_context_set_round_glyph_positions(context_.get(), FALSE);
     cairo_font_options_t* options = cairo_font_options_create();

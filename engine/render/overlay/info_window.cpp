@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <numbers>
 #include <vector>
 
 #include <cairo.h>
@@ -15,7 +16,7 @@ constexpr Rgba kBorder = {1.0, 1.0, 1.0, 0.34};
 constexpr Rgba kAccent = {0.62, 0.78, 1.0, 1.0};
 constexpr Rgba kBright = {1.0, 1.0, 1.0, 1.0};
 constexpr Rgba kBody = {0.90, 0.92, 0.95, 1.0};
-constexpr Rgba kShade = {0.0, 0.0, 0.0, 0.10};
+constexpr Rgba kShadow = {0.0, 0.0, 0.0, 0.10};
 
 // Pixels in an image 720 high.
 constexpr double kWidth = 440.0;
@@ -26,8 +27,8 @@ constexpr double kGap = 14.0;
 constexpr double kTitleSize = 25.0;
 constexpr double kBodySize = 15.5;
 constexpr double kSmallSize = 14.5;
-constexpr double kLabelColumn = 0.31;   // share of the text's width
-constexpr double kHighestShare = 0.80;  // of the image's height, for a window in full
+constexpr double kLabelColumn = 0.31;     // share of the text width
+constexpr double kMaxHeightShare = 0.80;  // of the image height, for an expanded window
 
 struct Row {
     std::string label;
@@ -45,11 +46,11 @@ std::vector<Row> rows_of(const InfoWindow& window) {
     return rows;
 }
 
-// Lays one window out and draws it; the same code measures, so that frame and content can't disagree.
+// Lays out and draws one window. The same code measures and draws, so frame and content agree.
 class WindowRenderer {
 public:
-    WindowRenderer(const Canvas& canvas, const InfoWindow& window, bool in_full)
-        : canvas_(canvas), window_(window), in_full_(in_full), s_(canvas.scale()) {
+    WindowRenderer(const Canvas& canvas, const InfoWindow& window, bool expanded)
+        : canvas_(canvas), window_(window), expanded_(expanded), s_(canvas.scale()) {
         width_ = std::min(kWidth * s_, 0.62 * canvas.width());
         inner_ = width_ - 2.0 * kPadding * s_;
         fit_text_lines();
@@ -60,8 +61,8 @@ public:
 
     void draw(double x, double y) const {
         const double h = height();
-        for (int i = 4; i >= 1; --i) {  // a soft shade lifts the window off the image
-            canvas_.set_color(kShade);
+        for (int i = 4; i >= 1; --i) {  // drop shadow
+            canvas_.set_color(kShadow);
             canvas_.rounded_rectangle(x - i * s_, y - (i - 2) * s_, width_ + 2.0 * i * s_, h + 2.0 * i * s_,
                                       (12.0 + i) * s_);
             cairo_fill(canvas_.cairo());
@@ -72,7 +73,7 @@ public:
         canvas_.set_color(kBorder);
         cairo_set_line_width(canvas_.cairo(), 1.5 * s_);
         cairo_stroke(canvas_.cairo());
-        cross(x + width_ - 27.0 * s_, y + 30.0 * s_);
+        draw_close_icon(x + width_ - 27.0 * s_, y + 30.0 * s_);
         content(x + kPadding * s_, y + kPadding * s_, true);
     }
 
@@ -85,15 +86,16 @@ private:
         return paint ? canvas_.text(x, y, text, text_style) : canvas_.text_size(text, text_style).y();
     }
 
-    // The height that everything takes; painted too when asked.
+    // Returns the height of the content; draws it if `paint` is set.
     double content(double x, double y, bool paint) const {
-        double used = piece(x, y, window_.title,
-                            style(in_full_ ? kTitleSize : 19.0, true, kBright, inner_ - 26.0 * s_, 2), paint);
+        double used =
+            piece(x, y, window_.title,
+                  style(expanded_ ? kTitleSize : 19.0, true, kBright, inner_ - 26.0 * s_, 2), paint);
         if (!window_.kind.empty()) {
             used += 4.0 * s_;
             used += piece(x, y + used, window_.kind, style(kSmallSize, false, kAccent, inner_, 1), paint);
         }
-        if (in_full_ && !window_.text.empty() && text_lines_ > 0) {
+        if (expanded_ && !window_.text.empty() && text_lines_ > 0) {
             used += 13.0 * s_;
             used +=
                 piece(x, y + used, window_.text, style(kBodySize, false, kBody, inner_, text_lines_), paint);
@@ -113,12 +115,12 @@ private:
     }
 
     void fit_text_lines() {
-        const double limit = kHighestShare * canvas_.height();
+        const double limit = kMaxHeightShare * canvas_.height();
         for (text_lines_ = 14; text_lines_ > 1 && height() > limit; --text_lines_) {
         }
     }
 
-    void cross(double x, double y) const {
+    void draw_close_icon(double x, double y) const {
         const double r = 5.5 * s_;
         cairo_move_to(canvas_.cairo(), x - r, y - r);
         cairo_line_to(canvas_.cairo(), x + r, y + r);
@@ -131,27 +133,27 @@ private:
 
     const Canvas& canvas_;
     const InfoWindow& window_;
-    bool in_full_;
+    bool expanded_;
     double s_;
     double width_ = 0.0;
     double inner_ = 0.0;
     int text_lines_ = 0;
 };
 
-// From the window's side to the building, ending in a dot; not when the window covers the place.
-void draw_leader(const Canvas& canvas, const WindowRect& frame, const Eigen::Vector2d& anchor) {
+// A line from the window to a dot on the building, unless the window covers that point.
+void draw_leader(const Canvas& canvas, const WindowRect& rect, const Eigen::Vector2d& anchor) {
     const double s = canvas.scale();
-    if (anchor.x() > frame.x - 12.0 * s || anchor.x() < 0 || anchor.y() < 0 || anchor.y() > canvas.height()) {
+    if (anchor.x() > rect.x - 12.0 * s || anchor.x() < 0 || anchor.y() < 0 || anchor.y() > canvas.height()) {
         return;
     }
-    const double y = frame.y + std::min(42.0 * s, 0.5 * frame.height);
+    const double y = rect.y + std::min(42.0 * s, 0.5 * rect.height);
     for (const bool rim : {true, false}) {
         canvas.set_color(rim ? Rgba{0.05, 0.07, 0.09, 0.55} : Rgba{1, 1, 1, 0.9});
         cairo_set_line_width(canvas.cairo(), (rim ? 4.0 : 1.8) * s);
-        cairo_move_to(canvas.cairo(), frame.x, y);
+        cairo_move_to(canvas.cairo(), rect.x, y);
         cairo_line_to(canvas.cairo(), anchor.x(), anchor.y());
         cairo_stroke(canvas.cairo());
-        cairo_arc(canvas.cairo(), anchor.x(), anchor.y(), (rim ? 6.2 : 4.6) * s, 0.0, 6.283185307179586);
+        cairo_arc(canvas.cairo(), anchor.x(), anchor.y(), (rim ? 6.2 : 4.6) * s, 0.0, 2.0 * std::numbers::pi);
         cairo_fill(canvas.cairo());
     }
 }
@@ -172,7 +174,7 @@ void draw_more(const Canvas& canvas, double right, double y, std::size_t count) 
     canvas.text(right - width + 12.0 * s, y + 5.0 * s, text, style);
 }
 
-// "8", "08", "8:30" as "08:00", "08:30"; empty when it is none of these.
+// Converts "8", "08" or "8:30" to "08:00" or "08:30"; empty for anything else.
 std::string clock_time(const std::string& text) {
     int hour = -1;
     int minute = 0;
@@ -214,30 +216,29 @@ InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popu
 std::vector<WindowRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
                                           std::size_t max_windows) {
     const double s = canvas.scale();
-    std::vector<WindowRect> frames;
+    std::vector<WindowRect> rects;
     double y = kTop * s;
     double right = canvas.width() - kMargin * s;
     std::size_t drawn = 0;
     for (const InfoWindow& window : windows.first(std::min(windows.size(), max_windows))) {
-        const WindowRenderer snapshot_renderer(canvas, window, drawn == 0);
-        const WindowRect frame = {right - snapshot_renderer.width(), y, snapshot_renderer.width(),
-                                  snapshot_renderer.height()};
-        // Always the first; a later one only if a "+n more" still fits under it.
-        if (drawn > 0 && frame.y + frame.height + 50.0 * s > canvas.height()) {
+        const WindowRenderer renderer(canvas, window, drawn == 0);
+        const WindowRect rect = {right - renderer.width(), y, renderer.width(), renderer.height()};
+        // The first is always drawn, others only if "+n more" still fits below.
+        if (drawn > 0 && rect.y + rect.height + 50.0 * s > canvas.height()) {
             break;
         }
         if (window.anchor && drawn == 0) {
-            draw_leader(canvas, frame, *window.anchor);
+            draw_leader(canvas, rect, *window.anchor);
         }
-        snapshot_renderer.draw(frame.x, frame.y);
-        frames.push_back(frame);
-        y += frame.height + kGap * s;
+        renderer.draw(rect.x, rect.y);
+        rects.push_back(rect);
+        y += rect.height + kGap * s;
         ++drawn;
     }
     if (drawn < windows.size()) {
         draw_more(canvas, right, y, windows.size() - drawn);
     }
-    return frames;
+    return rects;
 }
 
 }  // namespace campuswalk::engine::render

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <optional>
 
 #include <cairo.h>
@@ -11,18 +12,18 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr Rgba kLine = {1.0, 1.0, 1.0, 0.95};
-constexpr Rgba kRim = {0.05, 0.07, 0.09, 0.70};
+constexpr Rgba kForeground = {1.0, 1.0, 1.0, 0.95};
+constexpr Rgba kOutline = {0.05, 0.07, 0.09, 0.70};
 constexpr Rgba kPathColor = {1.0, 0.80, 0.16, 0.95};
 constexpr Rgba kArrow = {0.93, 0.23, 0.16, 1.0};
-constexpr double kEdge = 26.0;  // pixels from the image's border, in an image 720 high
+constexpr double kEdge = 26.0;  // pixels from the image border, in an image 720 high
 
-void stroke_twice(const Canvas& canvas, const Rgba& color, double width, double rim) {
+void stroke_outlined(const Canvas& canvas, const Rgba& color, double width, double outline) {
     cairo_t* cr = canvas.cairo();
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
-    canvas.set_color(kRim);
-    cairo_set_line_width(cr, width + rim);
+    canvas.set_color(kOutline);
+    cairo_set_line_width(cr, width + outline);
     cairo_stroke_preserve(cr);
     canvas.set_color(color);
     cairo_set_line_width(cr, width);
@@ -33,11 +34,10 @@ bool overlap(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
     return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 }
 
-// Where a text of twice `half` can stand at `at` without covering another: on it, else a line below or above,
-// then beside. None when all that is taken or out of the image: better no name than an unreadable one.
-std::optional<Eigen::Vector4d> free_place(const Canvas& canvas, const Eigen::Vector2d& at,
-                                          const Eigen::Vector2d& half,
-                                          std::span<const Eigen::Vector4d> taken) {
+// A free box of half size `half` for a label: centred on `at`, else below, above or beside it. None if all
+// are taken or outside of the image.
+std::optional<Eigen::Vector4d> free_box(const Canvas& canvas, const Eigen::Vector2d& at,
+                                        const Eigen::Vector2d& half, std::span<const Eigen::Vector4d> taken) {
     static constexpr std::array<std::array<double, 2>, 9> kShifts = {
         {{0, 0}, {0, 2}, {0, -2}, {1, 0}, {-1, 0}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}}};
     for (const auto& shift : kShifts) {
@@ -76,32 +76,32 @@ void draw_scale_bar(const Canvas& canvas, const Viewpoint& view) {
     cairo_line_to(cr, x, y);
     cairo_line_to(cr, x + pixels, y);
     cairo_line_to(cr, x + pixels, y - 7.0 * s);
-    stroke_twice(canvas, kLine, 2.2 * s, 3.0 * s);
+    stroke_outlined(canvas, kForeground, 2.2 * s, 3.0 * s);
     std::array<char, 40> text{};
     if (length >= 1000.0) {
         std::snprintf(text.data(), text.size(), "%g km", length / 1000.0);
     } else {
         std::snprintf(text.data(), text.size(), "%g m", length);
     }
-    canvas.label(x + 0.5 * pixels, y - 16.0 * s, text.data(), {14.0 * s, true, kLine, 0.0, 1});
+    canvas.label(x + 0.5 * pixels, y - 16.0 * s, text.data(), {14.0 * s, true, kForeground, 0.0, 1});
 }
 
 void draw_north_arrow(const Canvas& canvas) {
     const double s = canvas.scale();
     const double x = canvas.width() - (kEdge + 12.0) * s;
-    const double y = (kEdge + 22.0) * s;  // all of it above the first information window
+    const double y = (kEdge + 22.0) * s;  // above the first information window
     cairo_t* cr = canvas.cairo();
     cairo_move_to(cr, x, y - 20.0 * s);
     cairo_line_to(cr, x + 9.0 * s, y + 10.0 * s);
     cairo_line_to(cr, x, y + 4.0 * s);
     cairo_line_to(cr, x - 9.0 * s, y + 10.0 * s);
     cairo_close_path(cr);
-    canvas.set_color(kLine);
+    canvas.set_color(kForeground);
     cairo_fill_preserve(cr);
-    canvas.set_color(kRim);
+    canvas.set_color(kOutline);
     cairo_set_line_width(cr, 1.6 * s);
     cairo_stroke(cr);
-    canvas.label(x, y - 32.0 * s, "N", {16.0 * s, true, kLine, 0.0, 1});
+    canvas.label(x, y - 32.0 * s, "N", {16.0 * s, true, kForeground, 0.0, 1});
 }
 
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels) {
@@ -117,14 +117,14 @@ void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<cons
 void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
                  std::span<const WindowRect> windows) {
     const double s = canvas.scale();
-    const TextStyle style = {14.0 * s, true, kLine, 0.0, 1};
+    const TextStyle style = {14.0 * s, true, kForeground, 0.0, 1};
     std::vector<Eigen::Vector4d> taken;
     for (const WindowRect& window : windows) {
         taken.emplace_back(window.x, window.y, window.x + window.width, window.y + window.height);
     }
     for (const PixelLabel& label : labels) {
         const Eigen::Vector2d half = 0.5 * canvas.text_size(label.text, style) + Eigen::Vector2d(4, 2) * s;
-        if (const auto box = free_place(canvas, label.pixel, half, taken)) {
+        if (const auto box = free_box(canvas, label.pixel, half, taken)) {
             taken.push_back(*box);
             canvas.label(0.5 * (box->x() + box->z()), 0.5 * (box->y() + box->w()), label.text, style);
         }
@@ -139,34 +139,34 @@ void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowRect> 
         right = std::min(right, window.x);
     }
     if (right < 0.5 * canvas.width()) {
-        return;  // no room beside the windows of a small image
+        return;  // no room beside the windows
     }
     const double x = right - kEdge * s - radius;
     const double y = kEdge * s + radius;
     cairo_t* cr = canvas.cairo();
-    constexpr double kFullTurn = 6.283185307179586;
+    constexpr double kFullTurn = 2.0 * std::numbers::pi;
     canvas.set_color({0.05, 0.07, 0.09, 0.45});
     cairo_arc(cr, x, y, radius, 0.0, kFullTurn);
     cairo_fill_preserve(cr);
-    canvas.set_color(kLine);
+    canvas.set_color(kForeground);
     cairo_set_line_width(cr, 2.0 * s);
     cairo_stroke(cr);
     cairo_save(cr);
     cairo_translate(cr, x, y);
-    cairo_rotate(cr, yaw);  // who has turned left has north on the right
+    cairo_rotate(cr, yaw);  // after a left turn north is on the right
     for (const bool north : {true, false}) {
         const double tip = (north ? -0.82 : 0.82) * radius;
         cairo_move_to(cr, 0.0, tip);
         cairo_line_to(cr, 0.2 * radius, 0.0);
         cairo_line_to(cr, -0.2 * radius, 0.0);
         cairo_close_path(cr);
-        canvas.set_color(north ? kArrow : kLine);
+        canvas.set_color(north ? kArrow : kForeground);
         cairo_fill(cr);
     }
     cairo_restore(cr);
     const double letter = radius + 11.0 * s;
     canvas.label(x + letter * std::sin(yaw), y - letter * std::cos(yaw), "N",
-                 {13.0 * s, true, kLine, 0.0, 1});
+                 {13.0 * s, true, kForeground, 0.0, 1});
 }
 
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path) {
@@ -178,14 +178,14 @@ void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eige
             cairo_line_to(canvas.cairo(), pixel->x(), pixel->y());
         }
     }
-    stroke_twice(canvas, kPathColor, 2.6 * canvas.scale(), 2.2 * canvas.scale());
+    stroke_outlined(canvas, kPathColor, 2.6 * canvas.scale(), 2.2 * canvas.scale());
 }
 
 void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size) {
     cairo_t* cr = canvas.cairo();
     cairo_save(cr);
     cairo_translate(cr, x, y);
-    cairo_rotate(cr, -yaw);  // y runs down here
+    cairo_rotate(cr, -yaw);  // y points down
     cairo_move_to(cr, 0.0, -size);
     cairo_line_to(cr, 0.68 * size, 0.85 * size);
     cairo_line_to(cr, 0.0, 0.45 * size);

@@ -1,5 +1,7 @@
 #include "engine/render/overlay/minimap.h"
 
+#include <numbers>
+
 #include <cairo.h>
 
 #include "engine/render/overlay/map_marks.h"
@@ -8,9 +10,9 @@ namespace campuswalk::engine::render {
 namespace {
 
 // Pixels in an image 720 high.
-constexpr double kCircle = 88.0;
+constexpr double kRadius = 88.0;
 constexpr double kMargin = 26.0;
-constexpr double kFullTurn = 6.283185307179586;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
 
@@ -19,32 +21,32 @@ void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarStat
         return;
     }
     const double s = canvas.scale();
-    const double circle = kCircle * s;
-    const Eigen::Vector2d centre(kMargin * s + circle, canvas.height() - kMargin * s - circle);
+    const double radius = kRadius * s;
+    const Eigen::Vector2d centre(kMargin * s + radius, canvas.height() - kMargin * s - radius);
     const auto here = pixel_of(minimap.view, minimap.plan.width, minimap.plan.height, avatar.position);
     if (!here) {
         return;
     }
     cairo_t* cr = canvas.cairo();
-    canvas.set_color({0, 0, 0, 0.28});  // a soft edge against bright ground
-    cairo_arc(cr, centre.x(), centre.y() + 1.5 * s, circle + 4.0 * s, 0.0, kFullTurn);
+    canvas.set_color({0, 0, 0, 0.28});  // soft edge against bright ground
+    cairo_arc(cr, centre.x(), centre.y() + 1.5 * s, radius + 4.0 * s, 0.0, kFullTurn);
     cairo_fill(cr);
 
     cairo_save(cr);
-    cairo_arc(cr, centre.x(), centre.y(), circle, 0.0, kFullTurn);
+    cairo_arc(cr, centre.x(), centre.y(), radius, 0.0, kFullTurn);
     cairo_clip_preserve(cr);
-    canvas.set_color({0.797, 0.803, 0.791, 1.0});  // beyond the campus: as plans have it
+    canvas.set_color({0.797, 0.803, 0.791, 1.0});  // beyond the campus, same as on plans
     cairo_fill(cr);
     const double metres_per_plan_pixel = minimap.view.height / minimap.plan.height;
-    const double scale = circle / minimap.radius * metres_per_plan_pixel;
+    const double scale = radius / minimap.radius * metres_per_plan_pixel;
     canvas.draw_image(minimap.plan, scale, centre - scale * *here);
     cairo_restore(cr);
 
     canvas.set_color({1, 1, 1, 0.92});
     cairo_set_line_width(cr, 2.4 * s);
-    cairo_arc(cr, centre.x(), centre.y(), circle, 0.0, kFullTurn);
+    cairo_arc(cr, centre.x(), centre.y(), radius, 0.0, kFullTurn);
     cairo_stroke(cr);
-    canvas.label(centre.x(), centre.y() - circle + 13.0 * s, "N", {12.0 * s, true, {1, 1, 1, 1}, 0.0, 1});
+    canvas.label(centre.x(), centre.y() - radius + 13.0 * s, "N", {12.0 * s, true, {1, 1, 1, 1}, 0.0, 1});
     draw_heading_arrow(canvas, centre.x(), centre.y(), avatar.yaw, 11.0 * s);
 }
 

@@ -9,15 +9,15 @@
 
 namespace campuswalk::engine::render {
 
-/// A round map, north up, in the lower left corner: the surroundings of the avatar and where it looks. The
-/// map is cut from one image of the campus that is drawn once.
+/// A round north-up map around the avatar in the lower left corner, cut from a plan of the campus that is
+/// drawn once.
 struct Minimap {
     Image plan;
-    Viewpoint view;        ///< that `plan` was drawn with; orthographic
-    double radius = 70.0;  ///< metres that the circle shows around the avatar
+    Viewpoint view;        ///< orthographic view of `plan`
+    double radius = 70.0;  ///< metres around the avatar
 };
 
-/// The smallest canvas height that still has room for it, pixels.
+/// The minimum canvas height with room for a minimap, pixels.
 constexpr int kSmallestMinimapImage = 240;
 
 void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarState& avatar);

@@ -1,12 +1,13 @@
 #include "engine/render/overlay/walk_trail.h"
 
+#include <numbers>
+
 namespace campuswalk::engine::render {
 namespace {
 
 constexpr double kPathSpacing = 0.5;  // metres
-constexpr double kStepLength = 0.75;  // metres, of a person's pace: half a turn of the stride
-constexpr double kLeap = 2.0;         // metres in a tick: nobody walks so fast, it was a teleport
-constexpr double kPi = 3.141592653589793;
+constexpr double kStepLength = 0.75;  // metres: half a period of the gait
+constexpr double kMinTeleport = 2.0;  // metres per tick: more is a teleport
 
 }  // namespace
 
@@ -16,10 +17,10 @@ void WalkTrail::clear() {
 
 void WalkTrail::follow(const AvatarState& avatar) {
     const double moved = started_ ? (avatar.position - last_position_).norm() : 0.0;
-    if (!started_ || moved > kLeap) {
+    if (!started_ || moved > kMinTeleport) {
         path_.clear();
     }
-    moving_ = moved > 1e-4 && moved <= kLeap;
+    moving_ = moved > 1e-4 && moved <= kMinTeleport;
     walked_ += moving_ ? moved : 0.0;
     if (path_.empty() || (avatar.position - path_.back()).norm() >= kPathSpacing) {
         path_.push_back(avatar.position);
@@ -35,7 +36,7 @@ std::vector<Eigen::Vector3d> WalkTrail::path() const {
 }
 
 double WalkTrail::stride() const {
-    return moving_ ? kPi * walked_ / kStepLength : 0.0;
+    return moving_ ? std::numbers::pi * walked_ / kStepLength : 0.0;
 }
 
 }  // namespace campuswalk::engine::render

@@ -8,16 +8,16 @@
 
 namespace campuswalk::engine::render {
 
-/// The way an avatar has walked, for maps, and the phase of its step, for its figure.
+/// The path of an avatar, for maps, and the phase of its gait, for its figure.
 class WalkTrail {
 public:
     void clear();
-    /// The avatar at the end of a tick.
+    /// To be called after each tick.
     void follow(const AvatarState& avatar);
 
-    /// A point every half metre since the last leap, then where the avatar is.
+    /// A point every half metre since the last teleport, then the current position.
     std::vector<Eigen::Vector3d> path() const;
-    /// Radians; 0 while it stands.
+    /// Phase in radians; 0 while standing.
     double stride() const;
 
 private:

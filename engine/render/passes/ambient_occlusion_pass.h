@@ -9,8 +9,8 @@
 
 namespace campuswalk::engine::render {
 
-/// Contact shading: a map, half as wide and high as the image, of how much ambient light reaches each place
-/// (1 all of it). Only for perspective cameras.
+/// Screen-space ambient occlusion: a half-resolution map of the share of ambient light that reaches each
+/// pixel's surface. Perspective cameras only.
 class AmbientOcclusionPass {
 public:
     /// The arguments must outlive this.
@@ -19,18 +19,18 @@ public:
     AmbientOcclusionPass& operator=(const AmbientOcclusionPass&) = delete;
     ~AmbientOcclusionPass();
 
-    /// Makes the map fit images of `width` x `height` pixels; before `draw` or `clear_to_unoccluded`.
-    void fit(int width, int height);
+    /// Allocates the map for images of `width` x `height` pixels; before `draw` or `clear_to_unoccluded`.
+    void resize(int width, int height);
 
-    /// Draws the map for what `view` sees; `radius` in metres. `figure` (null for none) counts too.
+    /// Draws the map for `view`; `radius` in metres. `figure`, if not null, occludes too.
     void draw(const GpuCampus& campus, const GpuMesh* figure, std::size_t figure_indices,
               const Viewpoint& view, const Eigen::Matrix4d& clip_campus, double radius) const;
 
-    /// Makes the map say that all light reaches everything. A plain white texture would do, but of another
-    /// format: the driver compiles every shader again for that, which takes longer than drawing an image.
+    /// Clears the map to 1. (A constant white texture has another format, for which the driver would
+    /// recompile every shader: slower than drawing an image.)
     void clear_to_unoccluded() const;
 
-    /// Sets the surface shader's uniforms; binds the map to texture unit 3.
+    /// Sets the surface program's uniforms and binds the map to texture unit 3.
     void bind(const ShaderProgram& surface) const;
 
 private:
@@ -38,10 +38,10 @@ private:
         GLuint texture = 0;
         GLuint framebuffer = 0;
     };
-    void free_layers() const;
+    void delete_layers() const;
     Layer make_layer(GLenum format, GLenum attachment) const;
     void blur(const Layer& from, const Layer& to, const Eigen::Vector2i& axis) const;
-    void fill(const Layer& layer) const;
+    void draw_full_screen(const Layer& layer) const;
 
     const GlFunctions& gl_;
     const ShaderProgram& opaque_;
@@ -54,8 +54,8 @@ private:
     int height_ = 0;
     Layer depth_;
     Layer raw_;
-    Layer half_smooth_;
-    Layer smooth_;
+    Layer half_blurred_;
+    Layer blurred_;
     GLuint no_vertices_ = 0;
 };
 

@@ -10,10 +10,71 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr GLint kNodeUnit = 4;
-constexpr std::size_t kNodeColumns = 4096;  // every driver has textures as wide
+constexpr std::string_view kDefineCutout = "#define CUTOUT\n";
+constexpr std::string_view kDefineSeeThrough = "#define SEE_THROUGH\n";
 
-// The framebuffer of one image: a buffer for each channel that is wanted, and the depth test's own.
+constexpr std::string_view kChannelVertex = R"(
+layout(location = 0) in vec3 vertex_position;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 2) in vec2 vertex_uv;
+layout(location = 3) in vec4 vertex_color;
+uniform mat4 clip_campus;
+uniform vec4 camera_plane;    // dot product with a position = distance along the camera axis
+uniform usampler2D node_map;  // one texel per vertex
+uniform int has_node;         // 0 for the avatar, whose vertices have no node
+flat out uint node;
+out float camera_depth;
+out vec3 normal;
+out vec2 uv;
+out float alpha;
+
+void main() {
+    int columns = textureSize(node_map, 0).x;
+    uint own = texelFetch(node_map, ivec2(gl_VertexID % columns, gl_VertexID / columns), 0).r;
+    node = has_node == 0 ? 0u : (instance_node != 0u ? instance_node : own);
+    vec4 position = vec4(instance_position(vertex_position), 1.0);
+    camera_depth = dot(camera_plane, position);
+    normal = instance_normal(vertex_normal);
+    uv = vertex_uv;
+    alpha = vertex_color.a;
+    gl_Position = clip_campus * position;
+}
+)";
+
+constexpr std::string_view kChannelFragment = R"(
+flat in uint node;
+in float camera_depth;
+in vec3 normal;
+in vec2 uv;
+in float alpha;
+layout(location = 0) out uint node_out;
+layout(location = 1) out float depth_out;
+layout(location = 2) out vec4 normal_out;
+uniform sampler2D base_color_map;
+uniform vec4 base_color;
+uniform float alpha_cutoff;
+
+void main() {
+#if defined(CUTOUT)
+    if (base_color.a * alpha * texture(base_color_map, uv).a < alpha_cutoff) {
+        discard;
+    }
+#elif defined(SEE_THROUGH)
+    if (base_color.a * alpha * texture(base_color_map, uv).a < 0.5) {
+        discard;
+    }
+#endif
+    node_out = node;
+    depth_out = camera_depth;
+    vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+    normal_out = vec4((128.0 + 127.0 * n) / 255.0, 1.0);
+}
+)";
+
+constexpr GLint kNodeUnit = 4;
+constexpr std::size_t kNodeColumns = 4096;  // every driver supports textures this wide
+
+// The framebuffer of one image: a buffer per requested channel, and the depth buffer.
 class ChannelBuffers {
 public:
     ChannelBuffers(const GlFunctions& gl, int width, int height, const ChannelChoice& choice)
@@ -32,7 +93,7 @@ public:
         attach(buffers_[3], GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
         gl.DrawBuffers(static_cast<GLsizei>(drawn.size()), drawn.data());
         if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            throw RenderError("the OpenGL driver can't draw channels of " + std::to_string(width) + "x" +
+            throw RenderError("the OpenGL driver can't render channels of " + std::to_string(width) + "x" +
                               std::to_string(height) + " pixels");
         }
         clear(wanted);
@@ -45,8 +106,8 @@ public:
     }
 
     template <typename Value>
-    std::vector<Value> read(GLuint channel, GLenum format, GLenum type, std::size_t values_a_pixel) const {
-        const std::size_t row = values_a_pixel * static_cast<std::size_t>(width_);
+    std::vector<Value> read(GLuint channel, GLenum format, GLenum type, std::size_t values_per_pixel) const {
+        const std::size_t row = values_per_pixel * static_cast<std::size_t>(width_);
         std::vector<Value> values(row * static_cast<std::size_t>(height_));
         gl_.ReadBuffer(GL_COLOR_ATTACHMENT0 + channel);
         gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -90,7 +151,7 @@ private:
     std::array<GLuint, 4> buffers_ = {0, 0, 0, 0};  // nodes, depth, normals, depth test
 };
 
-/// Numbers don't depend on what a surface is made of.
+/// Channels need the same program for every material.
 ProgramSelector always(const ShaderProgram& program) {
     return [&program](const scene::Material&) -> const ShaderProgram& { return program; };
 }
@@ -107,8 +168,8 @@ Image opaque_image(int width, int height, std::vector<std::uint8_t> rgba) {
 ChannelPass::ChannelPass(const GlFunctions& gl, const CampusGeometry& geometry)
     : gl_(gl),
       opaque_(program("opaque channels", "")),
-      cutout_(program("cut-out channels", shaders::kDefineCutout)),
-      see_through_(program("see-through channels", shaders::kDefineSeeThrough)) {
+      cutout_(program("cut-out channels", kDefineCutout)),
+      see_through_(program("see-through channels", kDefineSeeThrough)) {
     upload_nodes(geometry);
 }
 
@@ -119,8 +180,8 @@ ChannelPass::~ChannelPass() {
 ShaderProgram ChannelPass::program(const char* name, std::string_view define) const {
     return {gl_,
             name,
-            {shaders::kVersion, shaders::kInstanceChunk, shaders::kChannelVertex},
-            {shaders::kVersion, define, shaders::kChannelFragment}};
+            {shaders::kVersion, shaders::kInstanceChunk, kChannelVertex},
+            {shaders::kVersion, define, kChannelFragment}};
 }
 
 void ChannelPass::upload_nodes(const CampusGeometry& geometry) {
@@ -130,7 +191,7 @@ void ChannelPass::upload_nodes(const CampusGeometry& geometry) {
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most_rows);
     if (rows > static_cast<std::size_t>(most_rows)) {
         throw RenderError("a campus of " + std::to_string(geometry.vertices.size()) +
-                          " vertices is too large for channels: at most " +
+                          " vertices is too large for channels: the maximum is " +
                           std::to_string(kNodeColumns * static_cast<std::size_t>(most_rows)));
     }
     std::vector<std::uint32_t> numbers(rows * kNodeColumns, 0);
@@ -158,7 +219,7 @@ void ChannelPass::begin(const ShaderProgram& program, const Viewpoint& view,
     program.set("camera_plane", plane);
     program.set("base_color_map", 0);
     program.set("node_map", kNodeUnit);
-    program.set("numbered", 1);
+    program.set("has_node", 1);
     gl_.ActiveTexture(GL_TEXTURE0 + kNodeUnit);
     gl_.BindTexture(GL_TEXTURE_2D, nodes_);
 }
@@ -170,11 +231,11 @@ Channels ChannelPass::draw(const ChannelScene& scene, const Viewpoint& view,
     const Frustum frustum(clip_campus);
     begin(opaque_, view, clip_campus, eye);
     if (scene.figure != nullptr) {
-        opaque_.set("numbered", 0);
+        opaque_.set("has_node", 0);
         scene.campus.set_plain_material(opaque_);
         scene.figure->bind();
         scene.figure->draw(0, scene.figure_indices);
-        opaque_.set("numbered", 1);
+        opaque_.set("has_node", 1);
     }
     scene.campus.draw_solid(always(opaque_), scene::AlphaMode::opaque, frustum, eye);
     begin(cutout_, view, clip_campus, eye);

@@ -10,24 +10,24 @@
 
 namespace campuswalk::engine::render {
 
-/// What is drawn into channels.
+/// What the channel pass draws.
 struct ChannelScene {
     const GpuCampus& campus;
     const GpuMesh* figure = nullptr;  ///< null for none
     std::size_t figure_indices = 0;
 };
 
-/// Draws channels. Lives as long as its context.
+/// Draws channels. Must not outlive its context.
 class ChannelPass {
 public:
-    /// Throws RenderError when the driver can't hold a number for each vertex.
+    /// Throws RenderError if the campus has too many vertices for the driver's texture size.
     ChannelPass(const GlFunctions& gl, const CampusGeometry& geometry);
     ChannelPass(const ChannelPass&) = delete;
     ChannelPass& operator=(const ChannelPass&) = delete;
     ~ChannelPass();
 
-    /// `clip_campus` and `eye` belong to `view`, both in the campus frame. The size must be one that a
-    /// RenderTarget can have.
+    /// `clip_campus` and `eye` are those of `view` in the campus frame. The size must be valid for a
+    /// RenderTarget.
     Channels draw(const ChannelScene& scene, const Viewpoint& view, const Eigen::Matrix4d& clip_campus,
                   const Eigen::Vector3d& eye, int width, int height, const ChannelChoice& choice) const;
 
@@ -41,7 +41,7 @@ private:
     ShaderProgram opaque_;
     ShaderProgram cutout_;
     ShaderProgram see_through_;
-    GLuint nodes_ = 0;  // texture: the node's number by vertex
+    GLuint nodes_ = 0;  // texture: node number per vertex
 };
 
 }  // namespace campuswalk::engine::render

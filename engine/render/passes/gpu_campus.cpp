@@ -10,18 +10,18 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// 0 to 4 are the base colour's, the shadows', the occlusion's and the channels'.
-constexpr GLint kGlowUnit = 5;
+// Units 0 to 4: base colour, shadow maps, ambient occlusion, channels.
+constexpr GLint kEmissiveUnit = 5;
 constexpr GLint kNormalUnit = 6;
-constexpr GLint kMetalUnit = 7;
+constexpr GLint kMetallicRoughnessUnit = 7;
 
-// The driver's threads fill the pixels of what has been handed over, while this one goes on with vertices.
-// Less at a time costs more than it brings.
-constexpr std::size_t kHandOver = std::size_t{3} * 5000;  // indices
+// After a flush the driver's threads rasterize while this thread goes on processing vertices. Smaller batches
+// cost more than they gain.
+constexpr std::size_t kFlushIndices = std::size_t{3} * 5000;  // indices
 
 using TextureUse = std::optional<scene::TextureIndex> scene::Material::*;
 
-/// One upload a texture and way of use: whole, as a cut-out, as numbers.
+/// Uploads each texture once per use: colour, cut-out or data.
 class TextureUploads {
 public:
     TextureUploads(const GlFunctions& gl, GLuint white) : gl_(gl), white_(white) {}
@@ -42,12 +42,12 @@ public:
         return name;
     }
 
-    GLuint numbers(const SurfaceMaterial& surface, TextureUse use) {
+    GLuint data(const SurfaceMaterial& surface, TextureUse use) {
         const scene::Texture* texture = texture_of(surface, use);
         if (texture == nullptr) {
             return white_;
         }
-        GLuint& name = numbers_[texture];
+        GLuint& name = data_[texture];
         if (name == 0) {
             name = upload_data_texture(gl_, *texture);
         }
@@ -68,18 +68,18 @@ private:
     GLuint white_;
     std::map<const scene::Texture*, GLuint> colors_;
     std::map<const scene::Texture*, GLuint> cutouts_;
-    std::map<const scene::Texture*, GLuint> numbers_;
+    std::map<const scene::Texture*, GLuint> data_;
 };
 
-void bind_image(const GlFunctions& gl, const ShaderProgram& surface, const char* uniform, GLint unit,
-                GLuint texture) {
+void bind_texture(const GlFunctions& gl, const ShaderProgram& surface, const char* uniform, GLint unit,
+                  GLuint texture) {
     gl.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
     gl.BindTexture(GL_TEXTURE_2D, texture);
     surface.set(uniform, unit);
 }
 
-void set_culling(const GlFunctions& gl, bool both_sides) {
-    (both_sides ? gl.Disable : gl.Enable)(GL_CULL_FACE);
+void set_culling(const GlFunctions& gl, bool double_sided) {
+    (double_sided ? gl.Disable : gl.Enable)(GL_CULL_FACE);
 }
 
 }  // namespace
@@ -95,10 +95,10 @@ GpuCampus::GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry)
     mesh_.upload_instances(geometry.instances);
     TextureUploads uploads(gl, white_);
     for (const SurfaceMaterial& surface : geometry.materials) {
-        images_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
-                           uploads.colors(surface, &scene::Material::emissive_texture),
-                           uploads.numbers(surface, &scene::Material::normal_texture),
-                           uploads.numbers(surface, &scene::Material::metallic_roughness_texture)});
+        textures_.push_back({uploads.colors(surface, &scene::Material::base_color_texture),
+                             uploads.colors(surface, &scene::Material::emissive_texture),
+                             uploads.data(surface, &scene::Material::normal_texture),
+                             uploads.data(surface, &scene::Material::metallic_roughness_texture)});
     }
 }
 
@@ -115,11 +115,11 @@ void GpuCampus::draw_depth(const ShaderProgram& opaque, const ShaderProgram& mas
         for (const Batch& batch : geometry_.batches) {
             const scene::Material& material = geometry_.materials[batch.material].material;
             if ((material.alpha_mode == scene::AlphaMode::mask) != cutouts ||
-                !frustum.may_show(batch.bounds)) {
+                !frustum.may_intersect(batch.bounds)) {
                 continue;
             }
             if (cutouts) {
-                gl_.BindTexture(GL_TEXTURE_2D, images_[batch.material].color);
+                gl_.BindTexture(GL_TEXTURE_2D, textures_[batch.material].color);
                 program.set("base_color", Eigen::Vector4d(1, 1, 1, material.base_color[3]));
                 program.set("alpha_cutoff", material.alpha_cutoff);
             }
@@ -136,31 +136,32 @@ void GpuCampus::set_plain_material(const ShaderProgram& surface) const {
     set_culling(gl_, false);
 }
 
-void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index, bool both_sides) const {
+void GpuCampus::set_material(const ShaderProgram& surface, std::size_t index, bool double_sided) const {
     const scene::Material& material = geometry_.materials[index].material;
-    const Images& images = images_[index];
+    const MaterialTextures& textures = textures_[index];
     const SurfaceKind kind = kind_of(material);
-    if (kind.glow_map) {
-        bind_image(gl_, surface, "glow_map", kGlowUnit, images.glow);
+    if (kind.emissive_map) {
+        bind_texture(gl_, surface, "emissive_map", kEmissiveUnit, textures.emissive);
     }
     if (kind.normal_map) {
-        bind_image(gl_, surface, "normal_map", kNormalUnit, images.normal);
+        bind_texture(gl_, surface, "normal_map", kNormalUnit, textures.normal);
         surface.set("normal_scale", material.normal_scale);
     }
-    if (kind.shiny) {
-        bind_image(gl_, surface, "metal_map", kMetalUnit, images.metal);
-        surface.set("metal_rough", Eigen::Vector2d(material.metallic, material.roughness));
+    if (kind.specular) {
+        bind_texture(gl_, surface, "metallic_roughness_map", kMetallicRoughnessUnit,
+                     textures.metallic_roughness);
+        surface.set("metallic_roughness", Eigen::Vector2d(material.metallic, material.roughness));
     }
     gl_.ActiveTexture(GL_TEXTURE0);
-    gl_.BindTexture(GL_TEXTURE_2D, images.color);
+    gl_.BindTexture(GL_TEXTURE_2D, textures.color);
     surface.set("base_color", Eigen::Vector4d(material.base_color[0], material.base_color[1],
                                               material.base_color[2], material.base_color[3]));
     surface.set("emissive",
                 Eigen::Vector3d(material.emissive[0], material.emissive[1], material.emissive[2]));
     surface.set("alpha_cutoff", material.alpha_cutoff);
-    // Translucent all over is glass or water far more often than not; an image with holes is not.
-    surface.set("glossy", material.base_color[3] < 1.0F ? 1.0 : 0.0);
-    set_culling(gl_, both_sides);
+    // Uniformly translucent surfaces are mostly glass or water; a texture with holes is not.
+    surface.set("reflective", material.base_color[3] < 1.0F ? 1.0 : 0.0);
+    set_culling(gl_, double_sided);
 }
 
 void GpuCampus::draw_solid(const ProgramSelector& program_of, scene::AlphaMode mode, const Frustum& frustum,
@@ -168,28 +169,28 @@ void GpuCampus::draw_solid(const ProgramSelector& program_of, scene::AlphaMode m
     std::vector<std::pair<double, const Batch*>> order;
     for (const Batch& batch : geometry_.batches) {
         if (geometry_.materials[batch.material].material.alpha_mode == mode &&
-            frustum.may_show(batch.bounds)) {
+            frustum.may_intersect(batch.bounds)) {
             order.emplace_back(batch.bounds.squaredExteriorDistance(eye), &batch);
         }
     }
     std::ranges::stable_sort(order, {}, [](const auto& entry) { return entry.first; });
     mesh_.bind();
-    std::size_t waiting = 0;
+    std::size_t unflushed = 0;
     for (const auto& [distance, batch] : order) {
-        if (depth != nullptr && depth->hides(batch->bounds)) {
+        if (depth != nullptr && depth->occludes(batch->bounds)) {
             continue;
         }
         const ShaderProgram& surface = program_of(geometry_.materials[batch->material].material);
         surface.use();
-        set_material(surface, batch->material, batch->both_sides);
+        set_material(surface, batch->material, batch->double_sided);
         mesh_.draw(*batch);
         const std::size_t indices = batch->count * batch->instances;
-        waiting += indices;
-        if (waiting >= kHandOver) {
+        unflushed += indices;
+        if (unflushed >= kFlushIndices) {
             gl_.Flush();
-            waiting = 0;
+            unflushed = 0;
         }
-        if (depth != nullptr && depth->drawn(indices)) {
+        if (depth != nullptr && depth->count_drawn(indices)) {
             mesh_.bind();
         }
     }
@@ -201,10 +202,10 @@ void GpuCampus::draw_blend(const ProgramSelector& program_of, const Frustum& fru
     const Eigen::Vector3f from = eye.cast<float>();
     for (const BlendTriangle& triangle : geometry_.blend) {
         Eigen::AlignedBox3d box;
-        for (const std::uint32_t corner : triangle.corners) {
-            box.extend(Eigen::Vector3f(geometry_.vertices[corner].position.data()).cast<double>());
+        for (const std::uint32_t vertex : triangle.vertices) {
+            box.extend(Eigen::Vector3f(geometry_.vertices[vertex].position.data()).cast<double>());
         }
-        if (frustum.may_show(box)) {
+        if (frustum.may_intersect(box)) {
             order.emplace_back(-(triangle.centre - from).squaredNorm(), &triangle);
         }
     }
@@ -214,7 +215,7 @@ void GpuCampus::draw_blend(const ProgramSelector& program_of, const Frustum& fru
     std::ranges::stable_sort(order, {}, [](const auto& entry) { return entry.first; });
     std::vector<std::uint32_t> indices;
     for (const auto& [distance, triangle] : order) {
-        indices.insert(indices.end(), triangle->corners.begin(), triangle->corners.end());
+        indices.insert(indices.end(), triangle->vertices.begin(), triangle->vertices.end());
     }
     blend_mesh_.upload_indices(indices);
     std::size_t first = 0;

@@ -12,50 +12,49 @@
 
 namespace campuswalk::engine::render {
 
-/// Which program draws a material.
+/// Selects the program that draws a material.
 using ProgramSelector = std::function<const ShaderProgram&(const scene::Material&)>;
 
-/// The campus in the driver's memory and the ways to draw it. Lives as long as its context.
+/// The campus in GPU memory, and how to draw it. Must not outlive its context.
 class GpuCampus {
 public:
     /// `geometry` must outlive this.
     GpuCampus(const GlFunctions& gl, const CampusGeometry& geometry);
 
-    /// Depth of everything that is not see-through: `opaque` for whole surfaces, `masked` for cut-outs. Sets
-    /// `clip_campus` in both.
+    /// Draws the depth of all opaque and masked surfaces, each with its program. Sets `clip_campus` in both.
     void draw_depth(const ShaderProgram& opaque, const ShaderProgram& masked,
                     const Eigen::Matrix4d& clip_campus) const;
 
-    /// Surfaces of one alpha mode, opaque or mask, those nearest to `eye` (campus frame) first. `program_of`
-    /// is asked for each material that is drawn, and must have set what isn't the material's. `depth`, null
-    /// for none, leaves out what is hidden.
+    /// Draws the surfaces of one alpha mode (opaque or mask) front to back from `eye` (campus frame).
+    /// `program_of` must return a program whose uniforms are set except for the material's. `depth`, if not
+    /// null, culls occluded batches.
     void draw_solid(const ProgramSelector& program_of, scene::AlphaMode mode, const Frustum& frustum,
                     const Eigen::Vector3d& eye, HierarchicalZ* depth = nullptr) const;
 
-    /// See-through triangles, the farthest from `eye` first.
+    /// Draws blended triangles back to front from `eye`.
     void draw_blend(const ProgramSelector& program_of, const Frustum& frustum,
                     const Eigen::Vector3d& eye) const;
 
-    /// For drawing a mesh without a texture of its own.
+    /// For drawing a mesh without a material.
     void set_plain_material(const ShaderProgram& surface) const;
 
 private:
     /// The textures of one material.
-    struct Images {
+    struct MaterialTextures {
         GLuint color = 0;
-        GLuint glow = 0;
+        GLuint emissive = 0;
         GLuint normal = 0;
-        GLuint metal = 0;
+        GLuint metallic_roughness = 0;
     };
 
-    void set_material(const ShaderProgram& surface, std::size_t material, bool both_sides) const;
+    void set_material(const ShaderProgram& surface, std::size_t material, bool double_sided) const;
 
     const GlFunctions& gl_;
     const CampusGeometry& geometry_;
     GpuMesh mesh_;
     GpuMesh blend_mesh_;
     GLuint white_ = 0;
-    std::vector<Images> images_;  // one a material
+    std::vector<MaterialTextures> textures_;  // one a material
 };
 
 }  // namespace campuswalk::engine::render

@@ -5,25 +5,59 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// A look makes the driver finish what it has been given, and takes a millisecond or two. The first comes when
-// the near ground and walls are there, which hide most of what can be hidden; each other after twice as much.
-constexpr std::size_t kFirstLook = std::size_t{3} * 15000;  // indices
+constexpr std::string_view kDefineMultisampled = "#define MULTISAMPLED\n";
+
+// The farthest depth (the smallest, as depth is reversed) over a tile's pixels and all their samples.
+constexpr std::string_view kFarthestFragment = R"(
+#if defined(MULTISAMPLED)
+uniform sampler2DMS depth_map;
+#else
+uniform sampler2D depth_map;
+#endif
+uniform ivec2 tile;  // pixels
+uniform ivec2 last;  // pixel
+out vec4 fragment;
+
+float farthest_at(ivec2 pixel) {
+#if defined(MULTISAMPLED)
+    return min(min(texelFetch(depth_map, pixel, 0).r, texelFetch(depth_map, pixel, 1).r),
+               min(texelFetch(depth_map, pixel, 2).r, texelFetch(depth_map, pixel, 3).r));
+#else
+    return texelFetch(depth_map, pixel, 0).r;
+#endif
+}
+
+void main() {
+    ivec2 first = ivec2(gl_FragCoord.xy) * tile;
+    float farthest = 1.0;
+    for (int y = 0; y < tile.y; ++y) {
+        for (int x = 0; x < tile.x; ++x) {
+            farthest = min(farthest, farthest_at(min(first + ivec2(x, y), last)));
+        }
+    }
+    fragment = vec4(farthest);
+}
+)";
+
+// A readback stalls the pipeline for a millisecond or two. The first comes once the nearby ground and walls,
+// which occlude most, have been drawn; the interval then doubles.
+constexpr std::size_t kFirstReadback = std::size_t{3} * 15000;  // indices
 
 }  // namespace
 
 HierarchicalZ::HierarchicalZ(const GlFunctions& gl, int samples)
     : gl_(gl),
-      farthest_(gl, "farthest depth", {shaders::kVersion, shaders::kScreenChunk, shaders::kScreenVertex},
-                {shaders::kVersion, samples > 1 ? shaders::kDefineMultisampled : std::string_view(),
-                 shaders::kFarthestFragment}) {
+      farthest_(
+          gl, "farthest depth", {shaders::kVersion, shaders::kScreenChunk, shaders::kScreenVertex},
+          {shaders::kVersion, samples > 1 ? kDefineMultisampled : std::string_view(), kFarthestFragment}) {
     gl.GenVertexArrays(1, &no_vertices_);
 }
 
 HierarchicalZ::~HierarchicalZ() {
-    free_tiles();
+    delete_tiles();
 }
 
-void HierarchicalZ::free_tiles() {
+void HierarchicalZ::delete_tiles() {
     gl_.DeleteFramebuffers(1, &framebuffer_);
     gl_.DeleteTextures(1, &texture_);
 }
@@ -32,7 +66,7 @@ void HierarchicalZ::fit(int width, int height) {
     if (width == image_width_ && height == image_height_) {
         return;
     }
-    free_tiles();
+    delete_tiles();
     image_width_ = width;
     image_height_ = height;
     columns_ = (width + DepthTiles::kTileWidth - 1) / DepthTiles::kTileWidth;
@@ -53,25 +87,25 @@ void HierarchicalZ::begin(const RenderTarget& target, const Eigen::Matrix4d& cli
     clip_campus_ = clip_campus;
     tiles_.farthest.clear();
     drawn_ = 0;
-    next_look_ = kFirstLook;
+    next_readback_ = kFirstReadback;
 }
 
-bool HierarchicalZ::hides(const Eigen::AlignedBox3d& box) const {
-    return !tiles_.empty() && tiles_.hide(box, clip_campus_, target_->width(), target_->height());
+bool HierarchicalZ::occludes(const Eigen::AlignedBox3d& box) const {
+    return !tiles_.empty() && tiles_.occlude(box, clip_campus_, target_->width(), target_->height());
 }
 
-bool HierarchicalZ::drawn(std::size_t indices) {
+bool HierarchicalZ::count_drawn(std::size_t indices) {
     drawn_ += indices;
-    if (drawn_ < next_look_) {
+    if (drawn_ < next_readback_) {
         return false;
     }
-    look();
+    read_back();
     drawn_ = 0;
-    next_look_ *= 2;
+    next_readback_ *= 2;
     return true;
 }
 
-void HierarchicalZ::look() {
+void HierarchicalZ::read_back() {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.Viewport(0, 0, columns_, rows_);
     gl_.Disable(GL_DEPTH_TEST);

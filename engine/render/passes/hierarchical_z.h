@@ -12,41 +12,40 @@
 
 namespace campuswalk::engine::render {
 
-/// Looks at the depth of an image between what is near and what is far, so that the far things that can't be
-/// seen any more are left out. The image's pixels are the same with and without: what is left out would
-/// fail every depth test.
+/// Occlusion culling: reads back the depth of the front-to-back drawn image at intervals, so that occluded
+/// batches can be skipped. Pixels don't change: whatever is culled would fail every depth test.
 class HierarchicalZ {
 public:
-    /// `samples` a pixel, those of the targets.
+    /// `samples` per pixel of the render targets.
     HierarchicalZ(const GlFunctions& gl, int samples);
     HierarchicalZ(const HierarchicalZ&) = delete;
     HierarchicalZ& operator=(const HierarchicalZ&) = delete;
     ~HierarchicalZ();
 
-    /// A new image, a perspective that `clip_campus` makes: nothing is hidden yet. `target` must live as
-    /// long as it is drawn.
+    /// Starts a new image, with nothing occluded yet. `clip_campus` must be a perspective projection;
+    /// `target` must outlive the drawing of the image.
     void begin(const RenderTarget& target, const Eigen::Matrix4d& clip_campus);
 
-    /// Whether all of the box is behind what had been drawn when it was looked last.
-    bool hides(const Eigen::AlignedBox3d& box) const;
+    /// Whether the whole box was occluded at the latest readback.
+    bool occludes(const Eigen::AlignedBox3d& box) const;
 
-    /// So many more indices have been drawn. When it is time to look again it does, and says so: then another
-    /// program and other vertices are bound than before, and texture unit 0 has another texture.
-    bool drawn(std::size_t indices);
+    /// To be called after each draw call. Returns true after a readback, which changes the bound program,
+    /// vertex array and texture unit 0.
+    bool count_drawn(std::size_t indices);
 
 private:
-    void look();
+    void read_back();
     void fit(int width, int height);
-    void free_tiles();
+    void delete_tiles();
 
     const GlFunctions& gl_;
     ShaderProgram farthest_;
     const RenderTarget* target_ = nullptr;
     Eigen::Matrix4d clip_campus_ = Eigen::Matrix4d::Identity();
     DepthTiles tiles_;
-    std::size_t drawn_ = 0;      ///< indices since the last look
-    std::size_t next_look_ = 0;  ///< after so many
-    int image_width_ = 0;        ///< that the tiles fit
+    std::size_t drawn_ = 0;          ///< indices since the last readback
+    std::size_t next_readback_ = 0;  ///< threshold for drawn_
+    int image_width_ = 0;            ///< size that the tiles were allocated for
     int image_height_ = 0;
     int columns_ = 0;
     int rows_ = 0;

@@ -8,16 +8,16 @@ namespace {
 constexpr int kMsaaSamples = 4;
 
 template <typename Value>
-void replace(Value& value, const std::optional<Value>& by) {
-    if (by) {
-        value = *by;
+void assign_if_set(Value& value, const std::optional<Value>& replacement) {
+    if (replacement) {
+        value = *replacement;
     }
 }
 
-void set_anti_aliasing(AntiAliasing how, RenderSettings& settings) {
-    settings.samples = how == AntiAliasing::msaa ? kMsaaSamples : 1;
-    settings.fxaa = how == AntiAliasing::fxaa;
-    settings.supersampling = how == AntiAliasing::supersampling ? 2 : 1;
+void set_anti_aliasing(AntiAliasing method, RenderSettings& settings) {
+    settings.samples = method == AntiAliasing::msaa ? kMsaaSamples : 1;
+    settings.fxaa = method == AntiAliasing::fxaa;
+    settings.supersampling = method == AntiAliasing::supersampling ? 2 : 1;
 }
 
 }  // namespace
@@ -31,17 +31,17 @@ RenderSettings apply_light(const RenderSettings& base, const LightSettings& ligh
         settings.to_sun = {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                            -std::cos(elevation) * std::cos(azimuth)};
     }
-    replace(settings.sun_color, light.sun_color);
-    replace(settings.sun_disc, light.sun_disc);
-    replace(settings.zenith_color, light.zenith_color);
-    replace(settings.horizon_color, light.horizon_color);
-    replace(settings.sky_light, light.sky_light);
-    replace(settings.ground_light, light.ground_light);
-    replace(settings.room_light, light.room_light);
-    replace(settings.glow, light.glow);
-    replace(settings.fog_distance, light.fog_distance);
-    replace(settings.shadows, light.shadows);
-    replace(settings.ambient_occlusion_radius, light.ambient_occlusion);
+    assign_if_set(settings.sun_color, light.sun_color);
+    assign_if_set(settings.sun_disc, light.sun_disc);
+    assign_if_set(settings.zenith_color, light.zenith_color);
+    assign_if_set(settings.horizon_color, light.horizon_color);
+    assign_if_set(settings.sky_light, light.sky_light);
+    assign_if_set(settings.ground_light, light.ground_light);
+    assign_if_set(settings.room_light, light.room_light);
+    assign_if_set(settings.glow, light.glow);
+    assign_if_set(settings.fog_distance, light.fog_distance);
+    assign_if_set(settings.shadows, light.shadows);
+    assign_if_set(settings.ambient_occlusion_radius, light.ambient_occlusion);
     if (light.anti_aliasing) {
         set_anti_aliasing(*light.anti_aliasing, settings);
     }

@@ -5,7 +5,7 @@
 
 namespace campuswalk::engine::render {
 
-/// `base` with what `light` says in the place of its own.
+/// `base`, overridden by whatever `light` sets.
 RenderSettings apply_light(const RenderSettings& base, const LightSettings& light);
 
 }  // namespace campuswalk::engine::render

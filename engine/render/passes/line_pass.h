@@ -10,13 +10,13 @@
 
 namespace campuswalk::engine::render {
 
-/// Draws lines into a finished image: plainly where they can be seen, faintly where something hides them.
-/// Lives as long as its context.
+/// Draws lines over a finished image: in full where visible, faintly where occluded. Must not outlive its
+/// context.
 class LinePass {
 public:
     explicit LinePass(const GlFunctions& gl);
 
-    /// `clip_campus` is for places counted from `origin` (world); the image's target must be bound.
+    /// `origin` (world frame) is the campus frame's; the render target must be bound.
     void draw(std::span<const OverlayLine> lines, const Eigen::Matrix4d& clip_campus,
               const Eigen::Vector3d& origin, int width, int height) const;
 

@@ -6,10 +6,10 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// What floors get more of the light in a room, and ceilings less: treads and risers must differ.
-constexpr double kLampsAbove = 0.18;
+// Extra indoor light on floors, subtracted on ceilings, so that treads and risers differ.
+constexpr double kIndoorGradient = 0.18;
 
-// The shortest decimal that is the same float again; never an int, which GLSL keeps apart.
+// The shortest decimal that round-trips the float; never an int literal, which is another type in GLSL.
 std::string literal(double value) {
     std::array<char, 32> digits{};
     const auto end =
@@ -47,7 +47,7 @@ ShaderConstants& ShaderConstants::add(std::string_view name, const Eigen::Vector
     return *this;
 }
 
-// Columns one after the other, in Eigen as in GLSL.
+// Column-major, in Eigen as in GLSL.
 ShaderConstants& ShaderConstants::add(std::string_view name, const Eigen::Matrix3d& value) {
     declare("mat3", name, value.data(), value.size());
     return *this;
@@ -67,12 +67,12 @@ ShaderConstants light_constants(const RenderSettings& settings) {
         .add("zenith_color", settings.zenith_color)
         .add("horizon_color", settings.horizon_color)
         .add("sky_light", settings.sky_light)
-        .add("ambient_middle", Eigen::Vector3d(0.5 * (settings.sky_light + settings.ground_light)))
-        .add("ambient_rise", Eigen::Vector3d(0.5 * (settings.sky_light - settings.ground_light)))
+        .add("ambient_mean", Eigen::Vector3d(0.5 * (settings.sky_light + settings.ground_light)))
+        .add("ambient_gradient", Eigen::Vector3d(0.5 * (settings.sky_light - settings.ground_light)))
         .add("side_axis", Eigen::Vector3d(settings.side_light * level.normalized()))
         .add("room_light", settings.room_light)
-        .add("lamps_above", kLampsAbove)
-        .add("glow_scale", settings.glow);
+        .add("indoor_gradient", kIndoorGradient)
+        .add("emissive_scale", settings.glow);
     return constants;
 }
 

@@ -9,9 +9,9 @@
 
 namespace campuswalk::engine::render {
 
-/// Declarations of GLSL constants, to go before the shaders that use them. What is the same for all images
-/// of a renderer is a constant, not a uniform: llvmpipe 22.3 reads each number of a uniform once for each of
-/// a group's eight pixels, 27 instructions, and had spent half of a surface's time on that.
+/// GLSL constant declarations, to precede the shaders that use them. Whatever is the same for all images of a
+/// renderer is a constant, not a uniform: llvmpipe 22.3 reloads uniforms for each pixel of a group of eight
+/// (27 instructions each), which took half of a surface's time.
 class ShaderConstants {
 public:
     ShaderConstants& add(std::string_view name, double value);
@@ -28,7 +28,7 @@ private:
     std::string text_;
 };
 
-/// What the air chunk and the surfaces want to know of the light.
+/// The lighting constants of the sky chunk and the surface shaders.
 ShaderConstants light_constants(const RenderSettings& settings);
 
 }  // namespace campuswalk::engine::render

@@ -8,18 +8,18 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Of the near map, from its middle: at its rim the taps would reach into the other map.
-constexpr double kNearReach = 0.49;
-// Where a surface's light is looked up: so many texels off it, along its normal.
-constexpr double kLift = 1.6;
-// The taps' distance from there on both axes, texels.
-constexpr double kTap = 0.85;
-// A place in the texture that no surface has.
-constexpr double kNowhere = -1000.0;
+// Usable half extent of the near map: at its border the PCF samples would reach into the far map.
+constexpr double kNearHalfExtent = 0.49;
+// Texels that the lookup position is moved along the surface normal, against self-shadowing.
+constexpr double kNormalOffset = 1.6;
+// Offset of the four PCF samples on both axes, texels.
+constexpr double kPcfOffset = 0.85;
+// Texture coordinates that no surface has.
+constexpr double kOutsideTexture = -1000.0;
 
-// The sun sees the box from `low` to `high` of its frame; depth 0 is the side towards it.
-void aim(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vector3d& low,
-         const Eigen::Vector3d& high) {
+// Projects the box from `low` to `high` (sun frame); depth 0 is the side towards the sun.
+void fit_to_box(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vector3d& low,
+                const Eigen::Vector3d& high) {
     const Eigen::Vector3d size = (high - low).cwiseMax(1.0);
     Eigen::Matrix4d clip_sun = Eigen::Matrix4d::Identity();
     for (int i = 0; i < 2; ++i) {
@@ -34,7 +34,7 @@ void aim(ShadowMap& map, const Eigen::Matrix3d& R_sun_campus, const Eigen::Vecto
     map.metres_per_texel = std::max(size.x(), size.y()) / map.size;
 }
 
-// Clip coordinates run from -1 to 1, shares of a map from 0 to 1.
+// From clip coordinates (-1 to 1) to coordinates within a map (0 to 1).
 Eigen::Matrix4d unit_from_clip() {
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
     m(0, 0) = m(1, 1) = 0.5;
@@ -62,7 +62,7 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, const RenderSettings& settings, co
     if (box.isEmpty()) {
         box.extend(Eigen::Vector3d::Zero());
     }
-    // A margin in depth: avatars stand on the campus, not in its box.
+    // A margin in depth, as the avatar may stand outside the bounds of the campus.
     lowest_ = box.min() - Eigen::Vector3d(0, 0, 3);
     highest_ = box.max() + Eigen::Vector3d(0, 0, 3);
     if (!settings.shadows) {
@@ -72,8 +72,8 @@ ShadowMaps::ShadowMaps(const GlFunctions& gl, const RenderSettings& settings, co
     near_.size = settings.near_shadow_size;
     near_.left = far_.size;
     make_texture();
-    aim(far_, R_sun_campus_, lowest_, highest_);
-    aim_near(Eigen::Vector3d::Zero());
+    fit_to_box(far_, R_sun_campus_, lowest_, highest_);
+    fit_near(Eigen::Vector3d::Zero());
     draw(far_, nullptr, 0);
 }
 
@@ -101,14 +101,14 @@ void ShadowMaps::make_texture() {
 void ShadowMaps::draw_near(const Eigen::Vector3d& eye, const Eigen::Vector3d& forwards, const GpuMesh* figure,
                            std::size_t figure_indices) {
     const Eigen::Vector3d level = Eigen::Vector3d(forwards.x(), 0.0, forwards.z());
-    aim_near(eye + 0.75 * settings_.near_shadow_radius * level);
+    fit_near(eye + 0.75 * settings_.near_shadow_radius * level);
     draw(near_, figure, figure_indices);
 }
 
-void ShadowMaps::aim_near(const Eigen::Vector3d& centre) {
+void ShadowMaps::fit_near(const Eigen::Vector3d& centre) {
     const double radius = settings_.near_shadow_radius;
     const Eigen::Vector3d in_sun = R_sun_campus_ * centre;
-    // In whole texels, so that edges don't crawl from one image to the next.
+    // Snapped to whole texels, so that shadow edges don't shimmer between images.
     const double texel = 2.0 * radius / near_.size;
     Eigen::Vector3d low = lowest_;
     Eigen::Vector3d high = highest_;
@@ -117,20 +117,20 @@ void ShadowMaps::aim_near(const Eigen::Vector3d& centre) {
         low[i] = snapped - radius;
         high[i] = snapped + radius;
     }
-    aim(near_, R_sun_campus_, low, high);
+    fit_to_box(near_, R_sun_campus_, low, high);
 }
 
 void ShadowMaps::draw(const ShadowMap& map, const GpuMesh* figure, std::size_t figure_indices) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.Viewport(map.left, 0, map.size, map.size);
-    gl_.Enable(GL_SCISSOR_TEST);  // for the clear, which knows no viewport
+    gl_.Enable(GL_SCISSOR_TEST);  // for the clear, which ignores the viewport
     gl_.Scissor(map.left, 0, map.size, map.size);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthFunc(GL_LEQUAL);
     gl_.DepthMask(GL_TRUE);
     gl_.ClearDepth(1.0);
     gl_.Clear(GL_DEPTH_BUFFER_BIT);
-    // Both sides cast: many campus models have walls that are one sheet, seen from the sun's side or not.
+    // Both sides cast shadows: many models have single-sheet walls, facing the sun or not.
     gl_.Disable(GL_CULL_FACE);
     gl_.Disable(GL_BLEND);
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
@@ -150,8 +150,8 @@ Eigen::Vector2d ShadowMaps::share(const ShadowMap& map) const {
     return {static_cast<double>(map.size) / width_, static_cast<double>(map.size) / height_};
 }
 
-// The near map has the far one's axes and depth: a place in it is the one in the far map, scaled and shifted.
-Eigen::Vector2d ShadowMaps::near_step() const {
+// The near map shares the far map's axes and depth, so near coordinates are far ones scaled and shifted.
+Eigen::Vector2d ShadowMaps::near_scale() const {
     return (near_.clip_campus.topLeftCorner<2, 3>().rowwise().norm().array() /
             far_.clip_campus.topLeftCorner<2, 3>().rowwise().norm().array() * share(near_).array())
         .matrix();
@@ -165,14 +165,14 @@ ShaderConstants ShadowMaps::constants() const {
     const Eigen::Matrix4d unit_campus = unit_from_clip() * far_.clip_campus;
     const Eigen::Vector2d left(static_cast<double>(near_.left) / width_, 0.0);
     constants.add("far_axes", Eigen::Matrix3d(unit_campus.topLeftCorner<3, 3>()))
-        .add("far_start", Eigen::Vector3d(unit_campus.topRightCorner<3, 1>()))
-        .add("far_step", share(far_))
-        .add("near_step", near_step())
-        .add("near_middle", Eigen::Vector2d(left + 0.5 * share(near_)))
-        .add("near_reach", Eigen::Vector2d(kNearReach * share(near_)))
-        .add("far_lift", kLift * far_.metres_per_texel)
-        .add("near_lift", kLift * near_.metres_per_texel)
-        .add("tap", Eigen::Vector2d(kTap / width_, kTap / height_));
+        .add("far_origin", Eigen::Vector3d(unit_campus.topRightCorner<3, 1>()))
+        .add("far_scale", share(far_))
+        .add("near_scale", near_scale())
+        .add("near_centre", Eigen::Vector2d(left + 0.5 * share(near_)))
+        .add("near_half_extent", Eigen::Vector2d(kNearHalfExtent * share(near_)))
+        .add("far_normal_offset", kNormalOffset * far_.metres_per_texel)
+        .add("near_normal_offset", kNormalOffset * near_.metres_per_texel)
+        .add("pcf_offset", Eigen::Vector2d(kPcfOffset / width_, kPcfOffset / height_));
     return constants;
 }
 
@@ -183,14 +183,14 @@ void ShadowMaps::bind(const ShaderProgram& surface, bool with_near) const {
     gl_.ActiveTexture(GL_TEXTURE1);
     gl_.BindTexture(GL_TEXTURE_2D, texture_);
     surface.set("shadow_map", 1);
-    // The campus frame's origin, by the near map and by the far one.
+    // The campus origin in the coordinates of a map.
     const auto origin_in = [](const ShadowMap& map) -> Eigen::Vector2d {
         return (unit_from_clip() * map.clip_campus).topRightCorner<2, 1>();
     };
     const Eigen::Vector2d in_near = Eigen::Vector2d(static_cast<double>(near_.left) / width_, 0.0) +
                                     share(near_).cwiseProduct(origin_in(near_));
-    const Eigen::Vector2d offset = in_near - near_step().cwiseProduct(origin_in(far_));
-    surface.set("near_offset", with_near ? offset : Eigen::Vector2d(kNowhere, kNowhere));
+    const Eigen::Vector2d offset = in_near - near_scale().cwiseProduct(origin_in(far_));
+    surface.set("near_origin", with_near ? offset : Eigen::Vector2d(kOutsideTexture, kOutsideTexture));
 }
 
 }  // namespace campuswalk::engine::render

@@ -7,8 +7,8 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Duller than this, what a surface mirrors can't be told from the light all around.
-constexpr float kDull = 0.5F;
+// On rougher dielectrics specular reflection is indistinguishable from ambient light.
+constexpr float kMaxSpecularRoughness = 0.5F;
 
 std::string defines_of(const SurfaceKind& kind, bool shadows, bool occlusion) {
     std::string defines;
@@ -20,11 +20,11 @@ std::string defines_of(const SurfaceKind& kind, bool shadows, bool occlusion) {
     define(kind.alpha == scene::AlphaMode::mask, "CUTOUT");
     define(kind.alpha == scene::AlphaMode::blend, "SEE_THROUGH");
     define(kind.unlit, "UNLIT");
-    define(kind.glow_map, "GLOW_MAP");
+    define(kind.emissive_map, "EMISSIVE_MAP");
     define(kind.normal_map, "NORMAL_MAP");
-    define(kind.shiny, "SHINY");
+    define(kind.specular, "SPECULAR");
     define(!shadows, "NO_SHADOWS");
-    // What is behind a pane is in the map, the pane isn't.
+    // Blended surfaces aren't in the map; what is behind them is.
     define(occlusion && kind.alpha != scene::AlphaMode::blend, "OCCLUSION");
     return defines;
 }
@@ -36,11 +36,11 @@ SurfaceKind kind_of(const scene::Material& material) {
     kind.alpha = material.alpha_mode;
     kind.unlit = material.unlit;
     if (!material.unlit) {
-        kind.glow_map = material.emissive_texture.has_value();
+        kind.emissive_map = material.emissive_texture.has_value();
         kind.normal_map = material.normal_texture.has_value();
-        // A pane mirrors by itself, whatever its material says.
-        kind.shiny = material.alpha_mode != scene::AlphaMode::blend &&
-                     (material.metallic > 0.0F || material.roughness < kDull);
+        // Glass has reflections of its own, whatever its material says.
+        kind.specular = material.alpha_mode != scene::AlphaMode::blend &&
+                        (material.metallic > 0.0F || material.roughness < kMaxSpecularRoughness);
     }
     return kind;
 }
@@ -53,7 +53,7 @@ const ShaderProgram& SurfacePrograms::of(const SurfaceKind& kind) {
     const std::string defines = defines_of(kind, shadows_, occlusion_);
     const ShaderProgram program(gl_, "surface",
                                 {shaders::kVersion, shaders::kInstanceChunk, shaders::kSurfaceVertex},
-                                {shaders::kVersion, defines, constants_, shaders::kAirChunk,
+                                {shaders::kVersion, defines, constants_, shaders::kSkyChunk,
                                  shaders::kSrgbChunk, shaders::kShadowChunk, shaders::kSurfaceFragment});
     return programs_.emplace(kind, program).first->second;
 }

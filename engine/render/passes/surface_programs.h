@@ -11,29 +11,28 @@
 
 namespace campuswalk::engine::render {
 
-/// What a surface's program must be able to do. llvmpipe pays for all that a program has, used or not, so
-/// each surface gets a program with just what its material needs.
+/// The features of a surface program. llvmpipe pays for everything a program contains, used or not, so each
+/// material gets the variant with just what it needs.
 struct SurfaceKind {
     scene::AlphaMode alpha = scene::AlphaMode::opaque;
     bool unlit = false;
-    bool glow_map = false;    ///< an emissive texture
-    bool normal_map = false;  ///< bumps
-    bool shiny = false;       ///< metal, or smooth enough to mirror
+    bool emissive_map = false;  ///< an emissive texture
+    bool normal_map = false;    ///< a normal texture
+    bool specular = false;      ///< metal, or smooth enough to mirror
 
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
 SurfaceKind kind_of(const scene::Material& material);
 
-/// The programs that draw a campus' surfaces. Lives as long as its context.
+/// The surface program variants. Must not outlive its context.
 class SurfacePrograms {
 public:
-    /// `shadows`, `occlusion`: whether there are such maps at all.
-    /// `constants`: of the light and the shadow maps.
+    /// `shadows`, `occlusion`: whether these maps exist. `constants`: of the light and the shadow maps.
     SurfacePrograms(const GlFunctions& gl, bool shadows, bool occlusion, std::string_view constants)
         : gl_(gl), shadows_(shadows), occlusion_(occlusion), constants_(constants) {}
 
-    /// Compiled when it is first asked for.
+    /// Compiles the variant on first use.
     const ShaderProgram& of(const SurfaceKind& kind);
 
 private:

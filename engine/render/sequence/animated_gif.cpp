@@ -16,11 +16,11 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Levels of red, green and blue: the eye tells greens apart best.
+// Levels of red, green and blue: the eye is most sensitive to green.
 constexpr std::array<int, 3> kLevels = {6, 7, 6};
-constexpr int kColors = 256;  // GIF's tables have a power of two
+constexpr int kColors = 256;  // GIF palettes have a power of two
 
-/// A Bayer matrix, 8 x 8: each threshold once, neighbours far apart.
+/// 8 x 8 Bayer matrix for ordered dithering.
 int bayer(int x, int y) {
     int value = 0;
     for (int bit = 0; bit < 3; ++bit) {
@@ -31,7 +31,7 @@ int bayer(int x, int y) {
     return value;
 }
 
-/// The level below or above a value, by how far it is between them.
+/// Quantizes a value with a dither threshold of 0 to 63.
 int level(int value, int levels, int threshold) {
     return (value * (levels - 1) * 64 + threshold * 255 + 127) / (255 * 64);
 }
@@ -105,10 +105,10 @@ void AnimatedGif::begin(const Image& image) {
     const std::unique_ptr<ColorMapObject, void (*)(ColorMapObject*)> map(
         GifMakeMapObject(kColors, colors.data()), GifFreeMapObject);
     check(EGifPutScreenDesc(gif_.get(), image.width, image.height, 8, 0, map.get()));
-    const std::array<GifByteType, 3> for_ever = {1, 0, 0};
+    const std::array<GifByteType, 3> loop_forever = {1, 0, 0};
     check(EGifPutExtensionLeader(gif_.get(), APPLICATION_EXT_FUNC_CODE));
     check(EGifPutExtensionBlock(gif_.get(), 11, "NETSCAPE2.0"));
-    check(EGifPutExtensionBlock(gif_.get(), static_cast<int>(for_ever.size()), for_ever.data()));
+    check(EGifPutExtensionBlock(gif_.get(), static_cast<int>(loop_forever.size()), loop_forever.data()));
     check(EGifPutExtensionTrailer(gif_.get()));
 }
 

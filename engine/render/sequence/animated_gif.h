@@ -12,18 +12,18 @@ struct GifFileType;
 
 namespace campuswalk::engine::render {
 
-/// An animation in GIF, played for ever, at most kAnimationWidth wide: 252 fixed colours, those between them
-/// dithered in a fixed pattern, so that what stands still doesn't flicker. Frames go to disk as they come.
+/// A looping animated GIF, at most kAnimationWidth wide, with 252 fixed colours and ordered dithering, so
+/// that static parts don't flicker. Frames are written as they arrive.
 class AnimatedGif final : public FrameSink {
 public:
-    /// A frame is shown for so many seconds, in steps of 1/100, 2/100 at least: viewers show less as 10/100.
+    /// Frame durations are multiples of 0.01 s, at least 0.02: viewers show shorter ones as 0.1 s.
     AnimatedGif(std::filesystem::path file, double seconds_per_frame);
     void add(const Frame& frame) override;
-    /// Puts it where it belongs unless there was no frame. Without this there is no file.
+    /// Moves the file into place; writes none without frames.
     void finish() override;
 
 private:
-    /// Where giflib's bytes go; it is C, so that what is thrown there has to wait.
+    /// The output of giflib, which is C: exceptions are kept until its functions return.
     struct Output {
         scene::AtomicFile file;
         std::exception_ptr failure;
@@ -37,7 +37,7 @@ private:
     };
     std::filesystem::path file_;
     int hundredths_;
-    std::unique_ptr<Output> output_;  // before gif_, which writes into it to its very end
+    std::unique_ptr<Output> output_;  // before gif_, which writes into it until destroyed
     std::unique_ptr<GifFileType, Close> gif_;
 };
 

@@ -24,7 +24,7 @@ void AnimatedPng::add(const Frame& frame) {
         const std::vector<std::uint8_t> start = png_->take();
         written_->write(std::as_bytes(std::span(start)));
         count_at_ = start.size();
-        put_count(0);  // nobody knows it yet
+        put_count(0);  // placeholder until finish
     }
     put_control(image);
     const std::span<const std::uint8_t> pixels = compressor_.compress(image);
@@ -37,7 +37,7 @@ void AnimatedPng::add(const Frame& frame) {
     ++frames_;
 }
 
-// The second number: how often, 0 is for ever.
+// The second value is the number of plays; 0 loops.
 void AnimatedPng::put_count(std::uint32_t frames) {
     png_->chunk("acTL", {png_uint32(frames), png_uint32(0)});
 }
@@ -45,11 +45,11 @@ void AnimatedPng::put_count(std::uint32_t frames) {
 void AnimatedPng::put_control(const Image& image) {
     const std::array<std::uint8_t, 2> delay = {static_cast<std::uint8_t>(milliseconds_ >> 8U),
                                                static_cast<std::uint8_t>(milliseconds_ & 0xFFU)};
-    const std::array<std::uint8_t, 2> a_thousand = {1000 >> 8, 1000 & 0xFF};
-    const std::array<std::uint8_t, 2> leave_and_replace = {0, 0};
+    const std::array<std::uint8_t, 2> per_second = {1000 >> 8, 1000 & 0xFF};
+    const std::array<std::uint8_t, 2> no_disposal_no_blending = {0, 0};
     png_->chunk("fcTL", {png_uint32(sequence_++), png_uint32(static_cast<std::uint32_t>(image.width)),
                          png_uint32(static_cast<std::uint32_t>(image.height)), png_uint32(0), png_uint32(0),
-                         delay, a_thousand, leave_and_replace});
+                         delay, per_second, no_disposal_no_blending});
 }
 
 void AnimatedPng::finish() {

@@ -11,17 +11,17 @@
 
 namespace campuswalk::engine::render {
 
-/// Widest that animations are: wider frames are made smaller.
+/// Maximum width of animations; wider frames are downsampled.
 constexpr int kAnimationWidth = 640;  // pixels
 
-/// An animation in PNG (https://www.w3.org/TR/png-3/, chunks acTL, fcTL and fdAT), played for ever. Programs
-/// that know no animations show its first frame. Frames go to disk as they come.
+/// A looping animated PNG (https://www.w3.org/TR/png-3/, chunks acTL, fcTL and fdAT). Viewers without support
+/// show its first frame. Frames are written as they arrive.
 class AnimatedPng final : public FrameSink {
 public:
-    /// A frame is shown for so many seconds, 1/1000 at least.
+    /// Frame durations are multiples of 0.001 s, at least that.
     AnimatedPng(std::filesystem::path file, double seconds_per_frame);
     void add(const Frame& frame) override;
-    /// Puts it where it belongs unless there was no frame. Without this there is no file.
+    /// Moves the file into place; writes none without frames.
     void finish() override;
 
 private:
@@ -31,11 +31,11 @@ private:
     std::filesystem::path file_;
     std::uint16_t milliseconds_;
     PixelCompressor compressor_;
-    std::unique_ptr<PngWriter> png_;  ///< what is still to be written
+    std::unique_ptr<PngWriter> png_;  ///< bytes still to be written
     std::unique_ptr<scene::AtomicFile> written_;
-    std::size_t count_at_ = 0;  ///< where the chunk is that holds the count of frames
+    std::size_t count_at_ = 0;  ///< file offset of the chunk with the frame count
     std::uint32_t frames_ = 0;
-    std::uint32_t sequence_ = 0;  ///< numbers the chunks of frames
+    std::uint32_t sequence_ = 0;  ///< sequence number of frame chunks
 };
 
 }  // namespace campuswalk::engine::render

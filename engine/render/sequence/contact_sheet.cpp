@@ -14,16 +14,16 @@ namespace campuswalk::engine::render {
 namespace {
 
 constexpr int kThumbnail = 240;  // pixels wide
-constexpr int kGap = 8;          // between them and around
-constexpr int kMostColumns = 10;
+constexpr int kGap = 8;          // pixels, between and around them
+constexpr int kMaxColumns = 10;
 constexpr std::uint8_t kBackground = 0x24;
 constexpr double kTextSize = 12.0;
 
-/// About as many columns as give a sheet of a screen's shape.
+/// The number of columns that gives a sheet of about screen proportions.
 int columns_for(std::size_t frames, const Image& thumbnail) {
     const double shape = 1.6 * thumbnail.height / thumbnail.width;
     const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(frames) * shape)));
-    return std::clamp(columns, 1, std::min(kMostColumns, static_cast<int>(frames)));
+    return std::clamp(columns, 1, std::min(kMaxColumns, static_cast<int>(frames)));
 }
 
 void copy_into(Image& sheet, const Image& image, int left, int top) {
@@ -44,7 +44,7 @@ void ContactSheet::add(const Frame& frame) {
     frames_.push_back({scaled_down(frame.image, kThumbnail), frame.number, frame.time});
     if (frames_.size() > kMaxFrames) {
         every_ *= 2;
-        std::erase_if(frames_, [this](const Frame& kept) { return kept.number % every_ != 0; });
+        std::erase_if(frames_, [this](const Frame& other) { return other.number % every_ != 0; });
     }
 }
 
@@ -58,14 +58,8 @@ Image ContactSheet::sheet() const {
     const Image& first = frames_.front().image;
     const int columns = columns_for(frames_.size(), first);
     const int rows = (static_cast<int>(frames_.size()) + columns - 1) / columns;
-    Image sheet;
-    sheet.width = columns * (first.width + kGap) + kGap;
-    sheet.height = rows * (first.height + kGap) + kGap;
-    sheet.rgba.assign(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height),
-                      kBackground);
-    for (std::size_t i = 3; i < sheet.rgba.size(); i += 4) {
-        sheet.rgba[i] = 255;
-    }
+    Image sheet = Image::filled(columns * (first.width + kGap) + kGap, rows * (first.height + kGap) + kGap,
+                                kBackground);
     const auto left = [&](std::size_t i) {
         return kGap + static_cast<int>(i) % columns * (first.width + kGap);
     };

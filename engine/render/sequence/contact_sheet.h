@@ -7,23 +7,23 @@
 
 namespace campuswalk::engine::render {
 
-/// All frames, made small, on one image, row by row, each with its time. Of more than `kMostFrames` every
-/// second, third, … is shown.
+/// Thumbnails of all frames on one image, row by row, with their times. Beyond `kMaxFrames` only every
+/// second, fourth, … is shown.
 class ContactSheet final : public FrameSink {
 public:
     static constexpr std::size_t kMaxFrames = 120;
 
     explicit ContactSheet(std::filesystem::path file);
     void add(const Frame& frame) override;
-    /// Writes it unless there was no frame.
+    /// Writes the image; none without frames.
     void finish() override;
 
 private:
     Image sheet() const;
 
     std::filesystem::path file_;
-    std::size_t every_ = 1;      ///< frame that is kept
-    std::vector<Frame> frames_;  ///< small
+    std::size_t every_ = 1;      ///< interval of frames shown
+    std::vector<Frame> frames_;  ///< thumbnails
 };
 
 }  // namespace campuswalk::engine::render

@@ -7,7 +7,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-struct Head {
+struct Header {
     std::uint64_t number = 0;
     double time = 0.0;
     std::int32_t width = 0;
@@ -18,24 +18,24 @@ struct Head {
 
 std::string serialize(const Frame& frame) {
     const Image& image = frame.image;
-    const Head head = {frame.number, frame.time, image.width, image.height};
-    std::string bytes(sizeof(head) + image.rgba.size(), '\0');
-    std::memcpy(bytes.data(), &head, sizeof(head));
+    const Header header = {frame.number, frame.time, image.width, image.height};
+    std::string bytes(sizeof(header) + image.rgba.size(), '\0');
+    std::memcpy(bytes.data(), &header, sizeof(header));
     if (!image.rgba.empty()) {
-        std::memcpy(bytes.data() + sizeof(head), image.rgba.data(), image.rgba.size());
+        std::memcpy(bytes.data() + sizeof(header), image.rgba.data(), image.rgba.size());
     }
     return bytes;
 }
 
 Frame deserialize_frame(std::string_view bytes) {
-    Head head;
-    if (bytes.size() >= sizeof(head)) {
-        std::memcpy(&head, bytes.data(), sizeof(head));
-        bytes.remove_prefix(sizeof(head));
+    Header header;
+    if (bytes.size() >= sizeof(header)) {
+        std::memcpy(&header, bytes.data(), sizeof(header));
+        bytes.remove_prefix(sizeof(header));
     }
-    Frame frame{{head.width, head.height, {}}, head.number, head.time};
-    if (head.width < 1 || head.height < 1 || frame.image.offset(0, head.height) != bytes.size()) {
-        throw std::runtime_error("a process that draws frames sent what isn't one");
+    Frame frame{{header.width, header.height, {}}, header.number, header.time};
+    if (header.width < 1 || header.height < 1 || frame.image.offset(0, header.height) != bytes.size()) {
+        throw std::runtime_error("a drawing process sent an invalid frame");
     }
     frame.image.rgba.assign(bytes.begin(), bytes.end());
     return frame;

@@ -7,10 +7,10 @@
 
 namespace campuswalk::engine::render {
 
-/// A frame on its way between two processes of one machine.
+/// A frame as bytes, for another process on the same machine.
 std::string serialize(const Frame& frame);
 
-/// Throws std::runtime_error for what isn't a frame.
+/// Throws std::runtime_error if the bytes are no valid frame.
 Frame deserialize_frame(std::string_view bytes);
 
 }  // namespace campuswalk::engine::render

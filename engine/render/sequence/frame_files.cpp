@@ -15,11 +15,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kStart = "frame-";
+constexpr const char* kPrefix = "frame-";
 
 bool is_frame(const fs::path& file) {
     const std::string name = file.filename().string();
-    return name.starts_with(kStart) && name.ends_with(".png") &&
+    return name.starts_with(kPrefix) && name.ends_with(".png") &&
            name.find_first_not_of("0123456789", 6) == name.size() - 4;
 }
 
@@ -41,7 +41,7 @@ FrameFiles::FrameFiles(fs::path folder) : folder_(std::move(folder)) {
 void FrameFiles::add(const Frame& frame) {
     std::array<char, 32> number{};
     std::snprintf(number.data(), number.size(), "%05zu.png", frame.number + 1);
-    write_png(frame.image, folder_ / (std::string(kStart) + number.data()));
+    write_png(frame.image, folder_ / (std::string(kPrefix) + number.data()));
 }
 
 }  // namespace campuswalk::engine::render

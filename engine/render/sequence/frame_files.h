@@ -6,8 +6,8 @@
 
 namespace campuswalk::engine::render {
 
-/// `FOLDER/frame-00001.png` and so on. Those of an earlier run are deleted first: a shorter walk would keep
-/// the end of a longer one.
+/// Writes `FOLDER/frame-00001.png` and so on. Deletes those of an earlier run first, which may have been
+/// longer.
 class FrameFiles final : public FrameSink {
 public:
     explicit FrameFiles(std::filesystem::path folder);

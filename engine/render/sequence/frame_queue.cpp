@@ -5,24 +5,28 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr std::size_t kCapacity = 4;  // images of one's own
+constexpr std::size_t kCapacity = 4;  // frames per process
 
 }  // namespace
 
-FrameQueue::FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* others, std::size_t parts)
-    : sinks_(std::move(sinks)), others_(others), capacity_(kCapacity * parts), thread_([this] { work(); }) {}
+FrameQueue::FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* remote_frames,
+                       std::size_t parts)
+    : sinks_(std::move(sinks)),
+      remote_frames_(remote_frames),
+      capacity_(kCapacity * parts),
+      thread_([this] { work(); }) {}
 
 FrameQueue::~FrameQueue() {
     stop(true);
 }
 
-void FrameQueue::push_when_free(Waiting waiting) {
+void FrameQueue::push_when_free(Entry entry) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_.size() < capacity_ || failure_; });
+    changed_.wait(lock, [this] { return entries_.size() < capacity_ || failure_; });
     if (failure_) {
         std::rethrow_exception(failure_);
     }
-    waiting_.push_back(std::move(waiting));
+    entries_.push_back(std::move(entry));
     changed_.notify_all();
 }
 
@@ -33,19 +37,19 @@ void FrameQueue::finish() {
     }
 }
 
-void FrameQueue::stop(bool give_up) {
+void FrameQueue::stop(bool discard) {
     {
         const std::lock_guard lock(mutex_);
         closed_ = true;
-        if (give_up) {
-            waiting_.clear();
+        if (discard) {
+            entries_.clear();
         }
     }
     changed_.notify_all();
     if (thread_.joinable()) {
         thread_.join();
     }
-    if (give_up || failure_) {
+    if (discard || failure_) {
         return;
     }
     for (const std::unique_ptr<FrameSink>& sink : sinks_) {
@@ -56,32 +60,32 @@ void FrameQueue::stop(bool give_up) {
 void FrameQueue::work() {
     std::unique_lock lock(mutex_);
     while (true) {
-        changed_.wait(lock, [this] { return !waiting_.empty() || closed_; });
-        if (waiting_.empty()) {
+        changed_.wait(lock, [this] { return !entries_.empty() || closed_; });
+        if (entries_.empty()) {
             return;
         }
-        Waiting next = std::move(waiting_.front());
-        waiting_.pop_front();
+        Entry next = std::move(entries_.front());
+        entries_.pop_front();
         lock.unlock();
         changed_.notify_all();
         std::exception_ptr failure;
         try {
-            hand_over(std::move(next));
+            deliver(std::move(next));
         } catch (...) {
             failure = std::current_exception();
         }
         lock.lock();
         if (failure) {
             failure_ = failure;
-            waiting_.clear();
+            entries_.clear();
             changed_.notify_all();
             return;
         }
     }
 }
 
-void FrameQueue::hand_over(Waiting waiting) {
-    const Frame frame = waiting.is_remote ? others_->take(waiting.frame.number) : std::move(waiting.frame);
+void FrameQueue::deliver(Entry entry) {
+    const Frame frame = entry.is_remote ? remote_frames_->take(entry.frame.number) : std::move(entry.frame);
     for (const std::unique_ptr<FrameSink>& sink : sinks_) {
         sink->add(frame);
     }

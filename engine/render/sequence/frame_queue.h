@@ -15,46 +15,47 @@
 
 namespace campuswalk::engine::render {
 
-/// Hands frames to sinks on a thread of its own, so that images are compressed while the next one is drawn,
-/// and those that others draw are waited for. A few wait at most: who draws faster than can be written is
-/// held up.
+/// A bounded queue that delivers frames to sinks on its own thread, so that images are compressed while the
+/// next one is drawn. In between, remote frames, drawn by other processes, are awaited. `add` blocks while
+/// the queue is full.
 class FrameQueue {
 public:
-    /// `others` draw all but one of `parts` frames in turn, and must outlive this; null when there are none.
-    explicit FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* others = nullptr,
+    /// `remote_frames` supplies all but one of `parts` frames in turn; null if there is one part. Must
+    /// outlive this.
+    explicit FrameQueue(std::vector<std::unique_ptr<FrameSink>> sinks, FrameSource* remote_frames = nullptr,
                         std::size_t parts = 1);
-    /// Without `finish` what waits is given up.
+    /// Without `finish`, pending frames are discarded.
     ~FrameQueue();
     FrameQueue(const FrameQueue&) = delete;
     FrameQueue& operator=(const FrameQueue&) = delete;
 
-    /// Throws what a sink or the others threw at an earlier frame.
+    /// Rethrows what a sink or the source threw at an earlier frame.
     void add(Frame frame) { push_when_free({std::move(frame), false}); }
-    /// The next is one that the others draw.
+    /// The next frame is remote.
     void add_remote(std::size_t number) { push_when_free({{{}, number, 0.0}, true}); }
-    /// Waits for all of them. Throws likewise.
+    /// Waits for all frames and finishes the sinks. Throws like `add`.
     void finish();
 
 private:
-    struct Waiting {
+    struct Entry {
         Frame frame;
-        bool is_remote = false;  ///< of which only the number is known
+        bool is_remote = false;  ///< only its number is known yet
     };
 
-    void push_when_free(Waiting waiting);
+    void push_when_free(Entry entry);
     void work();
-    void hand_over(Waiting waiting);
-    void stop(bool give_up);
+    void deliver(Entry entry);
+    void stop(bool discard);
 
     std::vector<std::unique_ptr<FrameSink>> sinks_;
-    FrameSource* others_;
+    FrameSource* remote_frames_;
     std::size_t capacity_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<Waiting> waiting_;
+    std::deque<Entry> entries_;
     std::exception_ptr failure_;
     bool closed_ = false;
-    std::thread thread_;  // last: it uses all of the others
+    std::thread thread_;  // last: it uses the other members
 };
 
 }  // namespace campuswalk::engine::render

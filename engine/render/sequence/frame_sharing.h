@@ -6,16 +6,15 @@
 
 namespace campuswalk::engine::render {
 
-/// Where the frames come from that others draw.
+/// Supplies the frames that other processes draw.
 class FrameSource {
 public:
     virtual ~FrameSource() = default;
-    /// Waits for it. Asked for in order. Throws std::runtime_error when it will never be there.
+    /// Waits for the frame. Called in order. Throws std::runtime_error if it will never arrive.
     virtual Frame take(std::size_t number) = 0;
 };
 
-/// Which frames of a walk are drawn here, of several processes that each play it: those whose number leaves
-/// the remainder `part` when it is divided by `parts`.
+/// The frames that this process draws if several play the same walk: those with number % parts == part.
 struct FrameShare {
     std::size_t part = 0;
     std::size_t parts = 1;

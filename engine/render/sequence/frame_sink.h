@@ -6,20 +6,20 @@
 
 namespace campuswalk::engine::render {
 
-/// An image of a sequence. All of one have the same size.
+/// An image of a sequence. All frames of a sequence have the same size.
 struct Frame {
     Image image;
     std::size_t number = 0;  ///< from 0
-    double time = 0.0;       ///< seconds of the walk
+    double time = 0.0;       ///< simulated seconds
 };
 
-/// Where the frames of a walk go, in order.
+/// Receives the frames of a walk in order.
 class FrameSink {
 public:
     virtual ~FrameSink() = default;
-    /// Throws std::runtime_error when it can't be kept.
+    /// Throws std::runtime_error if it can't be written.
     virtual void add(const Frame& frame) = 0;
-    /// After the last; everything must be on disk when this returns.
+    /// Called after the last frame; everything must be on disk on return.
     virtual void finish() = 0;
 };
 

@@ -2,29 +2,24 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "engine/render/image/srgb.h"
 
 namespace campuswalk::engine::render {
 namespace {
 
-double linear(int value) {
-    const double s = value / 255.0;
-    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
 const std::array<float, 256>& linear_table() {
     static const std::array<float, 256> table = [] {
-        std::array<float, 256> made{};
-        for (int i = 0; i < 256; ++i) {
-            made[static_cast<std::size_t>(i)] = static_cast<float>(linear(i));
-        }
-        return made;
+        std::array<float, 256> values{};
+        std::ranges::transform(linear_by_srgb_byte(), values.begin(),
+                               [](double linear) { return static_cast<float>(linear); });
+        return values;
     }();
     return table;
 }
 
-/// The nearest 8-bit value: the table searched from the other side.
-std::uint8_t gamma_coded(float value) {
+/// The nearest 8-bit sRGB value, by binary search in the table.
+std::uint8_t nearest_srgb_byte(float value) {
     const auto& table = linear_table();
     const auto above = std::lower_bound(table.begin(), table.end(), value);
     if (above == table.begin()) {
@@ -37,7 +32,7 @@ std::uint8_t gamma_coded(float value) {
     return static_cast<std::uint8_t>(above - table.begin() - (upper ? 0 : 1));
 }
 
-/// Whole pixels from `from` to below `to`, at least one.
+/// The source pixels [from, to) of a target pixel, at least one.
 std::array<int, 2> covered(int index, int count, int size) {
     const int from = static_cast<int>(std::int64_t{index} * size / count);
     const int to = static_cast<int>(std::int64_t{index + 1} * size / count);
@@ -57,9 +52,8 @@ void mean(const Image& image, const std::array<int, 2>& columns, const std::arra
     }
     const auto count = static_cast<float>((columns[1] - columns[0]) * (rows[1] - rows[0]));
     for (std::size_t c = 0; c < 3; ++c) {
-        out[c] = gamma_coded(sums[c] / count);
+        out[c] = nearest_srgb_byte(sums[c] / count);
     }
-    out[3] = 255;
 }
 
 }  // namespace
@@ -68,13 +62,11 @@ Image scaled_down(const Image& image, int width) {
     if (image.width <= width) {
         return image;
     }
-    Image small;
-    small.width = width;
-    small.height =
+    const int height =
         std::max(1, static_cast<int>((std::int64_t{image.height} * width + image.width / 2) / image.width));
-    small.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(small.height));
-    for (int y = 0; y < small.height; ++y) {
-        const std::array<int, 2> rows = covered(y, small.height, image.height);
+    Image small = Image::filled(width, height);
+    for (int y = 0; y < height; ++y) {
+        const std::array<int, 2> rows = covered(y, height, image.height);
         for (int x = 0; x < width; ++x) {
             mean(image, covered(x, width, image.width), rows, &small.rgba[small.offset(x, y)]);
         }

@@ -4,8 +4,8 @@
 
 namespace campuswalk::engine::render {
 
-/// The image made smaller to `width` pixels, its height in proportion and 1 at least: each pixel is the
-/// mean of those that it covers, in linear light. One that isn't wider stays as it is.
+/// Downsamples the image to `width` pixels, keeping its aspect ratio: each pixel is the mean of those that it
+/// covers, in linear light. Images that aren't wider are returned unchanged.
 Image scaled_down(const Image& image, int width);
 
 }  // namespace campuswalk::engine::render

@@ -6,18 +6,18 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr double kRounding = 1e-9;  ///< of a time, in times of `every`
+constexpr double kTolerance = 1e-9;  ///< tolerance, in units of `every`
 
 }  // namespace
 
 SequenceObserver::SequenceObserver(const scene::Campus& campus, SequenceSettings settings,
                                    RendererStore& renderers, std::vector<std::unique_ptr<FrameSink>> sinks,
-                                   std::unique_ptr<FrameSource> others)
+                                   std::unique_ptr<FrameSource> remote_frames)
     : campus_(campus),
       settings_(std::move(settings)),
       renderers_(renderers),
-      others_(std::move(others)),
-      queue_(std::move(sinks), others_.get(), settings_.share.parts) {}
+      remote_frames_(std::move(remote_frames)),
+      queue_(std::move(sinks), remote_frames_.get(), settings_.share.parts) {}
 
 void SequenceObserver::begin(const Walk& walk) {
     requests_.begin(walk);
@@ -30,10 +30,9 @@ void SequenceObserver::frame(const TickRecord& record) {
     }
     const std::size_t number = taken_++;
     if (settings_.share.has(number)) {
-        SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, requests_.light());
-        queue_.add(
-            {snapshot_renderer.draw(requests_.request(record, settings_.camera)), number, record.time});
-    } else if (others_) {
+        SnapshotRenderer& renderer = renderers_.of(campus_, requests_.light());
+        queue_.add({renderer.draw(requests_.request(record, settings_.camera)), number, record.time});
+    } else if (remote_frames_) {
         queue_.add_remote(number);
     }
 }
@@ -43,7 +42,7 @@ void SequenceObserver::end() {
 }
 
 bool SequenceObserver::is_due(double time) {
-    const double now = time / settings_.every + kRounding;
+    const double now = time / settings_.every + kTolerance;
     if (now < next_) {
         return false;
     }

@@ -12,24 +12,25 @@
 
 namespace campuswalk::engine::render {
 
-/// Draws what is to be seen at even times of a walk.
+/// When and how frames of a walk are drawn.
 struct SequenceSettings {
-    double every = 0.5;     ///< simulated seconds; no more than a frame a tick
-    CameraSettings camera;  ///< what each is taken with
-    FrameShare share;       ///< which of them
+    double every = 0.5;     ///< simulated seconds between frames; at most one per tick
+    CameraSettings camera;  ///< of all frames
+    FrameShare share;       ///< the frames to draw in this process
 };
 
-/// Takes the first frame at a walk's first tick, and the others as their times come.
+/// Draws frames of a walk at regular times, the first at the first tick.
 class SequenceObserver final : public Observer {
 public:
-    /// `others` draw what isn't in the share; without them the sinks get the share alone. `campus` and
-    /// `painters` must outlive it.
+    /// `remote_frames` supplies the frames outside of the share; if null, sinks get the share only. `campus`
+    /// and `renderers` must outlive this.
     SequenceObserver(const scene::Campus& campus, SequenceSettings settings, RendererStore& renderers,
                      std::vector<std::unique_ptr<FrameSink>> sinks,
-                     std::unique_ptr<FrameSource> others = nullptr);
+                     std::unique_ptr<FrameSource> remote_frames = nullptr);
 
     void begin(const Walk& walk) override;
-    /// Throws RenderError when the machine can't draw, and what a sink or the others threw at a frame before.
+    /// Throws RenderError if rendering is impossible; rethrows what a sink or the source threw at an earlier
+    /// frame.
     void frame(const TickRecord& record) override;
     void end() override;
 
@@ -40,9 +41,9 @@ private:
     SequenceSettings settings_;
     RendererStore& renderers_;
     SnapshotRequestBuilder requests_;
-    std::unique_ptr<FrameSource> others_;
-    std::size_t taken_ = 0;  ///< by whomever
-    double next_ = 0.0;      ///< times of `every`
+    std::unique_ptr<FrameSource> remote_frames_;
+    std::size_t taken_ = 0;  ///< by all processes
+    double next_ = 0.0;      ///< time of the next frame, in units of `every`
     FrameQueue queue_;
 };
 

@@ -8,18 +8,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/render/image/depth_png.h"
 #include "engine/render/image/png.h"
 #include "scene/base/atomic_file.h"
 
 namespace campuswalk::engine::render {
 namespace {
 
-// Odd, so that no two numbers below 2^24 give the same colour; near the golden ratio, so that neighbours
-// differ much.
-constexpr std::uint32_t kSpread = 0x9E3779U;
+// Odd, so that all numbers below 2^24 give different colours; near the golden ratio, so that successive ones
+// differ clearly.
+constexpr std::uint32_t kMultiplier = 0x9E3779U;
 
-std::string hex_of(const std::array<std::uint8_t, 3>& color) {
+std::string hex_color(const std::array<std::uint8_t, 3>& color) {
     std::array<char, 8> text{};
     std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color[0], color[1], color[2]);
     return text.data();
@@ -35,8 +34,8 @@ Image colored(const IdImage& ids) {
     return image;
 }
 
-std::string names_json(const scene::Campus& campus, const IdImage& ids) {
-    std::vector<std::size_t> pixels(ids.names.size(), 0);
+std::string owners_json(const scene::Campus& campus, const IdImage& ids) {
+    std::vector<std::size_t> pixels(ids.owners.size(), 0);
     for (const std::uint32_t id : ids.ids) {
         ++pixels[id];
     }
@@ -47,14 +46,14 @@ std::string names_json(const scene::Campus& campus, const IdImage& ids) {
         }
         nlohmann::ordered_json entry;
         entry["id"] = id;
-        entry["color"] = hex_of(id_color(id));
+        entry["color"] = hex_color(id_color(id));
         entry["pixels"] = pixels[id];
-        const PixelOwner& name = ids.names[id];
-        if (name.building) {
-            entry["building"] = campus.description.buildings[*name.building].id;
+        const PixelOwner& owner = ids.owners[id];
+        if (owner.building) {
+            entry["building"] = campus.description.buildings[*owner.building].id;
         }
-        if (name.object) {
-            entry["object"] = campus.objects[*name.object].id;
+        if (owner.object) {
+            entry["object"] = campus.objects[*owner.object].id;
         }
         list.push_back(std::move(entry));
     }
@@ -71,19 +70,19 @@ ChannelChoice choice_of(const ImageChannels& channels) {
     return {.nodes = channels.ids, .depth = channels.depth, .normals = channels.normals};
 }
 
-std::vector<std::string> channel_endings(const ImageChannels& channels) {
-    std::vector<std::string> endings;
+std::vector<std::string> channel_suffixes(const ImageChannels& channels) {
+    std::vector<std::string> suffixes;
     if (channels.depth) {
-        endings.emplace_back("-depth.png");
+        suffixes.emplace_back("-depth.png");
     }
     if (channels.ids) {
-        endings.emplace_back("-ids.png");
-        endings.emplace_back("-ids.json");
+        suffixes.emplace_back("-ids.png");
+        suffixes.emplace_back("-ids.json");
     }
     if (channels.normals) {
-        endings.emplace_back("-normals.png");
+        suffixes.emplace_back("-normals.png");
     }
-    return endings;
+    return suffixes;
 }
 
 std::vector<std::uint16_t> millimetres(const std::vector<float>& metres) {
@@ -98,18 +97,17 @@ std::vector<std::uint16_t> millimetres(const std::vector<float>& metres) {
 }
 
 std::array<std::uint8_t, 3> id_color(std::uint32_t id) {
-    const std::uint32_t color = id * kSpread;
+    const std::uint32_t color = id * kMultiplier;
     return {static_cast<std::uint8_t>((color >> 16U) & 255U), static_cast<std::uint8_t>((color >> 8U) & 255U),
             static_cast<std::uint8_t>(color & 255U)};
 }
 
-std::vector<std::filesystem::path> write_channels(SnapshotRenderer& snapshot_renderer,
-                                                  const scene::Campus& campus, const Channels& channels,
-                                                  const ImageChannels& wanted,
+std::vector<std::filesystem::path> write_channels(SnapshotRenderer& renderer, const scene::Campus& campus,
+                                                  const Channels& channels, const ImageChannels& wanted,
                                                   const std::filesystem::path& base) {
     std::vector<std::filesystem::path> files;
-    for (const std::string& ending : channel_endings(wanted)) {
-        files.emplace_back(base.string() + ending);
+    for (const std::string& suffix : channel_suffixes(wanted)) {
+        files.emplace_back(base.string() + suffix);
     }
     auto file = files.begin();
     if (wanted.depth) {
@@ -117,9 +115,9 @@ std::vector<std::filesystem::path> write_channels(SnapshotRenderer& snapshot_ren
         scene::write_file_atomically(*file++, std::as_bytes(std::span(png)));
     }
     if (wanted.ids) {
-        const IdImage ids = snapshot_renderer.ids_of(channels);
+        const IdImage ids = renderer.ids_of(channels);
         write_png(colored(ids), *file++);
-        scene::write_file_atomically(*file++, names_json(campus, ids));
+        scene::write_file_atomically(*file++, owners_json(campus, ids));
     }
     if (wanted.normals) {
         write_png(channels.normals, *file++);

@@ -12,28 +12,28 @@
 
 namespace campuswalk::engine::render {
 
-/// What must be drawn for the channels that are kept.
+/// The channels to draw for the requested files.
 ChannelChoice choice_of(const ImageChannels& channels);
 
-/// What is appended to an image's name without its ending: "-depth.png", "-ids.png", "-ids.json",
+/// The suffixes of the files, appended to the image's name without extension: "-depth.png", "-ids.png",
+/// "-ids.json",
 /// "-normals.png".
-std::vector<std::string> channel_endings(const ImageChannels& channels);
+std::vector<std::string> channel_suffixes(const ImageChannels& channels);
 
-/// Millimetres, at most 65535; 0 is nothing, so nearer than half a millimetre is 1.
+/// Converts metres to millimetres, clamped to 1 to 65535; 0 stays 0 (background).
 std::vector<std::uint16_t> millimetres(const std::vector<float>& metres);
 
-/// The colour that stands for an id, different for each of the first 2^24; black for 0.
+/// A colour for an id, unique for the first 2^24; black for 0.
 std::array<std::uint8_t, 3> id_color(std::uint32_t id);
 
-/// Writes what `channels` has and `wanted` asks for to `base` with channel_endings:
-///   -depth.png    16-bit grey, millimetres along the camera's axis
+/// Writes the channels in `wanted` to `base` + suffix:
+///   -depth.png    16-bit greyscale, millimetres along the camera axis
 ///   -ids.png      id_color of each pixel's id
-///   -ids.json     for each id in the image: color, pixels, building and object where there are any
-///   -normals.png  as Channels has them
-/// Returns the files. Throws std::runtime_error that names one that can't be written.
-std::vector<std::filesystem::path> write_channels(SnapshotRenderer& snapshot_renderer,
-                                                  const scene::Campus& campus, const Channels& channels,
-                                                  const ImageChannels& wanted,
+///   -ids.json     for each id in the image: color, pixels, and its building and object, if any
+///   -normals.png  as in Channels
+/// Returns the paths. Throws std::runtime_error that names a file that can't be written.
+std::vector<std::filesystem::path> write_channels(SnapshotRenderer& renderer, const scene::Campus& campus,
+                                                  const Channels& channels, const ImageChannels& wanted,
                                                   const std::filesystem::path& base);
 
 }  // namespace campuswalk::engine::render

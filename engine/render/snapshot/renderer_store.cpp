@@ -7,19 +7,19 @@
 namespace campuswalk::engine::render {
 
 SnapshotRenderer& RendererStore::of(const scene::Campus& campus, const LightSettings& light) {
-    constexpr std::size_t kMost = 4;
+    constexpr std::size_t kMaxRenderers = 4;
     const auto found = std::ranges::find_if(
-        cached_, [&](const CachedPiece& kept) { return kept.campus == &campus && kept.light == light; });
-    if (found != cached_.end()) {
-        return *found->snapshot_renderer;
+        entries_, [&](const Entry& entry) { return entry.campus == &campus && entry.light == light; });
+    if (found != entries_.end()) {
+        return *found->renderer;
     }
-    if (cached_.size() >= kMost) {
-        cached_.clear();
+    if (entries_.size() >= kMaxRenderers) {
+        entries_.clear();
     }
     SnapshotSettings settings = settings_of_(campus);
     settings.light = apply_light(settings.light, light);
-    cached_.push_back({&campus, light, std::make_unique<SnapshotRenderer>(campus, std::move(settings))});
-    return *cached_.back().snapshot_renderer;
+    entries_.push_back({&campus, light, std::make_unique<SnapshotRenderer>(campus, std::move(settings))});
+    return *entries_.back().renderer;
 }
 
 }  // namespace campuswalk::engine::render

@@ -10,28 +10,28 @@
 
 namespace campuswalk::engine::render {
 
-/// Painters, one a campus and light, kept for the images and walks that follow: making one takes longer
-/// than its images. A process that plays many campuses keeps a few.
+/// A cache of renderers by campus and light, shared by images and walks: creating one takes longer than
+/// drawing an image. At most a few are kept.
 class RendererStore {
 public:
-    /// How a campus is drawn by day.
+    /// The settings of a campus under default light.
     using SettingsOf = std::function<SnapshotSettings(const scene::Campus&)>;
 
     explicit RendererStore(SettingsOf settings_of) : settings_of_(std::move(settings_of)) {}
 
-    /// Good until the next call. `campus` must outlive the store. Throws RenderError when the machine can't
-    /// draw.
+    /// Valid until the next call. `campus` must outlive the store. Throws RenderError if rendering is
+    /// impossible.
     SnapshotRenderer& of(const scene::Campus& campus, const LightSettings& light);
 
 private:
-    struct CachedPiece {
+    struct Entry {
         const scene::Campus* campus = nullptr;
         LightSettings light;
-        std::unique_ptr<SnapshotRenderer> snapshot_renderer;
+        std::unique_ptr<SnapshotRenderer> renderer;
     };
 
     SettingsOf settings_of_;
-    std::vector<CachedPiece> cached_;
+    std::vector<Entry> entries_;
 };
 
 }  // namespace campuswalk::engine::render

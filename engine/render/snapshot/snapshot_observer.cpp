@@ -34,37 +34,36 @@ void SnapshotObserver::take(const SnapshotStep& step, const TickRecord& record) 
     SnapshotRequest request = requests_.request(record, step.camera);
     request.overlays = step.overlays;
     request.contacts = contacts_;
-    SnapshotRenderer& snapshot_renderer = renderers_.of(campus_, requests_.light());
+    SnapshotRenderer& renderer = renderers_.of(campus_, requests_.light());
     const std::filesystem::path file = folder_ / (step.name + ".png");
-    write_png(snapshot_renderer.draw(request), file);
+    write_png(renderer.draw(request), file);
     files_.push_back(file);
     if (step.channels.any()) {
-        const Channels channels = snapshot_renderer.draw_channels(request, choice_of(step.channels));
-        std::ranges::move(
-            write_channels(snapshot_renderer, campus_, channels, step.channels, folder_ / step.name),
-            std::back_inserter(files_));
+        const Channels channels = renderer.draw_channels(request, choice_of(step.channels));
+        std::ranges::move(write_channels(renderer, campus_, channels, step.channels, folder_ / step.name),
+                          std::back_inserter(files_));
     }
     if (const auto wanted = visible_buildings_.find(step.name); wanted != visible_buildings_.end()) {
-        wanted->second = visible_buildings_of(snapshot_renderer, request);
+        wanted->second = visible_buildings_of(renderer, request);
     }
 }
 
-VisibleBuildings SnapshotObserver::visible_buildings_of(SnapshotRenderer& snapshot_renderer,
+VisibleBuildings SnapshotObserver::visible_buildings_of(SnapshotRenderer& renderer,
                                                         const SnapshotRequest& request) const {
-    const IdImage ids = snapshot_renderer.draw_ids(request);
-    std::vector<std::size_t> pixels_of_name(ids.names.size(), 0);
+    const IdImage ids = renderer.draw_ids(request);
+    std::vector<std::size_t> pixels_of_owner(ids.owners.size(), 0);
     for (const std::uint32_t id : ids.ids) {
-        ++pixels_of_name[id];
+        ++pixels_of_owner[id];
     }
-    VisibleBuildings sight;
-    sight.pixels = ids.ids.size();
-    sight.pixels_of_building.assign(campus_.description.buildings.size(), 0);
-    for (std::size_t i = 0; i < ids.names.size(); ++i) {
-        if (const auto building = ids.names[i].building) {
-            sight.pixels_of_building[*building] += pixels_of_name[i];
+    VisibleBuildings visible;
+    visible.pixels = ids.ids.size();
+    visible.pixels_of_building.assign(campus_.description.buildings.size(), 0);
+    for (std::size_t i = 0; i < ids.owners.size(); ++i) {
+        if (const auto building = ids.owners[i].building) {
+            visible.pixels_of_building[*building] += pixels_of_owner[i];
         }
     }
-    return sight;
+    return visible;
 }
 
 }  // namespace campuswalk::engine::render

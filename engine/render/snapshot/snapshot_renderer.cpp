@@ -13,19 +13,19 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Closer to the head than this the figure would fill the image.
+// Metres from the camera to the eyes: closer, the figure would fill the image.
 constexpr double kFigureFrom = 0.9;
 
 constexpr double kBehind = 4.0;          // metres: a person and what is around it
 constexpr double kOrbitDistance = 10.0;  // metres, around a point
-// Down from the south-west, where the sun is: both sides of a building that are seen are lit.
+// Down from the south-west, where the sun is: both visible sides of a building are lit.
 constexpr double kOrbitYaw = -0.5235987755982988;
 constexpr double kOrbitPitch = -0.4363323129985824;
 
-constexpr double kSteep = 0.999;          // sine of a look that has no heading but the image's upper edge
-constexpr double kLabelledShare = 0.002;  // of the image: a building that shows less has no label
+constexpr double kSteep = 0.999;  // sine of the pitch; beyond, the upper edge of the image gives the heading
+constexpr double kLabelledShare = 0.002;  // of the image: buildings that cover less have no label
 
-constexpr double kLargestMinimapPlan = 2048.0;  // pixels a side, 16 MB
+constexpr double kMaxMinimapPlan = 2048.0;  // pixels per side, 16 MB
 
 Eigen::Vector3d eyes_of(const SnapshotRequest& request) {
     return request.avatar.position +
@@ -67,9 +67,9 @@ IdImage SnapshotRenderer::draw_ids(const SnapshotRequest& request) {
 
 IdImage SnapshotRenderer::ids_of(const Channels& channels) {
     if (!node_owners_) {
-        node_owners_ = name_nodes(campus_);
+        node_owners_ = find_node_owners(campus_);
     }
-    IdImage image{channels.width, channels.height, {}, node_owners_->names};
+    IdImage image{channels.width, channels.height, {}, node_owners_->owners};
     image.ids.reserve(channels.nodes.size());
     for (const std::uint32_t node : channels.nodes) {
         image.ids.push_back(node_owners_->owner_of_node[node]);
@@ -174,7 +174,7 @@ Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest&
     const std::vector<WindowRect> frames =
         draw_info_windows(canvas, windows(request, view), settings_.max_windows);
     if (request.overlays.labels) {
-        draw_labels(canvas, labels_in(request), frames);
+        draw_labels(canvas, visible_labels(request), frames);
     }
     if (request.overlays.compass && view.projection == Projection::perspective) {
         const Eigen::Vector3d back = view.R_world_camera.col(2);
@@ -232,14 +232,14 @@ std::vector<MapLabel> SnapshotRenderer::labels() const {
     return all;
 }
 
-// On what is seen of each building, as near to its middle as can be, the one that shows most first.
-std::vector<PixelLabel> SnapshotRenderer::labels_in(const SnapshotRequest& request) {
+// One per visible building, at the middle of its visible part, largest part first.
+std::vector<PixelLabel> SnapshotRenderer::visible_labels(const SnapshotRequest& request) {
     const IdImage ids = draw_ids(request);
     const auto buildings = static_cast<std::uint32_t>(campus_.description.buildings.size());
     std::vector<std::uint32_t> owners;
     owners.reserve(ids.ids.size());
     for (const std::uint32_t id : ids.ids) {
-        owners.push_back(static_cast<std::uint32_t>(ids.names[id].building.value_or(buildings)));
+        owners.push_back(static_cast<std::uint32_t>(ids.owners[id].building.value_or(buildings)));
     }
     auto parts = visible_parts(owners, static_cast<std::size_t>(ids.width), buildings);
     const double least = kLabelledShare * static_cast<double>(owners.size());
@@ -258,8 +258,7 @@ const Minimap& SnapshotRenderer::minimap() {
         const scene::Bounds& bounds = renderer_.bounds();
         const double across = std::max(1.0, bounds.max.x() - bounds.min.x());
         const double along = std::max(1.0, bounds.max.z() - bounds.min.z());
-        const double scale =
-            std::min(settings_.minimap_detail, kLargestMinimapPlan / std::max(across, along));
+        const double scale = std::min(settings_.minimap_detail, kMaxMinimapPlan / std::max(across, along));
         const int width = std::max(16, static_cast<int>(across * scale));
         const int height = std::max(16, static_cast<int>(along * scale));
         const Viewpoint view = plan(bounds, static_cast<double>(width) / height);

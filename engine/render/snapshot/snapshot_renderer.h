@@ -15,7 +15,7 @@
 #include "engine/render/overlay/info_window.h"
 #include "engine/render/overlay/map_marks.h"
 #include "engine/render/overlay/minimap.h"
-#include "engine/render/overlay/node_names.h"
+#include "engine/render/overlay/node_owners.h"
 #include "engine/render/passes/render_settings.h"
 #include "engine/render/renderer.h"
 #include "engine/script/walk.h"
@@ -23,61 +23,59 @@
 
 namespace campuswalk::engine::render {
 
-/// What is drawn besides the campus.
+/// How snapshots of a campus are drawn.
 struct SnapshotSettings {
-    RenderSettings light;  ///< a walk's own light goes on top
+    RenderSettings light;  ///< before the light of a walk is applied
     RenderingBackend backend = RenderingBackend::automatic;
     double minimap_radius = 70.0;  ///< metres around the avatar: the next few buildings
-    /// Of the plan that it is cut from, pixels a metre: twice what an image 720 high shows.
+    /// Resolution of its plan, pixels per metre: twice that of an image 720 high.
     double minimap_detail = 2.5;
-    std::size_t max_windows = 3;  ///< pop-ups shown at once; more would hide the campus
+    std::size_t max_windows = 3;  ///< pop-ups shown at once
     bool labels = true;           ///< building titles on plans
-    FreeDistance free_distance;   ///< keeps the third-person camera out of walls; without it, it isn't
+    FreeDistance free_distance;   ///< keeps the third-person camera out of walls, if set
 };
 
-/// One image to take of a walk.
+/// What a snapshot shows.
 struct SnapshotRequest {
     CameraSettings camera;
     AvatarState avatar;
     AvatarProfile profile;
-    bool nobody = false;                     ///< no avatar: only OrbitView and FixedView have no need of it
-    double stride = 0.0;                     ///< phase of the avatar's step, radians
+    bool nobody = false;                     ///< no avatar; only for OrbitView and FixedView
+    double stride = 0.0;                     ///< phase of the gait, radians
     std::span<const OpenPopup> open_popups;  ///< oldest first
     std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in TopView
     ImageOverlays overlays;
-    std::span<const Eigen::Vector3d> contacts;  ///< where the foot point was, for the overlay
+    std::span<const Eigen::Vector3d> contacts;  ///< foot points, for the overlay
     std::string caption;                        ///< in the upper left corner, if any
     bool minimap = true;                        ///< in views from the avatar
 };
 
-/// Which building and which object each pixel of a shot shows, as Channels says; nothing drawn over it
-/// counts.
+/// The building and object that each pixel shows (see Channels), regardless of overlays.
 struct IdImage {
     int width = 0;                   ///< pixels
     int height = 0;                  ///< pixels
-    std::vector<std::uint32_t> ids;  ///< indices into `names`, rows from top to bottom
-    /// The same for all images of a campus, whatever they show. [0] is nobody's: sky, avatar, and whatever
-    /// no building and no object takes.
-    std::vector<PixelOwner> names;
+    std::vector<std::uint32_t> ids;  ///< indices into `owners`, rows from top to bottom
+    /// The same for all images of a campus. [0] is no owner: sky, avatar and unclaimed nodes.
+    std::vector<PixelOwner> owners;
 };
 
-/// Draws finished snapshots of one campus: the image, and over it windows, minimap and map marks. Holds the
-/// GL context; make it when the first image is needed. Throws RenderError when the machine can't draw.
+/// Draws complete snapshots of one campus: the image with windows, minimap and map marks. Owns the GL
+/// context; create it when the first image is needed. Throws RenderError if rendering is impossible.
 class SnapshotRenderer {
 public:
-    /// `campus` must outlive the painter.
+    /// `campus` must outlive the renderer.
     SnapshotRenderer(const scene::Campus& campus, SnapshotSettings settings);
 
     Image draw(const SnapshotRequest& request);
-    /// The same image in numbers, and who owns its pixels.
+    /// The channels and pixel owners of the same image.
     Channels draw_channels(const SnapshotRequest& request, const ChannelChoice& choice);
     IdImage draw_ids(const SnapshotRequest& request);
-    /// What Channels::nodes of this campus means.
+    /// Maps Channels::nodes to owners.
     IdImage ids_of(const Channels& channels);
     /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
     Image draw_plan(int width, int height);
     Channels draw_plan_channels(int width, int height, const ChannelChoice& choice);
-    /// From any viewpoint, nothing drawn over it.
+    /// Without overlays.
     Image draw_view(const Viewpoint& view, int width, int height);
 
     const scene::Bounds& bounds() const { return renderer_.bounds(); }
@@ -97,16 +95,16 @@ private:
                                           const Viewpoint& view) const;
     std::vector<MapLabel> labels() const;
     std::string title_of(std::size_t building) const;
-    std::vector<PixelLabel> labels_in(const SnapshotRequest& request);
+    std::vector<PixelLabel> visible_labels(const SnapshotRequest& request);
     const Minimap& minimap();
 
     const scene::Campus& campus_;
     SnapshotSettings settings_;
     Fonts fonts_;
     Renderer renderer_;
-    std::vector<scene::Bounds> building_bounds_;  // one a building, empty for one without nodes
+    std::vector<scene::Bounds> building_bounds_;  // one per building, empty for one without nodes
     std::optional<Minimap> minimap_;
-    std::optional<NodeOwners> node_owners_;  // none before the first id image
+    std::optional<NodeOwners> node_owners_;  // created on first use
 };
 
 }  // namespace campuswalk::engine::render

@@ -7,13 +7,13 @@
 
 namespace campuswalk::engine::render {
 
-/// Of which buildings something is to be seen in a snapshot.
+/// The visible pixels of each building in a snapshot.
 struct VisibleBuildings {
     std::size_t pixels = 0;                       ///< of the whole image
     std::vector<std::size_t> pixels_of_building;  ///< pixels, by index into CampusDescription::buildings
 };
 
-/// By the snapshot's name.
+/// By snapshot name.
 using VisibleBuildingsBySnapshot = std::map<std::string, VisibleBuildings>;
 
 }  // namespace campuswalk::engine::render

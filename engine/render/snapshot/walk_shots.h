@@ -9,23 +9,23 @@
 
 namespace campuswalk::engine::render {
 
-/// Follows a walk, and has what all images of it show alike: the avatar in its step, its way, the windows
-/// that are open.
+/// Follows a walk and fills in the parts that are common to all its snapshots: avatar, gait, path, open
+/// pop-ups.
 class SnapshotRequestBuilder {
 public:
     void begin(const Walk& walk);
-    /// Every tick, whether an image is taken or not.
+    /// To be called every tick.
     void follow(const AvatarState& avatar) { trail_.follow(avatar); }
 
     const LightSettings& light() const { return light_; }
-    /// Refers to this and to `record`: draw it before either changes.
+    /// The result refers to this object and to `record`: draw it before either changes.
     SnapshotRequest request(const TickRecord& record, const CameraSettings& camera);
 
 private:
     AvatarProfile profile_;
     LightSettings light_;
     WalkTrail trail_;
-    std::vector<Eigen::Vector3d> path_;  ///< of the latest shot
+    std::vector<Eigen::Vector3d> path_;  ///< of the latest request
 };
 
 }  // namespace campuswalk::engine::render

@@ -13,10 +13,10 @@ namespace campuswalk::engine::render::test {
 /// The demo campus' models.
 std::vector<scene::Model> demo_models();
 
-/// What is to be seen of it: "avenue", "square" or "lobby", from a walker's eyes.
+/// A view at eye level: "avenue", "square" or "lobby".
 Viewpoint demo_view(const std::string& name);
 
-/// 1280 x 720, as users get it.
+/// 1280 x 720.
 Image draw_demo(const std::vector<scene::Model>& models, const Viewpoint& view,
                 const RenderSettings& settings = {});
 

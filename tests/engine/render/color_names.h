@@ -8,7 +8,8 @@
 
 namespace campuswalk::engine::render::test {
 
-/// "red", "green", "blue", "yellow" or "grey" by which channels stand out, whatever the light; else "mixed".
+/// "red", "green", "blue", "yellow" or "grey" by the dominant channels, independent of brightness; else
+/// "mixed".
 std::string color_name(const std::array<std::uint8_t, 3>& rgb);
 /// Of the pixel nearest to (x, y); "outside" when that is not in the image.
 std::string color_name(const Image& image, double x, double y);

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 struct FlatTriangle {
-    std::array<Vector3d, 3> corners;  // counter-clockwise seen from outside
+    std::array<Vector3d, 3> vertices;  // counter-clockwise seen from outside
     std::array<Eigen::Vector2d, 3> uvs;
     std::uint32_t node = 0;
     const scene::Material* material = nullptr;
@@ -28,7 +28,7 @@ std::vector<FlatTriangle> triangles_of(const scene::Model& model) {
             for (const std::array<std::uint32_t, 3>& t : mesh.triangles) {
                 FlatTriangle& triangle = all.emplace_back();
                 for (std::size_t k = 0; k < 3; ++k) {
-                    triangle.corners[k] =
+                    triangle.vertices[k] =
                         (node.X_world_node * mesh.positions[t[k]].cast<double>().homogeneous()).head<3>();
                     triangle.uvs[k] = mesh.uvs[t[k]].cast<double>();
                 }
@@ -43,12 +43,12 @@ std::vector<FlatTriangle> triangles_of(const scene::Model& model) {
     return all;
 }
 
-double alpha_at(const FlatTriangle& triangle, const Vector3d& shares) {
+double alpha_at(const FlatTriangle& triangle, const Vector3d& barycentric) {
     double alpha = triangle.material->base_color[3];
     if (triangle.texture != nullptr) {
         Eigen::Vector2d uv(0, 0);
         for (std::size_t k = 0; k < 3; ++k) {
-            uv += shares[static_cast<Eigen::Index>(k)] * triangle.uvs[k];
+            uv += barycentric[static_cast<Eigen::Index>(k)] * triangle.uvs[k];
         }
         const scene::Texture& texture = *triangle.texture;
         const int x = std::clamp(static_cast<int>(uv.x() * texture.width), 0, texture.width - 1);
@@ -59,42 +59,43 @@ double alpha_at(const FlatTriangle& triangle, const Vector3d& shares) {
     return alpha;
 }
 
-bool counts(const FlatTriangle& triangle, const Vector3d& shares, const Vector3d& way) {
+bool counts(const FlatTriangle& triangle, const Vector3d& barycentric, const Vector3d& direction) {
     const Vector3d outside =
-        (triangle.corners[1] - triangle.corners[0]).cross(triangle.corners[2] - triangle.corners[0]);
-    if (!triangle.material->double_sided && outside.dot(way) >= 0.0) {
+        (triangle.vertices[1] - triangle.vertices[0]).cross(triangle.vertices[2] - triangle.vertices[0]);
+    if (!triangle.material->double_sided && outside.dot(direction) >= 0.0) {
         return false;
     }
     switch (triangle.material->alpha_mode) {
         case scene::AlphaMode::mask:
-            return alpha_at(triangle, shares) >= triangle.material->alpha_cutoff;
+            return alpha_at(triangle, barycentric) >= triangle.material->alpha_cutoff;
         case scene::AlphaMode::blend:
-            return alpha_at(triangle, shares) >= 0.5;
+            return alpha_at(triangle, barycentric) >= 0.5;
         case scene::AlphaMode::opaque:
             break;
     }
     return true;
 }
 
-// The plane is met first, then it is seen in which corners' shares the place can be written.
-void meet(const FlatTriangle& triangle, const Vector3d& from, const Vector3d& way, const Vector3d& axis,
-          double nearest, PixelHit& hit) {
-    const auto& [a, b, c] = triangle.corners;
+// Intersects the plane, then tests the barycentric coordinates.
+void intersect(const FlatTriangle& triangle, const Vector3d& from, const Vector3d& direction,
+               const Vector3d& axis, double nearest, PixelHit& hit) {
+    const auto& [a, b, c] = triangle.vertices;
     const Vector3d normal = (b - a).cross(c - a);
-    const double slope = normal.dot(way);
+    const double slope = normal.dot(direction);
     if (slope == 0.0) {
         return;
     }
     const double t = normal.dot(a - from) / slope;
-    const double depth = t * way.dot(axis);
+    const double depth = t * direction.dot(axis);
     if (depth < nearest || (hit.node != 0 && depth > hit.depth)) {
         return;
     }
-    const Vector3d p = from + t * way;
+    const Vector3d p = from + t * direction;
     const double area = normal.squaredNorm();
-    const Vector3d shares(normal.dot((c - b).cross(p - b)) / area, normal.dot((a - c).cross(p - c)) / area,
-                          normal.dot((b - a).cross(p - a)) / area);
-    if (shares.minCoeff() >= 0.0 && counts(triangle, shares, way)) {
+    const Vector3d barycentric(normal.dot((c - b).cross(p - b)) / area,
+                               normal.dot((a - c).cross(p - c)) / area,
+                               normal.dot((b - a).cross(p - a)) / area);
+    if (barycentric.minCoeff() >= 0.0 && counts(triangle, barycentric, direction)) {
         hit = {triangle.node, depth, (slope > 0.0 ? -1.0 : 1.0) * normal.normalized()};
     }
 }
@@ -114,10 +115,10 @@ PixelRays::PixelRays(const scene::Model& model, const Viewpoint& view, int width
             const Vector3d aside = half * ((2.0 * (x + 0.5) / width - 1.0) * width / height * right +
                                            (1.0 - 2.0 * (y + 0.5) / height) * up);
             const Vector3d from = perspective ? view.position : Vector3d(view.position + aside);
-            const Vector3d way = perspective ? Vector3d(axis + aside) : axis;
+            const Vector3d direction = perspective ? Vector3d(axis + aside) : axis;
             PixelHit& hit = hits_.emplace_back();
             for (const FlatTriangle& triangle : triangles) {
-                meet(triangle, from, way, axis, view.near_distance, hit);
+                intersect(triangle, from, direction, axis, view.near_distance, hit);
             }
         }
     }

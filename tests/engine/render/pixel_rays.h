@@ -11,15 +11,15 @@
 
 namespace campuswalk::engine::render::test {
 
-/// What a ray through a pixel's middle meets.
+/// The first hit of the ray through a pixel's centre.
 struct PixelHit {
-    std::uint32_t node = 0;                            ///< counted as in Channels; 0 nothing
-    double depth = 0.0;                                ///< metres along the camera's axis
+    std::uint32_t node = 0;                            ///< as in Channels; 0 = no hit
+    double depth = 0.0;                                ///< metres along the camera axis
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the triangle, towards the camera
 };
 
-/// The rays of an image, each tried on every triangle of the model in double precision: what channels are
-/// held against. Shares nothing with the renderer but Viewpoint. Textures are read at the nearest texel.
+/// Reference for channels: intersects the ray of every pixel with every triangle of the model in double
+/// precision. Shares only Viewpoint with the renderer. Textures are sampled at the nearest texel.
 class PixelRays {
 public:
     PixelRays(const scene::Model& model, const Viewpoint& view, int width, int height);
@@ -28,9 +28,9 @@ public:
         return hits_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                      static_cast<std::size_t>(x)];
     }
-    /// Whether the pixel isn't on the image's rim and the eight around it show the same node.
+    /// Whether the pixel has eight neighbours that all show the same node.
     bool is_interior(int x, int y) const;
-    /// The largest difference of depth to the four pixels beside.
+    /// The largest depth difference to the four direct neighbours.
     double depth_change(int x, int y) const;
 
 private:

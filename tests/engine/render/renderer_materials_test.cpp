@@ -9,7 +9,7 @@
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/small_scenes.h"
 
-// How surfaces look by their materials: glTF 2.0's conventions.
+// Materials by the conventions of glTF 2.0.
 namespace campuswalk::engine::render::test {
 namespace {
 
@@ -32,7 +32,7 @@ TEST(Materials, TextureOriginIsTheUpperLeftCorner) {
 }
 
 TEST(Materials, BaseColorMultipliesTheTexture) {
-    // Red paint lets through only the red of the blocks.
+    // A red base colour keeps only the red of the texture.
     const Image image =
         drawn(SceneBuilder().paint({1, 0, 0, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
     EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "red");
@@ -68,7 +68,7 @@ TEST(Materials, TextureColorsAreSrgb) {
     EXPECT_NEAR(ratio, 128.0 / 255.0, 0.03);
 }
 
-TEST(Materials, FineTexturesAreAsBrightAsTheirLight) {
+TEST(Materials, MinifiedTexturesKeepTheirLinearBrightness) {
     // 64 columns of black and white on some ten pixels: half of the light, 188 of 255 in sRGB, and not 128.
     scene::Texture stripes;
     stripes.width = stripes.height = 64;
@@ -110,7 +110,7 @@ TEST(Materials, OpaqueIgnoresAlpha) {
     EXPECT_EQ(color_name(image, 80 - kReach, 45), "red");
 }
 
-TEST(Materials, BlendShowsWhatIsBehindInEitherOrderOfTheFile) {
+TEST(Materials, BlendIsIndependentOfFileOrder) {
     const auto pane = [](SceneBuilder& scene, double z, const Color& color) {
         scene.paint({color[0], color[1], color[2], 0.5F})
             .alpha(scene::AlphaMode::blend)
@@ -148,7 +148,7 @@ TEST(Materials, BackFacesAreDrawnOnlyWhenDoubleSided) {
     EXPECT_EQ(color_name(image_from_behind(true), 80, 45), "red");
 }
 
-TEST(Materials, MirroredNodesKeepTheirOutsideOutside) {
+TEST(Materials, MirroredNodesKeepTheirFrontFaces) {
     Eigen::Matrix4d mirrored = Eigen::Matrix4d::Identity();
     mirrored(0, 0) = -1.0;
     const Image image = drawn(SceneBuilder()
@@ -160,7 +160,7 @@ TEST(Materials, MirroredNodesKeepTheirOutsideOutside) {
     EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "green");
 }
 
-TEST(Materials, EmissiveShinesWithoutLight) {
+TEST(Materials, EmissiveIsVisibleWithoutLight) {
     RenderSettings settings = quick_settings();
     settings.sun_color.setZero();
     settings.sky_light.setZero();
@@ -182,7 +182,7 @@ RenderSettings in_the_dark() {
     return settings;
 }
 
-TEST(Materials, EmissiveTextureSaysWhereItShines) {
+TEST(Materials, EmissiveTextureModulatesEmission) {
     const scene::Model model = SceneBuilder()
                                    .paint(kGrey)
                                    .glow({0.6F, 0.6F, 0.6F})
@@ -196,7 +196,7 @@ TEST(Materials, EmissiveTextureSaysWhereItShines) {
     EXPECT_EQ(color_name(image, 80 - kReach, 45 + kReach), "blue");
 }
 
-TEST(Materials, UnlitIsAsPaintedInShadowAndWithoutLight) {
+TEST(Materials, UnlitKeepsItsColorInShadowAndWithoutLight) {
     const std::array<std::uint8_t, 4> paint = {240, 90, 30, 255};
     SceneBuilder scene;
     scene.paint({1, 1, 1, 1}, plain_texture(paint)).material().unlit = true;
@@ -212,8 +212,8 @@ TEST(Materials, UnlitIsAsPaintedInShadowAndWithoutLight) {
     }
 }
 
-// A sheet whose bumps all lean one way looks as one whose normals do.
-TEST(Materials, NormalMapsLightASurfaceAsItsNormalsWould) {
+// A sheet with a constant normal map looks like one with tilted vertex normals.
+TEST(Materials, NormalMapsEqualTiltedNormals) {
     RenderSettings settings = quick_settings();
     settings.to_sun = Eigen::Vector3d(0.5, 0.4, 0.77).normalized();
     settings.fog_distance = 0.0;
@@ -243,7 +243,7 @@ TEST(Materials, NormalMapsLightASurfaceAsItsNormalsWould) {
     EXPECT_GT(seen[2], seen[3] + 20.0);
 }
 
-TEST(Materials, NormalScaleOfNothingIsFlat) {
+TEST(Materials, NormalScaleZeroIsFlat) {
     const auto sheet = [](float scale) {
         SceneBuilder scene;
         scene.paint(kGrey).image(&scene::Material::normal_texture, plain_texture({220, 160, 180, 255}));
@@ -255,8 +255,8 @@ TEST(Materials, NormalScaleOfNothingIsFlat) {
     EXPECT_GT(std::abs(brightness(sheet(1.0F), 80, 45) - brightness(plain, 80, 45)), 10.0);
 }
 
-// What a polished floor shows in a row under the horizon is the sky in the row as far over it.
-TEST(Materials, PolishedMetalMirrorsTheSky) {
+// A row of a polished floor below the horizon shows the sky as far above it.
+TEST(Materials, PolishedMetalReflectsTheSky) {
     SceneBuilder scene;
     scene.paint({1, 1, 1, 1}).material().metallic = 1.0F;
     scene.material().roughness = 0.0F;
@@ -279,7 +279,7 @@ TEST(Materials, PolishedMetalMirrorsTheSky) {
     }
 }
 
-TEST(Materials, MetalGleamsMoreTheSmootherItIs) {
+TEST(Materials, SmootherMetalHasBrighterHighlights) {
     // The sun straight behind the camera: its reflection is in the middle of the image.
     const auto middle = [](float metallic, float roughness) {
         SceneBuilder scene;
@@ -295,7 +295,7 @@ TEST(Materials, MetalGleamsMoreTheSmootherItIs) {
     const double stone = middle(0.0F, 1.0F);
     EXPECT_GT(middle(1.0F, 0.3F), stone + 30.0);
     EXPECT_GT(middle(1.0F, 0.3F), middle(1.0F, 0.6F) + 20.0);
-    EXPECT_NEAR(middle(1.0F, 1.0F), stone, 25.0) << "files that say nothing of metal mean rough metal";
+    EXPECT_NEAR(middle(1.0F, 1.0F), stone, 25.0) << "the default material of glTF is rough metal";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Renderer renderer_of(const scene::Model& model, const RenderSettings& settings =
     return Renderer(std::span(&model, 1), settings);
 }
 
-TEST(Renderer, PutsPlusXOnTheRightAndPlusYOnTop) {
+TEST(Renderer, PlusXIsRightAndPlusYIsUp) {
     const scene::Model model = SceneBuilder()
                                    .paint(kRed)
                                    .box({2, -1, -7}, {4, 1, -6})
@@ -46,14 +46,14 @@ TEST(Renderer, PutsPlusXOnTheRightAndPlusYOnTop) {
     EXPECT_EQ(color_name(image, 80, 18), "green") << "above the middle";
 }
 
-TEST(Renderer, YawToTheLeftBringsWhatWasOnTheLeftToTheMiddle) {
+TEST(Renderer, PositiveYawTurnsLeft) {
     const scene::Model model = SceneBuilder().paint(kBlue).box({-7, -1, -1}, {-6, 1, 1}).model();
     Renderer renderer = renderer_of(model);
     const Viewpoint left = looking(Vector3d::Zero(), 1.5707963267948966, 0.0, kFov);
     EXPECT_EQ(color_name(renderer.draw(left, kWidth, kHeight), 80, 45), "blue");
 }
 
-TEST(Renderer, DrawsAPointWhereThePixelFormulaPutsIt) {
+TEST(Renderer, DrawsAPointAtItsProjectedPixel) {
     const Vector3d point(1.2, 0.7, -9.0);
     const Vector3d half(0.15, 0.15, 0.0001);
     const scene::Model model = SceneBuilder()
@@ -84,7 +84,7 @@ TEST(Renderer, DrawsAPointWhereThePixelFormulaPutsIt) {
     EXPECT_NEAR(sum.y() / weight, expected->y(), 0.3);
 }
 
-TEST(Renderer, ShowsSkyAboveTheHorizonAndNoneOnAMap) {
+TEST(Renderer, DrawsSkyAboveTheHorizonButNotOnAMap) {
     const scene::Model model = SceneBuilder().paint(kGreen).ground(10.0).model();
     Renderer renderer = renderer_of(model);
     const Image eye_level = renderer.draw(looking({0, 1.65, 4}, 0.0, 0.2, kFov), kWidth, kHeight);
@@ -93,10 +93,10 @@ TEST(Renderer, ShowsSkyAboveTheHorizonAndNoneOnAMap) {
     EXPECT_EQ(color_name(eye_level, 80, 85), "green");
     const Image map = renderer.draw(plan(renderer.bounds(), 2.0), 100, 50);
     EXPECT_EQ(color_name(map, 50, 25), "green");
-    EXPECT_EQ(color_name(map, 2, 25), "grey") << "paper beside the campus";
+    EXPECT_EQ(color_name(map, 2, 25), "grey") << "background beside the campus";
 }
 
-TEST(Renderer, DrawsTheSameBytesAgainAfterAnotherImageAndFromAnotherContext) {
+TEST(Renderer, DrawsTheSameBytesRepeatedlyAndInAnotherContext) {
     const scene::Model model = tower_scene();
     Renderer renderer = renderer_of(model);
     const Image first = renderer.draw(tower_view(), kWidth, kHeight);
@@ -108,7 +108,7 @@ TEST(Renderer, DrawsTheSameBytesAgainAfterAnotherImageAndFromAnotherContext) {
     EXPECT_EQ(renderer.draw(tower_view(), kWidth, kHeight).rgba, first.rgba);
 }
 
-TEST(Renderer, OutlivesAnotherOne) {
+TEST(Renderer, SurvivesTheDestructionOfAnother) {
     const scene::Model model = tower_scene();
     auto doomed = std::make_unique<Renderer>(renderer_of(model));
     doomed->draw(tower_view(), kWidth, kHeight);
@@ -118,7 +118,7 @@ TEST(Renderer, OutlivesAnotherOne) {
     EXPECT_EQ(survivor.draw(tower_view(), kWidth, kHeight).rgba, before.rgba);
 }
 
-TEST(Renderer, DrawsTheSameBytesInOtherProcessesWithAnyBackendAndNumberOfThreads) {
+TEST(Renderer, DrawsTheSameBytesInAnyProcessBackendAndThreadCount) {
     const scene::Model model = tower_scene();
     Renderer renderer = renderer_of(model);
     const std::vector<std::uint8_t> ours = encode_png(renderer.draw(tower_view(), kWidth, kHeight));
@@ -136,7 +136,7 @@ TEST(Renderer, DrawsTheSameBytesInOtherProcessesWithAnyBackendAndNumberOfThreads
     }
 }
 
-TEST(Renderer, DrawsNothingWithoutAModel) {
+TEST(Renderer, DrawsAnEmptyCampus) {
     Renderer renderer(std::span<const scene::Model>{}, quick_settings());
     EXPECT_TRUE(renderer.bounds().empty());
     EXPECT_EQ(renderer.draw(ahead(), 16, 9).rgba.size(), 4U * 16U * 9U);
@@ -153,7 +153,7 @@ TEST(Renderer, DrawsImagesOfOddSizes) {
     }
 }
 
-TEST(Renderer, RefusesSizesThatCantBeDrawn) {
+TEST(Renderer, RejectsUnsupportedSizes) {
     const scene::Model model = tower_scene();
     Renderer renderer = renderer_of(model);
     EXPECT_THROW(renderer.draw(ahead(), 0, 90), RenderError);
@@ -163,7 +163,7 @@ TEST(Renderer, RefusesSizesThatCantBeDrawn) {
     EXPECT_EQ(renderer.draw(ahead(), 16, 9).width, 16);
 }
 
-TEST(Renderer, IsAsSharpFarFromTheWorldsOriginAsNearIt) {
+TEST(Renderer, IsPreciseFarFromTheWorldOrigin) {
     scene::Model near = tower_scene();
     scene::Model far = near;
     const Vector3d offset(450000.0, 300.0, -5200000.0);  // map coordinates

@@ -5,7 +5,7 @@
 
 namespace campuswalk::engine::render::test {
 
-/// An empty folder that is gone after the test.
+/// A temporary empty folder, deleted by the destructor.
 class ScratchFolder {
 public:
     ScratchFolder();

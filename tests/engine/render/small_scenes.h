@@ -23,10 +23,10 @@ constexpr int kWidth = 160;  // of test images, pixels: llvmpipe draws on the pr
 constexpr int kHeight = 90;
 constexpr double kFov = 1.0471975511965976;
 
-/// Small shadow maps, all else as users get it.
+/// Default settings with small shadow maps.
 RenderSettings quick_settings();
 
-/// A model under construction: a node and a mesh a piece.
+/// Builds a model with a node and a mesh per piece.
 class SceneBuilder {
 public:
     /// A material for the pieces that follow; `texture` is optional.
@@ -48,7 +48,7 @@ public:
     /// A square in the plane y = 0 about the origin.
     SceneBuilder& ground(double size);
 
-    /// As import hands it over: what a node mirrors is turned right side out.
+    /// As imported: the winding of mirrored nodes is flipped.
     scene::Model model() const;
 
 private:

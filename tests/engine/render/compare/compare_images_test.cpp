@@ -1,6 +1,7 @@
 #include "engine/render/compare/compare_images.h"
 
 #include <random>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ std::string why(const Image& a, const Image& b, const ImageTolerance& tolerance 
     return describe_violations(comparison, tolerance);
 }
 
-/// The upper left `count` pixels, row by row, are white.
+/// Makes the first `count` pixels white.
 Image with_white(Image image, int count) {
     for (int i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -25,10 +26,25 @@ Image with_white(Image image, int count) {
     return image;
 }
 
+/// Whether the description consists of as many limits, each with the numbers in it.
+testing::AssertionResult names(const std::string& description,
+                               const std::vector<std::vector<std::string>>& limits) {
+    std::istringstream parts(description);
+    std::size_t count = 0;
+    for (std::string part; std::getline(parts, part, ';'); ++count) {
+        for (const std::string& number : count < limits.size() ? limits[count] : std::vector<std::string>()) {
+            if (part.find(number) == std::string::npos) {
+                return testing::AssertionFailure() << part << " lacks " << number;
+            }
+        }
+    }
+    return count == limits.size() ? testing::AssertionSuccess() : testing::AssertionFailure() << description;
+}
+
 const Image kBlack = plain_image(100, 100, {0, 0, 0});
 constexpr double kAny = -1.0;  // similarity
 
-TEST(CompareImages, TheSameIsTheSame) {
+TEST(CompareImages, EqualImagesAreEqual) {
     std::mt19937 random(1);
     const Image image = noise(70, 70, random);
     ImageTolerance strict;
@@ -40,28 +56,27 @@ TEST(CompareImages, TheSameIsTheSame) {
     EXPECT_EQ(compare_images(image, image, {}).worst.ssim, 1.0);
 }
 
-TEST(CompareImages, WithoutALimitNoPixelMayDiffer) {
+TEST(CompareImages, WithoutLimitsNoPixelMayDiffer) {
     ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
-    EXPECT_EQ(why(kBlack, with_white(kBlack, 1), tolerance), "1 pixel differs (0.010 %), at most 0 may");
-    EXPECT_EQ(why(kBlack, with_white(kBlack, 30), tolerance), "30 pixels differ (0.300 %), at most 0 may");
+    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 1), tolerance), {{"1 pixel ", "0.010 %", " 0"}}));
+    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 30), tolerance), {{"30 pixels ", "0.300 %", " 0"}}));
 }
 
-TEST(CompareImages, LimitsHoldTogether) {
+TEST(CompareImages, AllLimitsApply) {
     ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
     tolerance.max_diff_pixels = 30;
     EXPECT_EQ(why(kBlack, with_white(kBlack, 30), tolerance), "");
-    EXPECT_EQ(why(kBlack, with_white(kBlack, 31), tolerance), "31 pixels differ (0.310 %), at most 30 may");
+    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 31), tolerance), {{"31 pixels ", "0.310 %", " 30"}}));
     tolerance.max_diff_pixel_ratio = 0.002;
-    EXPECT_EQ(why(kBlack, with_white(kBlack, 30), tolerance),
-              "0.300 % of the pixels differ, at most 0.200 % may");
+    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 30), tolerance), {{"0.300 %", "0.200 %"}}));
     tolerance.max_diff_pixels.reset();
     EXPECT_EQ(why(kBlack, with_white(kBlack, 20), tolerance), "");
 }
 
 TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
-    // Stripes of 20 levels are nothing to the pixel rule, and much to an even wall.
+    // Stripes of 20 levels are within the pixel threshold, but change the structure of a uniform wall.
     const Image even = plain_image(64, 64, {100, 100, 100});
     Image striped = even;
     for (int y = 0; y < 64; y += 2) {
@@ -77,20 +92,17 @@ TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
     const double expected =
         (2 * 100 * 110 + 6.5025) * 58.5225 / ((100 * 100 + 110 * 110 + 6.5025) * (100 + 58.5225));
     EXPECT_NEAR(comparison.worst.ssim, expected, 1e-9);
-    EXPECT_EQ(why(even, striped),
-              "the tile of 64x64 pixels at 0,0 has a similarity of 0.367, at least 0.970 is wanted");
+    EXPECT_TRUE(names(why(even, striped), {{"64x64", "0,0", "0.367", "0.970"}}));
 }
 
-TEST(CompareImages, TellsOfAllThatDoesNotHold) {
+TEST(CompareImages, DescribesAllViolations) {
     const std::string both = why(kBlack, plain_image(100, 100, {255, 255, 255}));
-    EXPECT_EQ(both,
-              "10000 pixels differ (100.000 %), at most 0 may; the tile of 64x64 pixels at 0,0 has a "
-              "similarity of 0.000, at least 0.970 is wanted (4 tiles of 4)");
+    EXPECT_TRUE(names(both, {{"10000 pixels ", "100.000 %"}, {"64x64", "0,0", "0.000", "0.970", "4 of 4"}}));
 }
 
 TEST(CompareImages, DefaultsAllowForAnotherProcessorsRounding) {
-    // What was measured: up to 0.24 % of the pixels, by up to 15 levels. On an even image, where it is seen
-    // best, and with twenty draws.
+    // As measured: up to 0.24 % of the pixels differ by up to 15 levels. On a uniform image, the worst case,
+    // twenty times.
     std::mt19937 random(9);
     for (int draw = 0; draw < 20; ++draw) {
         const Image even = plain_image(1280, 720, {90, 120, 150});
@@ -101,7 +113,7 @@ TEST(CompareImages, DefaultsAllowForAnotherProcessorsRounding) {
     }
 }
 
-TEST(DrawDifference, ShowsWhatIsWhat) {
+TEST(DrawDifference, ColorsEveryVerdict) {
     const Image a = plain_image(200, 100, {100, 100, 100});
     Image b = a;
     for (int x = 0; x < 40; ++x) {

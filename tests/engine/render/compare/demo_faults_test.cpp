@@ -1,4 +1,4 @@
-// What the defaults of the comparison forgive and what they find, on the demo campus at 1280x720.
+// What the default tolerance accepts and detects on the demo campus at 1280x720.
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kViews[] = {"avenue", "square", "lobby"};
 
-/// Models and their images, made once for all tests.
+/// Models and images, shared by all tests.
 class DemoFaults : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -46,7 +46,7 @@ protected:
     static const std::vector<scene::Model>& models() { return *models_; }
     static const Image& right(const std::string& view) { return images_->at(view); }
 
-    /// Whether the defaults find a difference; the figures go to the test's record.
+    /// Whether the default tolerance is violated; records the values as test properties.
     static bool found(const std::string& view, const Image& image) {
         const ImageTolerance tolerance;
         const ImageComparison comparison = compare_images(right(view), image, tolerance);
@@ -66,7 +66,7 @@ std::unique_ptr<std::vector<scene::Model>> DemoFaults::models_;
 std::unique_ptr<Renderer> DemoFaults::renderer_;
 std::unique_ptr<std::map<std::string, Image>> DemoFaults::images_;
 
-/// All views, drawn by a process of its own, whose driver believes to be on another machine.
+/// Draws all views in another process whose driver assumes another processor.
 std::map<std::string, Image> drawn_elsewhere(const std::string& environment) {
     const ScratchFolder folder;
     std::string command = environment + " " + DRAW_DEMO_VIEW;
@@ -84,7 +84,7 @@ std::map<std::string, Image> drawn_elsewhere(const std::string& environment) {
     return images;
 }
 
-TEST_F(DemoFaults, ForgiveAnotherProcessor) {
+TEST_F(DemoFaults, AcceptAnotherProcessor) {
     bool any = false;
     // Not by LP_NATIVE_VECTOR_WIDTH=128: with AVX-512 in the processor Mesa 22.3.6 then writes beyond its
     // memory.
@@ -94,10 +94,10 @@ TEST_F(DemoFaults, ForgiveAnotherProcessor) {
             any = any || image.rgba != right(view).rgba;
         }
     }
-    EXPECT_TRUE(any) << "no setting made another picture, so nothing was shown";
+    EXPECT_TRUE(any) << "no setting changed the image";
 }
 
-TEST_F(DemoFaults, ForgiveSomePixelsByFifteenLevels) {
+TEST_F(DemoFaults, AcceptSomePixelsOffByFifteenLevels) {
     std::mt19937 random(11);
     for (const char* view : kViews) {
         for (int draw = 0; draw < 5; ++draw) {
@@ -106,14 +106,14 @@ TEST_F(DemoFaults, ForgiveSomePixelsByFifteenLevels) {
     }
 }
 
-TEST_F(DemoFaults, FindThatShadowsAreOff) {
+TEST_F(DemoFaults, DetectMissingShadows) {
     RenderSettings settings;
     settings.shadows = false;
     EXPECT_TRUE(found("avenue", draw_demo(models(), demo_view("avenue"), settings)));
     EXPECT_TRUE(found("square", draw_demo(models(), demo_view("square"), settings)));
 }
 
-TEST_F(DemoFaults, FindThatTheSunTurnedByThreeDegrees) {
+TEST_F(DemoFaults, DetectASunOffByThreeDegrees) {
     for (const double turn : {3.0, -3.0}) {
         RenderSettings settings;
         settings.to_sun =
@@ -123,7 +123,7 @@ TEST_F(DemoFaults, FindThatTheSunTurnedByThreeDegrees) {
     }
 }
 
-TEST_F(DemoFaults, FindThatTheSmallTreesAreGone) {
+TEST_F(DemoFaults, DetectMissingTrees) {
     std::vector<scene::Model> without = models();
     int gone = 0;
     for (scene::Model& model : without) {
@@ -138,7 +138,7 @@ TEST_F(DemoFaults, FindThatTheSmallTreesAreGone) {
     EXPECT_TRUE(found("square", draw_demo(without, demo_view("square"))));
 }
 
-TEST_F(DemoFaults, FindThatTheCameraIsTwoCentimetresOff) {
+TEST_F(DemoFaults, DetectACameraOffByTwoCentimetres) {
     for (const char* view : kViews) {
         for (const Eigen::Vector3d& way :
              {Eigen::Vector3d(0.02, 0, 0), Eigen::Vector3d(0, 0.02, 0), Eigen::Vector3d(0, 0, 0.02)}) {
@@ -149,7 +149,7 @@ TEST_F(DemoFaults, FindThatTheCameraIsTwoCentimetresOff) {
     }
 }
 
-TEST_F(DemoFaults, FindThatOneTextureWasSwapped) {
+TEST_F(DemoFaults, DetectASwappedTexture) {
     std::vector<scene::Model> swapped = models();
     std::vector<scene::Texture>& textures = swapped.front().textures;
     const auto named = [&](const char* part) {

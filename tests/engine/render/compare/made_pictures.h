@@ -6,10 +6,10 @@
 
 namespace campuswalk::engine::render::test {
 
-/// Every channel of every pixel any value.
+/// Uniform noise.
 Image noise(int width, int height, std::mt19937& random);
 
-/// So many of the pixels, each of their channels moved by `levels` at most, up or down.
+/// Changes the channels of a number of pixels by at most `levels`.
 Image disturbed(const Image& image, double share, int levels, std::mt19937& random);
 
 }  // namespace campuswalk::engine::render::test

@@ -65,7 +65,7 @@ double plain_window(const Image& a, const Image& b, const ImageMask& mask, int l
            ((mean_a * mean_a + mean_b * mean_b + kC1) * (variance_a + variance_b + kC2));
 }
 
-/// Where windows begin along a side: every 4 pixels, as long as one holds pixels that the last one didn't.
+/// Window positions along a side: every 4 pixels while they add pixels.
 std::vector<int> starts(int side) {
     std::vector<int> at = {0};
     while (at.back() + 8 < side) {
@@ -74,8 +74,8 @@ std::vector<int> starts(int side) {
     return at;
 }
 
-/// A tile's value: the mean of the windows that begin in it, each weighted by what of it is in the image;
-/// masked pixels count as equal.
+/// Mean of the windows that start in the tile, weighted by their size within the image; masked pixels count
+/// as equal.
 double plain_tile(const Image& a, const Image& b, const ImageMask& mask, const PixelBox& box) {
     double sum = 0.0;
     double weight = 0.0;
@@ -94,7 +94,7 @@ double plain_tile(const Image& a, const Image& b, const ImageMask& mask, const P
     return sum / weight;
 }
 
-TEST(TileSimilarity, IsWhatPlainLoopsGive) {
+TEST(TileSimilarity, MatchesAPlainImplementation) {
     std::mt19937 random(1);
     const std::vector<PixelBox> masks = {{10, 5, 30, 20}, {60, 60, 200, 3}, {-5, -5, 7, 7}};
     for (const auto& [width, height] :
@@ -128,7 +128,7 @@ TEST(TileSimilarity, TilesCoverTheImage) {
     }
 }
 
-TEST(TileSimilarity, OfEvenImagesIsTheFormulaOfTheirMeans) {
+TEST(TileSimilarity, MatchesTheFormulaForUniformImages) {
     for (const auto& [a, b] :
          {std::pair(0, 255), std::pair(100, 110), std::pair(200, 200), std::pair(3, 1)}) {
         const auto grey = [](int value) {
@@ -142,7 +142,7 @@ TEST(TileSimilarity, OfEvenImagesIsTheFormulaOfTheirMeans) {
     }
 }
 
-TEST(TileSimilarity, OfANegativeIsNegative) {
+TEST(TileSimilarity, IsNegativeForANegativeImage) {
     std::mt19937 random(2);
     const Image image = noise(64, 64, random);
     Image negative = image;
@@ -154,7 +154,7 @@ TEST(TileSimilarity, OfANegativeIsNegative) {
     EXPECT_LT(worst_of(image, negative), -0.8);
 }
 
-TEST(TileSimilarity, IsExactlyOneForTheSameAndTheSameBothWays) {
+TEST(TileSimilarity, IsExactlyOneForEqualImagesAndSymmetric) {
     std::mt19937 random(3);
     const Image a = noise(150, 90, random);
     const Image b = disturbed(a, 0.3, 40, random);
@@ -169,7 +169,7 @@ TEST(TileSimilarity, IsExactlyOneForTheSameAndTheSameBothWays) {
     }
 }
 
-TEST(TileSimilarity, FallsTheMoreIsDisturbed) {
+TEST(TileSimilarity, DecreasesWithNoise) {
     std::mt19937 random(4);
     const Image a = noise(64, 64, random);
     double before = 1.0;
@@ -180,7 +180,7 @@ TEST(TileSimilarity, FallsTheMoreIsDisturbed) {
     }
 }
 
-TEST(TileSimilarity, WhatIsMaskedIsNotLookedAt) {
+TEST(TileSimilarity, IgnoresMaskedPixels) {
     std::mt19937 random(5);
     const Image a = noise(200, 100, random);
     Image b = a;

@@ -25,7 +25,7 @@ Eigen::AlignedBox3d box_of(const FigureMesh& mesh) {
     return box;
 }
 
-TEST(AvatarFigure, StandsOnItsFootPointAsTallAsItsProfile) {
+TEST(AvatarFigure, StandsOnItsFootPointWithTheProfilesHeight) {
     for (const double height : {1.2, 1.8, 2.0}) {
         AvatarProfile profile;
         profile.height = height;
@@ -51,7 +51,7 @@ TEST(AvatarFigure, FacesItsYaw) {
     EXPECT_GT(box_of(north).max().z(), -box_of(north).min().z());
 }
 
-TEST(AvatarFigure, StepsFurtherApartThanItStands) {
+TEST(AvatarFigure, StrideMovesTheFeetApart) {
     const AvatarProfile profile;
     const auto depth = [&](double stride) {
         return box_of(make_figure(standing(Vector3d::Zero(), 0.0), profile, stride, Vector3d::Zero()))

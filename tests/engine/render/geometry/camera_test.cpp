@@ -61,7 +61,7 @@ TEST(ThirdPerson, StandsBehindAndLooksDownAtTheAvatar) {
     expect_pixel(view, {1, 1.8, 2}, 640, 360);
 }
 
-TEST(ThirdPerson, ComesNearerWhenAWallIsBehind) {
+TEST(ThirdPerson, ComesCloserIfAWallIsBehind) {
     const AvatarProfile profile;
     const AvatarState avatar = avatar_at({0, 0, 0}, 0.4);
     const auto distance_with = [&](double free) {
@@ -91,7 +91,7 @@ TEST(Top, IsAMapWithNorthUpCentredOnTheGround) {
     EXPECT_TRUE(pixel_of(view, 1280, 720, {10, 30, 20})) << "the highest roof is in front of the camera";
 }
 
-TEST(Plan, FitsTheWholeCampusInAnyShapeOfImage) {
+TEST(Plan, FitsTheWholeCampusAtAnyAspectRatio) {
     scene::Bounds campus;
     campus.extend({-120, -2, -40});
     campus.extend({80, 30, 60});
@@ -110,7 +110,7 @@ TEST(Plan, FitsTheWholeCampusInAnyShapeOfImage) {
     }
 }
 
-TEST(Plan, OfNothingIsStillAView) {
+TEST(Plan, IsValidForAnEmptyCampus) {
     const Viewpoint view = plan({}, 1.5);
     EXPECT_GT(view.height, 0.0);
     EXPECT_TRUE(clip_from_world(view, 1.5).allFinite());
@@ -128,7 +128,7 @@ TEST(ClipFromWorld, DepthFallsFromOneAtTheNearPlaneTowardsZero) {
     EXPECT_NEAR(depth(1000.0), 0.0001, 1e-12);
 }
 
-TEST(ClipFromWorld, KeepsSquaresSquareInAWideImage) {
+TEST(ClipFromWorld, PreservesTheAspectRatioOfSquares) {
     const Viewpoint view = looking({0, 0, 0}, 0.0, 0.0, kFov);
     const auto right = pixel_of(view, 1600, 400, {1, 0, -5});
     const auto above = pixel_of(view, 1600, 400, {0, 1, -5});

@@ -20,7 +20,7 @@ Vector3d corner(const CampusGeometry& geometry, std::uint32_t index) {
     return geometry.origin + Vector3d(p[0], p[1], p[2]);
 }
 
-// Twice the area of the projections of all triangles' outsides on `axis`; 0 for a closed body.
+// Sum of the triangles' area vectors, doubled; 0 for a closed body.
 double flux(const CampusGeometry& geometry, const Vector3d& centre) {
     double sum = 0.0;
     for (std::size_t i = 0; i < geometry.indices.size(); i += 3) {
@@ -46,7 +46,7 @@ TEST(CampusGeometry, PlacesEveryTriangleInTheWorld) {
     }
 }
 
-TEST(CampusGeometry, TurnsMirroredNodesOutsideOutAgain) {
+TEST(CampusGeometry, FlipsTheWindingOfMirroredNodes) {
     for (const double sign : {1.0, -1.0}) {
         Eigen::Matrix4d placed = Eigen::Matrix4d::Identity();
         placed(0, 0) = 2.0 * sign;
@@ -60,7 +60,7 @@ TEST(CampusGeometry, TurnsMirroredNodesOutsideOutAgain) {
     }
 }
 
-TEST(CampusGeometry, SortsTrianglesIntoCellsAndKeepsThemAll) {
+TEST(CampusGeometry, SortsAllTrianglesIntoCells) {
     SceneBuilder scene;
     scene.paint(kRed).paint(kBlue);
     for (int i = 0; i < 10; ++i) {
@@ -82,7 +82,7 @@ TEST(CampusGeometry, SortsTrianglesIntoCellsAndKeepsThemAll) {
     EXPECT_EQ(next, 10U * 36U);
 }
 
-TEST(CampusGeometry, KeepsSeeThroughTrianglesApart) {
+TEST(CampusGeometry, SeparatesBlendedTriangles) {
     const auto geometry = baked(SceneBuilder()
                                     .paint(kRed)
                                     .box({0, 0, 0}, {1, 1, 1})
@@ -94,7 +94,7 @@ TEST(CampusGeometry, KeepsSeeThroughTrianglesApart) {
     EXPECT_EQ(geometry.indices.size(), 36U);
 }
 
-TEST(CampusGeometry, OfNothingIsEmpty) {
+TEST(CampusGeometry, IsEmptyWithoutModels) {
     const auto geometry = bake({}, 20.0);
     EXPECT_TRUE(geometry.bounds.empty());
     EXPECT_TRUE(geometry.batches.empty());

@@ -16,7 +16,7 @@ bool shows(const Eigen::Matrix4d& clip, const Vector3d& point) {
     return std::abs(p.x()) <= p.w() && std::abs(p.y()) <= p.w() && p.z() >= 0.0 && p.z() <= p.w();
 }
 
-TEST(Frustum, NeverLeavesOutABoxWithAVisiblePoint) {
+TEST(Frustum, NeverCullsABoxWithAVisiblePoint) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-20.0, 20.0);
     scene::Bounds campus;
@@ -32,28 +32,28 @@ TEST(Frustum, NeverLeavesOutABoxWithAVisiblePoint) {
         const Vector3d corner(any(random), any(random), any(random));
         Eigen::AlignedBox3d box(corner);
         box.extend(corner + Vector3d::Constant(0.2 * std::abs(any(random))));
-        const bool may_show = Frustum(clip).may_show(box);
+        const bool may_intersect = Frustum(clip).may_intersect(box);
         for (int k = 0; k < 8; ++k) {
             if (shows(clip, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)))) {
                 ++visible;
-                ASSERT_TRUE(may_show) << "view " << i;
+                ASSERT_TRUE(may_intersect) << "view " << i;
             }
         }
-        left_out += may_show ? 0 : 1;
+        left_out += may_intersect ? 0 : 1;
     }
     EXPECT_GT(visible, 1000);
     EXPECT_GT(left_out, 1000) << "it must be of some use";
 }
 
-TEST(Frustum, LeavesOutWhatIsBehindAndBeside) {
+TEST(Frustum, CullsBoxesBehindAndBeside) {
     const Frustum frustum(clip_from_world(looking({0, 0, 0}, 0.0, 0.0, 1.0), 1.0));
     const Vector3d half(1, 1, 1);
     const auto box_at = [&](const Vector3d& p) { return Eigen::AlignedBox3d(p - half, p + half); };
-    EXPECT_TRUE(frustum.may_show(box_at({0, 0, -10})));
-    EXPECT_TRUE(frustum.may_show(box_at({0, 0, -1e6}))) << "there is no far plane";
-    EXPECT_FALSE(frustum.may_show(box_at({0, 0, 10})));
-    EXPECT_FALSE(frustum.may_show(box_at({30, 0, -10})));
-    EXPECT_FALSE(frustum.may_show(box_at({0, -30, -10})));
+    EXPECT_TRUE(frustum.may_intersect(box_at({0, 0, -10})));
+    EXPECT_TRUE(frustum.may_intersect(box_at({0, 0, -1e6}))) << "there is no far plane";
+    EXPECT_FALSE(frustum.may_intersect(box_at({0, 0, 10})));
+    EXPECT_FALSE(frustum.may_intersect(box_at({30, 0, -10})));
+    EXPECT_FALSE(frustum.may_intersect(box_at({0, -30, -10})));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr int kSides = 30;
 constexpr std::size_t kBallTriangles = std::size_t{2} * kSides * kSides;
 
-// A ball of radius 1 on the ground, sides by sides triangles twice.
+// A sphere of radius 1 on the ground with 2 * sides * sides triangles.
 scene::Mesh ball(std::uint32_t material) {
     scene::Mesh mesh;
     mesh.material = scene::MaterialIndex{material};
@@ -92,7 +92,7 @@ RenderSettings settings_with(bool instancing, int samples = 1) {
     return settings;
 }
 
-TEST(Instancing, KeepsAMeshOnceAndDrawsEveryPlacement) {
+TEST(Instancing, StoresAMeshOnceAndDrawsEveryPlacement) {
     const scene::Model model = balls();
     const CampusGeometry baked = bake(std::span(&model, 1), 20.0, false);
     const CampusGeometry shared = bake(std::span(&model, 1), 20.0);
@@ -111,7 +111,7 @@ TEST(Instancing, KeepsAMeshOnceAndDrawsEveryPlacement) {
     EXPECT_EQ(std::set(nodes.begin(), nodes.end()).size(), nodes.size()) << "each node once";
 }
 
-TEST(Instancing, BoundsItsBatches) {
+TEST(Instancing, BatchBoundsEncloseAllInstances) {
     const scene::Model model = balls();
     const CampusGeometry shared = bake(std::span(&model, 1), 20.0);
     for (const Batch& batch : shared.batches) {
@@ -128,7 +128,7 @@ TEST(Instancing, BoundsItsBatches) {
     }
 }
 
-TEST(Instancing, ShowsTheSameImage) {
+TEST(Instancing, DrawsTheSameImageAsBaking) {
     const scene::Model model = balls();
     for (const int samples : {1, 4}) {
         Renderer baked(std::span(&model, 1), settings_with(false, samples));
@@ -140,13 +140,13 @@ TEST(Instancing, ShowsTheSameImage) {
             for (std::size_t i = 0; i < a.rgba.size(); ++i) {
                 other += std::abs(int{a.rgba[i]} - int{b.rgba[i]}) > 1 ? 1U : 0U;
             }
-            // An edge may fall to the other side of a pixel's middle.
+            // An edge may move across a pixel centre.
             EXPECT_LT(other, a.rgba.size() / 2000) << samples << " samples";
         }
     }
 }
 
-TEST(Instancing, GivesEveryPixelToTheSameNode) {
+TEST(Instancing, KeepsNodeNumbersOfPixels) {
     const scene::Model model = balls();
     Renderer baked(std::span(&model, 1), settings_with(false));
     Renderer shared(std::span(&model, 1), settings_with(true));
@@ -167,18 +167,18 @@ TEST(Instancing, GivesEveryPixelToTheSameNode) {
     }
 }
 
-TEST(Instancing, CoversTheSkyAsMuch) {
+TEST(Instancing, KeepsTheSkyViewFactor) {
     const scene::Model model = balls();
     const CampusGeometry baked = bake(std::span(&model, 1), 20.0, false);
     const CampusGeometry shared = bake(std::span(&model, 1), 20.0);
     for (const Vector3d& eye : {Vector3d(0, 0.2, 0), Vector3d(-3.5, 0.1, 2.2), Vector3d(5, 0.2, -7)}) {
-        const double open = open_sky(baked, eye - baked.origin);
-        EXPECT_EQ(open_sky(shared, eye - shared.origin), open);
+        const double open = sky_view_factor(baked, eye - baked.origin);
+        EXPECT_EQ(sky_view_factor(shared, eye - shared.origin), open);
         EXPECT_LT(open, 1.0);
     }
 }
 
-TEST(Instancing, IsForWhatIsOftenThereOnly) {
+TEST(Instancing, AppliesToFrequentMeshesOnly) {
     scene::Model model;
     model.materials.resize(2);
     model.materials[1].alpha_mode = scene::AlphaMode::blend;
@@ -191,10 +191,10 @@ TEST(Instancing, IsForWhatIsOftenThereOnly) {
     place(0, 5);
     place(1, 60);
     place(2, 60);
-    EXPECT_EQ(meshes_to_share(model), (std::vector{false, true, false}));
+    EXPECT_EQ(meshes_to_instance(model), (std::vector{false, true, false}));
 }
 
-TEST(Instancing, BakesWhatIsStretchedOrFlat) {
+TEST(Instancing, BakesStretchedOrFlattenedPlacements) {
     Eigen::Matrix4d first = Eigen::Matrix4d::Identity();
     first(0, 3) = 7.0;
     InstancedMesh mesh(first, 1);

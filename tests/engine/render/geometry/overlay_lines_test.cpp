@@ -39,7 +39,7 @@ std::shared_ptr<const collision::MeshCollider> mesh_of(const scene::Model& model
     return std::make_shared<collision::MeshCollider>(std::move(mesh));
 }
 
-TEST(OverlayLines, ABoxHasTwelveEdgesWhereItStands) {
+TEST(OverlayLines, ABoxIsDrawnAsTwelveEdges) {
     collision::Pose pose;
     pose.rotation = Eigen::AngleAxisd(0.7, Vector3d::UnitY()).toRotationMatrix();
     pose.translation = {5, 0, 0};
@@ -65,7 +65,7 @@ TEST(OverlayLines, RoundShapesAreDrawnOnTheirSurface) {
     }
 }
 
-TEST(OverlayLines, AMeshIsItsBordersAndBends) {
+TEST(OverlayLines, AMeshIsDrawnAsBordersAndCreases) {
     // A box of twelve triangles: its diagonals are flat.
     const auto box = outline(mesh_of(SceneBuilder().paint(kRed).box({0, 0, 0}, {1, 2, 3}).model()));
     EXPECT_EQ(box.size(), 12U);
@@ -75,7 +75,7 @@ TEST(OverlayLines, AMeshIsItsBordersAndBends) {
     EXPECT_NEAR(length(sheet), 8.0, 1e-5);
 }
 
-TEST(OverlayLines, AreThoseThatAreAskedFor) {
+TEST(OverlayLines, FollowTheSelectedOverlays) {
     scene::Campus campus = campus_of(tower_scene());
     campus.world.add({.shape = collision::Box{}, .X_world_shape = {}, .detection = Detection::solid});
     campus.world.add({.shape = collision::Box{}, .X_world_shape = {}, .detection = Detection::trigger});
@@ -90,7 +90,7 @@ TEST(OverlayLines, AreThoseThatAreAskedFor) {
     EXPECT_GT(count({.contacts = true}), 24U);
 }
 
-TEST(OverlayLines, TreeBoxesGetSmallerByLevelAndHoldTheMesh) {
+TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
     scene::Campus campus = campus_of(tower_scene());
     SceneBuilder scene;
     scene.paint(kRed).box({0, 0, 0}, {4, 8, 6});
@@ -108,7 +108,7 @@ TEST(OverlayLines, TreeBoxesGetSmallerByLevelAndHoldTheMesh) {
     EXPECT_EQ(boxes(40).size(), boxes(30).size()) << "no deeper than the leaves";
 }
 
-TEST(OverlayLines, AreSeenWhereNothingHidesThemAndFaintBehind) {
+TEST(OverlayLines, AreFaintWhereOccluded) {
     const scene::Model model =
         SceneBuilder().paint({0.05F, 0.05F, 0.05F, 1}).upright({0, 0, -6}, 4.0).model();
     Renderer renderer(std::span(&model, 1), quick_settings());
@@ -122,7 +122,7 @@ TEST(OverlayLines, AreSeenWhereNothingHidesThemAndFaintBehind) {
     const int on = redness(-6.0);
     const int behind = redness(-7.0);
     EXPECT_GT(before, 120);
-    EXPECT_GT(on, 120) << "a line on a surface is before it";
+    EXPECT_GT(on, 120) << "a line on a surface is in front of it";
     EXPECT_GT(behind, 10);
     EXPECT_LT(behind, before / 2 + 30);
 }

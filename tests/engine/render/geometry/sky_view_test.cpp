@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 double open_at(const scene::Model& model, const Vector3d& point) {
     const CampusGeometry geometry = bake(std::span(&model, 1), 20.0);
-    return open_sky(geometry, point - geometry.origin);
+    return sky_view_factor(geometry, point - geometry.origin);
 }
 
 SceneBuilder field() {
@@ -24,16 +24,16 @@ SceneBuilder field() {
 
 const Vector3d kEyes(0, 1.65, 0);
 
-TEST(OpenSky, IsWholeInAField) {
+TEST(SkyViewFactor, IsOneInAField) {
     EXPECT_EQ(open_at(field().model(), kEyes), 1.0);
-    EXPECT_EQ(open_sky({}, Vector3d::Zero()), 1.0);
+    EXPECT_EQ(sky_view_factor({}, Vector3d::Zero()), 1.0);
 }
 
-TEST(OpenSky, IsHalfBesideATallWall) {
+TEST(SkyViewFactor, IsHalfBesideATallWall) {
     EXPECT_NEAR(open_at(field().box({-50, 0, -2}, {50, 40, -0.1}).model(), kEyes), 0.5, 0.1);
 }
 
-TEST(OpenSky, IsNoneInARoomAndALittleByItsDoor) {
+TEST(SkyViewFactor, IsZeroInARoomAndSmallAtItsDoor) {
     // Four walls and a roof; the wall towards +Z has an opening 4 m wide.
     const scene::Model room = field()
                                   .box({-5, 3, -5}, {5, 3.2, 5})
@@ -49,7 +49,7 @@ TEST(OpenSky, IsNoneInARoomAndALittleByItsDoor) {
     EXPECT_LT(by_the_door, 0.6);
 }
 
-TEST(OpenSky, IsNotCoveredByGlassFoliageOrWhatIsFarAbove) {
+TEST(SkyViewFactor, IgnoresGlassFoliageAndDistantCeilings) {
     for (const scene::AlphaMode mode : {scene::AlphaMode::blend, scene::AlphaMode::mask}) {
         const scene::Model roofed =
             field().paint({1, 1, 1, 0.4F}).alpha(mode).box({-9, 3, -9}, {9, 3.2, 9}).model();

@@ -16,7 +16,7 @@ std::size_t at(int x, int y, int width) {
     return static_cast<std::size_t>(number);
 }
 
-/// By looking at every pixel of another owner, and at a frame of nobody's around the image.
+/// Brute force over all pixels of other owners and a border around the image.
 int depth_at(const std::vector<std::uint32_t>& owners, int width, int x, int y) {
     const int height = static_cast<int>(owners.size()) / width;
     const auto owner = [&](int u, int v) {
@@ -34,7 +34,7 @@ int depth_at(const std::vector<std::uint32_t>& owners, int width, int x, int y) 
     return nearest;
 }
 
-TEST(VisibleParts, LieDeepestWhereNothingElseIsNear) {
+TEST(VisibleParts, DeepestPixelIsFarthestFromOtherOwners) {
     std::mt19937 random(5);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
     constexpr int kWidth = 40;
     constexpr int kHeight = 20;
@@ -69,7 +69,7 @@ TEST(VisibleParts, LieDeepestWhereNothingElseIsNear) {
     }
 }
 
-TEST(VisibleParts, AreThoseThatAreSeen) {
+TEST(VisibleParts, ListVisibleOwnersOnly) {
     const std::vector<std::uint32_t> owners = {0, 0, 7, 2};
     const auto parts = visible_parts(owners, 4, 3);
     ASSERT_EQ(parts.size(), 2U);

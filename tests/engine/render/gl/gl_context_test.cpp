@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, EachBackend,
                              return tested.param == RenderingBackend::egl ? "Egl" : "OsMesa";
                          });
 
-TEST_P(EachBackend, OffersGl33) {
+TEST_P(EachBackend, ProvidesOpenGl33) {
     const auto context = make_gl_context(GetParam());
     EXPECT_EQ(context->backend(), GetParam() == RenderingBackend::egl ? "EGL" : "OSMesa");
     const GlFunctions gl = load_gl_functions(*context);
@@ -32,7 +32,7 @@ TEST_P(EachBackend, OffersGl33) {
     EXPECT_GE(10 * major + minor, 33);
 }
 
-TEST_P(EachBackend, SeveralLiveSideBySide) {
+TEST_P(EachBackend, SupportsSeveralContextsAtOnce) {
     const auto first = make_gl_context(GetParam());
     const auto second = make_gl_context(GetParam());
     for (GlContext* context : {first.get(), second.get(), first.get()}) {
@@ -41,15 +41,15 @@ TEST_P(EachBackend, SeveralLiveSideBySide) {
     }
 }
 
-TEST(OsMesaContext, HasNothingForUnknownNames) {
+TEST(OsMesaContext, ReturnsNullForUnknownFunctions) {
     EXPECT_EQ(make_osmesa_context()->procedure("noSuchFunction"), nullptr);
 }
 
-TEST(GlContext, AutomaticTakesOsMesaWhereItIs) {
+TEST(GlContext, AutomaticPrefersOsMesa) {
     EXPECT_EQ(make_gl_context(RenderingBackend::automatic)->backend(), "OSMesa");
 }
 
-TEST(GlContext, BothBackendsDrawTheSameBytesInTurn) {
+TEST(GlContext, AlternatingBackendsDrawTheSameBytes) {
     const scene::Model model = tower_scene();
     Renderer osmesa(std::span(&model, 1), quick_settings(), make_osmesa_context());
     Renderer egl(std::span(&model, 1), quick_settings(), make_egl_context());
@@ -60,7 +60,7 @@ TEST(GlContext, BothBackendsDrawTheSameBytesInTurn) {
     }
 }
 
-TEST(GlContext, TheOtherBackendLivesOnWhenOneIsGone) {
+TEST(GlContext, DestroyingOneBackendLeavesTheOtherUsable) {
     const scene::Model model = tower_scene();
     for (const bool egl_goes : {true, false}) {
         auto doomed = std::make_unique<Renderer>(std::span(&model, 1), quick_settings(),

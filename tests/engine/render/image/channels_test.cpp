@@ -24,7 +24,7 @@ std::size_t place_of(const Channels& channels, int x, int y) {
            static_cast<std::size_t>(x);
 }
 
-// Boxes and sheets of every kind of material, turned, stretched and mirrored, some behind the camera.
+// Rotated, stretched and mirrored boxes and sheets of all kinds of materials, some behind the camera.
 scene::Model jumble(unsigned seed, bool with_textures = true) {
     std::mt19937 dice(seed);
     const auto any = [&dice](double low, double high) {
@@ -58,7 +58,7 @@ scene::Model jumble(unsigned seed, bool with_textures = true) {
     return scene.model();
 }
 
-// Every pixel that isn't at an edge is as the rays say; of the others nearly all.
+// All pixels that aren't at an edge match the rays, and nearly all others.
 void hold_against_rays(const scene::Model& model, const Viewpoint& view, int width, int height) {
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Channels drawn = renderer.draw_channels(view, width, height, kAll);
@@ -75,7 +75,7 @@ void hold_against_rays(const scene::Model& model, const Viewpoint& view, int wid
             }
             ++amid;
             ASSERT_EQ(drawn.nodes[i], hit.node) << "at " << x << ", " << y;
-            // The driver puts corners on a grid of 1/256 pixel.
+            // The driver snaps vertices to 1/256 pixel.
             ASSERT_NEAR(drawn.depth[i], hit.depth, 1e-5 * hit.depth + rays.depth_change(x, y) / 64.0)
                 << "at " << x << ", " << y;
         }
@@ -84,7 +84,7 @@ void hold_against_rays(const scene::Model& model, const Viewpoint& view, int wid
     EXPECT_GT(amid, width * height / 2);
 }
 
-TEST(Channels, ShowWhatRaysThroughThePixelsMeet) {
+TEST(Channels, MatchRaysThroughPixelCentres) {
     for (const unsigned seed : {1U, 2U, 3U}) {
         const scene::Model model = jumble(seed);
         hold_against_rays(model, looking({0, 2, 8}, 0.1, -0.05, kFov), 241, 135);
@@ -92,12 +92,12 @@ TEST(Channels, ShowWhatRaysThroughThePixelsMeet) {
     }
 }
 
-TEST(Channels, ShowWhatParallelRaysMeetOnAMap) {
+TEST(Channels, MatchParallelRaysOnAMap) {
     const scene::Model model = jumble(4, false);  // whose texels would be smaller than pixels
     hold_against_rays(model, plan(scene::world_bounds(model), 1.5), 150, 100);
 }
 
-TEST(Channels, NormalsAreTheTrianglesSidesThatFaceTheCamera) {
+TEST(Channels, NormalsFaceTheCamera) {
     const scene::Model model = jumble(5);
     const Viewpoint view = looking({0, 2, 8}, 0.1, -0.05, kFov);
     Renderer renderer(std::span(&model, 1), quick_settings());
@@ -115,7 +115,7 @@ TEST(Channels, NormalsAreTheTrianglesSidesThatFaceTheCamera) {
                 continue;
             }
             const Vector3d n((rgb[0] - 128) / 127.0, (rgb[1] - 128) / 127.0, (rgb[2] - 128) / 127.0);
-            // Two sides of one box meet within a node: a pixel at their edge may show either.
+            // At an edge between two faces of a box, a pixel may show either.
             if ((n - rays.at(x, y).normal).cwiseAbs().maxCoeff() < 0.01) {
                 ++checked;
             } else {
@@ -126,14 +126,14 @@ TEST(Channels, NormalsAreTheTrianglesSidesThatFaceTheCamera) {
     EXPECT_GT(checked, 160 * 90 / 2);
 }
 
-TEST(Channels, TheFlatGroundFacesUp) {
+TEST(Channels, NormalsOfFlatGroundPointUp) {
     const scene::Model model = SceneBuilder().paint(kGrey).ground(100.0).model();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Channels drawn = renderer.draw_channels(looking({0, 2, 0}, 0.7, -0.5, kFov), 16, 9, kAll);
     EXPECT_EQ(drawn.normals.pixel(8, 8), (std::array<std::uint8_t, 3>{128, 255, 128}));
 }
 
-TEST(Channels, PanesAreSeenThroughAndWhatHidesHalfIsNot) {
+TEST(Channels, BlendedSurfacesCountFromHalfOpacity) {
     const auto node_behind = [](float alpha) {
         const scene::Model model = SceneBuilder()
                                        .paint(kGrey)
@@ -149,7 +149,7 @@ TEST(Channels, PanesAreSeenThroughAndWhatHidesHalfIsNot) {
     EXPECT_EQ(node_behind(0.55F), 2U);
 }
 
-TEST(Channels, TheAvatarHidesWhatIsBehindItAndHasNoNumber) {
+TEST(Channels, TheAvatarOccludesAndHasNoNodeNumber) {
     const scene::Model model = SceneBuilder().paint(kGrey).upright({0, 0, -6}, 30.0).model();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Viewpoint view = looking({0, 1, 4}, 0.0, 0.0, kFov);
@@ -162,7 +162,7 @@ TEST(Channels, TheAvatarHidesWhatIsBehindItAndHasNoNumber) {
     EXPECT_NEAR(with.depth[middle], 4.0, 0.3);
 }
 
-TEST(Channels, NumbersGoOnFromModelToModel) {
+TEST(Channels, NodeNumbersContinueAcrossModels) {
     const std::array models = {
         SceneBuilder().paint(kRed).upright({-2, 0, -4}, 1.0).model(),
         SceneBuilder().paint(kRed).upright({0, 0, -9}, 1.0).upright({2, 0, -4}, 1.0).model()};
@@ -174,7 +174,7 @@ TEST(Channels, NumbersGoOnFromModelToModel) {
     EXPECT_EQ(row, (std::vector<std::uint32_t>{0, 1, 0, 2, 0, 3, 0}));
 }
 
-TEST(Channels, OnlyWhatIsAskedForIsThere) {
+TEST(Channels, ContainOnlyWhatWasRequested) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Channels all = renderer.draw_channels(tower_view(), 40, 30, kAll);
@@ -184,7 +184,7 @@ TEST(Channels, OnlyWhatIsAskedForIsThere) {
     EXPECT_TRUE(depth.normals.rgba.empty());
 }
 
-TEST(Channels, LeaveImagesAsTheyAre) {
+TEST(Channels, DoNotChangeLaterImages) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Image before = renderer.draw(tower_view(), kWidth, kHeight);
@@ -193,7 +193,7 @@ TEST(Channels, LeaveImagesAsTheyAre) {
     EXPECT_EQ(renderer.draw_channels(tower_view(), 40, 30, kAll).nodes, first.nodes);
 }
 
-TEST(Channels, RefuseSizesThatCantBeDrawn) {
+TEST(Channels, RejectUnsupportedSizes) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1), quick_settings());
     EXPECT_THROW(renderer.draw_channels(ahead(), 0, 9, kAll), RenderError);

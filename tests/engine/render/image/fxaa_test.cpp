@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-// The share of the pixel that lies below the line y = offset + slope * x, by many points.
+// The share of the pixel below the line y = offset + slope * x, by sampling.
 double covered(int x, int y, double offset, double slope) {
     constexpr int kPoints = 16;
     int below = 0;
@@ -26,7 +26,7 @@ double covered(int x, int y, double offset, double slope) {
     return static_cast<double>(below) / (kPoints * kPoints);
 }
 
-// White below the line, black above it, each pixel by its middle alone; turned: x for y.
+// White below the line, black above, sampled at pixel centres; with `turned`, x and y are swapped.
 Image stairs(double offset, double slope, bool turned) {
     Image image = plain_image(kSide, kSide, {0, 0, 0});
     for (int y = 0; y < kSide; ++y) {
@@ -46,7 +46,7 @@ double light(std::uint8_t byte) {
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-// In light: a pixel half of which is white sends back half as much.
+// In linear light.
 double error(const Image& image, double offset, double slope, bool turned) {
     double sum = 0.0;
     for (int y = 8; y < kSide - 8; ++y) {
@@ -58,7 +58,7 @@ double error(const Image& image, double offset, double slope, bool turned) {
     return std::sqrt(sum);
 }
 
-TEST(SmoothEdges, StairsComeNearerToTheLineTheyStandFor) {
+TEST(Fxaa, AliasedEdgesComeCloserToTheIdealLine) {
     for (const bool turned : {false, true}) {
         for (const double slope : {0.09, -0.17, 0.3, -0.45, 0.8}) {
             const double offset = slope > 0 ? 10.3 : 50.4;
@@ -83,7 +83,7 @@ double error_at_edges(const Image& image, const Image& plain, const Image& many)
     return std::sqrt(sum);
 }
 
-TEST(SmoothEdges, DrawnImagesComeNearerToSupersampledOnes) {
+TEST(Fxaa, RenderedImagesComeCloserToSupersampledOnes) {
     constexpr int kAcross = 320;
     constexpr int kDown = 180;
     const scene::Model model = tower_scene();
@@ -91,36 +91,37 @@ TEST(SmoothEdges, DrawnImagesComeNearerToSupersampledOnes) {
     settings.samples = 1;
     settings.ambient_occlusion_radius = 0.0;
     Renderer renderer(std::span(&model, 1), settings);
-    const Image many = halved(halved(renderer.draw(tower_view(), 4 * kAcross, 4 * kDown)));
+    const Image many =
+        downsampled_by_two(downsampled_by_two(renderer.draw(tower_view(), 4 * kAcross, 4 * kDown)));
     const Image plain = renderer.draw(tower_view(), kAcross, kDown);
     const double rough = error_at_edges(plain, plain, many);
-    ASSERT_GT(rough, 100.0) << "there are stairs";
+    ASSERT_GT(rough, 100.0) << "there is aliasing";
     EXPECT_LT(error_at_edges(apply_fxaa(plain), plain, many), 0.75 * rough) << rough;
 }
 
-TEST(SmoothEdges, FlatPartsAndStraightEdgesStay) {
+TEST(Fxaa, FlatAreasAndStraightEdgesAreUnchanged) {
     const Image flat = plain_image(40, 30, {90, 120, 30});
     EXPECT_EQ(apply_fxaa(flat).rgba, flat.rgba);
     const Image straight = stairs(20.0, 0.0, false);
     EXPECT_EQ(differing_pixels(apply_fxaa(straight), straight), 0U);
 }
 
-TEST(SmoothEdges, ImagesOfAPixelAreNoTrouble) {
+TEST(Fxaa, AcceptsImagesOfOnePixel) {
     EXPECT_EQ(apply_fxaa(plain_image(1, 1, {9, 9, 9})).rgba, plain_image(1, 1, {9, 9, 9}).rgba);
     EXPECT_EQ(apply_fxaa(plain_image(3, 1, {9, 9, 9})).width, 3);
 }
 
-TEST(Halved, IsTheMeanOfLight) {
+TEST(DownsampledByTwo, IsTheMeanInLinearLight) {
     Image image = plain_image(2, 2, {0, 0, 0});
     image.rgba[image.offset(0, 0)] = image.rgba[image.offset(1, 1)] = 255;  // red
     image.rgba[image.offset(1, 0) + 1] = 255;                               // green
-    const Image half = halved(image);
+    const Image half = downsampled_by_two(image);
     ASSERT_EQ(half.rgba.size(), 4U);
     // 1.055 x^(1 / 2.4) - 0.055 of a half and of a quarter.
     EXPECT_EQ(half.pixel(0, 0), (std::array<std::uint8_t, 3>{188, 137, 0}));
     for (const int grey : {0, 1, 77, 254, 255}) {
         const auto v = static_cast<std::uint8_t>(grey);
-        EXPECT_EQ(halved(plain_image(4, 2, {v, v, v})).rgba, plain_image(2, 1, {v, v, v}).rgba);
+        EXPECT_EQ(downsampled_by_two(plain_image(4, 2, {v, v, v})).rgba, plain_image(2, 1, {v, v, v}).rgba);
     }
 }
 

@@ -37,7 +37,7 @@ TEST(MipChain, HalvesDownToOneTexel) {
     }
 }
 
-TEST(MipChain, KeepsTheShareOfLeavesSoThatTreesDontThinOutWithDistance) {
+TEST(MipChain, PreservesAlphaCoverage) {
     const scene::Texture texture = leaves(96, 96);
     const double wanted = alpha_coverage(texture.rgba, 1.0, 0.5);
     EXPECT_NEAR(wanted, 1.0 / 3.0, 0.02);
@@ -47,7 +47,7 @@ TEST(MipChain, KeepsTheShareOfLeavesSoThatTreesDontThinOutWithDistance) {
     }
 }
 
-TEST(MipChain, ColorOfHolesDoesntBleedIntoLeaves) {
+TEST(MipChain, ColorOfHolesDoesNotBleedIntoLeaves) {
     for (const MipLevel& level : cutout_mip_chain(leaves(64, 64), 0.5F)) {
         for (std::size_t i = 0; i < level.rgba.size(); i += 4) {
             if (level.rgba[i + 3] > 127) {
@@ -57,7 +57,7 @@ TEST(MipChain, ColorOfHolesDoesntBleedIntoLeaves) {
     }
 }
 
-TEST(MipChain, OneTexelHasNoSmallerCopies) {
+TEST(MipChain, OneTexelHasNoFurtherLevels) {
     EXPECT_TRUE(cutout_mip_chain(leaves(1, 1), 0.5F).empty());
 }
 

@@ -1,6 +1,8 @@
 #include "engine/render/image/read_png.h"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <random>
@@ -26,7 +28,7 @@ void write(const std::filesystem::path& file, const Bytes& bytes) {
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// A file of 2x1 pixels of any kind; `pixels` as the file has them.
+/// Writes a file of 2x1 pixels in any format; `pixels` as encoded.
 void write_kind(const std::filesystem::path& file, spng_color_type type, std::uint8_t depth,
                 const Bytes& pixels, const std::vector<spng_plte_entry>& palette = {}) {
     const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> encoder(spng_ctx_new(SPNG_CTX_ENCODER),
@@ -62,7 +64,7 @@ std::string error_of(const std::filesystem::path& file) {
     return {};
 }
 
-TEST(ReadPng, ReadsWhatWasWritten) {
+TEST(ReadPng, ReadsWrittenImages) {
     const ScratchFolder folder;
     std::mt19937 random(1);
     for (const auto& [width, height] : {std::pair(97, 61), std::pair(1, 1), std::pair(1280, 3)}) {
@@ -75,13 +77,13 @@ TEST(ReadPng, ReadsWhatWasWritten) {
     }
 }
 
-TEST(ReadPng, ReadsOtherKinds) {
+TEST(ReadPng, ConvertsOtherColorTypes) {
     const ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "a.png";
     using Rgb = std::array<std::uint8_t, 3>;
     write_kind(file, SPNG_COLOR_TYPE_GRAYSCALE, 8, {7, 200});
     EXPECT_EQ(read_png(file).pixel(1, 0), (Rgb{200, 200, 200}));
-    write_kind(file, SPNG_COLOR_TYPE_GRAYSCALE, 16, {0x00, 0x00, 0x00, 0xFF});  // as this machine has them
+    write_kind(file, SPNG_COLOR_TYPE_GRAYSCALE, 16, {0x00, 0x00, 0x00, 0xFF});  // in native byte order
     EXPECT_EQ(read_png(file).pixel(0, 0), (Rgb{0, 0, 0}));
     EXPECT_EQ(read_png(file).pixel(1, 0), (Rgb{255, 255, 255}));
     write_kind(file, SPNG_COLOR_TYPE_INDEXED, 8, {1, 0}, {{10, 20, 30, 255}, {40, 50, 60, 255}});
@@ -89,7 +91,7 @@ TEST(ReadPng, ReadsOtherKinds) {
     EXPECT_EQ(read_png(file).pixel(1, 0), (Rgb{10, 20, 30}));
 }
 
-TEST(ReadPng, ShowsWhiteThroughWhatIsTransparent) {
+TEST(ReadPng, BlendsTransparencyOverWhite) {
     const ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "a.png";
     write_kind(file, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, 8, {200, 0, 0, 0, 0, 100, 255, 51});
@@ -99,22 +101,24 @@ TEST(ReadPng, ShowsWhiteThroughWhatIsTransparent) {
     EXPECT_EQ(image.rgba[3], 255);
 }
 
-TEST(ReadPng, SaysWhatIsWrongWithAFile) {
+TEST(ReadPng, ReportsInvalidFiles) {
     const ScratchFolder folder;
-    EXPECT_EQ(error_of(folder.path() / "none.png"),
-              "missing-file: can't read the picture: No such file or directory");
-    EXPECT_EQ(error_of(folder.path()), "unreadable-file: can't read the picture: Is a directory");
+    const std::string missing = error_of(folder.path() / "none.png");
+    EXPECT_TRUE(missing.starts_with("missing-file: ") && missing.ends_with(std::strerror(ENOENT))) << missing;
+    const std::string unreadable = error_of(folder.path());
+    EXPECT_TRUE(unreadable.starts_with("unreadable-file: ") && unreadable.ends_with(std::strerror(EISDIR)))
+        << unreadable;
     write(folder.path() / "text.png", {'h', 'e', 'l', 'l', 'o', ' ', 't', 'h', 'e', 'r', 'e'});
-    EXPECT_EQ(error_of(folder.path() / "text.png"), "bad-picture: this is no PNG file");
+    EXPECT_TRUE(error_of(folder.path() / "text.png").starts_with("bad-picture: "));
     write(folder.path() / "empty.png", {});
-    EXPECT_EQ(error_of(folder.path() / "empty.png"), "bad-picture: this is no PNG file");
+    EXPECT_TRUE(error_of(folder.path() / "empty.png").starts_with("bad-picture: "));
 }
 
-TEST(ReadPng, ReadsNoPieceOfAFileAsAImage) {
+TEST(ReadPng, RejectsTruncatedFiles) {
     const ScratchFolder folder;
     std::mt19937 random(3);
     const Bytes whole = encode_png(noise(20, 20, random));
-    for (std::size_t size = 0; size < whole.size() - 12; size += 7) {  // the last chunk says nothing
+    for (std::size_t size = 0; size < whole.size() - 12; size += 7) {  // without the empty last chunk
         const std::filesystem::path file = folder.path() / "cut.png";
         write(file, {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
         EXPECT_EQ(error_of(file).substr(0, 11), "bad-picture") << size;
@@ -125,24 +129,23 @@ TEST(ReadPng, SurvivesFlippedBits) {
     const ScratchFolder folder;
     std::mt19937 random(4);
     const Bytes whole = encode_png(noise(20, 20, random));
-    int refused = 0;
+    int rejected = 0;
     for (int i = 0; i < 300; ++i) {
         Bytes bytes = whole;
         bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1U << (random() % 8U));
         write(folder.path() / "flipped.png", bytes);
-        refused += error_of(folder.path() / "flipped.png").empty() ? 0 : 1;
+        rejected += error_of(folder.path() / "flipped.png").empty() ? 0 : 1;
     }
-    EXPECT_GT(refused, 270);
+    EXPECT_GT(rejected, 270);
 }
 
-// A header with a checksum that holds, and nothing behind it.
-TEST(ReadPng, BelievesNoClaimOfAHugeSize) {
+// A header with a valid checksum and no pixels.
+TEST(ReadPng, RejectsHugeSizes) {
     const ScratchFolder folder;
     const Bytes signature = {0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A, 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
     const std::vector<std::pair<Bytes, std::string>> claims = {
-        {{0, 0, 0x70, 0, 0, 0, 0x70, 0, 8, 6, 0, 0, 0, 0x29, 0xC1, 0xFE, 0xCA}, "28672x28672 pixels"},
-        {{0x7F, 0xFF, 0xFF, 0xFF, 0, 0, 0, 1, 8, 6, 0, 0, 0, 0xA0, 0x36, 0x33, 0xDD},
-         "a side of the picture"}};
+        {{0, 0, 0x70, 0, 0, 0, 0x70, 0, 8, 6, 0, 0, 0, 0x29, 0xC1, 0xFE, 0xCA}, "28672x28672"},
+        {{0x7F, 0xFF, 0xFF, 0xFF, 0, 0, 0, 1, 8, 6, 0, 0, 0, 0xA0, 0x36, 0x33, 0xDD}, "32768 pixels"}};
     for (const auto& [header, expected] : claims) {
         Bytes bytes = signature;
         bytes.insert(bytes.end(), header.begin(), header.end());

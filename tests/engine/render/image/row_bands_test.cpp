@@ -5,7 +5,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-TEST(RowBands, AreAllRowsOnce) {
+TEST(RowBands, CoverEachRowOnce) {
     for (const int rows : {0, 1, 63, 64, 129, 720, 4321}) {
         std::vector<int> visits(static_cast<std::size_t>(rows), 0);
         for_row_bands(rows, [&](int first, int end) {

@@ -48,7 +48,7 @@ std::size_t changed_outside(const Drawn& drawn) {
     return count;
 }
 
-// Pixels as bright as letters in the part of the frame from `top` to `bottom`, shares of its height.
+// The number of pixels as bright as text between `top` and `bottom`, as shares of the window height.
 int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, double right = 0.85) {
     const WindowRect& frame = drawn.frames.at(0);
     int count = 0;
@@ -63,7 +63,7 @@ int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, d
     return count;
 }
 
-TEST(ReadableHours, SpellsOutPlainRangesOnly) {
+TEST(ReadableHours, FormatsPlainRangesOnly) {
     EXPECT_EQ(readable_hours("08-22"), "08:00 – 22:00");
     EXPECT_EQ(readable_hours("8:30-22"), "08:30 – 22:00");
     EXPECT_EQ(readable_hours("00-24"), "00:00 – 24:00");
@@ -72,7 +72,7 @@ TEST(ReadableHours, SpellsOutPlainRangesOnly) {
     }
 }
 
-TEST(InfoWindow, TakesTheBuildingsRecordAndFallsBackToItsId) {
+TEST(InfoWindow, UsesTheBuildingsDataAndItsIdWithoutATitle) {
     scene::Building building;
     building.id = "clock-tower";
     building.kind = "landmark";
@@ -87,7 +87,7 @@ TEST(InfoWindow, TakesTheBuildingsRecordAndFallsBackToItsId) {
     EXPECT_FALSE(window.anchor);
 }
 
-TEST(InfoWindow, ShowsTitleAndBodyInsideItsFrameAndNothingOutside) {
+TEST(InfoWindow, DrawsTitleAndBodyWithinItsRectangle) {
     const Drawn full = drawn({library()});
     ASSERT_EQ(full.frames.size(), 1U);
     const WindowRect& frame = full.frames[0];
@@ -108,13 +108,13 @@ TEST(InfoWindow, ShowsTitleAndBodyInsideItsFrameAndNothingOutside) {
     EXPECT_LT(letters(drawn({without_title}), 0.05, 0.22), 60);
 }
 
-TEST(InfoWindow, IsNotBrightWhereThereIsNoText) {
+TEST(InfoWindow, IsDarkWithoutText) {
     InfoWindow blank;
     blank.title = " ";
     EXPECT_EQ(letters(drawn({blank}), 0.1, 0.9), 0);
 }
 
-TEST(InfoWindow, CutsTextThatIsTooLongForTheImage) {
+TEST(InfoWindow, TruncatesTextThatIsTooLongForTheImage) {
     InfoWindow window = library();
     window.title = std::string(400, 'W');
     window.text.clear();
@@ -130,7 +130,7 @@ TEST(InfoWindow, CutsTextThatIsTooLongForTheImage) {
     EXPECT_GT(letters(once, 0.85, 0.97), 20) << "hours and floors are still there";
 }
 
-TEST(InfoWindow, BreaksWordsThatAreWiderThanTheWindow) {
+TEST(InfoWindow, BreaksWordsWiderThanTheWindow) {
     InfoWindow window = library();
     window.text = std::string(300, 'x');
     const Drawn result = drawn({window});
@@ -147,7 +147,7 @@ TEST(InfoWindow, DrawsChineseAndAccentedNames) {
     EXPECT_GT(letters(result, 0.05, 0.30), letters(drawn({plain}), 0.05, 0.30));
 }
 
-TEST(InfoWindow, StacksSeveralAndCountsTheRest) {
+TEST(InfoWindow, StacksWindowsAndCountsTheHiddenOnes) {
     const std::vector<InfoWindow> six(6, library());
     const Drawn stacked = drawn(six);
     ASSERT_GE(stacked.frames.size(), 2U);
@@ -172,13 +172,13 @@ TEST(InfoWindow, FitsSmallAndNarrowImages) {
     }
 }
 
-TEST(InfoWindow, LeadsALineToTheBuilding) {
+TEST(InfoWindow, DrawsALineToTheBuilding) {
     InfoWindow window = library();
     window.anchor = Eigen::Vector2d(300, 400);
     const Image image = drawn({window}).image;
     EXPECT_GT(brightness(image, 300, 400), 220.0);
     window.anchor = Eigen::Vector2d(-50, 400);
-    EXPECT_EQ(changed_outside(drawn({window})), 0U) << "not to what is out of the picture";
+    EXPECT_EQ(changed_outside(drawn({window})), 0U) << "no line to a point outside of the image";
 }
 
 }  // namespace

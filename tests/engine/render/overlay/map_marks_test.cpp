@@ -36,7 +36,7 @@ protected:
     }
 };
 
-TEST(RoundLength, IsTheLongestOneTwoOrFiveNotAbove) {
+TEST(RoundLength, IsTheLargestOneTwoOrFiveNotAbove) {
     for (const auto& [metres, expected] :
          {std::pair(1.0, 1.0), std::pair(1.9, 1.0), std::pair(2.0, 2.0), std::pair(49.0, 20.0),
           std::pair(50.0, 50.0), std::pair(999.0, 500.0), std::pair(0.03, 0.02)}) {
@@ -70,7 +70,7 @@ TEST_F(MapMarks, HeadingArrowPointsAlongTheYaw) {
     EXPECT_EQ(marked(318, 298, 324, 303), 0);
 }
 
-TEST_F(MapMarks, PathJoinsThePlacesWalkedThrough) {
+TEST_F(MapMarks, PathConnectsItsPoints) {
     const std::vector<Eigen::Vector3d> path = {{-50, 0, 0}, {50, 0, 0}, {50, 3, -50}};
     draw_path(canvas_, map_view(), path);
     const Image image = canvas_.image();
@@ -79,14 +79,14 @@ TEST_F(MapMarks, PathJoinsThePlacesWalkedThrough) {
     EXPECT_EQ(image.pixel(200, 150), kGround);
 }
 
-TEST_F(MapMarks, NamesStandAtTheirBuildings) {
+TEST_F(MapMarks, LabelsAreDrawnAtTheirBuildings) {
     const std::vector<MapLabel> labels = {{"Library", {0, 0, 0}}};
     draw_map_labels(canvas_, map_view(), labels);
     EXPECT_GT(marked(160, 185, 240, 215), 200);
     EXPECT_EQ(marked(0, 0, kSide, 150) + marked(0, 250, kSide, kSide), 0);
 }
 
-TEST_F(MapMarks, ANameThatWouldCoverAnotherMovesAside) {
+TEST_F(MapMarks, OverlappingLabelsMoveAside) {
     const std::vector<MapLabel> labels = {{"Library", {0, 0, 0}}, {"Tower", {2, 0, 1}}};
     draw_map_labels(canvas_, map_view(), std::span(labels).first(1));
     const int alone = marked(0, 0, kSide, kSide);
@@ -107,7 +107,7 @@ TEST_F(MapMarks, ANameThatWouldCoverAnotherMovesAside) {
     EXPECT_EQ(covered, middle) << "the first one is untouched";
 }
 
-TEST_F(MapMarks, NamesAndTheCompassKeepClearOfWindows) {
+TEST_F(MapMarks, LabelsAndCompassAvoidWindows) {
     const WindowRect window = {250, 20, 140, 120};
     const std::vector<WindowRect> windows = {window};
     const std::vector<PixelLabel> labels = {{"Hall", {320, 80}}, {"Gate", {248, 80}}, {"Pond", {100, 80}}};
@@ -122,7 +122,7 @@ TEST_F(MapMarks, NamesAndTheCompassKeepClearOfWindows) {
     EXPECT_NE(free.image().pixel(370, 31), kGround) << "in the corner, when that is free";
 }
 
-TEST_F(MapMarks, NamesBeyondTheImageAreLeftOut) {
+TEST_F(MapMarks, LabelsOutsideOfTheImageAreOmitted) {
     const std::vector<MapLabel> labels = {{"Far away", {900, 0, 0}}};
     draw_map_labels(canvas_, map_view(), labels);
     EXPECT_EQ(marked(0, 0, kSide, kSide), 0);

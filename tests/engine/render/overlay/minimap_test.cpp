@@ -62,13 +62,13 @@ TEST(Minimap, MovesWithTheAvatarAtItsScale) {
     EXPECT_EQ(color_name(image, kMiddleX + 30, south + 5), "blue");
 }
 
-TEST(Minimap, BeyondTheCampusIsBlankPaper) {
+TEST(Minimap, IsBlankBeyondTheCampus) {
     const Image image = drawn({100, 0, 0}, 0.0);
     EXPECT_EQ(color_name(image, kMiddleX + 50, kMiddleY), "grey");
     EXPECT_EQ(color_name(image, kMiddleX - 40, kMiddleY - 30), "green");
 }
 
-TEST(Minimap, ArrowTurnsAndTheMapStays) {
+TEST(Minimap, ArrowTurnsWhileTheMapStaysNorthUp) {
     const Image north = drawn({0, 0, 0}, 0.0);
     const Image west = drawn({0, 0, 0}, 1.5707963267948966);
     EXPECT_GT(differing_pixels(north, west), 50U);
@@ -82,7 +82,7 @@ TEST(Minimap, LeavesTheRestOfTheImageAlone) {
     EXPECT_EQ(image.pixel(kMiddleX - 80, kMiddleY - 80), kGround) << "a circle, not a square";
 }
 
-TEST(Minimap, IsLeftOutOfImagesTooSmallForIt) {
+TEST(Minimap, IsOmittedFromSmallImages) {
     const Image image = drawn({0, 0, 0}, 0.0, kSmallestMinimapImage - 1);
     EXPECT_EQ(differing_pixels(image, plain_image(image.width, image.height, kGround)), 0U);
 }

@@ -11,7 +11,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-// The inside of a corner: ground and a wall 5 m away, in ambient light only.
+// Ground and a wall 5 m away, in ambient light only.
 Image corner(double radius, double pitch = -0.32) {
     const scene::Model model =
         SceneBuilder().paint(kGrey).ground(30.0).paint(kGrey).box({-15, 0, -6}, {15, 8, -5}).model();
@@ -23,7 +23,7 @@ Image corner(double radius, double pitch = -0.32) {
     return renderer.draw(looking({0, 1.65, 0}, 0.0, pitch, kFov), 320, 180);
 }
 
-TEST(Occlusion, DarkensTheFootOfAWallAndLeavesOpenGroundAlone) {
+TEST(AmbientOcclusion, DarkensTheFootOfAWallButNotOpenGround) {
     const Image with = corner(0.9);
     const Image without = corner(0.0);
     const auto foot = pixel_of(looking({0, 1.65, 0}, 0.0, -0.32, kFov), 320, 180, {0, 0, -4.9});
@@ -36,9 +36,9 @@ TEST(Occlusion, DarkensTheFootOfAWallAndLeavesOpenGroundAlone) {
     EXPECT_GT(share_in_the_open, 0.98);
 }
 
-TEST(Occlusion, LeavesNoPatternOnAPlainSurface) {
+TEST(AmbientOcclusion, LeavesNoPatternOnAFlatSurface) {
     const Image image = corner(0.9);
-    // A row of ground: the same distance all along it, so the same light.
+    // A row of ground has the same distance, hence the same light.
     double darkest = 255.0;
     double brightest = 0.0;
     for (int x = 20; x < 300; ++x) {

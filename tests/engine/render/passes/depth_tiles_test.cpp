@@ -38,32 +38,32 @@ AlignedBox3d box_at(const Vector3d& middle, double half) {
     return {Vector3d(middle.array() - half), Vector3d(middle.array() + half)};
 }
 
-bool hides(const DepthTiles& tiles, const AlignedBox3d& box) {
-    return tiles.hide(box, clip_campus(), kWide, kHigh);
+bool occludes(const DepthTiles& tiles, const AlignedBox3d& box) {
+    return tiles.occlude(box, clip_campus(), kWide, kHigh);
 }
 
-TEST(DepthTiles, HideWhatIsBehindAndNothingElse) {
+TEST(DepthTiles, OccludeOnlyWhatIsBehind) {
     const DepthTiles tiles = everywhere(10.0);
-    EXPECT_TRUE(hides(tiles, box_at({0, 0, -12}, 1.0)));
-    EXPECT_FALSE(hides(tiles, box_at({0, 0, -10.5}, 1.0))) << "reaches through";
-    EXPECT_FALSE(hides(tiles, box_at({0, 0, -11}, 1.0))) << "touches";
-    EXPECT_FALSE(hides(tiles, box_at({0, 0, -5}, 1.0))) << "in front";
-    EXPECT_FALSE(hides(tiles, box_at({0, 0, 0}, 30.0))) << "all around";
-    EXPECT_FALSE(hides(tiles, box_at({0, 0, 20}, 1.0))) << "behind the camera: not asked";
+    EXPECT_TRUE(occludes(tiles, box_at({0, 0, -12}, 1.0)));
+    EXPECT_FALSE(occludes(tiles, box_at({0, 0, -10.5}, 1.0))) << "reaches through";
+    EXPECT_FALSE(occludes(tiles, box_at({0, 0, -11}, 1.0))) << "touches";
+    EXPECT_FALSE(occludes(tiles, box_at({0, 0, -5}, 1.0))) << "in front";
+    EXPECT_FALSE(occludes(tiles, box_at({0, 0, 0}, 30.0))) << "all around";
+    EXPECT_FALSE(occludes(tiles, box_at({0, 0, 20}, 1.0))) << "behind the camera";
     EXPECT_FALSE(tiles.empty());
     EXPECT_TRUE(DepthTiles().empty());
 }
 
-TEST(DepthTiles, OneOpenTileShowsWhatIsBehindIt) {
+TEST(DepthTiles, OneOpenTilePreventsOcclusion) {
     DepthTiles tiles = everywhere(10.0);
     const int middle = tiles.rows / 2 * tiles.columns + tiles.columns / 2;
     tiles.farthest[static_cast<std::size_t>(middle)] = 0.0F;  // the sky
-    EXPECT_FALSE(hides(tiles, box_at({0, 0, -12}, 1.0)));
-    EXPECT_TRUE(hides(tiles, box_at({-6, 0, -12}, 1.0))) << "beside it";
+    EXPECT_FALSE(occludes(tiles, box_at({0, 0, -12}, 1.0)));
+    EXPECT_TRUE(occludes(tiles, box_at({-6, 0, -12}, 1.0))) << "beside it";
 }
 
-// A sample is what a pixel's depth test sees: a point of the box, where it is in the image.
-TEST(DepthTiles, NoPointOfAHiddenBoxIsBeforeWhatWasDrawn) {
+// Tests random points of the box against the depth at their pixel.
+TEST(DepthTiles, OccludedBoxesHaveNoPointInFront) {
     support::Dice dice(5);
     int hidden = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -73,7 +73,7 @@ TEST(DepthTiles, NoPointOfAHiddenBoxIsBeforeWhatWasDrawn) {
         }
         const AlignedBox3d box = box_at({dice.between(-20, 20), dice.between(-10, 10), -dice.between(3, 60)},
                                         dice.between(0.05, 2.0));
-        if (!hides(tiles, box)) {
+        if (!occludes(tiles, box)) {
             continue;
         }
         ++hidden;

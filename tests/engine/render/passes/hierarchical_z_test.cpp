@@ -17,7 +17,7 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kEnough = 1U << 20U;  // indices: after these it looks
+constexpr std::size_t kEnough = 1U << 20U;  // indices: enough for a readback
 
 class HierarchicalZOfTarget : public testing::TestWithParam<int> {
 protected:
@@ -27,7 +27,7 @@ protected:
         gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     }
 
-    // The target's depth between two columns is what it is at `distance` metres.
+    // Sets the depth between two columns to that at `distance` metres.
     void fill(const RenderTarget& target, int left, int right, double distance) {
         target.resume();
         gl_.Enable(GL_SCISSOR_TEST);
@@ -46,26 +46,26 @@ protected:
     GlFunctions gl_;
 };
 
-TEST_P(HierarchicalZOfTarget, HidesWhatIsBehindItOnceItHasBeenLookedAt) {
+TEST_P(HierarchicalZOfTarget, OccludesAfterAReadback) {
     const RenderTarget target(gl_, kWidth, kHeight, GetParam());
     target.begin(Vector3d::Zero());
     fill(target, 0, kWidth, 10.0);
     HierarchicalZ depth(gl_, GetParam());
     depth.begin(target, clip_campus());
     const AlignedBox3d behind(Vector3d(-1, -1, -14), Vector3d(1, 1, -12));
-    EXPECT_FALSE(depth.hides(behind)) << "not looked yet";
-    EXPECT_FALSE(depth.drawn(3));
-    EXPECT_FALSE(depth.hides(behind));
-    EXPECT_TRUE(depth.drawn(kEnough));
-    EXPECT_TRUE(depth.hides(behind));
-    EXPECT_FALSE(depth.hides(AlignedBox3d(Vector3d(-1, -1, -9), Vector3d(1, 1, -7))));
+    EXPECT_FALSE(depth.occludes(behind)) << "no readback yet";
+    EXPECT_FALSE(depth.count_drawn(3));
+    EXPECT_FALSE(depth.occludes(behind));
+    EXPECT_TRUE(depth.count_drawn(kEnough));
+    EXPECT_TRUE(depth.occludes(behind));
+    EXPECT_FALSE(depth.occludes(AlignedBox3d(Vector3d(-1, -1, -9), Vector3d(1, 1, -7))));
 
     fill(target, kWidth / 2, kWidth / 2 + 1, 30.0);  // a crack, a pixel wide
     depth.begin(target, clip_campus());
-    EXPECT_FALSE(depth.hides(behind)) << "another picture";
-    EXPECT_TRUE(depth.drawn(kEnough));
-    EXPECT_FALSE(depth.hides(behind));
-    EXPECT_TRUE(depth.hides(AlignedBox3d(Vector3d(-6, -1, -14), Vector3d(-4, 1, -12)))) << "beside it";
+    EXPECT_FALSE(depth.occludes(behind)) << "another image";
+    EXPECT_TRUE(depth.count_drawn(kEnough));
+    EXPECT_FALSE(depth.occludes(behind));
+    EXPECT_TRUE(depth.occludes(AlignedBox3d(Vector3d(-6, -1, -14), Vector3d(-4, 1, -12)))) << "beside it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, HierarchicalZOfTarget, testing::Values(1, 4));

@@ -23,12 +23,12 @@ Image drawn(const LightSettings& light, int width = kWidth, int height = kHeight
     return renderer.draw(tower_view(), width, height);
 }
 
-TEST(Light, WithoutAWordIsTheDay) {
+TEST(Light, DefaultsToDaylight) {
     EXPECT_EQ(apply_light({}, {}).to_sun, RenderSettings{}.to_sun);
     EXPECT_EQ(drawn({}).rgba, drawn({.anti_aliasing = AntiAliasing::msaa}).rgba);
 }
 
-TEST(Light, AzimuthGoesFromNorthTowardsEast) {
+TEST(Light, AzimuthRunsFromNorthToEast) {
     const auto towards = [](double azimuth, double elevation) {
         return apply_light({}, {.sun_azimuth = azimuth * kDegree, .sun_elevation = elevation * kDegree})
             .to_sun;
@@ -38,7 +38,7 @@ TEST(Light, AzimuthGoesFromNorthTowardsEast) {
     EXPECT_TRUE(towards(17, 90).isApprox(Eigen::Vector3d(0, 1, 0), 1e-9));
 }
 
-TEST(Light, OneAngleLeavesTheOtherAsItWas) {
+TEST(Light, SettingOneAngleKeepsTheOther) {
     const Eigen::Vector3d day = RenderSettings{}.to_sun;
     const Eigen::Vector3d turned = apply_light({}, {.sun_azimuth = 1.0}).to_sun;
     EXPECT_NEAR(turned.y(), day.y(), 1e-12);
@@ -46,7 +46,7 @@ TEST(Light, OneAngleLeavesTheOtherAsItWas) {
     EXPECT_NEAR(lower.x() / lower.z(), day.x() / day.z(), 1e-12);
 }
 
-TEST(Light, GlowIsForEmissiveSurfacesOnly) {
+TEST(Light, GlowAffectsEmissiveSurfacesOnly) {
     const scene::Model model = SceneBuilder()
                                    .paint({0, 0, 0, 1})
                                    .glow({0.05F, 0.05F, 0.05F})
@@ -90,15 +90,16 @@ TEST(Light, ShadowsFallAwayFromTheSun) {
     }
 }
 
-// Stairs are what is smoothed: of a size at which walls are more than a few pixels wide.
+// An image large enough that walls are more than a few pixels wide.
 constexpr int kWide = 480;
 constexpr int kHigh = 270;
 
-TEST(Light, EverySmoothingIsNearerToManySamplesThanNone) {
+TEST(Light, EveryAntiAliasingIsCloserToSupersampling) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1),
                       apply_light(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
-    const Image fine = halved(halved(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
+    const Image fine =
+        downsampled_by_two(downsampled_by_two(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
     const auto error = [&](AntiAliasing how) {
         const Image image = drawn({.anti_aliasing = how}, kWide, kHigh);
         double sum = 0.0;
@@ -113,7 +114,7 @@ TEST(Light, EverySmoothingIsNearerToManySamplesThanNone) {
     EXPECT_LT(error(AntiAliasing::supersampling), 0.4 * none);
 }
 
-TEST(Light, SupersamplingHasHalfTheRoom) {
+TEST(Light, SupersamplingHalvesTheMaximumSize) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1),
                       apply_light(quick_settings(), {.anti_aliasing = AntiAliasing::supersampling}));

@@ -9,7 +9,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// What GLSL reads: the numbers between the last brackets.
+// Parses the numbers in the last parentheses.
 std::vector<float> read_back(const ShaderConstants& constants) {
     std::string text(constants.text());
     text = text.substr(text.rfind('(') + 1);
@@ -25,7 +25,7 @@ std::vector<float> read_back(const ShaderConstants& constants) {
     return values;
 }
 
-TEST(ShaderConstants, ComeBackAsTheSameFloats) {
+TEST(ShaderConstants, RoundTripAsFloats) {
     for (const double value : {0.0, 1.0, -3.0, 0.1, 1e-7, 3.4e38, 16777216.0, 1.0 / 3.0, -1e-30}) {
         EXPECT_EQ(read_back(ShaderConstants().add("x", value)), std::vector{static_cast<float>(value)});
     }
@@ -36,7 +36,7 @@ TEST(ShaderConstants, AreNeverInts) {
     EXPECT_EQ(ShaderConstants().add("v", Eigen::Vector2d(1, -4)).text(), "const vec2 v = vec2(1.0, -4.0);\n");
 }
 
-TEST(ShaderConstants, GiveMatricesByColumns) {
+TEST(ShaderConstants, MatricesAreColumnMajor) {
     Eigen::Matrix3d m;
     m << 1, 2, 3, 4, 5, 6, 7, 8, 9;
     EXPECT_EQ(read_back(ShaderConstants().add("m", m)), (std::vector<float>{1, 4, 7, 2, 5, 8, 3, 6, 9}));

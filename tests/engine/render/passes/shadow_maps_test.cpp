@@ -47,7 +47,7 @@ Viewpoint map_of_the_box() {
     return top(Vector3d::Zero(), 8.0, 1.0471975511965976, bounds);
 }
 
-// The near map shades a perspective, the far one a map.
+// The near map is used in perspective views, the far one on plans.
 TEST(Shadows, FallAwayFromTheSunInBothMaps) {
     const scene::Model model = box_on_ground();
     Renderer renderer(std::span(&model, 1), settings_with(true));
@@ -59,7 +59,7 @@ TEST(Shadows, FallAwayFromTheSunInBothMaps) {
     }
 }
 
-TEST(Shadows, AreAbsentWhenSwitchedOffAndWithoutTheBox) {
+TEST(Shadows, AreAbsentWhenDisabledOrWithoutACaster) {
     const Viewpoint view = from_above(0, 14, 0);
     const scene::Model with_box = box_on_ground();
     const scene::Model bare = box_on_ground(scene::AlphaMode::opaque, false);
@@ -88,7 +88,7 @@ TEST(Shadows, ReachTheFootOfTheWall) {
     EXPECT_LT(brightness_at(image, view, {1.12, 0, -0.5}), 0.75 * brightness_at(image, view, {5, 0, 2}));
 }
 
-TEST(Shadows, DontSpeckleSunnySurfaces) {
+TEST(Shadows, DoNotSpeckleSunlitSurfaces) {
     const scene::Model model = box_on_ground();
     Renderer renderer(std::span(&model, 1), settings_with(true));
     // Level ground, a wall that the sun grazes (+z side), both from close by and from far off.

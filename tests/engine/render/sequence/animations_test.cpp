@@ -1,4 +1,4 @@
-// Animations are taken apart again by other code than made them.
+// Decodes animations with other code than encoded them.
 
 #include <array>
 #include <cstdlib>
@@ -66,16 +66,16 @@ std::vector<Chunk> chunks_of(const std::string& bytes) {
     return chunks;
 }
 
-TEST(AnimatedPng, ShowsItsFirstFrameToThoseWhoKnowNoAnimations) {
+TEST(AnimatedPng, PlainDecodersReadItsFirstFrame) {
     const ScratchFolder folder;
     const std::vector<Image> images = three_images(40, 30);
     AnimatedPng animation(folder.path() / "a.png", 0.25);
     feed(animation, images);
-    // libspng checks every chunk's checksum, those that it doesn't know too.
+    // libspng verifies the checksums of unknown chunks too.
     EXPECT_EQ(read_png(folder.path() / "a.png").rgba, images[0].rgba);
 }
 
-TEST(AnimatedPng, HoldsEveryFrame) {
+TEST(AnimatedPng, ContainsEveryFrame) {
     const ScratchFolder folder;
     const std::vector<Image> images = three_images(40, 30);
     AnimatedPng animation(folder.path() / "a.png", 0.25);
@@ -88,7 +88,7 @@ TEST(AnimatedPng, HoldsEveryFrame) {
     }
     EXPECT_EQ(kinds, "IHDR acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
     EXPECT_EQ(number(chunks[1].data, 0), 3U);
-    EXPECT_EQ(number(chunks[1].data, 4), 0U) << "for ever";
+    EXPECT_EQ(number(chunks[1].data, 4), 0U) << "loops";
     std::uint32_t sequence = 0;
     for (const Chunk& chunk : chunks) {
         if (chunk.kind == "fcTL") {
@@ -102,7 +102,7 @@ TEST(AnimatedPng, HoldsEveryFrame) {
     }
 }
 
-TEST(AnimatedPng, IsTheSameBytesForTheSameFramesAndNoFileWithoutAny) {
+TEST(AnimatedPng, IsDeterministicAndWritesNoFileWithoutFrames) {
     const ScratchFolder folder;
     const std::vector<Image> images = three_images(40, 30);
     for (const char* name : {"a.png", "b.png"}) {
@@ -132,7 +132,7 @@ std::uintmax_t bytes_in(const ScratchFolder& folder) {
     return sum;
 }
 
-TEST(Animations, GoToDiskAsTheyComeAndAreNotThereBeforeTheyAreWhole) {
+TEST(Animations, AreWrittenIncrementallyAndAppearWhenComplete) {
     for (const char* name : {"a.png", "a.gif"}) {
         const ScratchFolder folder;
         std::mt19937 random(3);
@@ -146,11 +146,11 @@ TEST(Animations, GoToDiskAsTheyComeAndAreNotThereBeforeTheyAreWhole) {
                 EXPECT_FALSE(std::filesystem::exists(folder.path() / name));
             }
         }
-        EXPECT_TRUE(folder.contents().empty()) << name << " was given up";
+        EXPECT_TRUE(folder.contents().empty()) << name << " was discarded";
     }
 }
 
-TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
+TEST(Animations, AFullDiskLeavesNoPartialFileAndKeepsTheOldOne) {
     for (const char* name : {"a.png", "a.gif"}) {
         const ScratchFolder folder;
         feed(*animation(folder.path() / name), three_images(8, 8));
@@ -166,7 +166,7 @@ TEST(Animations, LeaveNothingWhenTheDiskIsFullAndWhatWasThereAsItWas) {
     }
 }
 
-TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
+TEST(AnimatedGif, ContainsEveryFrameInSimilarColours) {
     const ScratchFolder folder;
     const std::vector<Image> images = three_images(48, 32);
     {
@@ -207,7 +207,7 @@ TEST(AnimatedGif, HoldsEveryFrameInColoursNearToTheirs) {
     }
 }
 
-TEST(ContactSheet, ShowsFramesInRows) {
+TEST(ContactSheet, ArrangesFramesInRows) {
     const ScratchFolder folder;
     ContactSheet sheet(folder.path() / "sheet.png");
     std::vector<Image> images(7, plain_image(480, 270, {200, 0, 0}));
@@ -222,16 +222,16 @@ TEST(ContactSheet, ShowsFramesInRows) {
     EXPECT_EQ(color_name(drawn, 2 * 248 + 20, 2 * 143 + 20), "grey") << "nothing there";
 }
 
-TEST(ContactSheet, LeavesFramesOutOfALongWalk) {
+TEST(ContactSheet, SkipsFramesOfALongWalk) {
     const ScratchFolder folder;
     ContactSheet sheet(folder.path() / "sheet.png");
     feed(sheet, std::vector<Image>(500, plain_image(16, 9, {200, 0, 0})));
     const Image drawn = read_png(folder.path() / "sheet.png");
     EXPECT_LE(drawn.width, 10 * 24 + 8);
-    EXPECT_LE(drawn.height, 13 * 17 + 8) << "120 frames at most, ten a row";
+    EXPECT_LE(drawn.height, 13 * 17 + 8) << "120 frames at most, ten per row";
 }
 
-TEST(FrameFiles, ReplaceThoseOfAnEarlierWalk) {
+TEST(FrameFiles, ReplaceFilesOfAnEarlierWalk) {
     const ScratchFolder folder;
     {
         FrameFiles files(folder.path() / "frames");

@@ -15,7 +15,7 @@ Frame small_frame() {
     return frame;
 }
 
-TEST(FrameBytes, ComeBackAsTheFrameTheyWere) {
+TEST(FrameBytes, RoundTrip) {
     const Frame back = deserialize_frame(serialize(small_frame()));
     EXPECT_EQ(back.number, small_frame().number);
     EXPECT_EQ(back.time, small_frame().time);
@@ -24,7 +24,7 @@ TEST(FrameBytes, ComeBackAsTheFrameTheyWere) {
     EXPECT_EQ(back.image.rgba, small_frame().image.rgba);
 }
 
-TEST(FrameBytes, OfAnythingElseAreRefused) {
+TEST(FrameBytes, InvalidBytesAreRejected) {
     const std::string bytes = serialize(small_frame());
     EXPECT_THROW(deserialize_frame(""), std::runtime_error);
     EXPECT_THROW(deserialize_frame(bytes.substr(0, 20)), std::runtime_error);

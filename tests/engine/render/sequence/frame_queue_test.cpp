@@ -11,7 +11,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-/// What became of the frames, whoever asks.
+/// Thread-safe record of delivered frames.
 struct Seen {
     std::vector<std::size_t> numbers;
     std::vector<std::thread::id> threads;
@@ -44,7 +44,7 @@ std::vector<std::unique_ptr<FrameSink>> sinks(std::unique_ptr<FrameSink> one) {
     return all;
 }
 
-TEST(FrameQueue, HandsOverEveryFrameInOrderOnAnotherThread) {
+TEST(FrameQueue, DeliversFramesInOrderOnItsOwnThread) {
     Seen seen;
     FrameQueue queue(sinks(std::make_unique<Keeper>(seen)));
     int most = 0;
@@ -59,10 +59,10 @@ TEST(FrameQueue, HandsOverEveryFrameInOrderOnAnotherThread) {
         EXPECT_NE(seen.threads[i], std::this_thread::get_id());
     }
     EXPECT_TRUE(seen.finished);
-    EXPECT_LE(most, 7) << "who draws faster than can be written is held up";
+    EXPECT_LE(most, 7) << "add blocks while the queue is full";
 }
 
-TEST(FrameQueue, TellsOfWhatWentWrong) {
+TEST(FrameQueue, RethrowsSinkErrors) {
     Seen seen;
     FrameQueue queue(sinks(std::make_unique<Keeper>(seen, 3)));
     EXPECT_THROW(
@@ -77,7 +77,7 @@ TEST(FrameQueue, TellsOfWhatWentWrong) {
     EXPECT_FALSE(seen.finished);
 }
 
-/// Draws every frame but those of part 0, until one can't be drawn.
+/// Supplies all frames but those of part 0, then fails.
 class Others final : public FrameSource {
 public:
     explicit Others(std::size_t bad = 1'000'000) : bad_(bad) {}
@@ -92,7 +92,7 @@ private:
     std::size_t bad_;
 };
 
-TEST(FrameQueue, PutsFramesOfOthersBetweenItsOwn) {
+TEST(FrameQueue, InterleavesRemoteFrames) {
     Seen seen;
     Others others;
     FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 3);
@@ -107,7 +107,7 @@ TEST(FrameQueue, PutsFramesOfOthersBetweenItsOwn) {
     }
 }
 
-TEST(FrameQueue, TellsOfOthersThatAreGone) {
+TEST(FrameQueue, RethrowsErrorsOfTheRemoteSource) {
     Seen seen;
     Others others(5);
     FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 2);
@@ -123,7 +123,7 @@ TEST(FrameQueue, TellsOfOthersThatAreGone) {
     EXPECT_FALSE(seen.finished);
 }
 
-TEST(FrameQueue, GivesUpWithoutFinish) {
+TEST(FrameQueue, DiscardsPendingFramesWithoutFinish) {
     Seen seen;
     {
         FrameQueue queue(sinks(std::make_unique<Keeper>(seen)));

@@ -20,7 +20,7 @@ double coded(double value) {
     return 255.0 * (value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055);
 }
 
-TEST(ScaledImage, IsTheMeanOfLight) {
+TEST(ScaledImage, IsTheMeanInLinearLight) {
     std::mt19937 random(1);
     const Image image = noise(60, 40, random);
     const Image small = scaled_down(image, 20);
@@ -36,7 +36,7 @@ TEST(ScaledImage, IsTheMeanOfLight) {
     EXPECT_NEAR(small.pixel(7, 1)[1], coded(sum / 9.0), 0.75);
 }
 
-TEST(ScaledImage, EvenColoursStayWhatTheyAre) {
+TEST(ScaledImage, UniformColoursAreUnchanged) {
     for (const int value : {0, 1, 60, 128, 254, 255}) {
         const auto byte = static_cast<std::uint8_t>(value);
         const Image small = scaled_down(plain_image(1280, 720, {byte, byte, 7}), 640);
@@ -45,7 +45,7 @@ TEST(ScaledImage, EvenColoursStayWhatTheyAre) {
     }
 }
 
-TEST(ScaledImage, IsNeverMadeLarger) {
+TEST(ScaledImage, IsNeverEnlarged) {
     EXPECT_EQ(scaled_down(plain_image(10, 10, {1, 2, 3}), 20).width, 10);
     EXPECT_EQ(scaled_down(plain_image(3000, 1, {1, 2, 3}), 20).height, 1);
 }

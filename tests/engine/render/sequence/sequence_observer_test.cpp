@@ -23,7 +23,7 @@ private:
     std::vector<Frame>& frames_;
 };
 
-/// Frames that were drawn before.
+/// Supplies frames that were drawn before.
 class Drawn final : public FrameSource {
 public:
     explicit Drawn(std::vector<Frame> frames) : frames_(std::move(frames)) {}
@@ -62,12 +62,12 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
         record.avatar.position = {1.0, 0.0, 2.0 - 0.02 * i};
         observer.frame(record);
     }
-    observer.frame(record);  // the closing one
+    observer.frame(record);  // the closing record
     observer.end();
     return frames;
 }
 
-TEST(SequenceObserver, TakesFramesAtEvenTimes) {
+TEST(SequenceObserver, DrawsFramesAtRegularTimes) {
     const std::vector<Frame> frames = frames_of(0.1, 61, 60);
     ASSERT_EQ(frames.size(), 11U);
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -78,7 +78,7 @@ TEST(SequenceObserver, TakesFramesAtEvenTimes) {
     EXPECT_NE(frames.front().image.rgba, frames.back().image.rgba);
 }
 
-TEST(SequenceObserver, TakesThemAtTheTickAfterWhereNoneFalls) {
+TEST(SequenceObserver, DrawsAtTheFirstTickAtOrAfterTheTime) {
     const std::vector<Frame> frames = frames_of(0.25, 31, 10);
     ASSERT_EQ(frames.size(), 13U);
     EXPECT_NEAR(frames[1].time, 0.3, 1e-12);
@@ -87,7 +87,7 @@ TEST(SequenceObserver, TakesThemAtTheTickAfterWhereNoneFalls) {
     EXPECT_NEAR(frames[12].time, 3.0, 1e-12);
 }
 
-TEST(SequenceObserver, DrawsByTheWalksLight) {
+TEST(SequenceObserver, UsesTheWalksLight) {
     Walk dark;
     dark.light.sun_color = dark.light.sky_light = dark.light.ground_light = Eigen::Vector3d::Zero();
     dark.light.zenith_color = dark.light.horizon_color = Eigen::Vector3d::Zero();
@@ -98,7 +98,7 @@ TEST(SequenceObserver, DrawsByTheWalksLight) {
     EXPECT_LT(brightness_of(frames_of(1.0, 2, 60, dark)), 0.7 * brightness_of(frames_of(1.0, 2, 60)));
 }
 
-TEST(SequenceObserver, SharesTheFramesOfAWalk) {
+TEST(SequenceObserver, DividesFramesBetweenProcesses) {
     const std::vector<Frame> whole = frames_of(0.1, 61, 60);
     std::vector<Frame> by_others = frames_of(0.1, 61, 60, {}, {1, 3});
     ASSERT_EQ(by_others.size(), 4U);
@@ -114,7 +114,7 @@ TEST(SequenceObserver, SharesTheFramesOfAWalk) {
     }
 }
 
-TEST(SequenceObserver, TakesOneATickAtMost) {
+TEST(SequenceObserver, DrawsAtMostOneFramePerTick) {
     EXPECT_EQ(frames_of(0.001, 7, 60).size(), 7U);
 }
 

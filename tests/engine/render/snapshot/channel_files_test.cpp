@@ -8,7 +8,7 @@
 #include <spng.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/render/image/depth_png.h"
+#include "engine/render/image/png.h"
 #include "tests/engine/render/scratch_folder.h"
 #include "tests/engine/render/small_scenes.h"
 
@@ -31,12 +31,12 @@ std::vector<Value> decoded(const std::vector<std::uint8_t>& png, int format) {
     return values;
 }
 
-TEST(ChannelFiles, MillimetresAreRoundedAndSaturate) {
+TEST(ChannelFiles, MillimetresAreRoundedAndClamped) {
     EXPECT_EQ(millimetres({0.0F, 0.0001F, 1.2344F, 1.2346F, 65.535F, 65.6F, 1e9F}),
               (std::vector<std::uint16_t>{0, 1, 1234, 1235, 65535, 65535, 65535}));
 }
 
-TEST(ChannelFiles, EveryIdHasAColorOfItsOwn) {
+TEST(ChannelFiles, EveryIdHasAUniqueColor) {
     EXPECT_EQ(id_color(0), (std::array<std::uint8_t, 3>{0, 0, 0}));
     std::set<std::array<std::uint8_t, 3>> colors;
     for (std::uint32_t id = 0; id < 100'000; ++id) {
@@ -45,7 +45,7 @@ TEST(ChannelFiles, EveryIdHasAColorOfItsOwn) {
     EXPECT_EQ(colors.size(), 100'000U);
 }
 
-TEST(ChannelFiles, DepthKeepsAllSixteenBits) {
+TEST(ChannelFiles, DepthRoundTripsAllSixteenBits) {
     std::vector<std::uint16_t> values;
     for (int i = 0; i < 300; ++i) {
         values.push_back(static_cast<std::uint16_t>(i * 217));
@@ -53,7 +53,7 @@ TEST(ChannelFiles, DepthKeepsAllSixteenBits) {
     EXPECT_EQ(decoded<std::uint16_t>(encode_depth_png(20, 15, values), SPNG_FMT_PNG), values);
 }
 
-TEST(ChannelFiles, SayWhatTheImageShows) {
+TEST(ChannelFiles, DescribeTheImage) {
     scene::Building tower;
     tower.id = "tower";
     const scene::Campus campus = campus_of(tower_scene(), {tower});

@@ -7,7 +7,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-/// Counts in `made` how many painters it makes.
+/// Counts the renderers created in `made`.
 RendererStore counting_store(std::size_t& made) {
     return RendererStore([&made](const scene::Campus&) {
         ++made;
@@ -17,7 +17,7 @@ RendererStore counting_store(std::size_t& made) {
     });
 }
 
-TEST(RendererStore, KeepsOneACampusAndLight) {
+TEST(RendererStore, CachesOnePerCampusAndLight) {
     const scene::Campus tower = campus_of(tower_scene());
     const scene::Campus other = campus_of(SceneBuilder().paint(kRed).ground(10.0).model());
     std::size_t made = 0;
@@ -32,7 +32,7 @@ TEST(RendererStore, KeepsOneACampusAndLight) {
     EXPECT_EQ(made, 3U);
 }
 
-TEST(RendererStore, ForgetsThemWhenTheyAreMany) {
+TEST(RendererStore, EvictsWhenFull) {
     const scene::Campus tower = campus_of(tower_scene());
     std::size_t made = 0;
     RendererStore store = counting_store(made);

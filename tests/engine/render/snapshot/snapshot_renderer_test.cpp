@@ -43,7 +43,7 @@ TEST(SnapshotRenderer, DrawsTheThreeViews) {
     EXPECT_EQ(snapshot_renderer.draw(request(FirstPersonView{})).rgba, first.rgba);
 }
 
-TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
+TEST(SnapshotRenderer, ThirdPersonShowsTheAvatarUnlessTheCameraIsInItsHead) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer roomy(campus, settings());
     SnapshotSettings tight = settings();
@@ -65,7 +65,7 @@ TEST(SnapshotRenderer, ThirdPersonSeesTheAvatarUnlessTheCameraIsInItsHead) {
     EXPECT_EQ(orange(cramped.draw(away)), 0);
 }
 
-TEST(SnapshotRenderer, DrawsTheOpenPopupOverTheImage) {
+TEST(SnapshotRenderer, DrawsOpenPopupsOverTheImage) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     SnapshotRequest open = request(FirstPersonView{}, 640, 360);
@@ -98,7 +98,7 @@ TEST(SnapshotRenderer, OrbitFillsTheImageWithTheBuilding) {
     EXPECT_GT(bottom - top, 3 * kHeight / 4);
 }
 
-TEST(SnapshotRenderer, OrbitWithoutATargetGoesAroundTheAvatar) {
+TEST(SnapshotRenderer, OrbitWithoutATargetCirclesTheAvatar) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     SnapshotRequest around = request(OrbitView{.distance = 4.0});
@@ -111,7 +111,7 @@ TEST(SnapshotRenderer, OrbitWithoutATargetGoesAroundTheAvatar) {
     EXPECT_GT(without.depth[middle], 4.5);
 }
 
-TEST(SnapshotRenderer, FixedStandsWhereItIsPutAndLooksWhereItIsTold) {
+TEST(SnapshotRenderer, FixedUsesItsPositionAndTarget) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     const Eigen::Vector3d position(8, 3, 2);
@@ -123,15 +123,15 @@ TEST(SnapshotRenderer, FixedStandsWhereItIsPutAndLooksWhereItIsTold) {
     EXPECT_EQ(snapshot_renderer.draw_ids(fixed).ids[middle], 0U) << "turned away";
 }
 
-TEST(SnapshotRenderer, IdsTellWhoseThePixelsAre) {
+TEST(SnapshotRenderer, IdsIdentifyThePixelOwners) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     SnapshotRequest camera = request(FirstPersonView{});
     const std::vector<OpenPopup> popups = {{0, "Tower", "It hides nothing here."}};
     camera.open_popups = popups;
     const IdImage image = snapshot_renderer.draw_ids(camera);
-    ASSERT_EQ(image.names.size(), 2U);
-    EXPECT_EQ(image.names[1].building, 0U);
+    ASSERT_EQ(image.owners.size(), 2U);
+    EXPECT_EQ(image.owners[1].building, 0U);
     const auto id_at = [&](double x, double y, double z) {
         const Viewpoint view = first_person(camera.avatar, camera.profile, camera.camera.fov);
         const auto pixel = pixel_of(view, kWidth, kHeight, {x, y, z});
@@ -143,7 +143,7 @@ TEST(SnapshotRenderer, IdsTellWhoseThePixelsAre) {
     EXPECT_EQ(id_at(6, 6, -8), 0U) << "the sky";
 }
 
-TEST(SnapshotRenderer, TheAvatarHidesWhatIsBehindItInIdsToo) {
+TEST(SnapshotRenderer, TheAvatarOccludesOwnersInIds) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     SnapshotRequest behind = request(ThirdPersonView{2.0});
@@ -156,7 +156,7 @@ TEST(SnapshotRenderer, TheAvatarHidesWhatIsBehindItInIdsToo) {
     EXPECT_LT(std::ranges::count(ids.ids, 1U), std::ranges::count(bare.nodes, 2U) - 100);
 }
 
-TEST(SnapshotRenderer, AddsAMinimapToViewsFromTheAvatarOnly) {
+TEST(SnapshotRenderer, AddsAMinimapToAvatarViewsOnly) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     for (const View& view : {View(FirstPersonView{}), View(TopView{})}) {
@@ -169,7 +169,7 @@ TEST(SnapshotRenderer, AddsAMinimapToViewsFromTheAvatarOnly) {
     }
 }
 
-TEST(SnapshotRenderer, PlanShowsTheWholeCampusWithNames) {
+TEST(SnapshotRenderer, PlanShowsTheWholeCampusWithLabels) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());
     SnapshotSettings bare = settings();

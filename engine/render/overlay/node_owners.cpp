@@ -1,4 +1,4 @@
-#include "engine/render/overlay/node_names.h"
+#include "engine/render/overlay/node_owners.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,14 +7,14 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// Something that takes nodes.
+// The nodes that a building or an object claims.
 struct Claim {
     std::size_t owner = 0;
-    bool unseen = false;
-    std::vector<std::uint32_t> nodes;  // their numbers
+    bool invisible = false;
+    std::vector<std::uint32_t> nodes;  // node numbers
 };
 
-// The number of a model's first node.
+// The number of each model's first node, then the next free number.
 std::vector<std::uint32_t> first_numbers(const std::vector<scene::Model>& models) {
     std::vector<std::uint32_t> first = {1};
     for (const scene::Model& model : models) {
@@ -32,11 +32,12 @@ std::vector<std::uint32_t> numbers_of(const scene::Campus& campus, const scene::
     return numbers;
 }
 
-// The owner of each node, none where nobody claims it.
-std::vector<std::optional<std::size_t>> settle(std::vector<Claim> claims, std::size_t nodes) {
+// The owner of each node, if any.
+std::vector<std::optional<std::size_t>> assign_owners(std::vector<Claim> claims, std::size_t nodes) {
     std::vector<std::optional<std::size_t>> owners(nodes + 1);
     std::ranges::stable_sort(claims, [](const Claim& a, const Claim& b) {
-        return std::tuple(a.unseen, a.nodes.size(), a.owner) < std::tuple(b.unseen, b.nodes.size(), b.owner);
+        return std::tuple(a.invisible, a.nodes.size(), a.owner) <
+               std::tuple(b.invisible, b.nodes.size(), b.owner);
     });
     for (const Claim& claim : claims) {
         for (const std::uint32_t node : claim.nodes) {
@@ -55,7 +56,7 @@ bool only_trigger(const scene::Campus& campus, std::size_t object) {
 
 }  // namespace
 
-NodeOwners name_nodes(const scene::Campus& campus) {
+NodeOwners find_node_owners(const scene::Campus& campus) {
     const std::size_t nodes = first_numbers(campus.models).back() - 1;
     std::vector<Claim> of_buildings;
     for (std::size_t i = 0; i < campus.description.buildings.size(); ++i) {
@@ -66,25 +67,25 @@ NodeOwners name_nodes(const scene::Campus& campus) {
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {
         of_objects.push_back({i, only_trigger(campus, i), numbers_of(campus, campus.objects[i].nodes)});
     }
-    const auto buildings = settle(std::move(of_buildings), nodes);
-    const auto objects = settle(std::move(of_objects), nodes);
+    const auto buildings = assign_owners(std::move(of_buildings), nodes);
+    const auto objects = assign_owners(std::move(of_objects), nodes);
 
-    std::vector<PixelOwner> owners(nodes + 1);
+    std::vector<PixelOwner> by_node(nodes + 1);
     for (std::size_t n = 1; n <= nodes; ++n) {
-        owners[n] = {buildings[n], objects[n]};
+        by_node[n] = {buildings[n], objects[n]};
         if (!buildings[n] && objects[n]) {
-            owners[n].building = campus.objects[*objects[n]].building;
+            by_node[n].building = campus.objects[*objects[n]].building;
         }
     }
     NodeOwners result;
-    result.names = owners;
-    // none is less than any index, so the nameless come first.
-    const auto rank = [](const PixelOwner& name) { return std::tie(name.building, name.object); };
-    std::ranges::sort(result.names, {}, rank);
-    result.names.erase(std::unique(result.names.begin(), result.names.end()), result.names.end());
-    for (const PixelOwner& owner : owners) {
-        const auto found = std::ranges::lower_bound(result.names, rank(owner), {}, rank);
-        result.owner_of_node.push_back(static_cast<std::uint32_t>(found - result.names.begin()));
+    result.owners = by_node;
+    // nullopt is less than any index, so the unowned come first.
+    const auto rank = [](const PixelOwner& owner) { return std::tie(owner.building, owner.object); };
+    std::ranges::sort(result.owners, {}, rank);
+    result.owners.erase(std::unique(result.owners.begin(), result.owners.end()), result.owners.end());
+    for (const PixelOwner& owner : by_node) {
+        const auto found = std::ranges::lower_bound(result.owners, rank(owner), {}, rank);
+        result.owner_of_node.push_back(static_cast<std::uint32_t>(found - result.owners.begin()));
     }
     return result;
 }

@@ -1,4 +1,4 @@
-#include "engine/render/geometry/reversed_twins.h"
+#include "engine/render/geometry/reversed_duplicates.h"
 
 #include <algorithm>
 #include <random>
@@ -28,7 +28,7 @@ struct Soup {
     }
 };
 
-// Every point twice, as two sides of a sheet have it; -0 and +0 are one place.
+// Vertices are duplicated, as for the two sides of a sheet.
 Soup random_soup(std::mt19937& random, int points, int triangles) {
     Soup soup;
     for (int copy = 0; copy < 2; ++copy) {
@@ -58,13 +58,13 @@ bool reversed(const Soup& soup, std::size_t one, std::size_t other) {
     return false;
 }
 
-TEST(ReversedTwins, AreWhatComparingEveryPairFinds) {
+TEST(ReversedDuplicates, MatchABruteForceSearch) {
     std::mt19937 random(7);
     std::size_t twins = 0;
     for (int round = 0; round < 50; ++round) {
         const Soup soup = random_soup(random, 4 + round / 5, 60);
         const std::vector<bool> found =
-            reversed_twins(soup.vertices, soup.indices, std::vector<std::uint32_t>(60, 0));
+            find_reversed_duplicates(soup.vertices, soup.indices, std::vector<std::uint32_t>(60, 0));
         ASSERT_EQ(found.size(), 60U);
         for (std::size_t i = 0; i < found.size(); ++i) {
             const auto corners = soup.corners(i);
@@ -82,20 +82,20 @@ TEST(ReversedTwins, AreWhatComparingEveryPairFinds) {
     EXPECT_GT(twins, 100U);
 }
 
-TEST(ReversedTwins, OfNothingAreNone) {
-    EXPECT_TRUE(reversed_twins({}, {}, {}).empty());
+TEST(ReversedDuplicates, AcceptsNoTriangles) {
+    EXPECT_TRUE(find_reversed_duplicates({}, {}, {}).empty());
 }
 
-TEST(ReversedTwins, AreOfOneFamily) {
+TEST(ReversedDuplicates, AreInTheSameGroup) {
     const std::vector<Vertex> corners = {
         make_vertex({0, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
         make_vertex({1, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
         make_vertex({0, 0, 1}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
     };
     const std::vector<std::uint32_t> both_sides = {0, 1, 2, 2, 1, 0};
-    EXPECT_EQ(reversed_twins(corners, both_sides, std::vector<std::uint32_t>{5, 5}),
+    EXPECT_EQ(find_reversed_duplicates(corners, both_sides, std::vector<std::uint32_t>{5, 5}),
               (std::vector<bool>{true, true}));
-    EXPECT_EQ(reversed_twins(corners, both_sides, std::vector<std::uint32_t>{0, 5}),
+    EXPECT_EQ(find_reversed_duplicates(corners, both_sides, std::vector<std::uint32_t>{0, 5}),
               (std::vector<bool>{false, false}));
 }
 
@@ -117,7 +117,7 @@ scene::Model sheet(const Eigen::Matrix4d& place, bool front, bool back, bool dou
     return builder.model();
 }
 
-TEST(ReversedTwins, EachShowItsOwnSideAndNothingOfTheOther) {
+TEST(ReversedDuplicates, EachShowsOnlyItsFront) {
     Eigen::Matrix4d floor = Eigen::Matrix4d::Identity();  // the sheet's +Z is up
     floor.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     const scene::Model twins = sheet(floor, true, true, true);
@@ -132,7 +132,7 @@ TEST(ReversedTwins, EachShowItsOwnSideAndNothingOfTheOther) {
     EXPECT_EQ(both.draw(up, kWidth, kHeight).rgba, below.draw(up, kWidth, kHeight).rgba);
 }
 
-TEST(ReversedTwins, LeaveSheetsWithoutATwinAsTheyWere) {
+TEST(ReversedDuplicates, OtherSheetsStayDoubleSided) {
     const auto both_sides = [](const scene::Model& model) {
         std::vector<bool> of_batches;
         for (const Batch& batch : bake(std::span(&model, 1), 20.0).batches) {

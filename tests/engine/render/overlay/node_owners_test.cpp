@@ -1,4 +1,4 @@
-#include "engine/render/overlay/node_names.h"
+#include "engine/render/overlay/node_owners.h"
 
 #include <gtest/gtest.h>
 
@@ -38,69 +38,69 @@ void add_object(scene::Campus& campus, const char* id, std::vector<scene::NodeRe
     object.nodes.roots = std::move(nodes);
 }
 
-PixelOwner name_of(const NodeOwners& names, std::size_t node) {
-    return names.names[names.owner_of_node[node + 1]];
+PixelOwner name_of(const NodeOwners& owners, std::size_t node) {
+    return owners.owners[owners.owner_of_node[node + 1]];
 }
 
-TEST(NodeOwners, ABuildingTakesTheSubtreesOfItsNodes) {
-    const NodeOwners names = name_nodes(hall_campus());
-    ASSERT_EQ(names.owner_of_node.size(), 6U);
+TEST(NodeOwners, ABuildingOwnsTheSubtreesOfItsNodes) {
+    const NodeOwners owners = find_node_owners(hall_campus());
+    ASSERT_EQ(owners.owner_of_node.size(), 6U);
     for (const std::size_t node : {0U, 1U, 2U}) {
         EXPECT_EQ(name_of(names, node), (PixelOwner{0, std::nullopt}));
     }
     EXPECT_EQ(name_of(names, 3), PixelOwner{});
-    EXPECT_EQ(names.owner_of_node[0], 0U);
-    EXPECT_EQ(names.names.size(), 2U);
-    EXPECT_EQ(names.names[0], PixelOwner{});
+    EXPECT_EQ(owners.owner_of_node[0], 0U);
+    EXPECT_EQ(owners.owners.size(), 2U);
+    EXPECT_EQ(owners.owners[0], PixelOwner{});
 }
 
-TEST(NodeOwners, TheObjectOfFewestNodesTakesANodeInWhicheverOrder) {
+TEST(NodeOwners, TheObjectWithFewestNodesOwnsANodeInAnyOrder) {
     for (const bool walls_first : {true, false}) {
         scene::Campus campus = hall_campus();
         add_object(campus, "a", {{0, walls_first ? 0U : 2U}});
         add_object(campus, "b", {{0, walls_first ? 2U : 0U}});
         const std::size_t walls = walls_first ? 0 : 1;
-        const NodeOwners names = name_nodes(campus);
+        const NodeOwners owners = find_node_owners(campus);
         EXPECT_EQ(name_of(names, 0), (PixelOwner{0, walls}));
         EXPECT_EQ(name_of(names, 1), (PixelOwner{0, walls}));
         EXPECT_EQ(name_of(names, 2), (PixelOwner{0, 1 - walls}));
     }
 }
 
-TEST(NodeOwners, WhatAnObjectLeavesOutIsNotItsOwn) {
+TEST(NodeOwners, ExcludedNodesAreNotOwned) {
     scene::Campus campus = hall_campus();
     add_object(campus, "world", {{0, 0}});
     campus.objects[0].nodes.except = {{0, 1}};
-    const NodeOwners names = name_nodes(campus);
+    const NodeOwners owners = find_node_owners(campus);
     EXPECT_EQ(name_of(names, 0), (PixelOwner{0, 0}));
     EXPECT_EQ(name_of(names, 1), (PixelOwner{0, std::nullopt}));
     EXPECT_EQ(name_of(names, 2), (PixelOwner{0, std::nullopt})) << "below it";
 }
 
-TEST(NodeOwners, WhatIsOnlyATriggerNamesOnlyWhatNobodyElseDoes) {
+TEST(NodeOwners, TriggersOwnOnlyNodesThatNothingElseClaims) {
     scene::Campus campus = hall_campus();
     add_object(campus, "zone", {{0, 2}, {0, 3}}, collision::Detection::trigger);
     add_object(campus, "walls", {{0, 0}});
-    const NodeOwners names = name_nodes(campus);
+    const NodeOwners owners = find_node_owners(campus);
     EXPECT_EQ(name_of(names, 2), (PixelOwner{0, 1}));
     EXPECT_EQ(name_of(names, 3), (PixelOwner{std::nullopt, 0}));
 }
 
-TEST(NodeOwners, ANodeWithoutABuildingBelongsToItsObjects) {
+TEST(NodeOwners, ANodeWithoutABuildingBelongsToItsObjectsBuilding) {
     scene::Campus campus = hall_campus();
     add_object(campus, "tree", {{0, 3}});
     campus.objects[0].building = 0;
-    EXPECT_EQ(name_of(name_nodes(campus), 3), (PixelOwner{0, 0}));
+    EXPECT_EQ(name_of(find_node_owners(campus), 3), (PixelOwner{0, 0}));
 }
 
-TEST(NodeOwners, CountNodesOverAllModels) {
+TEST(NodeOwners, NodesAreNumberedOverAllModels) {
     scene::Campus campus = hall_campus();
     campus.models.insert(campus.models.begin(), SceneBuilder().paint(kGrey).ground(1.0).model());
     add_object(campus, "lamp", {{1, 4}});
-    const NodeOwners names = name_nodes(campus);
-    EXPECT_EQ(names.names[names.owner_of_node[1]], PixelOwner{});
-    EXPECT_EQ(names.names[names.owner_of_node[2]], (PixelOwner{0, std::nullopt})) << "the hall's";
-    EXPECT_EQ(names.names[names.owner_of_node[6]], (PixelOwner{std::nullopt, 0}));
+    const NodeOwners owners = find_node_owners(campus);
+    EXPECT_EQ(owners.owners[owners.owner_of_node[1]], PixelOwner{});
+    EXPECT_EQ(owners.owners[owners.owner_of_node[2]], (PixelOwner{0, std::nullopt})) << "the hall's";
+    EXPECT_EQ(owners.owners[owners.owner_of_node[6]], (PixelOwner{std::nullopt, 0}));
 }
 
 }  // namespace
