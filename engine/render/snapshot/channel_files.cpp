@@ -70,7 +70,7 @@ ChannelChoice choice_of(const ImageChannels& channels) {
     return {.nodes = channels.ids, .depth = channels.depth, .normals = channels.normals};
 }
 
-std::vector<std::string> channel_suffixes(const ImageChannels& channels) {
+std::vector<std::string> channel_endings(const ImageChannels& channels) {
     std::vector<std::string> suffixes;
     if (channels.depth) {
         suffixes.emplace_back("-depth.png");
@@ -106,7 +106,7 @@ std::vector<std::filesystem::path> write_channels(SnapshotRenderer& renderer, co
                                                   const Channels& channels, const ImageChannels& wanted,
                                                   const std::filesystem::path& base) {
     std::vector<std::filesystem::path> files;
-    for (const std::string& suffix : channel_suffixes(wanted)) {
+    for (const std::string& suffix : channel_endings(wanted)) {
         files.emplace_back(base.string() + suffix);
     }
     auto file = files.begin();

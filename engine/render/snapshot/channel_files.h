@@ -18,7 +18,7 @@ ChannelChoice choice_of(const ImageChannels& channels);
 /// The suffixes of the files, appended to the image's name without extension: "-depth.png", "-ids.png",
 /// "-ids.json",
 /// "-normals.png".
-std::vector<std::string> channel_suffixes(const ImageChannels& channels);
+std::vector<std::string> channel_endings(const ImageChannels& channels);
 
 /// Converts metres to millimetres, clamped to 1 to 65535; 0 stays 0 (background).
 std::vector<std::uint16_t> millimetres(const std::vector<float>& metres);
