@@ -54,12 +54,16 @@ class Package(unittest.TestCase):
         self.run_command(self.cmake, "--build", self.built)
         self.assertEqual(self.run_command(os.path.join(self.built, "two_meshes")).splitlines(), OUTPUT)
 
+        said = self.run_command(os.path.join(self.built, "vectorizing_consumer"))
+        self.assertEqual(said, "the consumer adds (x + y) + z, the library x + (y + z)\n")
+
         with open(os.path.join(self.built, "compile_commands.json"), encoding="utf-8") as file:
             command = json.load(file)[0]["command"]
         self.assertIn(os.path.join(self.installed, "include"), command)
         self.assertNotIn("-Werror", command)
         self.assertNotIn("-Wconversion", command)
         self.assertNotIn("-ffp-contract", command)
+        self.assertNotIn("EIGEN", command)
 
     def test_headers_include_each_other_eigen_and_the_standard_library_alone(self):
         include = os.path.join("include", "campuswalk")

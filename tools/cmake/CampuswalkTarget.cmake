@@ -12,6 +12,10 @@ endif()
 add_library(campuswalk_flags INTERFACE)
 # Same bits from every compiler and level: no fused multiply-add behind our back.
 target_compile_options(campuswalk_flags INTERFACE -ffp-contract=off)
+# Same bits from every processor: with its SSE2 packets Eigen adds three components as (x + y) + z, without them as
+# x + (y + z). The second of these takes away what the first does to the layout of its types, so that whoever uses
+# an installed layer, with Eigen's usual settings, sees the same ones.
+target_compile_definitions(campuswalk_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MAX_STATIC_ALIGN_BYTES=16)
 # Some of the libraries ask for it; headers precompiled without it are no use to whoever links them.
 target_compile_options(campuswalk_flags INTERFACE -pthread)
 target_compile_options(

@@ -56,6 +56,13 @@ TEST(ClosestOnSegment, IsThePerpendicularsFootOrAnEnd) {
     EXPECT_EQ(closest_on_segment({{1, 1, 1}, {1, 1, 1}}, {9, 5, 2}), Vec3(1, 1, 1));
 }
 
+TEST(ClosestOnSegment, AddsComponentsInTheOrderThatEveryProcessorHas) {
+    // x + (y + z) is 1 + 2^-52; Eigen's packets of two would make it (x + y) + z, which is 1.
+    const Vec3 nearest = closest_on_segment({Vec3::Zero(), Vec3::Ones()}, Vec3(1.0, 0x1p-53, 0x1p-53));
+
+    EXPECT_EQ(nearest.x(), (1.0 + 0x1p-52) / 3.0);
+}
+
 TEST(ClosestOnTriangle, IsAsNearAsThePlainFormulaSays) {
     Dice dice(20);
     for (int i = 0; i < 20000; ++i) {
