@@ -4,6 +4,24 @@
 
 namespace campuswalk::collision {
 
+#ifdef __aarch64__
+
+// Every AArch64 processor has NEON.
+
+bool can_run(SimdTarget simd_target) {
+    return simd_target == SimdTarget::neon;
+}
+
+namespace {
+
+SimdTarget fastest() {
+    return SimdTarget::neon;
+}
+
+}  // namespace
+
+#else
+
 bool can_run(SimdTarget simd_target) {
     switch (simd_target) {
         case SimdTarget::sse42:
@@ -30,6 +48,12 @@ SimdTarget fastest() {
     }
     throw std::runtime_error("collision queries need a processor with SSE4.2");
 }
+
+}  // namespace
+
+#endif
+
+namespace {
 
 SimdTarget& usual() {
     static SimdTarget simd_target = fastest();

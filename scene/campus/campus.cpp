@@ -189,13 +189,6 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
 
 }  // namespace
 
-std::uint32_t Campus::layer_index(const std::string& layer) const {
-    const auto found = std::ranges::find(description.layers, layer);
-    return found == description.layers.end()
-               ? 0
-               : static_cast<std::uint32_t>(found - description.layers.begin() + 1);
-}
-
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings) {
     return load_campus(std::move(description), std::move(broad_phase), warnings, import_model);

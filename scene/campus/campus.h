@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,7 +38,12 @@ struct Campus {
     Origin origin = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
-    std::uint32_t layer_index(const std::string& layer) const;
+    std::uint32_t layer_index(const std::string& layer) const {
+        const auto found = std::ranges::find(description.layers, layer);
+        return found == description.layers.end()
+                   ? 0
+                   : static_cast<std::uint32_t>(found - description.layers.begin() + 1);
+    }
 };
 
 /// Imports the scenes and builds every collider's shape and tree. All mistakes are reported together:

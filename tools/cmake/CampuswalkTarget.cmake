@@ -1,5 +1,6 @@
 # Compiler settings that every target of the project shares, in one place.
 
+get_filename_component(campuswalk_root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -32,7 +33,7 @@ target_compile_options(
               # precompiled.
               $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow>
               $<$<BOOL:${CAMPUSWALK_WERROR}>:-Werror>)
-target_include_directories(campuswalk_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(campuswalk_flags INTERFACE ${campuswalk_root})
 if(CAMPUSWALK_SANITIZE)
     target_compile_options(campuswalk_flags INTERFACE -fsanitize=${CAMPUSWALK_SANITIZE}
                                                       -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -64,7 +65,7 @@ function(campuswalk_precompile target kind)
     cmake_parse_arguments(arg "" "" "FROM" ${ARGN})
     set(precompiled campuswalk_precompiled_${kind})
     if(NOT TARGET ${precompiled})
-        add_library(${precompiled} OBJECT ${PROJECT_SOURCE_DIR}/tools/cmake/nothing.cpp)
+        add_library(${precompiled} OBJECT ${campuswalk_root}/tools/cmake/nothing.cpp)
         target_link_libraries(${precompiled} PRIVATE campuswalk_flags Eigen3::Eigen ${arg_FROM})
         target_precompile_headers(${precompiled} PRIVATE ${arg_UNPARSED_ARGUMENTS})
         get_target_property(type ${target} TYPE)

@@ -6,7 +6,11 @@
 
 // As in bvh8_contacts.cpp, but AVX-512 is left out: the same on eight lanes takes a tenth longer with it.
 #define HWY_IS_DEBUG_BUILD 0
+#ifdef __x86_64__
 #define HWY_BASELINE_TARGETS HWY_SSE4
+#else
+#define HWY_COMPILE_ONLY_STATIC
+#endif
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/bvh8/kernels/area_split.cpp"
@@ -263,11 +267,16 @@ namespace campuswalk::collision {
 std::size_t split_by_area(std::span<SplitItem> items, std::span<SplitItem> spare, std::size_t least,
                           SimdTarget simd_target) {
     switch (simd_target) {
+#ifdef __aarch64__
+        case SimdTarget::neon:
+            return N_NEON::split_by_area(items, spare, least);
+#else
         case SimdTarget::sse42:
             return N_SSE4::split_by_area(items, spare, least);
         case SimdTarget::avx2:
         case SimdTarget::avx512:
             return N_AVX2::split_by_area(items, spare, least);
+#endif
     }
     return 0;
 }

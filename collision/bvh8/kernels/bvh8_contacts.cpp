@@ -5,7 +5,11 @@
 // Highway compiles this file once for each instruction set; which to run is ours to say, so nothing of its
 // library is linked. Its own assertions are off even in debug builds: they'd need that library.
 #define HWY_IS_DEBUG_BUILD 0
+#ifdef __x86_64__
 #define HWY_BASELINE_TARGETS HWY_SSE4
+#else
+#define HWY_COMPILE_ONLY_STATIC
+#endif
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/bvh8/kernels/bvh8_contacts.cpp"
@@ -187,12 +191,17 @@ namespace campuswalk::collision {
 void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
                         std::vector<TrianglePair>& out, QueryCounters& counters) {
     switch (simd_target) {
+#ifdef __aarch64__
+        case SimdTarget::neon:
+            return N_NEON::search(pair, wanted, out, counters);
+#else
         case SimdTarget::sse42:
             return N_SSE4::search(pair, wanted, out, counters);
         case SimdTarget::avx2:
             return N_AVX2::search(pair, wanted, out, counters);
         case SimdTarget::avx512:
             return N_AVX3::search(pair, wanted, out, counters);
+#endif
     }
 }
 

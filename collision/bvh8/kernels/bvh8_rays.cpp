@@ -2,7 +2,11 @@
 
 // Compiled once for each instruction set: see bvh8_contacts.cpp.
 #define HWY_IS_DEBUG_BUILD 0
+#ifdef __x86_64__
 #define HWY_BASELINE_TARGETS HWY_SSE4
+#else
+#define HWY_COMPILE_ONLY_STATIC
+#endif
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/bvh8/kernels/bvh8_rays.cpp"
@@ -167,12 +171,17 @@ bool fits_bvh8_rays(const Ray& ray) {
 void trace_bvh8_ray(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, SimdTarget simd_target,
                     const RayVisitor& meet, QueryCounters& counters) {
     switch (simd_target) {
+#ifdef __aarch64__
+        case SimdTarget::neon:
+            return N_NEON::follow(mesh, tree, ray, meet, counters);
+#else
         case SimdTarget::sse42:
             return N_SSE4::follow(mesh, tree, ray, meet, counters);
         case SimdTarget::avx2:
             return N_AVX2::follow(mesh, tree, ray, meet, counters);
         case SimdTarget::avx512:
             return N_AVX3::follow(mesh, tree, ray, meet, counters);
+#endif
     }
 }
 

@@ -47,8 +47,12 @@ HWY_INLINE std::uint32_t sign_bits(D d, V v) {
         return static_cast<std::uint32_t>(_mm_movemask_epi8(v.raw));
     } else
 #endif
-        // A mask is its lanes' sign bits on x86 up to AVX2, and becomes it beyond.
-        return bits_of(d, hn::MaskFromVec(v));
+#if HWY_TARGET == HWY_NEON
+        // A mask's lanes are all ones or zeros there, and a vector is taken for one as it is.
+        v = hn::BitCast(d, hn::BroadcastSignBit(hn::BitCast(hn::RebindToSigned<D>(), v)));
+#endif
+    // A mask is its lanes' sign bits on x86 up to AVX2, and becomes it beyond.
+    return bits_of(d, hn::MaskFromVec(v));
 }
 
 /// Of sixteen numbers those that the bytes tell, as many as there are lanes.
