@@ -23,7 +23,7 @@ constexpr double kMaxSize = 5e3;       // metres
 constexpr double kMaxSpacing = 0.005;  // metres between adjacent float32 coordinates
 constexpr double kFacing = 0.9;        // cosine within which a face counts as facing an axis
 
-std::string unit_hint(double size) {
+std::string campus_unit_hint(double size) {
     const auto unit = guess_unit(size, 5.0, 3000.0);
     return unit ? "; with `" + std::string(unit->yaml) + "` it would be " + in_metres(size * unit->factor)
                 : "";
@@ -35,7 +35,8 @@ void check_size(const Bounds& bounds, std::vector<ModelLint>& out) {
         out.push_back({"odd-scale", "all its vertices lie at one point"});
     } else if (size < kMinSize || size > kMaxSize) {
         out.push_back({"odd-scale", "it is " + in_metres(size) +
-                                        " across, which is an unlikely size for a campus" + unit_hint(size)});
+                                        " across, which is an unlikely size for a campus" +
+                                        campus_unit_hint(size)});
     }
     const Eigen::Vector3d center = 0.5 * (bounds.min + bounds.max);
     const double distance = center.norm();

@@ -89,7 +89,7 @@ void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int u
 
 /// By part: the heights of its horizontal faces.
 std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model) {
-    constexpr double kLevel = 0.99;  // cosine
+    constexpr double kTreadCosine = 0.99;
     const std::vector<std::size_t> part = named_parts(model, is_stairs_name);
     std::map<std::size_t, std::vector<double>> heights;
     for (std::size_t n = 0; n < part.size(); ++n) {
@@ -100,7 +100,7 @@ std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model)
         for_each_triangle(model, model.nodes[n],
                           [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
                               const Vector3d normal = (b - a).cross(c - a);
-                              if (normal.y() > kLevel * normal.norm()) {
+                              if (normal.y() > kTreadCosine * normal.norm()) {
                                   own.push_back(a.y());
                               }
                           });

@@ -76,6 +76,31 @@ function(campuswalk_precompile target kind)
     target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
+# campuswalk_compile_in_batches(TARGET)
+# Compiles up to six files of a folder together, which reads the headers they share once: half the work. More at a
+# time would be less still, but a change to one file compiles its batch anew. The kernels stay apart: Highway includes
+# each of them several times. The tidy preset does without, so that every file goes on to include what it uses.
+option(CAMPUSWALK_BATCHES "Compile related files together" ON)
+function(campuswalk_compile_in_batches target)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "kernels/")
+    set(folder "")
+    foreach(source IN LISTS sources)
+        get_filename_component(path ${source} ABSOLUTE)
+        cmake_path(GET path PARENT_PATH parent)
+        if(NOT parent STREQUAL folder OR files EQUAL 6)
+            set(folder ${parent})
+            cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE first)
+            string(MAKE_C_IDENTIFIER ${first} first)
+            set(files 0)
+        endif()
+        math(EXPR files "${files} + 1")
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${first})
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${CAMPUSWALK_BATCHES} UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # campuswalk_layer(NAME SOURCES… [PUBLIC targets…] [PRIVATE targets…])
 # One library a layer, known to others as campuswalk::NAME.
 function(campuswalk_layer name)
@@ -86,4 +111,5 @@ function(campuswalk_layer name)
     target_link_libraries(campuswalk_${name} PUBLIC $<BUILD_INTERFACE:campuswalk_flags> ${arg_PUBLIC}
                           PRIVATE ${arg_PRIVATE})
     campuswalk_precompile(campuswalk_${name} layer ${campuswalk_often_included})
+    campuswalk_compile_in_batches(campuswalk_${name})
 endfunction()

@@ -17,7 +17,7 @@ namespace {
 using collision::Detection;
 using collision::Pose;
 using Eigen::Vector3d;
-using Color = std::array<float, 3>;
+using LineColor = std::array<float, 3>;
 
 constexpr Color kSolid = {0.02F, 0.55F, 0.95F};
 constexpr Color kRayTarget = {0.75F, 0.10F, 0.85F};  // ray targets that are not solid
@@ -34,7 +34,7 @@ constexpr double kContactRadius = 0.35;  // metres, slightly wider than a person
 
 class Outliner {
 public:
-    Outliner(const Pose& pose, const Color& color, std::vector<OverlayLine>& lines)
+    Outliner(const Pose& pose, const LineColor& color, std::vector<OverlayLine>& lines)
         : pose_(pose), color_(color), lines_(lines) {}
 
     void line(const Vector3d& a, const Vector3d& b) { lines_.push_back({pose_ * a, pose_ * b, color_}); }
@@ -112,7 +112,7 @@ public:
 
 private:
     const Pose& pose_;
-    Color color_;
+    LineColor color_;
     std::vector<OverlayLine>& lines_;
 };
 
@@ -180,7 +180,7 @@ void add_contact(const Vector3d& foot, std::vector<OverlayLine>& lines) {
 
 }  // namespace
 
-void add_outline(const collision::Shape& shape, const Pose& X_world_shape, const Color& color,
+void add_outline(const collision::Shape& shape, const Pose& X_world_shape, const LineColor& color,
                  std::vector<OverlayLine>& lines) {
     Outliner outliner(X_world_shape, color, lines);
     std::visit(outliner, shape);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kWhite = 16383;  // linear; the sum of four fits 16 bits
 
-std::array<std::uint16_t, 256> linear_table() {
+std::array<std::uint16_t, 256> whole_linear_table() {
     std::array<std::uint16_t, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
         table[i] = static_cast<std::uint16_t>(std::lround(kWhite * linear_by_srgb_byte()[i]));
@@ -37,7 +37,7 @@ std::vector<std::uint8_t> srgb_table() {
 }
 
 const std::array<std::uint16_t, 256>& linear_by_srgb() {
-    static const std::array<std::uint16_t, 256> table = linear_table();
+    static const std::array<std::uint16_t, 256> table = whole_linear_table();
     return table;
 }
 

@@ -19,7 +19,7 @@ constexpr std::uint32_t kMaxSide = 32768;
 constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27U;
 constexpr std::size_t kMaxChunk = std::size_t{1} << 24U;  ///< bytes, of texts and profiles
 
-constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<unsigned char, 8> kPngSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -62,7 +62,7 @@ public:
 private:
     /// libspng would report a short text file as truncated.
     void check_signature() const {
-        std::array<unsigned char, kSignature.size()> read{};
+        std::array<unsigned char, kPngSignature.size()> read{};
         const std::size_t count = std::fread(read.data(), 1, read.size(), stream_.get());
         if (std::ferror(stream_.get()) != 0) {
             refuse("unreadable-file", std::string("can't read the picture: ") + std::strerror(errno));

@@ -35,7 +35,7 @@ std::string bytes_of(const fs::path& file) {
     return bytes;
 }
 
-std::string size_of(const render::Image& image) {
+std::string pixel_size_of(const render::Image& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
@@ -57,7 +57,8 @@ Pair compare(const fs::path& actual, const fs::path& kept, const engine::ImageTo
         return pair;
     }
     if (pair.actual.width != pair.kept->width || pair.actual.height != pair.kept->height) {
-        pair.why = "it has " + size_of(pair.actual) + " pixels, the kept one " + size_of(*pair.kept);
+        pair.why =
+            "it has " + pixel_size_of(pair.actual) + " pixels, the kept one " + pixel_size_of(*pair.kept);
         return pair;
     }
     const auto comparison = render::compare_images(*pair.kept, pair.actual, tolerance);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kEventsBefore = 5;
 
 /// None when there is no such file.
-std::optional<std::vector<std::string>> read_lines(const fs::path& file) {
+std::optional<std::vector<std::string>> lines_if_any(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(file, error) && !error) {
         return std::nullopt;
@@ -161,7 +161,7 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
         update();
         return check;
     }
-    const std::optional<std::vector<std::string>> golden_lines = read_lines(file);
+    const std::optional<std::vector<std::string>> golden_lines = lines_if_any(file);
     if (!golden_lines) {
         if (mode == UpdateSnapshots::none) {
             check.failure = missing(file);
