@@ -112,7 +112,7 @@ using InstancedMesh = std::shared_ptr<const collision::MeshCollider>;
 template <typename T>
 void put(ArchiveWriter& out, const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
-        out.put(static_cast<std::uint8_t>(value ? 1 : 0));
+        out.put(std::uint32_t{value ? 1U : 0U});  // as take_flag reads it
     } else if constexpr (std::is_enum_v<T>) {
         out.put(static_cast<std::underlying_type_t<T>>(value));
     } else if constexpr (std::is_arithmetic_v<T>) {
