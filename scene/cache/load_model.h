@@ -2,8 +2,8 @@
 
 #include "scene/base/content_hash.h"
 #include "scene/cache/cache_folder.h"
-#include "scene/model/scene_file.h"
 #include "scene/import/import_model.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 

@@ -65,6 +65,9 @@ class Help(ProgramCase):
         self.assertGreater(len(known), 6)
         named = re.findall(r"(?m)^  ([a-z]+)  ", self.passes("help", "reports").out)
         self.assertEqual(set(known) - set(named), set())
+        in_schema = SCHEMAS["walks-config.schema.json"]["properties"]["reporters"]["items"]["anyOf"]
+        self.assertEqual(set(in_schema[0]["enum"]), set(known))
+        self.assertEqual(in_schema[1]["propertyNames"]["enum"], in_schema[0]["enum"])
 
     def test_unknown_topic(self):
         outcome = self.run_program("help", "stesp")

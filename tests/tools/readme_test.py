@@ -63,6 +63,22 @@ class Readme(ProgramCase):
                     continue  # a machine without pictures
                 self.assertEqual(outcome.code, 0, outcome.err)
 
+    def events_in(self, lines):
+        """`collision.enter .stay .exit` is three events."""
+        named = set()
+        for first, *others in (re.sub("[`|]", " ", line).split() for line in lines):
+            named |= {first} | {first.split(".")[0] + other for other in others}
+        return named
+
+    def test_events_are_those_of_the_help(self):
+        helped = self.events_in(re.findall(r"(?m)^  (\w+\.\w+(?: \.\w+)*)  ", self.passes("help", "events").out))
+        self.assertEqual(self.events_in(re.findall(r"(?m)^\| (`\w+\.\w+`[^|]*)\|", self.readme)), helped)
+
+    def test_exit_codes_are_those_of_the_help(self):
+        table = self.readme.partition("| exit code |")[2].partition("\n\n")[0]
+        helped = re.findall(r"(?m)^(\d+) ", self.passes("help", "exit-codes").out)
+        self.assertEqual(re.findall(r"(?m)^\| (\d+) \|", table), helped)
+
     def test_what_collide_prints(self):
         arguments, printed = re.search(r"```\n\$ campuswalk (collide .*)\n((?:.*\n)*?)```", self.readme).groups()
         outcome = self.run_program(*arguments.replace("school.glb", "school.obj").split())

@@ -9,6 +9,9 @@ import glob
 import json
 import os
 import re
+import shutil
+import subprocess
+import sys
 import warnings
 
 import jsonschema
@@ -110,14 +113,29 @@ class Schemas(ProgramCase):
             self.assertEqual(bare, [])
         self.for_every_kind(look)
 
-    def test_every_key_stands_in_the_readme(self):
-        with open(os.path.join(ROOT, "config", "README.md"), encoding="utf-8") as file:
-            words = set(re.findall(r"[a-z_]+", " ".join(re.findall(r"`([^`]*)`", file.read())) + " center size base"))
+    def reference(self, root, *flags):
+        return subprocess.run([sys.executable, os.path.join(ROOT, "tools", "config-reference"), "--root", root, *flags],
+                              capture_output=True, text=True, check=False)
 
-        def look(documents, _suffix, _judge):
-            keys = {node.trail.split("/")[-1] for node in documents.nodes() if node.is_property}
-            self.assertEqual(keys - words, set(), "keys that config/README.md doesn't name")
-        self.for_every_kind(look)
+    def test_the_reference_is_what_the_schemas_say(self):
+        done = self.reference(ROOT, "--check")
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+
+    def test_a_reference_that_differs_is_found_and_written(self):
+        shutil.copytree(os.path.join(ROOT, "config"), self.path("copy/config"))
+        changed = self.read("copy/config/schema/avatar.schema.json").replace("Radius of the capsule", "Half its width")
+        self.write("copy/config/schema/avatar.schema.json", changed)
+        done = self.reference(self.path("copy"), "--check")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"^config/README\.md:\d+:1: error reference: ")
+        self.assertEqual(self.reference(self.path("copy")).returncode, 0)
+        self.assertIn("Half its width in metres", self.read("copy/config/README.md"))
+        self.assertEqual(self.reference(self.path("copy"), "--check").returncode, 0)
+
+    def test_every_schema_has_its_tables(self):
+        with open(os.path.join(ROOT, "config", "README.md"), encoding="utf-8") as file:
+            tables = set(re.findall(r"<!-- keys: ([^ #]+)", file.read()))
+        self.assertEqual({name for name, _, _ in KINDS} - {"steps.schema.json"}, tables)
 
     # ---- schema and loader
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/model/scene_file.h"
 #include "scene/import/import_model.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 
