@@ -4,20 +4,20 @@
 #include <optional>
 #include <utility>
 
-#include "config/loader/campus_names.h"
-#include "config/loader/checked_map.h"
-#include "config/loader/complaint_order.h"
-#include "config/loader/names.h"
-#include "config/loader/profile_search.h"
-#include "config/loader/read_avatar.h"
-#include "config/loader/read_camera.h"
-#include "config/loader/read_campus.h"
-#include "config/loader/read_light.h"
-#include "config/loader/read_steps.h"
-#include "config/loader/read_walk.h"
-#include "config/loader/source_text.h"
-#include "config/loader/yaml_file.h"
-#include "config/loader/yaml_tree.h"
+#include "config/loader/campus/read_campus.h"
+#include "config/loader/profile/profile_search.h"
+#include "config/loader/profile/read_avatar.h"
+#include "config/loader/profile/read_light.h"
+#include "config/loader/values/checked_map.h"
+#include "config/loader/values/names.h"
+#include "config/loader/values/yaml_file.h"
+#include "config/loader/walk/campus_names.h"
+#include "config/loader/walk/read_camera.h"
+#include "config/loader/walk/read_steps.h"
+#include "config/loader/walk/read_walk.h"
+#include "config/loader/yaml/diagnostics.h"
+#include "config/loader/yaml/source_text.h"
+#include "config/loader/yaml/yaml_tree.h"
 
 namespace campuswalk::config {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "config/loader/yaml_tree.h"
+#include "config/loader/yaml/yaml_tree.h"
 
 namespace campuswalk::config {
 

@@ -4,13 +4,13 @@
 #include <memory>
 #include <utility>
 
-#include "config/loader/checked_map.h"
-#include "config/loader/complaint_order.h"
-#include "config/loader/names.h"
-#include "config/loader/ranges.h"
-#include "config/loader/read_late_expectation.h"
-#include "config/loader/source_text.h"
-#include "config/loader/yaml_file.h"
+#include "config/loader/values/checked_map.h"
+#include "config/loader/values/names.h"
+#include "config/loader/values/ranges.h"
+#include "config/loader/values/yaml_file.h"
+#include "config/loader/walk/read_late_expectation.h"
+#include "config/loader/yaml/diagnostics.h"
+#include "config/loader/yaml/source_text.h"
 
 namespace campuswalk::config {
 
@@ -44,14 +44,14 @@ public:
             }
         }
         if (const auto workers = map.find("workers")) {
-            config.workers = workers->whole_number(1, kMostWorkers);
+            config.workers = workers->as_int(1, kMostWorkers);
         }
         if (const auto most = map.find("max_failures")) {
-            config.max_failures = most->whole_number(1, kMostFailures);
+            config.max_failures = most->as_int(1, kMostFailures);
         }
         map.number("timeout", kTimeout, config.timeout);
         map.number("kill_after", kTimeout, config.kill_after);
-        map.truth("forbid_only", config.forbid_only);
+        map.as_bool("forbid_only", config.forbid_only);
         if (const auto snapshots = map.find("snapshots")) {
             CheckedMap tolerance(*snapshots, "'snapshots'");
             read_tolerance(tolerance, config.snapshots);

@@ -1,4 +1,4 @@
-#include "config/loader/number.h"
+#include "config/loader/values/number.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -62,7 +62,7 @@ TEST(ParseNumber, SaysWhatIsWrong) {
     EXPECT_EQ(parse_number("3", seconds).message, "must be from 0 to 2.5 s, not '3'");
     EXPECT_EQ(parse_number("tall", lengths).message, "must be a number, not 'tall'");
     EXPECT_EQ(parse_number("08", lengths).message,
-              "must not start with a zero (some read it as octal), as '08'");
+              "must not start with a zero (some parsers read it as octal), as in '08'");
     EXPECT_EQ(parse_number(".inf", lengths).message, "must be finite, not '.inf'");
     EXPECT_EQ(parse_number("0", seconds).code, "");
     EXPECT_EQ(parse_number("10", lengths).code, "");

@@ -1,4 +1,4 @@
-#include "config/loader/read_collider.h"
+#include "config/loader/campus/read_collider.h"
 
 #include <numbers>
 
@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
+#include "tests/config/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using scene::ColliderDescription;
+using test::says;
 using testing::ElementsAre;
 
 class ReadCollider : public testing::Test {
@@ -85,82 +87,63 @@ TEST_F(ReadCollider, ReadsSpheresCapsulesAndWheels) {
 
 TEST_F(ReadCollider, DiagnosesMissingAndUnknownKeys) {
     EXPECT_THAT(folder_.about_collider("{}"),
-                ElementsAre("a.campus.yaml:5:5: error missing-key: a collider needs the key 'id'",
-                            "a.campus.yaml:5:5: error missing-key: a collider needs the key 'mode'",
-                            "a.campus.yaml:5:5: error missing-key: a collider needs the key 'shape'"));
+                ElementsAre(says("a.campus.yaml:5:5: error missing-key", {"'id'"}),
+                            says("a.campus.yaml:5:5: error missing-key", {"'mode'"}),
+                            says("a.campus.yaml:5:5: error missing-key", {"'shape'"})));
     EXPECT_THAT(folder_.about_collider("{id: a, shpe: box, size: [1, 1, 1], mode: solid}"),
-                ElementsAre("a.campus.yaml:5:5: error missing-key: a collider needs the key 'shape'",
-                            "a.campus.yaml:5:13: error unknown-key: unknown key 'shpe' in a collider (did "
-                            "you mean 'shape'?)"));
-    EXPECT_THAT(
-        folder_.about_collider("{id: a, shape: box, radius: 3, mode: solid}"),
-        ElementsAre("a.campus.yaml:5:25: error unknown-key: unknown key 'radius' in a collider; known here: "
-                    "id, building, popup, nodes, except, each, layer, mode, shape, center, size, "
-                    "yaw_deg"));
-    EXPECT_THAT(
-        folder_.about_collider("{id: a, nodes: b, shape: mesh, mode: solid, popup: true}"),
-        ElementsAre(
-            "a.campus.yaml:5:56: error missing-key: a collider with a pop-up needs the key 'building'"));
+                ElementsAre(says("a.campus.yaml:5:5: error missing-key", {"'shape'"}),
+                            says("a.campus.yaml:5:13: error unknown-key", {"'shpe'", "'shape'"})));
+    EXPECT_THAT(folder_.about_collider("{id: a, shape: box, radius: 3, mode: solid}"),
+                ElementsAre(says("a.campus.yaml:5:25: error unknown-key", {"'radius'"})));
+    EXPECT_THAT(folder_.about_collider("{id: a, nodes: b, shape: mesh, mode: solid, popup: true}"),
+                ElementsAre(says("a.campus.yaml:5:56: error missing-key")));
 }
 
 TEST_F(ReadCollider, DiagnosesWords) {
     EXPECT_THAT(folder_.about_collider("{id: a, shape: cube, mode: solid, radius: 1}"),
-                ElementsAre("a.campus.yaml:5:20: error bad-value: 'shape' must be one of mesh, box, sphere, "
-                            "capsule, wheel, not 'cube'"));
-    EXPECT_THAT(folder_.about_collider("{id: a, shape: mesh, mode: [solid, tigger], nodes: b}"),
-                ElementsAre("a.campus.yaml:5:40: error bad-value: 'mode' must be one of solid, trigger, ray, "
-                            "not 'tigger' (did you mean 'trigger'?)"));
+                ElementsAre(says("a.campus.yaml:5:20: error bad-value", {"'shape'", "'cube'"})));
     EXPECT_THAT(
-        folder_.about_collider("{id: a, shape: mesh, mode: [], nodes: b}"),
-        ElementsAre(
-            "a.campus.yaml:5:32: error bad-value: 'mode' must be solid, trigger or ray, or a list of them"));
+        folder_.about_collider("{id: a, shape: mesh, mode: [solid, tigger], nodes: b}"),
+        ElementsAre(says("a.campus.yaml:5:40: error bad-value", {"'mode'", "'tigger'", "'trigger'"})));
+    EXPECT_THAT(folder_.about_collider("{id: a, shape: mesh, mode: [], nodes: b}"),
+                ElementsAre(says("a.campus.yaml:5:32: error bad-value", {"'mode'"})));
     EXPECT_THAT(folder_.about_collider("{id: a, shape: mesh, mode: {}, nodes: {}}"),
-                ElementsAre("a.campus.yaml:5:32: error wrong-type: 'mode' must be a single value or a list, "
-                            "not a map of keys",
-                            "a.campus.yaml:5:43: error wrong-type: 'nodes' must be a single value or a list, "
-                            "not a map of keys"));
+                ElementsAre(says("a.campus.yaml:5:32: error wrong-type", {"'mode'"}),
+                            says("a.campus.yaml:5:43: error wrong-type", {"'nodes'"})));
     EXPECT_THAT(
         folder_.about_collider("{id: A/b, shape: mesh, mode: solid, nodes: ['', [x]], each: yes}"),
-        ElementsAre("a.campus.yaml:5:10: error bad-value: 'id' must be small letters, digits and single "
-                    "hyphens, with '/' between words, as in library/door, not 'A/b'",
-                    "a.campus.yaml:5:49: error bad-value: a node glob must be one line of text and not empty",
-                    "a.campus.yaml:5:53: error wrong-type: a node glob must be a text, not a list",
-                    "a.campus.yaml:5:65: error wrong-type: 'each' must be true or false, not 'yes'"));
+        ElementsAre(says("a.campus.yaml:5:10: error bad-value", {"'id'", "'/'", "'A/b'"}),
+                    says("a.campus.yaml:5:49: error bad-value"), says("a.campus.yaml:5:53: error wrong-type"),
+                    says("a.campus.yaml:5:65: error wrong-type", {"'each'", "'yes'"})));
     for (const char* id : {"a//b", "/a", "a/", "a--b", "-a", "a_b", "a b"}) {
         EXPECT_THAT(
             folder_.about_collider("{id: '" + std::string(id) + "', nodes: b, shape: mesh, mode: solid}"),
-            ElementsAre(testing::HasSubstr("5:10: error bad-value: 'id' must be small letters")));
+            ElementsAre(testing::HasSubstr("5:10: error bad-value: 'id'")));
     }
 }
 
 TEST_F(ReadCollider, DiagnosesNames) {
-    EXPECT_THAT(
-        folder_.about_collider("{id: a, building: hat, layer: tres, shape: mesh, mode: solid}"),
-        ElementsAre(
-            "a.campus.yaml:5:23: error unknown-name: 'hat' is not in 'buildings' (did you mean 'hut'?)",
-            "a.campus.yaml:5:35: error unknown-name: 'tres' is not in 'layers' (did you mean 'trees'?)"));
-    EXPECT_THAT(
-        folder_.about_collider("{id: a, nodes: b, shape: mesh, mode: solid}\n"
-                               "  - {id: a, nodes: c, shape: mesh, mode: solid}"),
-        ElementsAre("a.campus.yaml:6:10: error duplicate-name: the collider 'a' stands on line 5 already"));
+    EXPECT_THAT(folder_.about_collider("{id: a, building: hat, layer: tres, shape: mesh, mode: solid}"),
+                ElementsAre(says("a.campus.yaml:5:23: error unknown-name", {"'hat'", "'hut'"}),
+                            says("a.campus.yaml:5:35: error unknown-name", {"'tres'", "'trees'"})));
+    EXPECT_THAT(folder_.about_collider("{id: a, nodes: b, shape: mesh, mode: solid}\n"
+                                       "  - {id: a, nodes: c, shape: mesh, mode: solid}"),
+                ElementsAre(says("a.campus.yaml:6:10: error duplicate-name", {"'a'"})));
 }
 
 TEST_F(ReadCollider, DiagnosesNumbers) {
     EXPECT_THAT(
         folder_.about_collider("{id: a, shape: box, mode: solid, center: [0, 0, 0], size: [1, 0, 1]}"),
-        ElementsAre("a.campus.yaml:5:67: error bad-value: 'size' must be more than 0 and at most 1000000 m, "
-                    "not '0'"));
+        ElementsAre(says("a.campus.yaml:5:67: error bad-value", {"'size'", "'0'"})));
     EXPECT_THAT(folder_.about_collider("{id: a, shape: sphere, mode: solid, center: [0, 0, 0], radius: big}"),
-                ElementsAre("a.campus.yaml:5:68: error wrong-type: 'radius' must be a number, not 'big'"));
+                ElementsAre(says("a.campus.yaml:5:68: error wrong-type", {"'radius'", "'big'"})));
     EXPECT_THAT(folder_.about_collider(
                     "{id: a, shape: capsule, mode: solid, base: [0, 0, 0], radius: 1, height: 1.9}"),
-                ElementsAre("a.campus.yaml:5:78: error bad-value: 'height' is the capsule's total height, at "
-                            "least twice its radius of 1 m"));
+                ElementsAre(says("a.campus.yaml:5:78: error bad-value", {"'height'"})));
     EXPECT_THAT(folder_.about_collider("{id: a, shape: wheel, mode: solid, nodes: b, axis: w}"),
-                ElementsAre("a.campus.yaml:5:56: error bad-value: 'axis' must be one of x, y, z, not 'w'"));
-    EXPECT_THAT(
-        folder_.about_collider("{id: a, shape: wheel, mode: solid, nodes: b, axis: [0, 0, 0]}"),
-        ElementsAre("a.campus.yaml:5:56: error bad-value: 'axis' must have a direction, not [0, 0, 0]"));
+                ElementsAre(says("a.campus.yaml:5:56: error bad-value", {"'axis'", "'w'"})));
+    EXPECT_THAT(folder_.about_collider("{id: a, shape: wheel, mode: solid, nodes: b, axis: [0, 0, 0]}"),
+                ElementsAre(says("a.campus.yaml:5:56: error bad-value", {"'axis'"})));
 }
 
 }  // namespace

@@ -1,14 +1,16 @@
-#include "config/loader/read_expectations.h"
+#include "config/loader/walk/read_expectations.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
+#include "tests/config/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using namespace engine;
+using test::says;
 using testing::ElementsAre;
 
 template <typename Expected>
@@ -60,46 +62,38 @@ TEST_F(ReadExpectations, ReadsCountsAndGoals) {
 
 TEST_F(ReadExpectations, WantsOneKeyEach) {
     EXPECT_THAT(folder_.about_expectations("  - {}\n  - squence: [a]\n  - never: a\n    count: b\n"),
-                ElementsAre("a.walk.yaml:4:5: error bad-value: an expectation is empty",
-                            "a.walk.yaml:5:5: error unknown-key: unknown key 'squence' for an expectation "
-                            "(did you mean 'sequence'?)",
-                            "a.walk.yaml:6:5: error bad-value: an expectation has one key; start 'count' on "
-                            "a line of its own with '- '"));
+                ElementsAre(says("a.walk.yaml:4:5: error bad-value"),
+                            says("a.walk.yaml:5:5: error unknown-key", {"'squence'", "'sequence'"}),
+                            says("a.walk.yaml:6:5: error bad-value", {"'count'"})));
     EXPECT_THAT(folder_.about_expectations("  never: popup.open\n"),
-                ElementsAre("a.walk.yaml:4:3: error wrong-type: 'expect' must be a list, not a map of keys"));
+                ElementsAre(says("a.walk.yaml:4:3: error wrong-type", {"'expect'"})));
 }
 
 TEST_F(ReadExpectations, DiagnosesEvents) {
-    EXPECT_THAT(
-        folder_.about_expectations("  - sequence: [popup.opne hut, popup.open a b, '']\n"),
-        ElementsAre("a.walk.yaml:4:16: error unknown-name: no event is called 'popup.opne' (did you mean "
-                    "'popup.open'?)",
-                    "a.walk.yaml:4:32: error bad-value: an event is written KIND OBJECT, as in 'popup.open "
-                    "library'; 'b' is too much",
-                    "a.walk.yaml:4:48: error bad-value: an event must be one line of text and not empty"));
+    EXPECT_THAT(folder_.about_expectations("  - sequence: [popup.opne hut, popup.open a b, '']\n"),
+                ElementsAre(says("a.walk.yaml:4:16: error unknown-name", {"'popup.opne'", "'popup.open'"}),
+                            says("a.walk.yaml:4:32: error bad-value", {"'b'"}),
+                            says("a.walk.yaml:4:48: error bad-value")));
     EXPECT_THAT(folder_.about_expectations("  - never: jump.* hut\n"),
-                ElementsAre(testing::StartsWith("a.walk.yaml:4:12: error unknown-name: no event is called "
-                                                "'jump.*'; known here: walk.start, walk.end, ")));
+                ElementsAre(says("a.walk.yaml:4:12: error unknown-name", {"'jump.*'"})));
     EXPECT_THAT(folder_.about_expectations("  - sequence: []\n  - never: [a]\n"),
-                ElementsAre("a.walk.yaml:4:15: error bad-value: 'sequence' needs at least one event",
-                            "a.walk.yaml:5:12: error wrong-type: 'never' must be a text, not a list"));
+                ElementsAre(says("a.walk.yaml:4:15: error bad-value", {"'sequence'"}),
+                            says("a.walk.yaml:5:12: error wrong-type", {"'never'"})));
 }
 
 TEST_F(ReadExpectations, DiagnosesCountsAndGoals) {
     EXPECT_THAT(
         folder_.about_expectations("  - count: {event: popup.open}\n  - count: {at_least: 1.5}\n"
                                    "  - count: {event: popup.open, at_least: 3, at_most: 2}\n  - count: 3\n"),
-        ElementsAre("a.walk.yaml:4:12: error missing-key: 'count' needs one of equals, at_least, at_most",
-                    "a.walk.yaml:5:12: error missing-key: 'count' needs the key 'event'",
-                    "a.walk.yaml:5:23: error bad-value: 'at_least' must be a whole number, not '1.5'",
-                    "a.walk.yaml:6:54: error bad-value: 'at_most' is less than 'at_least'",
-                    "a.walk.yaml:7:12: error wrong-type: 'count' must be a map of keys, as in {key: value}"));
+        ElementsAre(says("a.walk.yaml:4:12: error missing-key", {"'count'"}),
+                    says("a.walk.yaml:5:12: error missing-key", {"'count'", "'event'"}),
+                    says("a.walk.yaml:5:23: error bad-value", {"'at_least'", "'1.5'"}),
+                    says("a.walk.yaml:6:54: error bad-value", {"'at_most'", "'at_least'"}),
+                    says("a.walk.yaml:7:12: error wrong-type", {"'count'"})));
     EXPECT_THAT(folder_.about_expectations("  - reaches: nowhere\n  - reaches: {within: 0}\n"),
-                ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has no place or spawn "
-                            "'nowhere'; known here: square, gate",
-                            "a.walk.yaml:5:14: error missing-key: 'reaches' needs the key 'place'",
-                            "a.walk.yaml:5:23: error bad-value: 'within' must be more than 0 and at most "
-                            "1000000 m, not '0'"));
+                ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'nowhere'"}),
+                            says("a.walk.yaml:5:14: error missing-key", {"'reaches'"}),
+                            says("a.walk.yaml:5:23: error bad-value", {"'within'", "'0'"})));
 }
 
 TEST_F(ReadExpectations, ReadsWhatFollowsWhat) {
@@ -109,8 +103,8 @@ TEST_F(ReadExpectations, ReadsWhatFollowsWhat) {
     EXPECT_EQ(within.event.kind, "popup.open");
     EXPECT_EQ(within.seconds, 2.0);
     EXPECT_THAT(folder_.about_expectations("  - within: {after: popup.open}\n"),
-                ElementsAre("a.walk.yaml:4:13: error missing-key: 'within' needs the key 'event'",
-                            "a.walk.yaml:4:13: error missing-key: 'within' needs the key 'seconds'"));
+                ElementsAre(says("a.walk.yaml:4:13: error missing-key", {"'within'", "'event'"}),
+                            says("a.walk.yaml:4:13: error missing-key", {"'within'", "'seconds'"})));
 }
 
 TEST_F(ReadExpectations, ReadsPopups) {
@@ -126,9 +120,8 @@ TEST_F(ReadExpectations, ReadsPopups) {
     EXPECT_FALSE(plain<ExpectPopup>(all, 2).times.at_least) << "it need not open";
     EXPECT_EQ(plain<ExpectPopup>(all, 2).times.at_most, 3);
     EXPECT_THAT(folder_.about_expectations("  - popup: {title: a, times: {}}\n"),
-                ElementsAre("a.walk.yaml:4:12: error missing-key: 'popup' needs the key 'building'",
-                            "a.walk.yaml:4:30: error missing-key: 'times' needs one of equals, at_least, "
-                            "at_most"));
+                ElementsAre(says("a.walk.yaml:4:12: error missing-key", {"'popup'", "'building'"}),
+                            says("a.walk.yaml:4:30: error missing-key", {"'times'"})));
 }
 
 TEST_F(ReadExpectations, ReadsVisits) {
@@ -142,9 +135,9 @@ TEST_F(ReadExpectations, ReadsVisits) {
     EXPECT_EQ(plain<ExpectVisits>(all, 2).ratio, 0.8);
     EXPECT_EQ(plain<ExpectVisits>(all, 3).buildings.at(0).glob, "hut");
     EXPECT_THAT(folder_.about_expectations("  - visits: {}\n  - visits: []\n  - visits: {ratio: 80}\n"),
-                ElementsAre("a.walk.yaml:4:13: error missing-key: 'visits' needs buildings, a ratio, or both",
-                            "a.walk.yaml:5:13: error bad-value: 'visits' needs at least one building",
-                            "a.walk.yaml:6:21: error bad-value: 'ratio' must be from 0 to 1, not '80'"));
+                ElementsAre(says("a.walk.yaml:4:13: error missing-key", {"'visits'"}),
+                            says("a.walk.yaml:5:13: error bad-value", {"'visits'"}),
+                            says("a.walk.yaml:6:21: error bad-value", {"'ratio'", "'80'"})));
 }
 
 TEST_F(ReadExpectations, ReadsWhereTheAvatarIs) {
@@ -157,10 +150,8 @@ TEST_F(ReadExpectations, ReadsWhereTheAvatarIs) {
     EXPECT_EQ(plain<ExpectNear>(all, 1).within, 2.0);
     EXPECT_EQ(plain<ExpectNear>(all, 2).at->kind, "avatar.stuck");
     EXPECT_THAT(folder_.about_expectations("  - near: squre\n  - near: {place: gate, at: ende}\n"),
-                ElementsAre("a.walk.yaml:4:11: error unknown-name: the campus has no place or spawn 'squre' "
-                            "(did you mean 'square'?)",
-                            testing::StartsWith("a.walk.yaml:5:29: error unknown-name: no event is called "
-                                                "'ende'")));
+                ElementsAre(says("a.walk.yaml:4:11: error unknown-name", {"'squre'", "'square'"}),
+                            says("a.walk.yaml:5:29: error unknown-name", {"'ende'"})));
 }
 
 TEST_F(ReadExpectations, ReadsTimesAndWays) {
@@ -172,13 +163,10 @@ TEST_F(ReadExpectations, ReadsTimesAndWays) {
     EXPECT_EQ(plain<ExpectDistance>(all, 2).metres.at_most, 9.0);
     EXPECT_THAT(
         folder_.about_expectations("  - duration: {}\n  - distance: far\n  - duration: {at_lest: 1}\n"),
-        ElementsAre("a.walk.yaml:4:15: error missing-key: 'duration' needs one of equals, at_least, "
-                    "at_most",
-                    "a.walk.yaml:5:15: error wrong-type: 'distance' must be a number, not 'far'",
-                    "a.walk.yaml:6:15: error missing-key: 'duration' needs one of equals, at_least, "
-                    "at_most",
-                    "a.walk.yaml:6:16: error unknown-key: unknown key 'at_lest' in 'duration' (did you "
-                    "mean 'at_least'?)"));
+        ElementsAre(says("a.walk.yaml:4:15: error missing-key", {"'duration'"}),
+                    says("a.walk.yaml:5:15: error wrong-type", {"'distance'", "'far'"}),
+                    says("a.walk.yaml:6:15: error missing-key", {"'duration'"}),
+                    says("a.walk.yaml:6:16: error unknown-key", {"'at_lest'", "'duration'", "'at_least'"})));
 }
 
 TEST_F(ReadExpectations, ReadsWordsWithAndWithoutAValue) {
@@ -203,12 +191,10 @@ TEST_F(ReadExpectations, ReadsWordsWithAndWithoutAValue) {
 TEST_F(ReadExpectations, DiagnosesWords) {
     EXPECT_THAT(
         folder_.about_expectations("  - reaches\n  - grounded: never\n  - fell: far\n  - stuck: hut\n"),
-        ElementsAre("a.walk.yaml:4:5: error wrong-type: an expectation must be a key with a value, as in "
-                    "'sequence: …'",
-                    "a.walk.yaml:5:15: error bad-value: 'grounded' must be one of always, not 'never'",
-                    "a.walk.yaml:6:11: error wrong-type: 'fell' takes no value",
-                    "a.walk.yaml:7:12: error wrong-type: 'stuck' must be a map of keys, as in {key: "
-                    "value}"));
+        ElementsAre(says("a.walk.yaml:4:5: error wrong-type"),
+                    says("a.walk.yaml:5:15: error bad-value", {"'grounded'", "'never'"}),
+                    says("a.walk.yaml:6:11: error wrong-type", {"'fell'"}),
+                    says("a.walk.yaml:7:12: error wrong-type", {"'stuck'"})));
 }
 
 TEST_F(ReadExpectations, ReadsWhatIsNotExpected) {
@@ -216,21 +202,17 @@ TEST_F(ReadExpectations, ReadsWhatIsNotExpected) {
     EXPECT_TRUE(std::holds_alternative<ExpectFell>(std::get<ExpectNot>(all.at(0)).what));
     EXPECT_EQ(std::get<ExpectStuck>(std::get<ExpectNot>(all.at(1)).what).by.glob, "hut");
     EXPECT_TRUE(std::holds_alternative<ExpectReaches>(std::get<ExpectNot>(all.at(2)).what));
-    EXPECT_THAT(
-        folder_.about_expectations("  - not: {not: fell}\n  - not: stcuk\n"),
-        ElementsAre(testing::StartsWith("a.walk.yaml:4:11: error unknown-key: unknown key 'not' for what "
-                                        "is not expected; known here: sequence, "),
-                    testing::StartsWith("a.walk.yaml:5:10: error wrong-type: what is not expected must "
-                                        "be a key")));
+    EXPECT_THAT(folder_.about_expectations("  - not: {not: fell}\n  - not: stcuk\n"),
+                ElementsAre(says("a.walk.yaml:4:11: error unknown-key", {"'not'"}),
+                            says("a.walk.yaml:5:10: error wrong-type")));
 }
 
 TEST_F(ReadExpectations, ReadsAGoldenLog) {
     EXPECT_TRUE(std::get<ExpectLog>(read("  - log: {golden: true}\n").at(0)).golden);
     EXPECT_FALSE(std::get<ExpectLog>(read("  - log: {golden: false}\n").at(0)).golden);
-    EXPECT_THAT(
-        folder_.about_expectations("  - log: golden\n  - log: {}\n"),
-        ElementsAre("a.walk.yaml:4:10: error wrong-type: 'log' must be a map of keys, as in {key: value}",
-                    "a.walk.yaml:5:10: error missing-key: 'log' needs the key 'golden'"));
+    EXPECT_THAT(folder_.about_expectations("  - log: golden\n  - log: {}\n"),
+                ElementsAre(says("a.walk.yaml:4:10: error wrong-type", {"'log'"}),
+                            says("a.walk.yaml:5:10: error missing-key", {"'log'", "'golden'"})));
 }
 
 TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
@@ -264,26 +246,22 @@ TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
 }
 
 TEST_F(ReadExpectations, DiagnosesWhatIsExpectedOfSnapshots) {
-    EXPECT_THAT(
-        folder_.about_expectations("  - snapshot: My Desk\n  - snapshot: {threshold: 2}\n"
-                                   "  - snapshot: {name: desk, masks: [[1, 2, 3]]}\n"
-                                   "  - visible: hut\n  - visible: {in: desk, min_pixels: -1}\n"
-                                   "  - not: {snapshot: desk}\n"),
-        ElementsAre(testing::StartsWith("a.walk.yaml:4:15: error bad-value: "),
-                    "a.walk.yaml:5:15: error missing-key: 'snapshot' needs the key 'name'",
-                    testing::StartsWith("a.walk.yaml:5:27: error bad-value: 'threshold' must be "),
-                    "a.walk.yaml:6:36: error bad-value: a mask is [x, y, width, height] in pixels",
-                    "a.walk.yaml:7:14: error wrong-type: 'visible' must be a map of keys, as in {key: value}",
-                    "a.walk.yaml:8:14: error missing-key: 'visible' needs the key 'building'",
-                    testing::StartsWith("a.walk.yaml:8:37: error bad-value: 'min_pixels' must be "),
-                    testing::StartsWith("a.walk.yaml:9:11: error unknown-key: unknown key 'snapshot'")));
-    EXPECT_THAT(
-        folder_.about_steps("  - spawn: gate\n  - expect: {snapshot: desk}\n"
-                            "  - expect: {not: {visible: {building: hut, in: desk}}}\n"),
-        ElementsAre("a.walk.yaml:4:24: error bad-value: 'snapshot' can only be judged after the walk: "
-                    "put it below its 'expect'",
-                    "a.walk.yaml:5:29: error bad-value: 'visible' can only be judged after the walk: "
-                    "put it below its 'expect'"));
+    EXPECT_THAT(folder_.about_expectations("  - snapshot: My Desk\n  - snapshot: {threshold: 2}\n"
+                                           "  - snapshot: {name: desk, masks: [[1, 2, 3]]}\n"
+                                           "  - visible: hut\n  - visible: {in: desk, min_pixels: -1}\n"
+                                           "  - not: {snapshot: desk}\n"),
+                ElementsAre(says("a.walk.yaml:4:15: error bad-value"),
+                            says("a.walk.yaml:5:15: error missing-key", {"'snapshot'", "'name'"}),
+                            says("a.walk.yaml:5:27: error bad-value", {"'threshold'"}),
+                            says("a.walk.yaml:6:36: error bad-value"),
+                            says("a.walk.yaml:7:14: error wrong-type", {"'visible'"}),
+                            says("a.walk.yaml:8:14: error missing-key", {"'visible'", "'building'"}),
+                            says("a.walk.yaml:8:37: error bad-value", {"'min_pixels'"}),
+                            says("a.walk.yaml:9:11: error unknown-key", {"'snapshot'"})));
+    EXPECT_THAT(folder_.about_steps("  - spawn: gate\n  - expect: {snapshot: desk}\n"
+                                    "  - expect: {not: {visible: {building: hut, in: desk}}}\n"),
+                ElementsAre(says("a.walk.yaml:4:24: error bad-value", {"'snapshot'", "'expect'"}),
+                            says("a.walk.yaml:5:29: error bad-value", {"'visible'", "'expect'"})));
 }
 
 TEST_F(ReadExpectations, StandInStepsToo) {
@@ -295,11 +273,9 @@ TEST_F(ReadExpectations, StandInStepsToo) {
         std::get<PlainExpectation>(std::get<ExpectStep>(steps.at(1)).expectations.at(0))));
     EXPECT_EQ(std::get<ExpectStep>(steps.at(2)).mark.line, 5);
     EXPECT_EQ(std::get<ExpectStep>(steps.at(3)).expectations.size(), 2U);
-    EXPECT_THAT(
-        folder_.about_steps("  - spawn: gate\n  - expect: []\n  - expect: {log: {golden: true}}\n"),
-        ElementsAre("a.walk.yaml:4:13: error bad-value: 'expect' needs at least one expectation",
-                    "a.walk.yaml:5:19: error bad-value: 'log' can only be judged after the walk: put it "
-                    "below its 'expect'"));
+    EXPECT_THAT(folder_.about_steps("  - spawn: gate\n  - expect: []\n  - expect: {log: {golden: true}}\n"),
+                ElementsAre(says("a.walk.yaml:4:13: error bad-value", {"'expect'"}),
+                            says("a.walk.yaml:5:19: error bad-value", {"'log'", "'expect'"})));
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
-#include "config/loader/read_popup.h"
+#include "config/loader/campus/read_popup.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
+#include "tests/config/says.h"
 
 namespace campuswalk::config {
 namespace {
 
+using test::says;
 using testing::ElementsAre;
 
 /// Keys of a building on line 3 and of its collider on line 4.
@@ -47,14 +49,11 @@ TEST_F(ReadPopup, IsTheBuildingsWhereTheColliderSaysNothing) {
 }
 
 TEST_F(ReadPopup, DiagnosesOtherTimes) {
-    EXPECT_THAT(
-        about("title: Hut, popup: {dwell: -1, onec: true}"),
-        ElementsAre("a.campus.yaml:3:42: error bad-value: 'dwell' must be from 0 to 86400 s, not '-1'",
-                    "a.campus.yaml:3:46: error unknown-key: unknown key 'onec' in 'popup' (did you mean "
-                    "'once'?)"));
+    EXPECT_THAT(about("title: Hut, popup: {dwell: -1, onec: true}"),
+                ElementsAre(says("a.campus.yaml:3:42: error bad-value", {"'dwell'", "'-1'"}),
+                            says("a.campus.yaml:3:46: error unknown-key", {"'onec'", "'popup'", "'once'"})));
     EXPECT_THAT(about("title: Hut, popup: sometimes"),
-                ElementsAre("a.campus.yaml:3:34: error wrong-type: 'popup' must be true or false, not "
-                            "'sometimes'"));
+                ElementsAre(says("a.campus.yaml:3:34: error wrong-type", {"'popup'", "'sometimes'"})));
 }
 
 TEST_F(ReadPopup, ReadsFreeFields) {
@@ -71,14 +70,10 @@ TEST_F(ReadPopup, ReadsFreeFields) {
 
 TEST_F(ReadPopup, DiagnosesVariablesThatNothingStandsFor) {
     EXPECT_THAT(about("title: \"{title}\", text: \"{visit} and {id\""),
-                ElementsAre(testing::StartsWith("a.campus.yaml:3:23: error unknown-name: 'title' can't say "
-                                                "'{title}'"),
-                            "a.campus.yaml:3:39: error bad-value: 'text' has a '{' that is not closed; write "
-                            "'{{' for a brace"));
-    EXPECT_THAT(
-        about("title: Hut, text: \"{visit}\""),
-        ElementsAre("a.campus.yaml:3:34: error unknown-name: 'text' can't say '{visit}' (did you mean "
-                    "'visits'?)"));
+                ElementsAre(says("a.campus.yaml:3:23: error unknown-name", {"'title'"}),
+                            says("a.campus.yaml:3:39: error bad-value", {"'text'", "'{'"})));
+    EXPECT_THAT(about("title: Hut, text: \"{visit}\""),
+                ElementsAre(says("a.campus.yaml:3:34: error unknown-name", {"'text'"})));
 }
 
 TEST_F(ReadPopup, PointsAtTheVariableWhereTheTextStandsAsItIs) {
@@ -99,12 +94,9 @@ TEST_F(ReadPopup, PointsAtTheVariableWhereTheTextStandsAsItIs) {
 }
 
 TEST_F(ReadPopup, DiagnosesFieldsThatAreThereAlready) {
-    EXPECT_THAT(
-        about("title: Hut, info: {hours: 8, A: b}"),
-        ElementsAre("a.campus.yaml:3:34: error duplicate-name: the variable 'hours' is there already; "
-                    "give the field another name",
-                    testing::StartsWith("a.campus.yaml:3:44: error bad-value: the name must be small "
-                                        "letters")));
+    EXPECT_THAT(about("title: Hut, info: {hours: 8, A: b}"),
+                ElementsAre(says("a.campus.yaml:3:34: error duplicate-name", {"'hours'"}),
+                            says("a.campus.yaml:3:44: error bad-value")));
 }
 
 }  // namespace

@@ -1,14 +1,16 @@
-#include "config/loader/read_status.h"
+#include "config/loader/walk/read_walk.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
+#include "tests/config/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using engine::WalkStatus;
+using test::says;
 using testing::ElementsAre;
 
 /// What stands above a walk's steps, from line 2 on.
@@ -45,40 +47,30 @@ TEST_F(ReadStatus, HasAReasonAndFailures) {
 }
 
 TEST_F(ReadStatus, DiagnosesOthers) {
-    EXPECT_THAT(
-        about("status: xfial"),
-        ElementsAre("a.walk.yaml:2:9: error bad-value: 'status' must be one of run, skip, only, xfail, "
-                    "not 'xfial' (did you mean 'xfail'?)"));
-    EXPECT_THAT(
-        about("status: {because: a, failures: []}"),
-        ElementsAre("a.walk.yaml:2:9: error missing-key: 'status' needs the key 'is'",
-                    "a.walk.yaml:2:32: error bad-value: 'failures' needs at least one; leave it out if "
-                    "any will do",
-                    "a.walk.yaml:2:32: error bad-value: 'failures' are for walks that are xfail"));
-    EXPECT_THAT(
-        about("status: {is: xfail, failures: [stcuk]}"),
-        ElementsAre(testing::AllOf(
-            testing::StartsWith("a.walk.yaml:2:32: error bad-value: a failure must be one of blocked, "),
-            testing::EndsWith(" not 'stcuk' (did you mean 'stuck'?)"))));
+    EXPECT_THAT(about("status: xfial"),
+                ElementsAre(says("a.walk.yaml:2:9: error bad-value", {"'status'", "'xfial'", "'xfail'"})));
+    EXPECT_THAT(about("status: {because: a, failures: []}"),
+                ElementsAre(says("a.walk.yaml:2:9: error missing-key", {"'status'", "'is'"}),
+                            says("a.walk.yaml:2:32: error bad-value", {"'failures'"}),
+                            says("a.walk.yaml:2:32: error bad-value", {"'failures'"})));
+    EXPECT_THAT(about("status: {is: xfail, failures: [stcuk]}"),
+                ElementsAre(testing::AllOf(says("a.walk.yaml:2:32: error bad-value"),
+                                           testing::EndsWith(" not 'stcuk' (did you mean 'stuck'?)"))));
 }
 
 TEST_F(ReadStatus, ReadsTags) {
     EXPECT_THAT(read("tags: [smoke, night-shift]").tags, ElementsAre("smoke", "night-shift"));
     EXPECT_THAT(read("tags: smoke").tags, ElementsAre("smoke"));
-    EXPECT_THAT(
-        about("tags: [Smoke, a, a]"),
-        ElementsAre("a.walk.yaml:2:8: error bad-value: a tag must be small letters, digits and single "
-                    "hyphens, as in main-gate, not 'Smoke'",
-                    "a.walk.yaml:2:18: error duplicate-name: the tag 'a' stands on line 2 already"));
+    EXPECT_THAT(about("tags: [Smoke, a, a]"),
+                ElementsAre(says("a.walk.yaml:2:8: error bad-value", {"'Smoke'"}),
+                            says("a.walk.yaml:2:18: error duplicate-name", {"'a'"})));
 }
 
 TEST_F(ReadStatus, ReadsTheTimeOut) {
     EXPECT_EQ(read("timeout: 12.5").timeout, 12.5);
     EXPECT_FALSE(read("tags: []").timeout);
-    EXPECT_THAT(
-        about("timeout: 0"),
-        ElementsAre("a.walk.yaml:2:10: error bad-value: 'timeout' must be more than 0 and at most 86400 "
-                    "s, not '0'"));
+    EXPECT_THAT(about("timeout: 0"),
+                ElementsAre(says("a.walk.yaml:2:10: error bad-value", {"'timeout'", "'0'"})));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-#include "config/loader/read_steps.h"
+#include "config/loader/walk/read_steps.h"
 
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/config/says.h"
 #include "tests/config/steps_fixture.h"
 
 namespace campuswalk::config {
@@ -12,6 +13,7 @@ namespace {
 
 using namespace engine;
 using Eigen::Vector3d;
+using test::says;
 using testing::ElementsAre;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -97,101 +99,74 @@ TEST_F(ReadSteps, ReadsTheRest) {
 }
 
 TEST_F(ReadSteps, WantsASpawnFirstAndOnlyThere) {
-    EXPECT_THAT(
-        folder_.about_steps("  - wait: 1\n  - spawn: gate\n"),
-        ElementsAre(
-            "a.walk.yaml:3:5: error bad-value: the first step must be 'spawn', as in 'spawn: main-gate'",
-            "a.walk.yaml:4:12: error bad-value: 'spawn' can only be the first step; later it is 'teleport'"));
+    EXPECT_THAT(folder_.about_steps("  - wait: 1\n  - spawn: gate\n"),
+                ElementsAre(says("a.walk.yaml:3:5: error bad-value", {"'spawn'"}),
+                            says("a.walk.yaml:4:12: error bad-value", {"'spawn'"})));
     EXPECT_THAT(folder_.about_steps("  []\n"),
-                ElementsAre("a.walk.yaml:3:3: error bad-value: 'steps' needs at least a spawn"));
+                ElementsAre(says("a.walk.yaml:3:3: error bad-value", {"'steps'"})));
     EXPECT_THAT(folder_.about_steps("  spawn: gate\n"),
-                ElementsAre("a.walk.yaml:3:3: error wrong-type: 'steps' must be a list, not a map of keys"));
+                ElementsAre(says("a.walk.yaml:3:3: error wrong-type", {"'steps'"})));
 }
 
 TEST_F(ReadSteps, WantsOneKeyAStep) {
     EXPECT_THAT(folder_.about_steps("  - spawn: gate\n    wait: 1\n"),
-                ElementsAre("a.walk.yaml:3:5: error bad-value: a step has one key; start 'wait' on a line of "
-                            "its own with '- '"));
+                ElementsAre(says("a.walk.yaml:3:5: error bad-value", {"'wait'"})));
     EXPECT_THAT(
         folder_.about_steps("  - spawn: gate\n  - {}\n  -\n  - wait\n  - wiat: 1\n  - fly: 2\n"),
-        ElementsAre(
-            "a.walk.yaml:4:5: error bad-value: a step is empty",
-            "a.walk.yaml:5:3: error wrong-type: a step must be a key with a value, as in 'spawn: …'",
-            "a.walk.yaml:6:5: error wrong-type: a step must be a key with a value, as in 'spawn: …'",
-            "a.walk.yaml:7:5: error unknown-key: unknown key 'wiat' for a step (did you mean 'wait'?)",
-            "a.walk.yaml:8:5: error unknown-key: unknown key 'fly' for a step; known here: spawn, walk_to, "
-            "follow, run, speed, jump, crouch, expect, wait, wait_until, turn, look_at, teleport, enable, "
-            "disable, snapshot, repeat, include"));
+        ElementsAre(says("a.walk.yaml:4:5: error bad-value"), says("a.walk.yaml:5:3: error wrong-type"),
+                    says("a.walk.yaml:6:5: error wrong-type"),
+                    says("a.walk.yaml:7:5: error unknown-key", {"'wiat'", "'wait'"}),
+                    says("a.walk.yaml:8:5: error unknown-key", {"'fly'"})));
 }
 
 TEST_F(ReadSteps, DiagnosesTargets) {
-    EXPECT_THAT(about("walk_to: sqare"), ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has "
-                                                     "no place or spawn 'sqare' (did you mean 'square'?)"));
-    EXPECT_THAT(about("look_at: hut"), ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has no "
-                                                   "place or spawn 'hut'; known here: square, gate"));
-    EXPECT_THAT(
-        about("walk_to: [1]"),
-        ElementsAre(
-            "a.walk.yaml:4:14: error wrong-type: 'walk_to' must be a place's name, [x, z] or [x, y, z]"));
-    EXPECT_THAT(
-        about("walk_to:"),
-        ElementsAre(
-            "a.walk.yaml:4:5: error wrong-type: 'walk_to' must be a place's name, [x, z] or [x, y, z]"));
-    EXPECT_THAT(
-        about("look_at: {x: 1}"),
-        ElementsAre(
-            "a.walk.yaml:4:14: error wrong-type: 'look_at' must be a place's name, [x, z] or [x, y, z]"));
-    EXPECT_THAT(about("walk_to: [1, b]"),
-                ElementsAre("a.walk.yaml:4:18: error wrong-type: a coordinate must be a number, not 'b'"));
+    EXPECT_THAT(about("walk_to: sqare"),
+                ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'sqare'", "'square'"})));
+    EXPECT_THAT(about("look_at: hut"), ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'hut'"})));
+    EXPECT_THAT(about("walk_to: [1]"),
+                ElementsAre(says("a.walk.yaml:4:14: error wrong-type", {"'walk_to'"})));
+    EXPECT_THAT(about("walk_to:"), ElementsAre(says("a.walk.yaml:4:5: error wrong-type", {"'walk_to'"})));
+    EXPECT_THAT(about("look_at: {x: 1}"),
+                ElementsAre(says("a.walk.yaml:4:14: error wrong-type", {"'look_at'"})));
+    EXPECT_THAT(about("walk_to: [1, b]"), ElementsAre(says("a.walk.yaml:4:18: error wrong-type", {"'b'"})));
 }
 
 TEST_F(ReadSteps, DiagnosesWalkTo) {
     EXPECT_THAT(about("walk_to: {}"),
-                ElementsAre("a.walk.yaml:4:14: error missing-key: 'walk_to' needs the key 'to'"));
-    EXPECT_THAT(
-        about("walk_to: {to: square, witin: 1, timeout: 0, speed: 0, if_blocked: go}"),
-        ElementsAre(
-            "a.walk.yaml:4:27: error unknown-key: unknown key 'witin' in 'walk_to' (did you mean 'within'?)",
-            "a.walk.yaml:4:46: error bad-value: 'timeout' must be more than 0 and at most 86400 s, not '0'",
-            "a.walk.yaml:4:56: error bad-value: 'speed' must be more than 0 and at most 100 m/s, not '0'",
-            "a.walk.yaml:4:71: error bad-value: 'if_blocked' must be one of fail, continue, not 'go'"));
+                ElementsAre(says("a.walk.yaml:4:14: error missing-key", {"'walk_to'", "'to'"})));
+    EXPECT_THAT(about("walk_to: {to: square, witin: 1, timeout: 0, speed: 0, if_blocked: go}"),
+                ElementsAre(says("a.walk.yaml:4:27: error unknown-key", {"'witin'", "'walk_to'", "'within'"}),
+                            says("a.walk.yaml:4:46: error bad-value", {"'timeout'", "'0'"}),
+                            says("a.walk.yaml:4:56: error bad-value", {"'speed'", "'0'"}),
+                            says("a.walk.yaml:4:71: error bad-value", {"'if_blocked'", "'go'"})));
 }
 
 TEST_F(ReadSteps, DiagnosesStandings) {
-    EXPECT_THAT(
-        about("teleport: square"),
-        ElementsAre(
-            "a.walk.yaml:4:15: error unknown-name: the campus has no spawn 'square'; known here: gate"));
+    EXPECT_THAT(about("teleport: square"),
+                ElementsAre(says("a.walk.yaml:4:15: error unknown-name", {"'square'"})));
     EXPECT_THAT(about("teleport: [1, 2, 3]"),
-                ElementsAre("a.walk.yaml:4:15: error wrong-type: 'teleport' must be a spawn's name or {at: "
-                            "[x, y, z], yaw_deg: 0}"));
+                ElementsAre(says("a.walk.yaml:4:15: error wrong-type", {"'teleport'"})));
     EXPECT_THAT(about("teleport: {yaw_deg: 3}"),
-                ElementsAre("a.walk.yaml:4:15: error missing-key: 'teleport' needs the key 'at'"));
-    EXPECT_THAT(
-        folder_.about_steps("  - spawn: gaet\n"),
-        ElementsAre(
-            "a.walk.yaml:3:12: error unknown-name: the campus has no spawn 'gaet' (did you mean 'gate'?)"));
+                ElementsAre(says("a.walk.yaml:4:15: error missing-key", {"'teleport'"})));
+    EXPECT_THAT(folder_.about_steps("  - spawn: gaet\n"),
+                ElementsAre(says("a.walk.yaml:3:12: error unknown-name", {"'gaet'", "'gate'"})));
 }
 
 TEST_F(ReadSteps, DiagnosesNumbersAndSnapshots) {
     EXPECT_THAT(about("wait: -1"),
-                ElementsAre("a.walk.yaml:4:11: error bad-value: 'wait' must be from 0 to 86400 s, not '-1'"));
-    EXPECT_THAT(about("wait: [1]"),
-                ElementsAre("a.walk.yaml:4:11: error wrong-type: 'wait' must be a number, not a list"));
+                ElementsAre(says("a.walk.yaml:4:11: error bad-value", {"'wait'", "'-1'"})));
+    EXPECT_THAT(about("wait: [1]"), ElementsAre(says("a.walk.yaml:4:11: error wrong-type", {"'wait'"})));
     EXPECT_THAT(about("turn: left"),
-                ElementsAre("a.walk.yaml:4:11: error wrong-type: 'turn' must be a number, not 'left'"));
-    EXPECT_THAT(
-        about("turn: {to: 3}"),
-        ElementsAre("a.walk.yaml:4:11: error missing-key: 'turn' needs the key 'to_deg'",
-                    "a.walk.yaml:4:12: error unknown-key: unknown key 'to' in 'turn'; known here: to_deg"));
-    EXPECT_THAT(
-        about("snapshot: a\n  - snapshot: a"),
-        ElementsAre("a.walk.yaml:5:15: error duplicate-name: the snapshot 'a' stands on line 4 already"));
+                ElementsAre(says("a.walk.yaml:4:11: error wrong-type", {"'turn'", "'left'"})));
+    EXPECT_THAT(about("turn: {to: 3}"),
+                ElementsAre(says("a.walk.yaml:4:11: error missing-key", {"'turn'"}),
+                            says("a.walk.yaml:4:12: error unknown-key", {"'to'", "'turn'"})));
+    EXPECT_THAT(about("snapshot: a\n  - snapshot: a"),
+                ElementsAre(says("a.walk.yaml:5:15: error duplicate-name", {"'a'"})));
     EXPECT_THAT(about("snapshot: {name: ../x}"),
-                ElementsAre("a.walk.yaml:4:22: error bad-value: 'name' must be small letters, digits and "
-                            "single hyphens, as in main-gate, not '../x'"));
+                ElementsAre(says("a.walk.yaml:4:22: error bad-value", {"'name'", "'../x'"})));
     EXPECT_THAT(about("snapshot: {view: top}"),
-                ElementsAre("a.walk.yaml:4:15: error missing-key: 'snapshot' needs the key 'name'"));
+                ElementsAre(says("a.walk.yaml:4:15: error missing-key", {"'snapshot'", "'name'"})));
 }
 
 // ---- the body -------------------------------------------------------------------------------------------
@@ -218,18 +193,14 @@ TEST_F(ReadSteps, ReadsWaysAlongACurve) {
 }
 
 TEST_F(ReadSteps, DiagnosesCurves) {
-    EXPECT_THAT(about("follow: []"),
-                ElementsAre("a.walk.yaml:4:13: error bad-value: 'follow' needs at least one point"));
-    EXPECT_THAT(
-        about("follow: square"),
-        ElementsAre("a.walk.yaml:4:13: error wrong-type: 'follow' must be a list, not a single value"));
+    EXPECT_THAT(about("follow: []"), ElementsAre(says("a.walk.yaml:4:13: error bad-value", {"'follow'"})));
+    EXPECT_THAT(about("follow: square"),
+                ElementsAre(says("a.walk.yaml:4:13: error wrong-type", {"'follow'"})));
     EXPECT_THAT(about("follow: [sqare]"),
-                ElementsAre("a.walk.yaml:4:14: error unknown-name: the campus has no place or spawn 'sqare' "
-                            "(did you mean 'square'?)"));
+                ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'sqare'", "'square'"})));
     EXPECT_THAT(about("follow: {within: 1, speed: 0}"),
-                ElementsAre("a.walk.yaml:4:13: error missing-key: 'follow' needs the key 'through'",
-                            "a.walk.yaml:4:32: error bad-value: 'speed' must be more than 0 and at most 100 "
-                            "m/s, not '0'"));
+                ElementsAre(says("a.walk.yaml:4:13: error missing-key", {"'follow'"}),
+                            says("a.walk.yaml:4:32: error bad-value", {"'speed'", "'0'"})));
 }
 
 TEST_F(ReadSteps, ReadsJumps) {
@@ -250,13 +221,12 @@ TEST_F(ReadSteps, ReadsJumps) {
 
 TEST_F(ReadSteps, DiagnosesJumps) {
     EXPECT_THAT(about("jump: high"),
-                ElementsAre("a.walk.yaml:4:11: error wrong-type: 'jump' must be a number, not 'high'"));
-    EXPECT_THAT(about("jump: 0"), ElementsAre("a.walk.yaml:4:11: error bad-value: 'jump' must be more than 0 "
-                                              "and at most 20 m, not '0'"));
-    EXPECT_THAT(about("jump: {height: 1, speed: 2, foward: 1}"),
-                ElementsAre("a.walk.yaml:4:30: error bad-value: 'jump' takes 'height' or 'speed', not both",
-                            "a.walk.yaml:4:33: error unknown-key: unknown key 'foward' in 'jump' (did you "
-                            "mean 'forward'?)"));
+                ElementsAre(says("a.walk.yaml:4:11: error wrong-type", {"'jump'", "'high'"})));
+    EXPECT_THAT(about("jump: 0"), ElementsAre(says("a.walk.yaml:4:11: error bad-value", {"'jump'", "'0'"})));
+    EXPECT_THAT(
+        about("jump: {height: 1, speed: 2, foward: 1}"),
+        ElementsAre(says("a.walk.yaml:4:30: error bad-value", {"'jump'", "'height'", "'speed'"}),
+                    says("a.walk.yaml:4:33: error unknown-key", {"'foward'", "'jump'", "'forward'"})));
 }
 
 TEST_F(ReadSteps, ReadsHowTallAndHowFast) {
@@ -276,16 +246,14 @@ TEST_F(ReadSteps, ReadsHowTallAndHowFast) {
 }
 
 TEST_F(ReadSteps, DiagnosesHowTallAndHowFast) {
-    EXPECT_THAT(
-        about("crouch: down"),
-        ElementsAre("a.walk.yaml:4:13: error bad-value: 'crouch' must be one of on, off, not 'down'"));
+    EXPECT_THAT(about("crouch: down"),
+                ElementsAre(says("a.walk.yaml:4:13: error bad-value", {"'crouch'", "'down'"})));
     EXPECT_THAT(about("crouch: {height: 0.5}"),
-                ElementsAre("a.walk.yaml:4:22: error bad-value: 'height' must be from 0.6 to 1.8 m (this "
-                            "avatar's width and height), not '0.5'"));
+                ElementsAre(says("a.walk.yaml:4:22: error bad-value", {"'height'"})));
     EXPECT_THAT(about("run: fast"),
-                ElementsAre("a.walk.yaml:4:10: error bad-value: 'run' must be one of on, off, not 'fast'"));
-    EXPECT_THAT(about("speed: 0"), ElementsAre("a.walk.yaml:4:12: error bad-value: 'speed' must be more than "
-                                               "0 and at most 100 m/s, not '0'"));
+                ElementsAre(says("a.walk.yaml:4:10: error bad-value", {"'run'", "'fast'"})));
+    EXPECT_THAT(about("speed: 0"),
+                ElementsAre(says("a.walk.yaml:4:12: error bad-value", {"'speed'", "'0'"})));
 }
 
 // ---- waiting and changing the campus --------------------------------------------------------------------
@@ -306,12 +274,10 @@ TEST_F(ReadSteps, ReadsWhatToWaitFor) {
 
 TEST_F(ReadSteps, DiagnosesWhatToWaitFor) {
     EXPECT_THAT(about("wait_until: popup.opne"),
-                ElementsAre("a.walk.yaml:4:17: error unknown-name: no event is called 'popup.opne' (did you "
-                            "mean 'popup.open'?)"));
+                ElementsAre(says("a.walk.yaml:4:17: error unknown-name", {"'popup.opne'", "'popup.open'"})));
     EXPECT_THAT(about("wait_until: {timeout: 0}"),
-                ElementsAre("a.walk.yaml:4:17: error missing-key: 'wait_until' needs the key 'event'",
-                            "a.walk.yaml:4:27: error bad-value: 'timeout' must be more than 0 and at most "
-                            "86400 s, not '0'"));
+                ElementsAre(says("a.walk.yaml:4:17: error missing-key", {"'wait_until'"}),
+                            says("a.walk.yaml:4:27: error bad-value", {"'timeout'", "'0'"})));
 }
 
 TEST_F(ReadSteps, ReadsWhatToEnable) {
@@ -328,11 +294,9 @@ TEST_F(ReadSteps, ReadsWhatToEnable) {
 }
 
 TEST_F(ReadSteps, DiagnosesWhatToEnable) {
-    EXPECT_THAT(about("disable: []"),
-                ElementsAre("a.walk.yaml:4:14: error bad-value: 'disable' needs at least one object's id"));
+    EXPECT_THAT(about("disable: []"), ElementsAre(says("a.walk.yaml:4:14: error bad-value", {"'disable'"})));
     EXPECT_THAT(about("enable: {id: hut}"),
-                ElementsAre("a.walk.yaml:4:13: error wrong-type: 'enable' must be a single value or a list, "
-                            "not a map of keys"));
+                ElementsAre(says("a.walk.yaml:4:13: error wrong-type", {"'enable'"})));
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
-#include "config/loader/source_text.h"
+#include "config/loader/yaml/source_text.h"
 
 #include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
+#include "tests/config/says.h"
+
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::config {
 namespace {
+
+using test::says;
 
 class SourceText : public testing::Test {
 protected:
@@ -46,49 +50,35 @@ TEST_F(SourceText, DropsByteOrderMarkAndCarriageReturns) {
 }
 
 TEST_F(SourceText, RefusesTabsThatIndent) {
-    EXPECT_EQ(about("a:\n\tb: 1\n"),
-              "a.yaml:2:1: error yaml-syntax: a tab indents this line; indent with spaces");
-    EXPECT_EQ(about("a:\n  \tb: 1\n"),
-              "a.yaml:2:3: error yaml-syntax: a tab indents this line; indent with spaces");
+    EXPECT_THAT(about("a:\n\tb: 1\n"), says("a.yaml:2:1: error yaml-syntax"));
+    EXPECT_THAT(about("a:\n  \tb: 1\n"), says("a.yaml:2:3: error yaml-syntax"));
     EXPECT_EQ(about("a:\t1\t# a comment\n"), "");
 }
 
 TEST_F(SourceText, RefusesDirectives) {
-    EXPECT_EQ(
-        about("a: 1\n%b: 2\n"),
-        "a.yaml:2:1: error yaml-syntax: a line can't start with '%' (the YAML parser would skip it); put the "
-        "text in quotes");
+    EXPECT_THAT(about("a: 1\n%b: 2\n"), says("a.yaml:2:1: error yaml-syntax"));
     EXPECT_EQ(about("a: 10 %\n"), "");
 }
 
 TEST_F(SourceText, RefusesBinary) {
-    EXPECT_EQ(about(std::string("a: \0\n", 5)),
-              "a.yaml:1:4: error yaml-syntax: a control character (byte 0): this is not a text file, or the "
-              "character must go");
-    EXPECT_EQ(about("é: \x7F"),
-              "a.yaml:1:4: error yaml-syntax: a control character (byte 127): this is not a "
-              "text file, or the character must go");
-    EXPECT_EQ(about("a\rb"),
-              "a.yaml:1:2: error yaml-syntax: a control character (byte 13): this is not a text "
-              "file, or the character must go");
-    EXPECT_EQ(about("\xFF\xFE"
-                    "a"),
-              "a.yaml:1:1: error yaml-syntax: not UTF-8 text; save the file as UTF-8");
-    EXPECT_EQ(about("a: caf\xE9\n"), "a.yaml:1:7: error yaml-syntax: not UTF-8 text; save the file as UTF-8");
+    EXPECT_THAT(about(std::string("a: \0\n", 5)), says("a.yaml:1:4: error yaml-syntax"));
+    EXPECT_THAT(about("é: \x7F"), says("a.yaml:1:4: error yaml-syntax"));
+    EXPECT_THAT(about("a\rb"), says("a.yaml:1:2: error yaml-syntax"));
+    EXPECT_THAT(about("\xFF\xFE"
+                      "a"),
+                says("a.yaml:1:1: error yaml-syntax"));
+    EXPECT_THAT(about("a: caf\xE9\n"), says("a.yaml:1:7: error yaml-syntax"));
 }
 
 TEST_F(SourceText, SaysWhyAFileCannotBeRead) {
-    EXPECT_EQ(about_path("none.yaml"),
-              "a.walk.yaml:3:9: error missing-file: 'none.yaml': no such file; check the path");
+    EXPECT_THAT(about_path("none.yaml"), says("a.walk.yaml:3:9: error missing-file", {"'none.yaml'"}));
     folder_.write("folder/a.yaml", "");
-    EXPECT_EQ(about_path("folder"),
-              "a.walk.yaml:3:9: error missing-file: 'folder': is a folder; name a file in it");
-    EXPECT_EQ(about_path("folder/a.yaml/b.yaml"),
-              "a.walk.yaml:3:9: error missing-file: 'folder/a.yaml/b.yaml': no such file; check the path");
+    EXPECT_THAT(about_path("folder"), says("a.walk.yaml:3:9: error missing-file", {"'folder'"}));
+    EXPECT_THAT(about_path("folder/a.yaml/b.yaml"),
+                says("a.walk.yaml:3:9: error missing-file", {"'folder/a.yaml/b.yaml'"}));
     ASSERT_EQ(mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(about_path("pipe"), "a.walk.yaml:3:9: error missing-file: 'pipe': is not a regular file");
-    EXPECT_EQ(about_path("none.yaml", {"none.yaml", 0, 0}),
-              "none.yaml: error missing-file: no such file; check the path");
+    EXPECT_THAT(about_path("pipe"), says("a.walk.yaml:3:9: error missing-file", {"'pipe'"}));
+    EXPECT_THAT(about_path("none.yaml", {"none.yaml", 0, 0}), says("none.yaml: error missing-file"));
 }
 
 TEST_F(SourceText, SaysThatAFileIsNotReadable) {
@@ -97,13 +87,11 @@ TEST_F(SourceText, SaysThatAFileIsNotReadable) {
     if (access((folder_.path() / "secret.yaml").c_str(), R_OK) == 0) {
         GTEST_SKIP() << "root may read everything";
     }
-    EXPECT_EQ(about_path("secret.yaml"),
-              "a.walk.yaml:3:9: error missing-file: 'secret.yaml': cannot be read; check its permissions");
+    EXPECT_THAT(about_path("secret.yaml"), says("a.walk.yaml:3:9: error missing-file", {"'secret.yaml'"}));
 }
 
 TEST_F(SourceText, RefusesFilesThatAreNoConfiguration) {
-    EXPECT_EQ(about(std::string(2'000'001, '#')),
-              "a.yaml: error too-large: the file has 2000001 bytes; at most 2000000 are read");
+    EXPECT_THAT(about(std::string(2'000'001, '#')), says("a.yaml: error too-large"));
     EXPECT_EQ(about(std::string(2'000'000, '#')), "");
 }
 

@@ -5,13 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/loader/read_steps.h"
+#include "config/loader/walk/read_steps.h"
+#include "tests/config/says.h"
 #include "tests/config/steps_fixture.h"
 
 namespace campuswalk::config {
 namespace {
 
 using namespace engine;
+using test::says;
 using testing::ElementsAre;
 
 class UnrolledSteps : public test::StepsFixture {
@@ -47,27 +49,23 @@ TEST_F(UnrolledSteps, GoRoundByRound) {
 
 TEST_F(UnrolledSteps, DiagnoseRoundsOnce) {
     EXPECT_THAT(about("repeat: {times: 3, steps: [{wait: -1}]}"),
-                ElementsAre("a.walk.yaml:4:39: error bad-value: 'wait' must be from 0 to 86400 s, not '-1'"));
+                ElementsAre(says("a.walk.yaml:4:39: error bad-value", {"'wait'", "'-1'"})));
     EXPECT_THAT(about("repeat: {times: 0, step: []}"),
-                ElementsAre("a.walk.yaml:4:13: error missing-key: 'repeat' needs the key 'steps'",
-                            "a.walk.yaml:4:21: error bad-value: 'times' must be from 1 to 100000, not '0'",
-                            "a.walk.yaml:4:24: error unknown-key: unknown key 'step' in 'repeat' (did you "
-                            "mean 'steps'?)"));
+                ElementsAre(says("a.walk.yaml:4:13: error missing-key", {"'repeat'", "'steps'"}),
+                            says("a.walk.yaml:4:21: error bad-value", {"'times'", "'0'"}),
+                            says("a.walk.yaml:4:24: error unknown-key", {"'step'", "'repeat'", "'steps'"})));
     EXPECT_THAT(about("repeat: {times: 2, steps: []}"),
-                ElementsAre("a.walk.yaml:4:31: error bad-value: 'steps' needs at least one step"));
+                ElementsAre(says("a.walk.yaml:4:31: error bad-value", {"'steps'"})));
     EXPECT_THAT(about("repeat: {times: 2, steps: [{spawn: gate}]}"),
-                ElementsAre("a.walk.yaml:4:40: error bad-value: 'spawn' can only be the first step; later it "
-                            "is 'teleport'"));
+                ElementsAre(says("a.walk.yaml:4:40: error bad-value", {"'spawn'"})));
     EXPECT_THAT(about("repeat: {times: 2, steps: [{snapshot: a}]}"),
-                ElementsAre("a.walk.yaml:4:43: error bad-value: a snapshot can't stand in 'repeat': every "
-                            "round would write the same picture"));
+                ElementsAre(says("a.walk.yaml:4:43: error bad-value")));
 }
 
 TEST_F(UnrolledSteps, AreNotEndless) {
     const std::string inner = "{repeat: {times: 400, steps: [{wait: 1}]}}";
     EXPECT_THAT(about("repeat: {times: 400, steps: [" + inner + "]}"),
-                ElementsAre("a.walk.yaml:4:13: error too-many-steps: with 'repeat' and 'include' the walk "
-                            "has more than 100000 steps"));
+                ElementsAre(says("a.walk.yaml:4:13: error too-many-steps", {"'repeat'"})));
 }
 
 TEST_F(UnrolledSteps, AreReadFromTheFileThatIsNamed) {
@@ -85,32 +83,25 @@ TEST_F(UnrolledSteps, AreReadFromTheFileThatIsNamed) {
 
 TEST_F(UnrolledSteps, DiagnoseAFileWhereItIsWrongAndOnce) {
     folder_.write("lap.steps.yaml", "steps:\n  - wait: long\n  - spawn: gate\nstep: 1\n");
-    EXPECT_THAT(
-        about("include: lap.steps.yaml\n  - include: lap.steps.yaml"),
-        ElementsAre("lap.steps.yaml:2:11: error wrong-type: 'wait' must be a number, not 'long'",
-                    "lap.steps.yaml:3:12: error bad-value: 'spawn' can only be the first step; later it is "
-                    "'teleport'",
-                    "lap.steps.yaml:4:1: error unknown-key: unknown key 'step' in a steps file (did you mean "
-                    "'steps'?)"));
+    EXPECT_THAT(about("include: lap.steps.yaml\n  - include: lap.steps.yaml"),
+                ElementsAre(says("lap.steps.yaml:2:11: error wrong-type", {"'wait'", "'long'"}),
+                            says("lap.steps.yaml:3:12: error bad-value", {"'spawn'"}),
+                            says("lap.steps.yaml:4:1: error unknown-key", {"'step'", "'steps'"})));
 }
 
 TEST_F(UnrolledSteps, DiagnoseTheFileItself) {
     EXPECT_THAT(about("include: lap.steps.yaml"),
-                ElementsAre("a.walk.yaml:4:14: error missing-file: 'lap.steps.yaml': no such file; check the "
-                            "path"));
+                ElementsAre(says("a.walk.yaml:4:14: error missing-file", {"'lap.steps.yaml'"})));
     EXPECT_THAT(about("include: a.campus.yaml"),
-                ElementsAre("a.walk.yaml:4:14: error file-name: 'a.campus.yaml' is not called "
-                            "NAME.steps.yaml; name another file or rename this one"));
+                ElementsAre(says("a.walk.yaml:4:14: error file-name", {"'a.campus.yaml'"})));
     EXPECT_THAT(about("include: [lap]"),
-                ElementsAre("a.walk.yaml:4:14: error wrong-type: 'include' must be a text, not a list"));
+                ElementsAre(says("a.walk.yaml:4:14: error wrong-type", {"'include'"})));
 }
 
 TEST_F(UnrolledSteps, DoNotGoInCircles) {
     folder_.write("a.steps.yaml", "steps: [{include: b.steps.yaml}]\n");
     folder_.write("b.steps.yaml", "steps:\n  - wait: 1\n  - include: ./a.steps.yaml\n");
-    EXPECT_THAT(about("include: a.steps.yaml"),
-                ElementsAre("b.steps.yaml:3:14: error include-cycle: a.steps.yaml includes itself, by way of "
-                            "this line"));
+    EXPECT_THAT(about("include: a.steps.yaml"), ElementsAre(says("b.steps.yaml:3:14: error include-cycle")));
 }
 
 TEST_F(UnrolledSteps, DoNotGoTooDeep) {
@@ -119,16 +110,15 @@ TEST_F(UnrolledSteps, DoNotGoTooDeep) {
                       "steps: [{include: s" + std::to_string(i + 1) + ".steps.yaml}]\n");
     }
     EXPECT_THAT(about("include: s1.steps.yaml"),
-                ElementsAre("s16.steps.yaml:1:19: error include-depth: files include each other more than 16 "
-                            "deep; put the steps into fewer files"));
+                ElementsAre(says("s16.steps.yaml:1:19: error include-depth")));
 }
 
 TEST_F(UnrolledSteps, TakeAImageOfANameOnce) {
     folder_.write("lap.steps.yaml", "steps: [{snapshot: view}]\n");
     EXPECT_EQ(read("  - spawn: gate\n  - include: lap.steps.yaml\n").size(), 2U);
     EXPECT_THAT(about("snapshot: view\n  - include: lap.steps.yaml"),
-                ElementsAre(testing::MatchesRegex("lap.steps.yaml:1:20: error duplicate-name: the snapshot "
-                                                  "'view' stands on line 4 of .*a.walk.yaml already")));
+                ElementsAre(testing::MatchesRegex("lap.steps.yaml:1:20: error duplicate-name: .*'view'.* "
+                                                  "line 4 of .*a.walk.yaml")));
 }
 
 }  // namespace

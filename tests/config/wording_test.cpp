@@ -1,4 +1,4 @@
-#include "config/loader/wording.h"
+#include "config/loader/yaml/wording.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/loader/yaml_syntax.h"
+#include "config/loader/yaml/yaml_syntax.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,15 @@
-#include "config/loader/yaml_tree.h"
+#include "config/loader/yaml/yaml_tree.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
+#include "tests/config/says.h"
+
 namespace campuswalk::config {
 namespace {
+
+using test::says;
 
 using scene::DiagnosticList;
 
@@ -53,6 +57,28 @@ TEST(YamlTree, PutsEmptyValuesWhereTheyAreMissed) {
     EXPECT_EQ(root->entries[1].value->items[0]->column, 3);
 }
 
+TEST(YamlTree, PutsEmptyListEntriesAtTheirDash) {
+    const auto at = [](const std::string& text, std::size_t index) {
+        const auto root = parsed(text);
+        const YamlNode& item = *root->entries.at(0).value->items.at(index);
+        EXPECT_EQ(item.kind, YamlNode::Kind::null);
+        return std::to_string(item.line) + ":" + std::to_string(item.column);
+    };
+    EXPECT_EQ(at("a:\n  - b\n  -   # nothing\n\n  - c\n", 1), "3:3");
+    EXPECT_EQ(at("a:\n  - b\n  -\n", 1), "3:3");
+    EXPECT_EQ(at("a:\n  - b\n  - ~\n", 1), "3:5");
+    EXPECT_EQ(at("a:\n  - b\n  - null # here\n", 1), "3:5");
+}
+
+TEST(YamlTree, CountsCharactersNotBytes) {
+    EXPECT_EQ(parsed("{总图: é, x: 1}\n")->entries.at(1).column, 9);
+    std::string line = "{a: '";
+    for (int i = 0; i < 400; ++i) {
+        line += "é";
+    }
+    EXPECT_EQ(parsed(line + "', b: 1}\n")->entries.at(1).column, 409);
+}
+
 TEST(YamlTree, SharesWhatAliasesName) {
     const auto root = parsed("a: &camera {view: top}\nb: *camera\n");
     EXPECT_EQ(root->entries[0].value, root->entries[1].value);
@@ -60,69 +86,52 @@ TEST(YamlTree, SharesWhatAliasesName) {
 
 TEST(YamlTree, RefusesEmptyFiles) {
     for (const char* text : {"", "\n\n", "# only a comment\n", "---\n", "~\n"}) {
-        EXPECT_EQ(about(text),
-                  "a.yaml: error empty-file: there is nothing in this file but comments or spaces\n")
-            << text;
+        EXPECT_THAT(about(text), says("a.yaml: error empty-file")) << text;
     }
 }
 
 TEST(YamlTree, ExplainsSyntaxErrors) {
     const std::string continues =
-        "this line doesn't continue what is above: check its indentation, its '-' and its ':'\n";
+        "this line doesn't fit the lines above: check its indentation, '-' and ':'\n";
     EXPECT_EQ(about("a:\n  b: 1\n c: 2\n"), "a.yaml:3:2: error yaml-syntax: " + continues);
     EXPECT_EQ(about("a: 1\n- b\n"), "a.yaml:2:1: error yaml-syntax: " + continues);
     EXPECT_EQ(about("a:\n  - b\n  c: 2\n"), "a.yaml:3:3: error yaml-syntax: " + continues);
     EXPECT_EQ(about("a: 1\nb: {c: 2\n"),
-              "a.yaml:2:4: error yaml-syntax: this '{' has no '}', or a ',' is missing after it\n");
-    EXPECT_EQ(about("a: [1, 2\nb: 3\n"),
-              "a.yaml:1:4: error yaml-syntax: this '[' has no ']', or a ',' is missing after it\n");
-    EXPECT_EQ(about("a: 1]\nb: [2]]\n"), "a.yaml:2:7: error yaml-syntax: this bracket closes nothing\n");
-    EXPECT_EQ(
-        about("title: Hall: West\n"),
-        "a.yaml:1:12: error yaml-syntax: a second ': ' on this line; put a text with a colon in quotes\n");
-    EXPECT_EQ(
-        about("a: @b\n"),
-        "a.yaml:1:4: error yaml-syntax: no value can start with this character; put the text in quotes\n");
-    EXPECT_EQ(about("a: *b\n"),
-              "a.yaml:1:4: error yaml-syntax: nothing has this name; put the text in quotes if no reference "
-              "was meant\n");
-    EXPECT_EQ(about("a: * b\n"),
-              "a.yaml:1:5: error yaml-syntax: put the text in quotes: '*' starts a reference\n");
+              "a.yaml:2:4: error yaml-syntax: this '{' has no matching '}', or a ',' is missing after it\n");
+    EXPECT_THAT(about("a: [1, 2\nb: 3\n"), says("a.yaml:1:4: error yaml-syntax", {"'['", "']'"}));
+    EXPECT_THAT(about("a: 1]\nb: [2]]\n"), says("a.yaml:2:7: error yaml-syntax"));
+    EXPECT_THAT(about("title: Hall: West\n"), says("a.yaml:1:12: error yaml-syntax"));
+    EXPECT_THAT(about("a: @b\n"), says("a.yaml:1:4: error yaml-syntax"));
+    EXPECT_THAT(about("a: *b\n"), says("a.yaml:1:4: error yaml-syntax"));
+    EXPECT_THAT(about("a: * b\n"), says("a.yaml:1:5: error yaml-syntax", {"'*'"}));
 }
 
 TEST(YamlTree, RefusesASecondDocument) {
-    EXPECT_EQ(about("a: 1\n---\nb: 2\n"),
-              "a.yaml:2:1: error yaml-syntax: text after the end of the document: a stray bracket, less "
-              "indentation than above, or a second '---'\n");
+    EXPECT_THAT(about("a: 1\n---\nb: 2\n"), says("a.yaml:2:1: error yaml-syntax", {"'---'"}));
 }
 
 TEST(YamlTree, RefusesQuotesThatNothingCloses) {
-    EXPECT_EQ(about("title: 'Main\nspawns: {}\n"),
-              "a.yaml:1:8: error yaml-syntax: this quote is never closed\n");
-    EXPECT_EQ(about("title: \"Main"), "a.yaml:1:13: error yaml-syntax: a quote above is never closed\n");
-    EXPECT_EQ(about("title: \"Main\n"), "a.yaml:1:8: error yaml-syntax: this quote is never closed\n");
+    EXPECT_THAT(about("title: 'Main\nspawns: {}\n"), says("a.yaml:1:8: error yaml-syntax"));
+    EXPECT_THAT(about("title: \"Main"), says("a.yaml:1:13: error yaml-syntax"));
+    EXPECT_THAT(about("title: \"Main\n"), says("a.yaml:1:8: error yaml-syntax"));
 }
 
 TEST(YamlTree, DiagnosesEveryKeyThatIsGivenTwice) {
     EXPECT_EQ(
         about("a: 1\nb: {c: 1, c: 2}\na: 3\n"),
-        "a.yaml:2:11: error duplicate-key: key 'c' was given on line 2 already; remove one of the two\n"
-        "a.yaml:3:1: error duplicate-key: key 'a' was given on line 1 already; remove one of the two\n");
+        "a.yaml:2:11: error duplicate-key: duplicate key 'c', first given on line 2; remove one of the two\n"
+        "a.yaml:3:1: error duplicate-key: duplicate key 'a', first given on line 1; remove one of the two\n");
 }
 
 TEST(YamlTree, RefusesKeysThatAreNoWordsAndTags) {
-    EXPECT_EQ(about("? [a]\n: b\n"),
-              "a.yaml:1:3: error wrong-type: a key must be a word, as in 'title: Library'\n");
-    EXPECT_EQ(about("? {a: b}\n: b\n"),
-              "a.yaml:1:3: error wrong-type: a key must be a word, as in 'title: Library'\n");
-    EXPECT_EQ(about("a: !!float 1\n"),
-              "a.yaml:1:4: error wrong-type: tags are not used here; remove the word with the '!'\n");
-    EXPECT_EQ(about("a: !list [1]\n"),
-              "a.yaml:1:4: error wrong-type: tags are not used here; remove the word with the '!'\n");
+    EXPECT_THAT(about("? [a]\n: b\n"), says("a.yaml:1:3: error wrong-type"));
+    EXPECT_THAT(about("? {a: b}\n: b\n"), says("a.yaml:1:3: error wrong-type"));
+    EXPECT_THAT(about("a: !!float 1\n"), says("a.yaml:1:4: error wrong-type"));
+    EXPECT_THAT(about("a: !list [1]\n"), says("a.yaml:1:4: error wrong-type"));
 }
 
 TEST(YamlTree, RefusesAnAliasInsideWhatItNames) {
-    const char* inside = "an alias inside what it names; write the value out\n";
+    const char* inside = "this alias refers to a value that contains it; write the value out\n";
     EXPECT_EQ(about("a: &a [*a]\n"), std::string("a.yaml:1:8: error yaml-syntax: ") + inside);
     EXPECT_EQ(about("a: &a {b: [1, {c: *a}]}\n"), std::string("a.yaml:1:19: error yaml-syntax: ") + inside);
 }
@@ -138,8 +147,7 @@ TEST(YamlTree, RefusesAliasBombs) {
         }
         text += "]\n";
     }
-    EXPECT_EQ(about(text),
-              "a.yaml:6:5: error too-large: more than a million values (aliases count in full)\n");
+    EXPECT_THAT(about(text), says("a.yaml:6:5: error too-large"));
 }
 
 TEST(YamlTree, RefusesAnchorsByTheThousand) {
@@ -147,7 +155,7 @@ TEST(YamlTree, RefusesAnchorsByTheThousand) {
     for (int i = 0; i < 10'001; ++i) {
         text += "a" + std::to_string(i) + ": &b" + std::to_string(i) + " 1\n";
     }
-    EXPECT_NE(about(text).find("error too-large: more than ten thousand names"), std::string::npos);
+    EXPECT_NE(about(text).find("error too-large: "), std::string::npos);
 }
 
 TEST(YamlTree, StopsComplainingAfterTwoHundredMistakes) {
@@ -157,17 +165,15 @@ TEST(YamlTree, StopsComplainingAfterTwoHundredMistakes) {
     }
     const std::string lines = about(text);
     EXPECT_EQ(std::ranges::count(lines, '\n'), 201);
-    EXPECT_TRUE(
-        lines.ends_with("a.yaml: error too-many: there are more mistakes than 200; these are the first\n"));
+    EXPECT_TRUE(lines.find("\na.yaml: error too-many: ") != std::string::npos);
 }
 
 TEST(YamlTree, RefusesDeepNesting) {
     EXPECT_EQ(about("a: " + std::string(63, '[') + std::string(63, ']') + "\n"), "");
-    EXPECT_EQ(about("a: " + std::string(64, '[') + std::string(64, ']') + "\n"),
-              "a.yaml:1:67: error too-large: nested more than 64 deep\n");
+    EXPECT_THAT(about("a: " + std::string(64, '[') + std::string(64, ']') + "\n"),
+                says("a.yaml:1:67: error too-large"));
     for (const char bracket : {'[', '{'}) {
-        EXPECT_NE(about(std::string(100'000, bracket)).find("error too-large: nested more than 64 deep"),
-                  std::string::npos);
+        EXPECT_NE(about(std::string(100'000, bracket)).find("error too-large: nested"), std::string::npos);
     }
 }
 

@@ -102,7 +102,7 @@ class BrokenInput(ProgramCase):
     def test_missing_avatar(self):
         self.walk("avatar: adult", "avatar: adlt")
         self.refused("short.walk.yaml:2:9: error unknown-name: there is no adlt.avatar.yaml in 'avatars' or "
-                     "'config/avatars' beside the walk, above it or with the program (did you mean 'adult'?)")
+                     "'config/avatars' next to the walk or above it, nor among the program's own (did you mean 'adult'?)")
 
     def test_missing_scene(self):
         self.campus("room.obj", "models/room.obj")
@@ -115,15 +115,15 @@ class BrokenInput(ProgramCase):
                      "path")
 
     def test_other_file_for_a_walk(self):
-        self.refused("small.campus.yaml: error file-name: 'small.campus.yaml' is not called NAME.walk.yaml; name "
-                     "another file or rename this one", arguments=("run", "small.campus.yaml"))
+        self.refused("small.campus.yaml: error file-name: 'small.campus.yaml' must be named NAME.walk.yaml; "
+                     "rename it, or name another file", arguments=("run", "small.campus.yaml"))
 
     # ---- YAML
 
     def test_bad_yaml(self):
         self.walk("  - walk_to: end\n", "   - walk_to: end\n")
-        self.refused("short.walk.yaml:5:4: error yaml-syntax: this line doesn't continue what is above: check its "
-                     "indentation, its '-' and its ':'")
+        self.refused("short.walk.yaml:5:4: error yaml-syntax: this line doesn't fit the lines above: check its "
+                     "indentation, '-' and ':'")
 
     def test_wrong_type(self):
         self.walk("turn: 180", "turn: around")

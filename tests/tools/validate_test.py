@@ -90,8 +90,8 @@ class Validate(ProgramCase):
         self.write("lap.steps.yaml", "steps:\n  - spawn: gate\n  - include: lap.steps.yaml\n")
         outcome = self.run_program("validate", "lap.steps.yaml")
         self.assertEqual(outcome.complaints, [
-            "lap.steps.yaml:2:12: error bad-value: 'spawn' can only be the first step; later it is 'teleport'",
-            "lap.steps.yaml:3:14: error include-cycle: lap.steps.yaml includes itself, by way of this line"])
+            "lap.steps.yaml:2:12: error bad-value: 'spawn' can only be the first step; use 'teleport' here",
+            "lap.steps.yaml:3:14: error include-cycle: lap.steps.yaml includes itself through this line"])
 
     def test_what_a_config_names(self):
         os.remove(self.path("broken.walk.yaml"))

@@ -12,8 +12,8 @@
 #include <Eigen/Geometry>
 
 #include "collision/geometry/trigonometry.h"
-#include "config/loader/number.h"
-#include "config/loader/wording.h"
+#include "config/loader/values/number.h"
+#include "config/loader/yaml/wording.h"
 #include "scene/base/diagnostic.h"
 
 namespace campuswalk::tools::collide {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "config/loader/number.h"
+#include "config/loader/values/number.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/compare_image_files.h"
 

@@ -1,0 +1,63 @@
+#include "config/loader/profile/profile_search.h"
+
+#include <set>
+#include <system_error>
+
+#include "config/loader/yaml/wording.h"
+
+namespace campuswalk::config {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostParents = 8;
+
+/// Names of the profiles in all the folders, sorted.
+std::vector<std::string> known_profiles(const ProfileKind& kind, const std::vector<fs::path>& folders) {
+    std::set<std::string> names;
+    for (const fs::path& folder : folders) {
+        std::error_code none;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+            std::string name = entry.path().filename().string();
+            if (name.ends_with(kind.suffix)) {
+                name.resize(name.size() - std::string_view(kind.suffix).size());
+                names.insert(std::move(name));
+            }
+        }
+    }
+    return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+std::vector<fs::path> profile_folders(const ProfileKind& kind, const fs::path& walk_folder,
+                                      const std::vector<fs::path>& more) {
+    std::vector<fs::path> folders;
+    fs::path parent = walk_folder.empty() ? fs::path(".") : walk_folder;
+    for (int i = 0; i <= kMostParents; ++i) {
+        folders.push_back(parent / kind.folder);
+        folders.push_back(parent / "config" / kind.folder);
+        parent /= "..";
+    }
+    folders.insert(folders.end(), more.begin(), more.end());
+    return folders;
+}
+
+std::optional<fs::path> find_profile(const ProfileKind& kind, const CheckedNode& node,
+                                     const std::string& name, const std::vector<fs::path>& folders) {
+    for (const fs::path& folder : folders) {
+        fs::path file = folder / (name + kind.suffix);
+        std::error_code none;
+        if (fs::exists(file, none)) {
+            return file;
+        }
+    }
+    node.diagnose("unknown-name", "there is no " + name + kind.suffix + " in '" + kind.folder +
+                                      "' or 'config/" + kind.folder +
+                                      "' next to the walk or above it, nor among the program's own" +
+                                      suggestion_or_list(name, known_profiles(kind, folders)));
+    return std::nullopt;
+}
+
+}  // namespace campuswalk::config

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/loader/values/checked_node.h"
+
+namespace campuswalk::config {
+
+/// Reads a map with known keys. Ask for every key that may stand there, then call `refuse_other_keys`; the
+/// setters leave their target alone when the key is absent or its value wrong (which has been complained of).
+class CheckedMap {
+public:
+    /// Complains when the node is no map, and then stays silent about missing keys.
+    /// `what` names the map in messages, as in "a collider".
+    CheckedMap(const CheckedNode& node, std::string what);
+
+    bool is_map() const { return is_map_; }
+
+    std::optional<CheckedNode> find(std::string_view key);
+    /// As `find`; complains (missing-key) when it is absent.
+    std::optional<CheckedNode> require(std::string_view key);
+    bool has(std::string_view key) const;
+    void diagnose(std::string code, std::string message) const {
+        node_.diagnose(std::move(code), std::move(message));
+    }
+    /// Complains of the key's value, or of the map when the key is absent.
+    void diagnose_at(std::string_view key, std::string code, std::string message) const;
+
+    void text(std::string_view key, std::string& target);
+    void as_bool(std::string_view key, bool& target);
+    void as_int(std::string_view key, int least, int most, int& target);
+    void number(std::string_view key, const Range& range, double& target);
+    void number(std::string_view key, const Range& range, std::optional<double>& target);
+    void vector(std::string_view key, const Range& range, Eigen::Vector3d& target);
+    void vector(std::string_view key, const Range& range, std::optional<Eigen::Vector3d>& target);
+    /// Written in degrees, kept in radians.
+    void angle(std::string_view key, const Range& degrees, double& target);
+
+    template <typename Value, std::size_t count>
+    void choice(std::string_view key, const std::array<Choice<Value>, count>& choices, Value& target) {
+        if (const auto node = find(key)) {
+            target = node->choice(choices).value_or(target);
+        }
+    }
+
+    /// Complains (unknown-key) about every key that nobody asked for.
+    void refuse_other_keys() const;
+
+private:
+    CheckedNode node_;
+    std::string what_;
+    bool is_map_ = false;
+    std::vector<CheckedNode::Entry> entries_;
+    std::vector<std::string> asked_;
+};
+
+/// Degrees to radians.
+double radians(double degrees);
+
+}  // namespace campuswalk::config

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "config/loader/values/number.h"
+#include "config/loader/yaml/yaml_tree.h"
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::config {
+
+/// A word of the YAML and what it stands for.
+template <typename Value>
+struct Choice {
+    std::string_view name;
+    Value value{};
+};
+
+/// A node together with where its diagnostics go. Every reader below either gives a value that holds or has
+/// complained (wrong-type, bad-value) at the node's line and column; nobody needs to check twice.
+/// Copies are cheap; they must not outlive the YamlFile they come from.
+class CheckedNode {
+public:
+    /// `what` names the node in messages, as in "'radius'" or "a step".
+    CheckedNode(const YamlNode& node, std::string what, const std::string& file,
+                scene::DiagnosticList& diagnostics)
+        : node_(&node), what_(std::move(what)), file_(&file), diagnostics_(&diagnostics) {}
+
+    const std::string& what() const { return what_; }
+    const YamlNode& node() const { return *node_; }
+    const std::string& file() const { return *file_; }
+    scene::SourceMark mark() const { return {*file_, node_->line, node_->column}; }
+    void diagnose(std::string code, std::string message) const;
+    scene::DiagnosticList& diagnostics() const { return *diagnostics_; }
+
+    bool is_null() const { return node_->kind == YamlNode::Kind::null; }
+    bool is_scalar() const { return node_->kind == YamlNode::Kind::scalar; }
+    bool is_sequence() const { return node_->kind == YamlNode::Kind::sequence; }
+    bool is_map() const { return node_->kind == YamlNode::Kind::map; }
+
+    /// Any scalar, as written; no control characters but line breaks.
+    std::optional<std::string> text() const;
+    /// The same, one line and not empty.
+    std::optional<std::string> line() const;
+    std::optional<double> number(const Range& range) const;
+    std::optional<int> as_int(int least, int most) const;
+    std::optional<bool> as_bool() const;
+    /// `[x, y, z]`, every number within the range.
+    std::optional<Eigen::Vector3d> vector(const Range& range) const;
+
+    /// One of the words; complains with all of them.
+    template <typename Value, std::size_t count>
+    std::optional<Value> choice(const std::array<Choice<Value>, count>& choices) const {
+        std::vector<std::string> names;
+        for (const Choice<Value>& each : choices) {
+            names.emplace_back(each.name);
+        }
+        const std::optional<std::size_t> index = one_of(names);
+        return index ? std::optional<Value>(choices[*index].value) : std::nullopt;
+    }
+    std::optional<std::size_t> one_of(const std::vector<std::string>& names) const;
+
+    /// The entries of a list, each called `what`; complains when it is no list. A section that is left empty
+    /// (`places:` with nothing below) is an empty list.
+    std::vector<CheckedNode> items(const std::string& what) const;
+    /// A list, or a single scalar as a list of one.
+    std::vector<CheckedNode> items_or_one(const std::string& what) const;
+
+    struct Entry;
+    /// The entries of a map in the file's order; complains when it is no map. Empty sections as in `items`.
+    std::vector<Entry> entries() const;
+
+private:
+    bool require_scalar(std::string_view wanted) const;
+    CheckedNode child(const YamlNode& node, std::string what) const {
+        return {node, std::move(what), *file_, *diagnostics_};
+    }
+
+    const YamlNode* node_;
+    std::string what_;
+    const std::string* file_;
+    scene::DiagnosticList* diagnostics_;
+};
+
+struct CheckedNode::Entry {
+    std::string key;
+    scene::SourceMark key_mark;
+    CheckedNode value;
+};
+
+}  // namespace campuswalk::config

@@ -1,0 +1,69 @@
+#include "config/loader/values/names.h"
+
+#include <algorithm>
+
+#include "config/loader/yaml/diagnostics.h"
+#include "config/loader/yaml/wording.h"
+
+namespace campuswalk::config {
+
+namespace {
+
+bool is_kebab(std::string_view word) {
+    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+    return !word.empty() && word.front() != '-' && word.back() != '-' &&
+           word.find("--") == std::string_view::npos && std::ranges::all_of(word, allowed);
+}
+
+bool is_kebab_path(std::string_view path) {
+    const std::size_t slash = path.find('/');
+    return is_kebab(path.substr(0, slash)) &&
+           (slash == std::string_view::npos || is_kebab_path(path.substr(slash + 1)));
+}
+
+constexpr std::size_t kLongestName = 200;  // bytes
+constexpr const char* kKebabForm = "lower-case letters, digits and single hyphens, such as main-gate";
+constexpr const char* kPathForm =
+    "lower-case letters, digits and single hyphens, with '/' between words, such as library/door";
+
+std::optional<std::string> checked(const CheckedNode& node, bool (*holds)(std::string_view),
+                                   const char* form) {
+    std::optional<std::string> name = node.line();
+    if (name && (name->size() > kLongestName || !holds(*name))) {
+        node.diagnose("bad-value", node.what() + " must be " + form + ", not " + in_quotes(*name));
+        return std::nullopt;
+    }
+    return name;
+}
+
+}  // namespace
+
+std::optional<std::string> kebab_name(const CheckedNode& node) {
+    return checked(node, is_kebab, kKebabForm);
+}
+
+std::optional<std::string> kebab_path(const CheckedNode& node) {
+    return checked(node, is_kebab_path, kPathForm);
+}
+
+void check_kebab_key(const CheckedNode::Entry& entry) {
+    if (entry.key.size() > kLongestName || !is_kebab(entry.key)) {
+        add_diagnostic(entry.value.diagnostics(), entry.key_mark, "bad-value",
+                       "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
+    }
+}
+
+void UniqueNames::add(const std::string& name, const CheckedNode& at) {
+    if (name.empty()) {
+        return;
+    }
+    const auto [earlier, fresh] = marks_.emplace(name, at.mark());
+    if (!fresh) {
+        const scene::SourceMark& mark = earlier->second;
+        at.diagnose("duplicate-name", "duplicate " + thing_ + " " + in_quotes(name) +
+                                          ", first given on line " + std::to_string(mark.line) +
+                                          (mark.file == at.mark().file ? "" : " of " + mark.file));
+    }
+}
+
+}  // namespace campuswalk::config

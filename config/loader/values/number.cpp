@@ -1,0 +1,67 @@
+#include "config/loader/values/number.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <system_error>
+
+#include "config/loader/yaml/wording.h"
+
+namespace campuswalk::config {
+
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Infinity and NaN as YAML, C and Python spell them.
+bool is_not_finite(std::string_view unsigned_text) {
+    std::string word(unsigned_text);
+    std::ranges::transform(word, word.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    constexpr std::array<std::string_view, 5> kWords = {".inf", ".nan", "inf", "nan", "infinity"};
+    return std::ranges::find(kWords, word) != kWords.end();
+}
+
+std::string shown_range(const Range& range) {
+    const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
+    const std::string most = shown_number(range.most) + unit;
+    if (range.above_least) {
+        return "more than " + shown_number(range.least) + " and at most " + most;
+    }
+    return "from " + shown_number(range.least) + " to " + most;
+}
+
+}  // namespace
+
+ParsedNumber parse_number(std::string_view text, const Range& range) {
+    const bool negative = text.starts_with('-');
+    const std::string_view digits = negative || text.starts_with('+') ? text.substr(1) : text;
+    if (is_not_finite(digits)) {
+        return {0.0, "bad-value", "must be finite, not " + in_quotes(text)};
+    }
+    const bool starts_well =
+        !digits.empty() && (is_digit(digits[0]) || (digits[0] == '.' && digits.size() > 1));
+    double value = 0.0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general);
+    if (!starts_well || error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
+        return {0.0, "wrong-type", "must be a number, not " + in_quotes(text)};
+    }
+    if (error == std::errc::result_out_of_range) {
+        return {0.0, "bad-value", "must be a number that fits 64 bits, not " + in_quotes(text)};
+    }
+    if (digits.size() > 1 && digits[0] == '0' && is_digit(digits[1])) {
+        return {0.0, "bad-value",
+                "must not start with a zero (some parsers read it as octal), as in " + in_quotes(text)};
+    }
+    value = negative ? -value : value;
+    if (value < range.least || value > range.most || (range.above_least && value == range.least)) {
+        return {0.0, "bad-value", "must be " + shown_range(range) + ", not " + in_quotes(text)};
+    }
+    return {value, "", ""};
+}
+
+}  // namespace campuswalk::config

@@ -1,0 +1,167 @@
+#include "config/loader/walk/campus_names.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "config/loader/values/checked_map.h"
+#include "config/loader/values/ranges.h"
+#include "config/loader/yaml/wording.h"
+
+namespace campuswalk::config {
+
+using engine::Target;
+using scene::Place;
+using scene::Spawn;
+
+namespace {
+
+/// Coordinates as a name without spaces, so that log lines keep their columns.
+std::string label_of(std::span<const double> coordinates) {
+    std::string label;
+    for (const double value : coordinates) {
+        label += (label.empty() ? "" : ",") + shown_number(value);
+    }
+    return label;
+}
+
+template <typename Named>
+std::vector<std::string> names_of(const std::vector<Named>& items) {
+    std::vector<std::string> names;
+    names.reserve(items.size());
+    for (const Named& item : items) {
+        names.push_back(item.name);
+    }
+    return names;
+}
+
+void diagnose_unknown(const CheckedNode& node, const std::string& name, const char* thing,
+                      const std::vector<std::string>& known) {
+    node.diagnose("unknown-name", "the campus has no " + std::string(thing) + " " + in_quotes(name) +
+                                      suggestion_or_list(name, known));
+}
+
+}  // namespace
+
+Target CampusNames::target(const CheckedNode& node) const {
+    if (node.is_sequence()) {
+        return target_at(node);
+    }
+    if (!node.is_scalar()) {
+        node.diagnose("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
+        return {};
+    }
+    const std::optional<std::string> name = node.line();
+    return name ? target_named(node, *name) : Target{};
+}
+
+engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
+    const std::optional<std::string> name = node.is_scalar() ? node.line() : std::nullopt;
+    if (name && campus_ != nullptr) {
+        const auto building = std::ranges::find(campus_->buildings, *name, &scene::Building::id);
+        if (building != campus_->buildings.end()) {
+            return {*name, static_cast<std::size_t>(building - campus_->buildings.begin()),
+                    Eigen::Vector3d::Zero()};
+        }
+        const std::vector<std::string> places = standing_names();
+        if (std::ranges::find(places, *name) == places.end()) {
+            std::vector<std::string> known;
+            std::ranges::transform(campus_->buildings, std::back_inserter(known), &scene::Building::id);
+            std::ranges::copy(places, std::back_inserter(known));
+            diagnose_unknown(node, *name, "building, place or spawn", known);
+            return {};
+        }
+    }
+    if (!node.is_scalar() && !node.is_sequence()) {
+        node.diagnose("wrong-type", node.what() + " must be a name or [x, y, z]");
+        return {};
+    }
+    if (node.is_scalar() && !name) {
+        return {};
+    }
+    const Target target = this->target(node);
+    if (node.is_sequence() && !target.label.empty() && !target.has_height) {
+        node.diagnose("bad-value", node.what() + " needs a height too: [x, y, z]");
+    }
+    return {target.label, std::nullopt, target.point};
+}
+
+std::vector<std::string> CampusNames::standing_names() const {
+    std::vector<std::string> names = names_of(campus_->places);
+    std::ranges::copy(names_of(campus_->spawns), std::back_inserter(names));
+    return names;
+}
+
+Target CampusNames::target_at(const CheckedNode& node) const {
+    const std::vector<CheckedNode> items = node.items("a coordinate");
+    if (items.size() != 2 && items.size() != 3) {
+        node.diagnose("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
+        return {};
+    }
+    std::vector<double> coordinates;
+    coordinates.reserve(items.size());
+    for (const CheckedNode& item : items) {
+        coordinates.push_back(item.number(kCoordinate).value_or(0.0));
+    }
+    Target target;
+    target.label = label_of(coordinates);
+    target.has_height = coordinates.size() == 3;
+    target.point = {coordinates.front(), target.has_height ? coordinates[1] : 0.0, coordinates.back()};
+    return target;
+}
+
+Target CampusNames::target_named(const CheckedNode& node, const std::string& name) const {
+    Target target{name, Eigen::Vector3d::Zero(), true};
+    if (campus_ == nullptr) {
+        return target;
+    }
+    const auto place = std::ranges::find(campus_->places, name, &Place::name);
+    const auto spawn = std::ranges::find(campus_->spawns, name, &Spawn::name);
+    if (place != campus_->places.end()) {
+        target.point = place->position;
+    } else if (spawn != campus_->spawns.end()) {
+        target.point = spawn->position;
+    } else {
+        diagnose_unknown(node, name, "place or spawn", standing_names());
+    }
+    return target;
+}
+
+Standing CampusNames::standing(const CheckedNode& node) const {
+    Standing standing;
+    if (node.is_map()) {
+        CheckedMap map(node, node.what());
+        map.require("at");
+        map.vector("at", kCoordinate, standing.position);
+        if (const auto yaw = map.find("yaw_deg")) {
+            standing.yaw = radians(yaw->number(kYaw).value_or(0.0));
+        }
+        map.refuse_other_keys();
+        standing.label = label_of({standing.position.data(), 3});
+        return standing;
+    }
+    if (!node.is_scalar()) {
+        node.diagnose("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
+        return standing;
+    }
+    standing.label = node.line().value_or("");
+    if (standing.label.empty() || campus_ == nullptr) {
+        return standing;
+    }
+    const auto spawn = std::ranges::find(campus_->spawns, standing.label, &Spawn::name);
+    if (spawn == campus_->spawns.end()) {
+        diagnose_unknown(node, standing.label, "spawn", names_of(campus_->spawns));
+        return standing;
+    }
+    standing.position = spawn->position;
+    standing.yaw = spawn->yaw;
+    return standing;
+}
+
+void CampusNames::check_layer(const CheckedNode& node, const std::string& layer) const {
+    if (campus_ != nullptr && std::ranges::find(campus_->layers, layer) == campus_->layers.end()) {
+        diagnose_unknown(node, layer, "layer", campus_->layers);
+    }
+}
+
+}  // namespace campuswalk::config

@@ -1,0 +1,127 @@
+#include "config/loader/walk/read_camera.h"
+
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "config/loader/values/ranges.h"
+
+namespace campuswalk::config {
+
+using engine::View;
+
+namespace {
+
+using ViewMaker = View (*)(const CameraKeys&);
+
+constexpr std::array kViews = {
+    Choice<ViewMaker>{"first_person", [](const CameraKeys&) -> View { return engine::FirstPersonView{}; }},
+    Choice<ViewMaker>{"third_person",
+                      [](const CameraKeys& keys) -> View { return engine::ThirdPersonView{keys.distance}; }},
+    Choice<ViewMaker>{"top",
+                      [](const CameraKeys& keys) -> View { return engine::TopView{keys.height_above}; }},
+    Choice<ViewMaker>{"orbit",
+                      [](const CameraKeys& keys) -> View {
+                          return engine::OrbitView{keys.around, keys.distance, keys.yaw, keys.pitch};
+                      }},
+    Choice<ViewMaker>{"fixed", [](const CameraKeys& keys) -> View {
+                          return engine::FixedView{keys.position, keys.look_at, keys.yaw, keys.pitch};
+                      }}};
+static_assert(kViews.size() == std::variant_size_v<View>);
+
+constexpr Range kPitch{-90.0, 90.0, false, "degrees"};
+
+std::optional<double> angle(CheckedMap& map, const char* key, const Range& range) {
+    const auto node = map.find(key);
+    const auto degrees = node ? node->number(range) : std::nullopt;
+    return degrees ? std::optional(radians(*degrees)) : std::nullopt;
+}
+
+/// Where a camera that isn't the avatar's looks: by angles or at something. What is written here replaces
+/// what the walk's camera says in the other way.
+void read_direction(CheckedMap& map, const CampusNames& names, CameraKeys& camera) {
+    const auto look_at = map.find("look_at");
+    const auto yaw = angle(map, "yaw_deg", kYaw);
+    const auto pitch = angle(map, "pitch_deg", kPitch);
+    if (look_at && (yaw || pitch)) {
+        look_at->diagnose("bad-value",
+                          "'look_at' gives the direction, and so do 'yaw_deg' and 'pitch_deg'; "
+                          "leave one of them out");
+        return;
+    }
+    if (look_at) {
+        camera.look_at = names.camera_target(*look_at);
+        camera.yaw.reset();
+        camera.pitch.reset();
+    }
+    if (yaw || pitch) {
+        camera.look_at.reset();
+        camera.yaw = yaw ? yaw : camera.yaw;
+        camera.pitch = pitch ? pitch : camera.pitch;
+    }
+}
+
+}  // namespace
+
+engine::CameraSettings CameraKeys::settings() const {
+    engine::CameraSettings settings = size;
+    if (view != nullptr) {
+        settings.view = view(*this);
+    }
+    return settings;
+}
+
+engine::Views CameraKeys::views() const {
+    engine::Views views = engine::default_views();
+    for (const Choice<ViewMaker>& kind : kViews) {
+        View made = kind.value(*this);
+        views[made.index()] = std::move(made);
+    }
+    return views;
+}
+
+void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& camera) {
+    constexpr int kLeastPixels = 16;
+    constexpr int kMostPixels = 8192;
+    map.choice("view", kViews, camera.view);
+    map.as_int("width", kLeastPixels, kMostPixels, camera.size.width);
+    map.as_int("height", kLeastPixels, kMostPixels, camera.size.height);
+    map.angle("fov_deg", kFieldOfView, camera.size.fov);
+    map.number("height_above", kLength, camera.height_above);
+    map.number("distance", kLength, camera.distance);
+    if (const auto around = map.find("around")) {
+        camera.around = names.camera_target(*around);
+    }
+    map.vector("position", kCoordinate, camera.position);
+    read_direction(map, names, camera);
+}
+
+engine::ImageChannels read_channels(const CheckedNode& node) {
+    using Channel = bool engine::ImageChannels::*;
+    constexpr std::array kChannels = {Choice<Channel>{"depth", &engine::ImageChannels::depth},
+                                      Choice<Channel>{"ids", &engine::ImageChannels::ids},
+                                      Choice<Channel>{"normals", &engine::ImageChannels::normals}};
+    engine::ImageChannels channels;
+    for (const CheckedNode& item : node.items_or_one("a channel")) {
+        if (const auto channel = item.choice(kChannels)) {
+            channels.** channel = true;
+        }
+    }
+    return channels;
+}
+
+void read_overlays(const CheckedNode& node, engine::ImageOverlays& overlays) {
+    using Overlays = engine::ImageOverlays;
+    using Overlay = bool Overlays::*;
+    constexpr std::array kOverlays = {
+        Choice<Overlay>{"path", &Overlays::path},           Choice<Overlay>{"contacts", &Overlays::contacts},
+        Choice<Overlay>{"colliders", &Overlays::colliders}, Choice<Overlay>{"triggers", &Overlays::triggers},
+        Choice<Overlay>{"labels", &Overlays::labels},       Choice<Overlay>{"compass", &Overlays::compass}};
+    for (const CheckedNode& item : node.items_or_one("an overlay")) {
+        if (const auto overlay = item.choice(kOverlays)) {
+            overlays.** overlay = true;
+        }
+    }
+}
+
+}  // namespace campuswalk::config

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "config/loader/values/checked_node.h"
+#include "config/loader/walk/campus_names.h"
+#include "engine/script/expectation.h"
+
+namespace campuswalk::config {
+
+/// Reads `expect` of a walk: a list of maps with one key each, or of words that need no value.
+std::vector<engine::Expectation> read_expectations(const CheckedNode& section, const CampusNames& names);
+
+/// Reads `expect` of a step: one, or a list. What can only be judged after the run is refused.
+std::vector<engine::Expectation> read_step_expectations(const CheckedNode& node, const CampusNames& names);
+
+}  // namespace campuswalk::config

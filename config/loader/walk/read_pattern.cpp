@@ -1,0 +1,34 @@
+#include "config/loader/walk/read_pattern.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "config/loader/yaml/wording.h"
+#include "engine/events/event.h"
+#include "scene/base/glob.h"
+
+namespace campuswalk::config {
+
+engine::EventPattern read_pattern(const CheckedNode& node) {
+    engine::EventPattern pattern;
+    pattern.mark = node.mark();
+    std::istringstream words(node.line().value_or(""));
+    words >> pattern.kind;
+    if (pattern.kind.empty()) {
+        return pattern;  // has been complained of
+    }
+    words >> pattern.object;
+    if (std::string more; words >> more) {
+        node.diagnose("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; " +
+                                       "remove " + in_quotes(more));
+    }
+    const std::vector<std::string> kinds = engine::event_kind_names();
+    const auto known = [&](const std::string& kind) { return scene::glob_matches(pattern.kind, kind); };
+    if (std::ranges::none_of(kinds, known)) {
+        node.diagnose("unknown-name",
+                      "unknown event " + in_quotes(pattern.kind) + suggestion_or_list(pattern.kind, kinds));
+    }
+    return pattern;
+}
+
+}  // namespace campuswalk::config

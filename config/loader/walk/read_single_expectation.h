@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "config/loader/values/checked_node.h"
+#include "config/loader/walk/campus_names.h"
+#include "engine/script/expectation.h"
+
+namespace campuswalk::config {
+
+/// How the value of an expectation's key is read; whatever is wrong has been reported.
+struct ExpectationReader {
+    std::string_view name;
+    engine::PlainExpectation (*read)(const CheckedNode&, const CampusNames&) = nullptr;
+    bool stands_alone = false;  ///< needs no value, as in `- stuck`: then it is read from an empty one
+};
+
+/// Of those that are evaluated during the walk.
+std::span<const ExpectationReader> expectation_readers();
+
+}  // namespace campuswalk::config

@@ -1,0 +1,282 @@
+#include "config/loader/walk/read_single_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collision/mover/mover_settings.h"
+#include "config/loader/values/checked_map.h"
+#include "config/loader/values/ranges.h"
+#include "config/loader/walk/read_camera.h"
+#include "config/loader/walk/read_expectations.h"
+#include "config/loader/walk/read_pattern.h"
+#include "config/loader/yaml/wording.h"
+
+namespace campuswalk::config {
+
+using namespace engine;
+
+namespace {
+
+constexpr std::array kSwitch = {Choice<bool>{"on", true}, Choice<bool>{"off", false}};
+
+constexpr double kJumpHeight = 0.4;     // metres: an untrained adult from standing
+constexpr double kCrouchedShare = 0.6;  // of the full height
+
+/// The keys that steps with a way have in common.
+template <typename MotionClearance>
+void read_way(CheckedMap& map, MotionClearance& step) {
+    constexpr std::array kIfBlocked = {Choice<IfBlocked>{"fail", IfBlocked::fail},
+                                       Choice<IfBlocked>{"continue", IfBlocked::proceed}};
+    map.number("within", kDistance, step.within);
+    map.number("timeout", kTimeout, step.timeout);
+    map.number("speed", kPace, step.speed);
+    map.choice("if_blocked", kIfBlocked, step.if_blocked);
+    map.refuse_other_keys();
+}
+
+std::vector<Target> read_points(const CheckedNode& node, const StepContext& context) {
+    std::vector<Target> points;
+    for (const CheckedNode& item : node.items("a point")) {
+        points.push_back(context.names.target(item));
+    }
+    if (points.empty() && (node.is_sequence() || node.is_null())) {
+        node.diagnose("bad-value", node.what() + " needs at least one point");
+    }
+    return points;
+}
+
+/// The upward speed that carries a body `height` metres up.
+double takeoff_speed(double height) {
+    return std::sqrt(2.0 * collision::MoverSettings{}.gravity * height);
+}
+
+Step read_switched(const CheckedNode& node, bool enabled) {
+    EnableStep step;
+    step.mark = node.mark();
+    step.enabled = enabled;
+    for (const CheckedNode& item : node.items_or_one("an object")) {
+        if (std::optional<std::string> glob = item.line()) {
+            step.objects.push_back({item.mark(), std::move(*glob)});
+        }
+    }
+    if (step.objects.empty() && (node.is_sequence() || node.is_null())) {
+        node.diagnose("bad-value", node.what() + " needs at least one object's id");
+    }
+    return step;
+}
+
+// ---- places and ways ------------------------------------------------------------------------------------
+
+Step read_spawn(const CheckedNode& node, StepContext& context) {
+    if (!context.first) {
+        node.diagnose("bad-value", "'spawn' can only be the first step; use 'teleport' here");
+    }
+    const Standing standing = context.names.standing(node);
+    return SpawnStep{node.mark(), standing.label, standing.position, standing.yaw.value_or(0.0)};
+}
+
+Step read_teleport(const CheckedNode& node, StepContext& context) {
+    Standing standing = context.names.standing(node);
+    return TeleportStep{node.mark(), std::move(standing.label), standing.position, standing.yaw};
+}
+
+Step read_walk_to(const CheckedNode& node, StepContext& context) {
+    WalkToStep step;
+    step.mark = node.mark();
+    if (!node.is_map()) {
+        step.target = context.names.target(node);
+        return step;
+    }
+    CheckedMap map(node, "'walk_to'");
+    if (const auto to = map.require("to")) {
+        step.target = context.names.target(*to);
+    }
+    read_way(map, step);
+    return step;
+}
+
+Step read_follow(const CheckedNode& node, StepContext& context) {
+    FollowStep step;
+    step.mark = node.mark();
+    if (!node.is_map()) {
+        step.points = read_points(node, context);
+        return step;
+    }
+    CheckedMap map(node, "'follow'");
+    if (const auto through = map.require("through")) {
+        step.points = read_points(*through, context);
+    }
+    read_way(map, step);
+    return step;
+}
+
+// ---- looking --------------------------------------------------------------------------------------------
+
+Step read_turn(const CheckedNode& node, StepContext& /*context*/) {
+    TurnStep step;
+    step.mark = node.mark();
+    if (!node.is_map()) {
+        step.angle = radians(node.number(kYaw).value_or(0.0));
+        return step;
+    }
+    CheckedMap map(node, "'turn'");
+    map.require("to_deg");
+    map.angle("to_deg", kYaw, step.angle);
+    map.refuse_other_keys();
+    step.absolute = true;
+    return step;
+}
+
+Step read_look_at(const CheckedNode& node, StepContext& context) {
+    return LookAtStep{node.mark(), context.names.target(node)};
+}
+
+Step read_snapshot(const CheckedNode& node, StepContext& context) {
+    SnapshotStep step;
+    step.mark = node.mark();
+    step.camera = context.camera.settings();
+    if (context.repeats > 0) {
+        node.diagnose("bad-value",
+                      "snapshots aren't allowed in 'repeat': every round would write the same picture");
+    }
+    const auto take_name = [&](const CheckedNode& name) {
+        step.name = kebab_name(name).value_or("");
+        context.snapshots.add(step.name, name);
+    };
+    if (!node.is_map()) {
+        take_name(node);
+        return step;
+    }
+    CheckedMap map(node, "'snapshot'");
+    if (const auto name = map.require("name")) {
+        take_name(*name);
+    }
+    CameraKeys camera = context.camera;
+    read_camera_fields(map, context.names, camera);
+    step.camera = camera.settings();
+    if (const auto overlays = map.find("overlays")) {
+        read_overlays(*overlays, step.overlays);
+    }
+    if (const auto level = map.find("tree_level")) {
+        constexpr int kDeepest = 40;
+        step.overlays.tree_level = level->as_int(0, kDeepest);
+    }
+    if (const auto channels = map.find("channels")) {
+        step.channels = read_channels(*channels);
+        // Their files stand beside other snapshots'.
+        for (const char* ending : {"-depth", "-ids", "-normals"}) {
+            context.snapshots.add(step.name.empty() ? "" : step.name + ending, *channels);
+        }
+    }
+    map.refuse_other_keys();
+    return step;
+}
+
+// ---- the body -------------------------------------------------------------------------------------------
+
+Step read_jump(const CheckedNode& node, StepContext& /*context*/) {
+    constexpr Range kHeight{0.0, 20.0, true, "m"};
+    constexpr Range kForward{0.0, 100.0, false, "m/s"};
+    JumpStep step;
+    step.mark = node.mark();
+    step.speed = takeoff_speed(kJumpHeight);
+    if (node.is_null()) {
+        return step;
+    }
+    if (!node.is_map()) {
+        step.speed = takeoff_speed(node.number(kHeight).value_or(kJumpHeight));
+        return step;
+    }
+    CheckedMap map(node, "'jump'");
+    if (const auto height = map.find("height")) {
+        step.speed = takeoff_speed(height->number(kHeight).value_or(kJumpHeight));
+    }
+    map.number("speed", kPace, step.speed);
+    if (map.has("height") && map.has("speed")) {
+        map.diagnose_at("speed", "bad-value", "'jump' takes 'height' or 'speed', not both");
+    }
+    map.number("forward", kForward, step.forward);
+    map.refuse_other_keys();
+    return step;
+}
+
+Step read_crouch(const CheckedNode& node, StepContext& context) {
+    const AvatarProfile& avatar = context.avatar;
+    const double lowest = 2.0 * avatar.radius;
+    CrouchStep step;
+    step.mark = node.mark();
+    step.height = std::max(lowest, kCrouchedShare * avatar.height);
+    if (!node.is_map()) {
+        if (!node.choice(kSwitch).value_or(true)) {
+            step.height = avatar.height;
+        }
+        return step;
+    }
+    CheckedMap map(node, "'crouch'");
+    map.require("height");
+    map.number("height", {lowest, avatar.height, false, "m (this avatar's width and height)"}, step.height);
+    map.refuse_other_keys();
+    return step;
+}
+
+Step read_run(const CheckedNode& node, StepContext& context) {
+    const bool runs = node.choice(kSwitch).value_or(true);
+    return SpeedStep{node.mark(), runs ? running_speed(context.avatar) : context.avatar.speed};
+}
+
+Step read_speed(const CheckedNode& node, StepContext& context) {
+    return SpeedStep{node.mark(), node.number(kPace).value_or(context.avatar.speed)};
+}
+
+// ---- expecting, waiting and changing the campus -----------------------------------------------------------
+
+Step read_expect(const CheckedNode& node, StepContext& context) {
+    return ExpectStep{node.mark(), read_step_expectations(node, context.names)};
+}
+
+Step read_wait(const CheckedNode& node, StepContext& /*context*/) {
+    return WaitStep{node.mark(), node.number(kSeconds).value_or(0.0)};
+}
+
+Step read_wait_until(const CheckedNode& node, StepContext& /*context*/) {
+    WaitUntilStep step;
+    step.mark = node.mark();
+    if (!node.is_map()) {
+        step.event = read_pattern(node);
+        return step;
+    }
+    CheckedMap map(node, "'wait_until'");
+    if (const auto event = map.require("event")) {
+        step.event = read_pattern(*event);
+    }
+    map.number("timeout", kTimeout, step.timeout);
+    map.refuse_other_keys();
+    return step;
+}
+
+Step read_enable(const CheckedNode& node, StepContext& /*context*/) {
+    return read_switched(node, true);
+}
+
+Step read_disable(const CheckedNode& node, StepContext& /*context*/) {
+    return read_switched(node, false);
+}
+
+constexpr std::array kReaders = {
+    StepReader{"spawn", read_spawn},       StepReader{"walk_to", read_walk_to},
+    StepReader{"follow", read_follow},     StepReader{"run", read_run},
+    StepReader{"speed", read_speed},       StepReader{"jump", read_jump},
+    StepReader{"crouch", read_crouch},     StepReader{"expect", read_expect},
+    StepReader{"wait", read_wait},         StepReader{"wait_until", read_wait_until},
+    StepReader{"turn", read_turn},         StepReader{"look_at", read_look_at},
+    StepReader{"teleport", read_teleport}, StepReader{"enable", read_enable},
+    StepReader{"disable", read_disable},   StepReader{"snapshot", read_snapshot}};
+
+}  // namespace
+
+std::span<const StepReader> step_readers() {
+    return kReaders;
+}
+
+}  // namespace campuswalk::config

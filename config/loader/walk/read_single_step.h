@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "config/loader/values/checked_node.h"
+#include "config/loader/values/names.h"
+#include "config/loader/walk/campus_names.h"
+#include "config/loader/walk/read_camera.h"
+#include "engine/script/walk.h"
+
+namespace campuswalk::config {
+
+/// What the readers of steps share.
+struct StepContext {
+    const CampusNames& names;
+    const engine::AvatarProfile& avatar;
+    const CameraKeys& camera;
+    std::vector<std::filesystem::path> files;  ///< being read: the walk, what it includes, and so on
+    UniqueNames snapshots{"snapshot"};
+    bool first = true;     ///< nothing has been read yet
+    int repeats = 0;       ///< around what is read
+    std::size_t read = 0;  ///< steps so far, every round of a `repeat` counted
+};
+
+/// How the value of a step's key is read; whatever is wrong has been reported.
+struct StepReader {
+    std::string_view name;
+    engine::Step (*read)(const CheckedNode&, StepContext&) = nullptr;
+};
+
+/// Of every step but `repeat` and `include`, which stand for others; `spawn` is the first.
+std::span<const StepReader> step_readers();
+
+}  // namespace campuswalk::config

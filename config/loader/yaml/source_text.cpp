@@ -1,0 +1,154 @@
+#include "config/loader/yaml/source_text.h"
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace campuswalk::config {
+
+using scene::DiagnosticList;
+using scene::SourceMark;
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 2'000'000;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// What is wrong with reading this path, empty when nothing is.
+std::string why_unreadable(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) {
+        return "no such file; check the path";
+    }
+    if (error) {
+        return "cannot be read: " + error.message();
+    }
+    if (std::filesystem::is_directory(status)) {
+        return "is a folder, not a file";
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        return "is not a regular file";
+    }
+    return "";
+}
+
+bool is_continuation(std::string_view text, std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+}
+
+/// Where a text is wrong, and how.
+struct TextFault {
+    int line = 0;
+    int column = 0;
+    std::string message;
+};
+
+/// The fault of the character at `at`, empty when it may stand there.
+std::string fault_at(std::string_view text, std::size_t at, bool indenting, bool line_starts) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    if (byte == '\t' && indenting) {
+        return "a tab can't indent a line; use spaces";
+    }
+    if (byte == '%' && line_starts) {
+        return "a line can't start with '%' (the YAML parser would skip it); put the text in quotes";
+    }
+    if ((byte < 0x20 && byte != '\t' && byte != '\n') || byte == 0x7F) {
+        return "control character (byte " + std::to_string(byte) +
+               "); remove it, or check that this is a text file";
+    }
+    if (utf8_length(text, at) == 0) {
+        return "invalid UTF-8; save the file as UTF-8";
+    }
+    return "";
+}
+
+/// The first character that may not stand where it stands.
+std::optional<TextFault> first_fault(std::string_view text) {
+    int line = 1;
+    int column = 1;
+    bool indenting = true;
+    for (std::size_t at = 0; at < text.size(); at += utf8_length(text, at)) {
+        if (std::string fault = fault_at(text, at, indenting, column == 1); !fault.empty()) {
+            return TextFault{line, column, std::move(fault)};
+        }
+        const char c = text[at];
+        line += c == '\n' ? 1 : 0;
+        column = c == '\n' ? 1 : column + 1;
+        indenting = c == '\n' || (indenting && c == ' ');
+    }
+    return std::nullopt;
+}
+
+/// Drops the byte order mark and the `\r` of `\r\n`.
+std::string with_plain_lines(std::string_view bytes) {
+    if (bytes.starts_with(kByteOrderMark)) {
+        bytes.remove_prefix(kByteOrderMark.size());
+    }
+    std::string text;
+    text.reserve(bytes.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (bytes[i] != '\r' || i + 1 >= bytes.size() || bytes[i + 1] != '\n') {
+            text += bytes[i];
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string shown_path(const std::filesystem::path& path) {
+    return path.lexically_normal().generic_string();
+}
+
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    if (lead < 0x80) {
+        return 1;
+    }
+    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    if (lead < 0xC2 || lead > 0xF4) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < length; ++i) {
+        if (!is_continuation(text, at + i)) {
+            return 0;
+        }
+    }
+    const auto second = static_cast<unsigned char>(text[at + 1]);
+    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+    const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
+    return overlong || outside ? 0 : length;
+}
+
+std::optional<std::string> read_source(const std::filesystem::path& path, const SourceMark& asked_at,
+                                       DiagnosticList& diagnostics) {
+    const std::string shown = shown_path(path);
+    const auto missing = [&](const std::string& why) {
+        diagnostics.error(asked_at, "missing-file", asked_at.line > 0 ? "'" + shown + "': " + why : why);
+        return std::nullopt;
+    };
+    if (const std::string why = why_unreadable(path); !why.empty()) {
+        return missing(why);
+    }
+    std::error_code error;
+    if (const auto size = std::filesystem::file_size(path, error); !error && size > kMostBytes) {
+        diagnostics.error(
+            {shown, 0, 0}, "too-large",
+            "the file has " + std::to_string(size) + " bytes; the limit is " + std::to_string(kMostBytes));
+        return std::nullopt;
+    }
+    std::ifstream in(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (!in || in.bad()) {
+        return missing("cannot be read; check its permissions");
+    }
+    std::string text = with_plain_lines(bytes);
+    if (const auto fault = first_fault(text)) {
+        diagnostics.error({shown, fault->line, fault->column}, "yaml-syntax", fault->message);
+        return std::nullopt;
+    }
+    return text;
+}
+
+}  // namespace campuswalk::config

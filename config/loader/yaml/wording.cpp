@@ -1,0 +1,63 @@
+#include "config/loader/yaml/wording.h"
+
+#include <array>
+#include <charconv>
+
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::config {
+
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;       // bytes
+constexpr std::size_t kLongestComparable = 64;  // bytes
+constexpr std::size_t kMostListed = 25;
+constexpr std::size_t kMostCompared = 5000;
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+    std::string shown = "'";
+    std::size_t length = text.size();
+    if (length > kLongestQuote) {
+        length = kLongestQuote;
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+            --length;  // not in the middle of a character
+        }
+    }
+    for (const char c : text.substr(0, length)) {
+        shown += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return shown + (length < text.size() ? "…'" : "'");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size() && i < kMostListed; ++i) {
+        list += (i == 0 ? "" : ", ") + words[i];
+    }
+    return words.size() > kMostListed ? list + ", …" : list;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+    return word.size() > kLongestComparable || candidates.size() > kMostCompared
+               ? ""
+               : scene::did_you_mean(word, candidates);
+}
+
+std::string suggestion_or_list(std::string_view word, const std::vector<std::string>& candidates) {
+    std::string nearest = suggestion(word, candidates);
+    if (!nearest.empty()) {
+        return nearest;
+    }
+    return candidates.empty() ? "" : "; known here: " + listed(candidates);
+}
+
+std::string shown_number(double value) {
+    std::array<char, 400> buffer{};
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
+    return {buffer.data(), end.ptr};
+}
+
+}  // namespace campuswalk::config
