@@ -20,7 +20,7 @@ struct HybridNode {
     bool is_leaf() const { return count > 0; }
 };
 
-/// Plain data; `build_hybrid_tree` makes it, the queries in hybrid_tree_query.h read it. nodes[0] is the
+/// Plain data; `build_hybrid_tree` makes it, the queries in hybrid_tree_contacts.h read it. nodes[0] is the
 /// root.
 struct HybridTree {
     std::vector<HybridNode> nodes;

@@ -14,7 +14,7 @@
 namespace campuswalk::collision {
 
 // One way down for queries of one mesh, on both layouts; rays have a faster one on the wide layout
-// (kernels/wide_rays.h). A query is a volume and what it does with a
+// (collision/bvh8/kernels/bvh8_rays.h). A query is a volume and what it does with a
 // triangle. The volume gives lower bounds of what the query looks for (a fraction, a squared distance), or
 // kApart; the query sets the limit above which nothing interests it any more:
 //

@@ -77,7 +77,8 @@ TEST_F(ModelReportTest, FindsModelsFarFromTheOrigin) {
     EXPECT_TRUE(has_lint(placed, "far-from-origin"));
     EXPECT_FALSE(has_lint(placed, "coarse-position")) << all_lints(placed);  // the node carries the offset
     folder_.write("far.obj", test::obj_box("hall", {84616, 0, 447750}, {84636, 5, 447760}));
-    EXPECT_FALSE(has_lint(report(import("far.obj")), "coarse-position"));  // see import/obj_text.h
+    EXPECT_FALSE(
+        has_lint(report(import("far.obj")), "coarse-position"));  // see scene/import/source/obj_text.h
     folder_.write("far.stl",
                   "solid hall\nfacet normal 0 1 0\nouter loop\nvertex 84616 0 447750\nvertex 84616 0 447760\n"
                   "vertex 84636 0 447750\nendloop\nendfacet\nendsolid hall\n");
