@@ -71,8 +71,8 @@ class Help(ProgramCase):
 
     def test_unknown_topic(self):
         outcome = self.run_program("help", "stesp")
-        self.assertEqual((outcome.code, outcome.out, outcome.err), (
-            2, "", "error: there is no topic 'stesp' (did you mean 'steps'?)\nsee campuswalk help\n"))
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertRegex(outcome.err, r"^error: .*'stesp' .*'steps'.*\n.*campuswalk help\n$")
 
 
 if __name__ == "__main__":

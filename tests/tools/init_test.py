@@ -37,20 +37,21 @@ class Init(ProgramCase):
         self.passes("init", cwd=self.path("two"))
         self.assertEqual(sorted(set(os.listdir(self.path("two"))) - {".git"}), sorted(os.listdir(self.path("one"))))
 
-    def refused(self, arguments, complaint, **options):
+    def refused(self, arguments, start, *names, **options):
+        """The diagnostic starts so and names these; nothing is touched."""
         before = self.contents()
         outcome = self.run_program("init", *arguments, **options)
-        self.assertEqual((outcome.code, outcome.out, outcome.err), (2, "", complaint + "\n"))
+        self.assertEqual((outcome.code, outcome.out), (2, ""))
+        self.assertTrue(outcome.err.startswith(start), outcome.err)
+        self.assertEqual([name for name in names if name not in outcome.err], [])
         self.assertEqual(self.contents(), before)
 
     def test_nothing_is_overwritten(self):
-        self.refused(["avatars"], "avatars: error not-empty: there are files in this folder ('adult.avatar.yaml'), and "
-                                  "none shall be overwritten; name a new folder")
-        self.refused(["room.obj"], "room.obj: error not-a-folder: there is a file of this name; name another folder")
+        self.refused(["avatars"], "avatars: error not-empty: ", "'adult.avatar.yaml'")
+        self.refused(["room.obj"], "room.obj: error not-a-folder: ")
 
     def test_where_nothing_can_be_written(self):
-        self.refused(["room.obj/new"], "room.obj/new: error output-unwritable: nothing can be written here: 'room.obj' "
-                                       "is not a folder")
+        self.refused(["room.obj/new"], "room.obj/new: error output-unwritable: ", "'room.obj'")
 
     def test_what_the_workflow_does(self):
         """Its commands, where its other steps would have put campuswalk; that is built by tools/run."""

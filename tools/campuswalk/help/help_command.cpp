@@ -36,7 +36,7 @@ int print_help(const std::string& word) {
         }
         names.emplace_back(topic.name);
     }
-    std::fprintf(stderr, "error: there is no topic '%s'%s\nsee campuswalk help\n", word.c_str(),
+    std::fprintf(stderr, "error: unknown topic '%s'%s\nsee campuswalk help\n", word.c_str(),
                  scene::did_you_mean(word, names).c_str());
     return kBadInput;
 }

@@ -30,15 +30,15 @@ bool may_stand_there(const fs::path& file) {
 void check_folder(const fs::path& folder) {
     std::error_code none;
     if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
-        throw about(folder, "not-a-folder", "there is a file of this name; name another folder");
+        throw about(folder, "not-a-folder", "a file of this name exists; name another folder");
     }
     std::error_code error;
     if (fs::is_directory(folder, none)) {
         for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
             if (!may_stand_there(entry.path())) {
                 throw about(folder, "not-empty",
-                            "there are files in this folder ('" + entry.path().filename().string() +
-                                "'), and none shall be overwritten; name a new folder");
+                            "the folder isn't empty ('" + entry.path().filename().string() +
+                                "'), and init overwrites nothing; name a new folder");
             }
         }
     }
@@ -46,7 +46,7 @@ void check_folder(const fs::path& folder) {
         throw about(folder, "not-a-folder", "the folder can't be read: " + error.message());
     }
     if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
-        throw about(folder, "output-unwritable", "nothing can be written here: " + why);
+        throw about(folder, "output-unwritable", "can't write to this folder: " + why);
     }
 }
 

@@ -9,7 +9,7 @@ namespace campuswalk::tools::init {
 namespace {
 
 constexpr const char* kCampus = R"(# yaml-language-server: $schema=schema/campus.schema.json
-# A small school. 'campuswalk info school.obj' tells the names of its nodes.
+# A small school. 'campuswalk info school.obj' lists its nodes.
 scenes:
   - file: school.obj
 layers: [ground, furniture]
@@ -54,7 +54,7 @@ constexpr const char* kHallPlaces = R"(  square: [0, 0, 2]
 )";
 
 constexpr const char* kVisit = R"(# yaml-language-server: $schema=../schema/walk.schema.json
-# From the gate through the library's door to the desk.
+# From the gate, through the library's door, to the desk.
 campus: ../school.campus.yaml
 avatar: adult
 steps:
@@ -69,7 +69,7 @@ expect:
 )";
 
 constexpr const char* kWall = R"(# yaml-language-server: $schema=../schema/walk.schema.json
-# Nobody walks through a wall. A walk that must fail is xfail, and may say with what.
+# Nobody can walk through a wall. A walk that must fail is xfail, and can list the failures it must have.
 campus: ../school.campus.yaml
 avatar: adult
 status: {is: xfail, because: the wall is solid, failures: [blocked]}
@@ -101,10 +101,10 @@ jobs:
     steps:
       - run: apt-get update && apt-get install -y git
       - uses: actions/checkout@v4
-      - name: Where campuswalk comes from
+      - name: Check where campuswalk comes from
         if: ${{ vars.CAMPUSWALK == '' }}
         run: |
-          echo "::error::set the variable CAMPUSWALK in the repository's settings: OWNER/NAME of its sources"
+          echo "::error::set the repository variable CAMPUSWALK to OWNER/NAME of campuswalk's sources"
           exit 1
       - uses: actions/checkout@v4
         with:
@@ -112,7 +112,7 @@ jobs:
           path: .campuswalk
       - name: Walk
         run: .campuswalk/tools/run --reporter github --reporter junit=out/junit.xml
-      - name: Show mistakes beside their lines
+      - name: Annotate errors
         if: failure()
         run: .campuswalk/build/release/campuswalk validate --format github .
       - uses: actions/upload-artifact@v4
@@ -123,7 +123,7 @@ jobs:
 )";
 
 constexpr const char* kUpstairs = R"(# yaml-language-server: $schema=../schema/walk.schema.json
-# Up ten treads of 17 cm to the gallery.
+# Up ten steps of 17 cm to the gallery.
 campus: ../school.campus.yaml
 avatar: adult
 steps:
@@ -156,7 +156,7 @@ expect:
 )";
 
 constexpr const char* kConfig = R"(# yaml-language-server: $schema=schema/walks-config.schema.json
-# What 'campuswalk run' does here without being told.
+# Settings of 'campuswalk run' in this folder.
 walks: walks
 output: out
 )";
@@ -170,7 +170,7 @@ step_height: 0.3
 )";
 
 constexpr const char* kRobot = R"(# yaml-language-server: $schema=../schema/avatar.schema.json
-# Climbs a kerb and no stairs.
+# Climbs kerbs but not stairs.
 height: 0.7
 radius: 0.3
 eye_height: 0.5
