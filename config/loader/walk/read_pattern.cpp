@@ -19,8 +19,8 @@ engine::EventPattern read_pattern(const CheckedNode& node) {
     }
     words >> pattern.object;
     if (std::string more; words >> more) {
-        node.diagnose("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; " +
-                                       "remove " + in_quotes(more));
+        node.diagnose("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; remove " +
+                                       in_quotes(more));
     }
     const std::vector<std::string> kinds = engine::event_kind_names();
     const auto known = [&](const std::string& kind) { return scene::glob_matches(pattern.kind, kind); };
