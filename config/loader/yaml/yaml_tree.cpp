@@ -117,7 +117,7 @@ private:
     struct Key {
         std::string text;
         Position at;
-        bool kept = true;
+        bool is_first = true;  ///< of its name
     };
     struct Open {
         std::shared_ptr<YamlNode> node;
@@ -225,7 +225,7 @@ private:
 
     static void add_value(Open& map, std::shared_ptr<const YamlNode> value) {
         const Key key = *std::exchange(map.key, std::nullopt);
-        if (!key.kept) {
+        if (!key.is_first) {
             return;
         }
         if (value->kind == YamlNode::Kind::null && value->line != key.at.line) {
