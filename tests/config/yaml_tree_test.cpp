@@ -66,6 +66,7 @@ TEST(YamlTree, PutsEmptyListEntriesAtTheirDash) {
     };
     EXPECT_EQ(at("a:\n  - b\n  -   # nothing\n\n  - c\n", 1), "3:3");
     EXPECT_EQ(at("a:\n  - b\n  -\n", 1), "3:3");
+    EXPECT_EQ(at("a:\n  - b\n  -\nnames: c\n", 1), "3:3");
     EXPECT_EQ(at("a:\n  - b\n  - ~\n", 1), "3:5");
     EXPECT_EQ(at("a:\n  - b\n  - null # here\n", 1), "3:5");
 }

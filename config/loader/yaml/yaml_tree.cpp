@@ -141,7 +141,10 @@ private:
     Position position_of_null(const YAML::Mark& mark) const {
         const bool in_list = !open_.empty() && open_.back().node->kind == YamlNode::Kind::sequence;
         const auto at = std::min(static_cast<std::size_t>(mark.pos), text_.size());
-        const bool is_written = at < text_.size() && std::string_view("~nN,]").find(text_[at]) != text_.npos;
+        const std::string_view rest = text_.substr(at);
+        const std::string_view word = rest.substr(0, rest.find_first_of(" \t\n,]}"));
+        const bool is_written = word == "~" || word == "null" || word == "Null" || word == "NULL" ||
+                                rest.starts_with(',') || rest.starts_with(']');
         const std::size_t dash = in_list && !is_written && at > 0 ? text_.rfind('-', at - 1) : text_.npos;
         if (dash == text_.npos) {
             return position_of(text_, mark);
