@@ -92,10 +92,10 @@ TEST(ReversedDuplicates, AreInTheSameGroup) {
         make_vertex({1, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
         make_vertex({0, 0, 1}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
     };
-    const std::vector<std::uint32_t> both_sides = {0, 1, 2, 2, 1, 0};
-    EXPECT_EQ(find_reversed_duplicates(corners, both_sides, std::vector<std::uint32_t>{5, 5}),
+    const std::vector<std::uint32_t> double_sided = {0, 1, 2, 2, 1, 0};
+    EXPECT_EQ(find_reversed_duplicates(corners, double_sided, std::vector<std::uint32_t>{5, 5}),
               (std::vector<bool>{true, true}));
-    EXPECT_EQ(find_reversed_duplicates(corners, both_sides, std::vector<std::uint32_t>{0, 5}),
+    EXPECT_EQ(find_reversed_duplicates(corners, double_sided, std::vector<std::uint32_t>{0, 5}),
               (std::vector<bool>{false, false}));
 }
 
@@ -133,17 +133,17 @@ TEST(ReversedDuplicates, EachShowsOnlyItsFront) {
 }
 
 TEST(ReversedDuplicates, OtherSheetsStayDoubleSided) {
-    const auto both_sides = [](const scene::Model& model) {
+    const auto double_sided = [](const scene::Model& model) {
         std::vector<bool> of_batches;
         for (const Batch& batch : bake(std::span(&model, 1), 20.0).batches) {
-            of_batches.push_back(batch.both_sides);
+            of_batches.push_back(batch.double_sided);
         }
         return of_batches;
     };
     const Eigen::Matrix4d place = Eigen::Matrix4d::Identity();  // its two triangles are in two cells
-    EXPECT_EQ(both_sides(sheet(place, true, false, true)), (std::vector{true, true}));
-    EXPECT_EQ(both_sides(sheet(place, true, false, false)), (std::vector{false, false}));
-    EXPECT_EQ(both_sides(sheet(place, true, true, true)), (std::vector{false, false, false, false}));
+    EXPECT_EQ(double_sided(sheet(place, true, false, true)), (std::vector{true, true}));
+    EXPECT_EQ(double_sided(sheet(place, true, false, false)), (std::vector{false, false}));
+    EXPECT_EQ(double_sided(sheet(place, true, true, true)), (std::vector{false, false, false, false}));
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ TEST(NodeOwners, ABuildingOwnsTheSubtreesOfItsNodes) {
     const NodeOwners owners = find_node_owners(hall_campus());
     ASSERT_EQ(owners.owner_of_node.size(), 6U);
     for (const std::size_t node : {0U, 1U, 2U}) {
-        EXPECT_EQ(name_of(names, node), (PixelOwner{0, std::nullopt}));
+        EXPECT_EQ(name_of(owners, node), (PixelOwner{0, std::nullopt}));
     }
-    EXPECT_EQ(name_of(names, 3), PixelOwner{});
+    EXPECT_EQ(name_of(owners, 3), PixelOwner{});
     EXPECT_EQ(owners.owner_of_node[0], 0U);
     EXPECT_EQ(owners.owners.size(), 2U);
     EXPECT_EQ(owners.owners[0], PixelOwner{});
@@ -61,9 +61,9 @@ TEST(NodeOwners, TheObjectWithFewestNodesOwnsANodeInAnyOrder) {
         add_object(campus, "b", {{0, walls_first ? 2U : 0U}});
         const std::size_t walls = walls_first ? 0 : 1;
         const NodeOwners owners = find_node_owners(campus);
-        EXPECT_EQ(name_of(names, 0), (PixelOwner{0, walls}));
-        EXPECT_EQ(name_of(names, 1), (PixelOwner{0, walls}));
-        EXPECT_EQ(name_of(names, 2), (PixelOwner{0, 1 - walls}));
+        EXPECT_EQ(name_of(owners, 0), (PixelOwner{0, walls}));
+        EXPECT_EQ(name_of(owners, 1), (PixelOwner{0, walls}));
+        EXPECT_EQ(name_of(owners, 2), (PixelOwner{0, 1 - walls}));
     }
 }
 
@@ -72,9 +72,9 @@ TEST(NodeOwners, ExcludedNodesAreNotOwned) {
     add_object(campus, "world", {{0, 0}});
     campus.objects[0].nodes.except = {{0, 1}};
     const NodeOwners owners = find_node_owners(campus);
-    EXPECT_EQ(name_of(names, 0), (PixelOwner{0, 0}));
-    EXPECT_EQ(name_of(names, 1), (PixelOwner{0, std::nullopt}));
-    EXPECT_EQ(name_of(names, 2), (PixelOwner{0, std::nullopt})) << "below it";
+    EXPECT_EQ(name_of(owners, 0), (PixelOwner{0, 0}));
+    EXPECT_EQ(name_of(owners, 1), (PixelOwner{0, std::nullopt}));
+    EXPECT_EQ(name_of(owners, 2), (PixelOwner{0, std::nullopt})) << "below it";
 }
 
 TEST(NodeOwners, TriggersOwnOnlyNodesThatNothingElseClaims) {
@@ -82,8 +82,8 @@ TEST(NodeOwners, TriggersOwnOnlyNodesThatNothingElseClaims) {
     add_object(campus, "zone", {{0, 2}, {0, 3}}, collision::Detection::trigger);
     add_object(campus, "walls", {{0, 0}});
     const NodeOwners owners = find_node_owners(campus);
-    EXPECT_EQ(name_of(names, 2), (PixelOwner{0, 1}));
-    EXPECT_EQ(name_of(names, 3), (PixelOwner{std::nullopt, 0}));
+    EXPECT_EQ(name_of(owners, 2), (PixelOwner{0, 1}));
+    EXPECT_EQ(name_of(owners, 3), (PixelOwner{std::nullopt, 0}));
 }
 
 TEST(NodeOwners, ANodeWithoutABuildingBelongsToItsObjectsBuilding) {
