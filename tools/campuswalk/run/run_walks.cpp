@@ -247,7 +247,7 @@ private:
         scheduler.require_identical = options_.require_identical;
         scheduler.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
         scheduler.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
-        scheduler.play.place = session.progress;
+        scheduler.play.place = scheduler.progress;
         return scheduler;
     }
 
