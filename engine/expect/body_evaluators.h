@@ -88,4 +88,21 @@ private:
     std::optional<StateSnapshot> when_;
 };
 
+inline NoPenetrationEvaluator evaluator_of(const ExpectNoPenetration& expected,
+                                           const EvaluatorContext& context) {
+    return NoPenetrationEvaluator(expected, context.campus, context.avatar);
+}
+inline GroundedEvaluator evaluator_of(const ExpectGrounded& expected, const EvaluatorContext&) {
+    return GroundedEvaluator(expected);
+}
+inline BlockedByEvaluator evaluator_of(const ExpectBlockedBy& expected, const EvaluatorContext&) {
+    return BlockedByEvaluator(expected);
+}
+inline StuckEvaluator evaluator_of(const ExpectStuck& expected, const EvaluatorContext&) {
+    return StuckEvaluator(expected);
+}
+inline FellEvaluator evaluator_of(const ExpectFell& expected, const EvaluatorContext&) {
+    return FellEvaluator(expected);
+}
+
 }  // namespace campuswalk::engine

@@ -75,4 +75,17 @@ private:
     std::string too_late_;  ///< what came after the miss, as it would be told
 };
 
+inline SequenceEvaluator evaluator_of(const ExpectSequence& expected, const EvaluatorContext&) {
+    return SequenceEvaluator(expected);
+}
+inline NeverEvaluator evaluator_of(const ExpectNever& expected, const EvaluatorContext&) {
+    return NeverEvaluator(expected);
+}
+inline CountEvaluator evaluator_of(const ExpectCount& expected, const EvaluatorContext&) {
+    return CountEvaluator(expected);
+}
+inline WithinEvaluator evaluator_of(const ExpectWithin& expected, const EvaluatorContext&) {
+    return WithinEvaluator(expected);
+}
+
 }  // namespace campuswalk::engine

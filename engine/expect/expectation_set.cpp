@@ -8,34 +8,6 @@
 
 namespace campuswalk::engine {
 
-namespace {
-
-/// What judges are made from.
-struct EvaluationContext {
-    const scene::Campus& campus;
-    const AvatarProfile& avatar;
-
-    PlainEvaluator evaluator(const ExpectSequence& expected) const { return SequenceEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectNever& expected) const { return NeverEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectCount& expected) const { return CountEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectWithin& expected) const { return WithinEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectPopup& expected) const { return PopupEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectVisits& expected) const { return VisitsEvaluator(expected, campus); }
-    PlainEvaluator evaluator(const ExpectReaches& expected) const { return ReachesEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectNear& expected) const { return NearEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectDuration& expected) const { return DurationEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectDistance& expected) const { return DistanceEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectNoPenetration& expected) const {
-        return NoPenetrationEvaluator(expected, campus, avatar);
-    }
-    PlainEvaluator evaluator(const ExpectGrounded& expected) const { return GroundedEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectBlockedBy& expected) const { return BlockedByEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectStuck& expected) const { return StuckEvaluator(expected); }
-    PlainEvaluator evaluator(const ExpectFell& expected) const { return FellEvaluator(expected); }
-};
-
-}  // namespace
-
 std::optional<Evaluator> Evaluator::of(const Expectation& expectation, const scene::Campus& campus,
                                        const AvatarProfile& avatar) {
     const auto* negation = std::get_if<ExpectNot>(&expectation);
@@ -44,9 +16,11 @@ std::optional<Evaluator> Evaluator::of(const Expectation& expectation, const sce
     if (plain == nullptr) {
         return std::nullopt;
     }
-    const EvaluationContext court{campus, avatar};
-    Evaluator made(std::visit([&](const auto& expected) { return court.evaluator(expected); }, *plain),
-                   campus, avatar);
+    const EvaluatorContext context{campus, avatar};
+    Evaluator made(
+        std::visit([&](const auto& expected) { return PlainEvaluator(evaluator_of(expected, context)); },
+                   *plain),
+        campus, avatar);
     made.name_ = std::visit([](const auto& expected) { return std::string_view(expected.kName); }, *plain);
     made.negated_ = negation != nullptr;
     return made;

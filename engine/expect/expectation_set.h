@@ -15,10 +15,11 @@
 
 namespace campuswalk::engine {
 
-using PlainEvaluator = std::variant<SequenceEvaluator, NeverEvaluator, CountEvaluator, WithinEvaluator,
-                                    PopupEvaluator, VisitsEvaluator, ReachesEvaluator, NearEvaluator,
-                                    DurationEvaluator, DistanceEvaluator, NoPenetrationEvaluator,
-                                    GroundedEvaluator, BlockedByEvaluator, StuckEvaluator, FellEvaluator>;
+/// The evaluator of each expectation, in the same order: see evaluator_of.
+template <typename... Expected>
+std::variant<decltype(evaluator_of(std::declval<const Expected&>(), std::declval<EvaluatorContext>()))...>
+each_evaluator(const std::variant<Expected...>&);
+using PlainEvaluator = decltype(each_evaluator(std::declval<PlainExpectation>()));
 
 /// Holds one expectation against a walk's frames.
 class Evaluator {

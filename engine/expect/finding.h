@@ -5,7 +5,9 @@
 
 #include "engine/events/event.h"
 #include "engine/expect/state_snapshot.h"
+#include "engine/script/avatar.h"
 #include "engine/script/expectation.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 
@@ -17,6 +19,12 @@ struct Finding {
     std::string told;                   ///< on a line
     std::optional<StateSnapshot> when;  ///< when it was decided; none: not before the end
     bool open = false;                  ///< had the walk gone on, it might have become otherwise
+};
+
+/// What evaluators are made from besides their expectation; all must outlive them.
+struct EvaluatorContext {
+    const scene::Campus& campus;
+    const AvatarProfile& avatar;
 };
 
 // How findings are worded.

@@ -21,6 +21,8 @@ public:
                std::vector<scene::Diagnostic>& diagnostics) const;
 
 private:
+    void check(const Mention& mention, std::vector<scene::Diagnostic>& diagnostics) const;
+
     EventSubjects subjects_;
 };
 

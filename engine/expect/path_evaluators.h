@@ -63,4 +63,17 @@ private:
     double distance_ = 0.0;
 };
 
+inline ReachesEvaluator evaluator_of(const ExpectReaches& expected, const EvaluatorContext&) {
+    return ReachesEvaluator(expected);
+}
+inline NearEvaluator evaluator_of(const ExpectNear& expected, const EvaluatorContext&) {
+    return NearEvaluator(expected);
+}
+inline DurationEvaluator evaluator_of(const ExpectDuration& expected, const EvaluatorContext&) {
+    return DurationEvaluator(expected);
+}
+inline DistanceEvaluator evaluator_of(const ExpectDistance& expected, const EvaluatorContext&) {
+    return DistanceEvaluator(expected);
+}
+
 }  // namespace campuswalk::engine

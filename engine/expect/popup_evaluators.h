@@ -38,4 +38,11 @@ private:
     std::set<std::string> visited_;    ///< of those
 };
 
+inline PopupEvaluator evaluator_of(const ExpectPopup& expected, const EvaluatorContext&) {
+    return PopupEvaluator(expected);
+}
+inline VisitsEvaluator evaluator_of(const ExpectVisits& expected, const EvaluatorContext& context) {
+    return VisitsEvaluator(expected, context.campus);
+}
+
 }  // namespace campuswalk::engine

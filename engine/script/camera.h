@@ -63,7 +63,8 @@ using Views = std::array<View, std::variant_size_v<View>>;
 inline Views default_views() {
     return []<std::size_t... kind>(std::index_sequence<kind...>) {
         return Views{View(std::in_place_index<kind>)...};
-    }(std::make_index_sequence<std::variant_size_v<View>>());
+    }
+    (std::make_index_sequence<std::variant_size_v<View>>());
 }
 
 }  // namespace campuswalk::engine

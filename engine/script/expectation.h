@@ -10,7 +10,7 @@
 #include "engine/script/mentions.h"
 
 // What a walk is to be like, as written below `expect` or in a step of that name. `kName` is the key in the
-// file and the code of the failure.
+// file and the code of the failure; `mentions` is what check_walk looks for on the campus.
 
 namespace campuswalk::engine {
 
@@ -28,12 +28,22 @@ struct ExpectSequence {
     static constexpr std::string_view kName = "sequence";
     SourceMark mark;
     std::vector<EventPattern> events;  ///< in this order, others may come between
+
+    std::vector<Mention> mentions() const {
+        std::vector<Mention> all;
+        for (const EventPattern& each : events) {
+            all.push_back({each, ""});
+        }
+        return all;
+    }
 };
 
 struct ExpectNever {
     static constexpr std::string_view kName = "never";
     SourceMark mark;
     EventPattern event;
+
+    std::vector<Mention> mentions() const { return {{event, ""}}; }
 };
 
 struct ExpectCount {
@@ -41,6 +51,8 @@ struct ExpectCount {
     SourceMark mark;
     EventPattern event;
     Limits<int> times;
+
+    std::vector<Mention> mentions() const { return {{event, ""}}; }
 };
 
 /// `after` comes, and each time it does, `event` follows within so many seconds.
@@ -50,6 +62,8 @@ struct ExpectWithin {
     EventPattern after;
     EventPattern event;
     double seconds = 0.0;
+
+    std::vector<Mention> mentions() const { return {{after, ""}, {event, ""}}; }
 };
 
 // ---- pop-ups ------------------------------------------------------------------------------------------
@@ -62,6 +76,8 @@ struct ExpectPopup {
     std::string title = "*";  ///< glob
     std::string body = "*";   ///< glob, over the event's body: hours and text
     Limits<int> times{std::nullopt, 1, std::nullopt};
+
+    std::vector<Mention> mentions() const { return {mention_of_popup(building)}; }
 };
 
 /// The pop-ups of these buildings open, each once at least; of buildings that have one.
@@ -70,6 +86,14 @@ struct ExpectVisits {
     SourceMark mark;
     std::vector<NamePattern> buildings;  ///< at least one
     double ratio = 1.0;                  ///< of those that match, at least
+
+    std::vector<Mention> mentions() const {
+        std::vector<Mention> all;
+        for (const NamePattern& each : buildings) {
+            all.push_back(mention_of_popup(each));
+        }
+        return all;
+    }
 };
 
 // ---- the way ------------------------------------------------------------------------------------------
@@ -80,6 +104,8 @@ struct ExpectReaches {
     SourceMark mark;
     Target target;
     double within = 0.5;  ///< metres; in three dimensions when the target has a height
+
+    std::vector<Mention> mentions() const { return {}; }
 };
 
 /// The avatar is at a point in the end, or whenever an event comes, which must come.
@@ -89,18 +115,26 @@ struct ExpectNear {
     Target target;
     double within = 0.5;  ///< metres, as in ExpectReaches
     std::optional<EventPattern> at;
+
+    std::vector<Mention> mentions() const {
+        return at ? std::vector<Mention>{{*at, ""}} : std::vector<Mention>();
+    }
 };
 
 struct ExpectDuration {
     static constexpr std::string_view kName = "duration";
     SourceMark mark;
     Limits<double> seconds;  ///< simulated; equal to the millisecond
+
+    std::vector<Mention> mentions() const { return {}; }
 };
 
 struct ExpectDistance {
     static constexpr std::string_view kName = "distance";
     SourceMark mark;
     Limits<double> metres;  ///< along the path of the foot point; equal to the millimetre
+
+    std::vector<Mention> mentions() const { return {}; }
 };
 
 // ---- the body -----------------------------------------------------------------------------------------
@@ -110,12 +144,16 @@ struct ExpectNoPenetration {
     static constexpr std::string_view kName = "no_penetration";
     SourceMark mark;
     double tolerance = 1e-4;  ///< metres
+
+    std::vector<Mention> mentions() const { return {}; }
 };
 
 struct ExpectGrounded {
     static constexpr std::string_view kName = "grounded";
     SourceMark mark;
     double ratio = 1.0;  ///< of the ticks, at least
+
+    std::vector<Mention> mentions() const { return {}; }
 };
 
 /// Something is in the way: a way ends there, or the avatar is stuck.
@@ -123,17 +161,23 @@ struct ExpectBlockedBy {
     static constexpr std::string_view kName = "blocked_by";
     SourceMark mark;
     NamePattern object;
+
+    std::vector<Mention> mentions() const { return {mention_of_solid(object)}; }
 };
 
 struct ExpectStuck {
     static constexpr std::string_view kName = "stuck";
     SourceMark mark;
     NamePattern by;  ///< `*`: by anything, or by nothing that could be named
+
+    std::vector<Mention> mentions() const { return {mention_of_solid(by)}; }
 };
 
 struct ExpectFell {
     static constexpr std::string_view kName = "fell";
     SourceMark mark;
+
+    std::vector<Mention> mentions() const { return {}; }
 };
 
 // ---- all of them --------------------------------------------------------------------------------------

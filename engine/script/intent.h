@@ -46,15 +46,16 @@ class IntentSource {
 public:
     virtual ~IntentSource() = default;
 
-    /// For the next tick. The first intent should place the avatar; it starts in the world's origin otherwise.
+    /// For the next tick. The first intent should place the avatar; it starts in the world's origin
+    /// otherwise.
     virtual Intent intend(const AvatarState& avatar) = 0;
     /// True when no tick is to follow. Asked after every tick.
     virtual bool finished() const = 0;
 
     /// What happened in the tick, and again what the instant steps brought.
     virtual void observe(std::span<const Event> events) { static_cast<void>(events); }
-    /// The step that ended in this tick, to be logged, if one did. Appends to `instant` the steps to carry out
-    /// at the tick's end, in their order; they must outlive the tick, a snapshot's also the observers.
+    /// The step that ended in this tick, to be logged, if one did. Appends to `instant` the steps to carry
+    /// out at the tick's end, in their order; they must outlive the tick, a snapshot's also the observers.
     virtual std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) {
         static_cast<void>(avatar);
         static_cast<void>(instant);

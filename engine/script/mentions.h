@@ -34,4 +34,18 @@ struct Target {
     bool has_height = false;
 };
 
+/// What the campus must have for an expectation to make sense: events of these kinds and names.
+struct Mention {
+    EventPattern event;
+    std::string if_unknown;  ///< what is wrong without; empty: the event can't happen
+};
+
+inline Mention mention_of_popup(const NamePattern& building) {
+    return {{building.mark, "popup.open", building.glob}, "no building '" + building.glob + "' has a pop-up"};
+}
+inline Mention mention_of_solid(const NamePattern& object) {
+    return {{object.mark, "collision.enter", object.glob},
+            "the campus has no solid object '" + object.glob + "'"};
+}
+
 }  // namespace campuswalk::engine

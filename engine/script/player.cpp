@@ -39,6 +39,148 @@ bool has_arrived(const Target& target, double within, const AvatarState& avatar)
 
 }  // namespace
 
+// ---- what each kind of step does ------------------------------------------------------------------------
+
+template <>
+void ScriptPlayer::intend(const SpawnStep& step, const AvatarState&, Intent& intent) {
+    intent.placement = {&step.label, step.position, EventKind::avatar_spawn};
+    intent.yaw = wrapped_angle(step.yaw);
+    intent.pitch = 0.0;
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const SpawnStep&, const AvatarState&) {
+    return Outcome::done;
+}
+
+template <>
+void ScriptPlayer::intend(const TeleportStep& step, const AvatarState& avatar, Intent& intent) {
+    intent.placement = {&step.label, step.position, EventKind::avatar_teleport};
+    intent.yaw = wrapped_angle(step.yaw.value_or(avatar.yaw));
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const TeleportStep&, const AvatarState&) {
+    return Outcome::done;
+}
+
+template <>
+void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(step.speed);
+    if (progress_.ticks == 0) {
+        const double distance = flat(step.target.point - avatar.position).norm();
+        progress_.allowed = step.timeout.value_or(2.0 * distance / speed + 5.0);
+    }
+    go_towards(step.target.point, speed, avatar, intent);
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const WalkToStep& step, const AvatarState& avatar) {
+    if (has_arrived(step.target, step.within, avatar)) {
+        return Outcome::arrived;
+    }
+    const double distance = flat(step.target.point - avatar.position).norm();
+    return gives_up(distance, speed_of(step.speed)) ? Outcome::blocked : Outcome::going;
+}
+
+template <>
+void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(step.speed);
+    if (progress_.ticks == 0) {
+        curve_.start(avatar.position, step.points);
+        progress_.allowed = step.timeout.value_or(2.0 * curve_.length() / speed + 5.0);
+    }
+    go_towards(curve_.lead(avatar.position, speed * dt_), speed, avatar, intent);
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const FollowStep& step, const AvatarState& avatar) {
+    if (curve_.at_end() && has_arrived(step.points.back(), step.within, avatar)) {
+        return Outcome::arrived;
+    }
+    return gives_up(curve_.remaining(avatar.position), speed_of(step.speed)) ? Outcome::blocked
+                                                                             : Outcome::going;
+}
+
+/// Someone in the air comes down first.
+template <>
+void ScriptPlayer::intend(const JumpStep& step, const AvatarState& avatar, Intent& intent) {
+    if (!progress_.jumped && !avatar.grounded) {
+        return;
+    }
+    if (!progress_.jumped) {
+        intent.jump = step.speed;
+        progress_.jumped = true;
+    }
+    const auto [sin, cos] = collision::sin_cos(avatar.yaw);
+    intent.move = step.forward * dt_ * Vector3d(-sin, 0.0, -cos);
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const JumpStep&, const AvatarState& avatar) {
+    return progress_.jumped && avatar.grounded ? Outcome::done : Outcome::going;
+}
+
+template <>
+void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitStep& step, const AvatarState&) {
+    return static_cast<double>(progress_.ticks) >= step.seconds * walk_.sim.ticks_per_second - 1e-9
+               ? Outcome::done
+               : Outcome::going;
+}
+
+template <>
+void ScriptPlayer::intend(const WaitUntilStep&, const AvatarState&, Intent&) {}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitUntilStep& step, const AvatarState&) {
+    if (progress_.heard) {
+        return Outcome::done;
+    }
+    const bool late =
+        static_cast<double>(progress_.ticks) >= step.timeout * walk_.sim.ticks_per_second - 1e-9;
+    return late ? Outcome::timed_out : Outcome::going;
+}
+
+/// To an angle the short way; by an angle all the way, however often around.
+template <>
+void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
+    const double rest =
+        progress_.turn_left.value_or(step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
+    const double most = walk_.avatar.turn_speed * dt_;
+    const double part = std::clamp(rest, -most, most);
+    intent.yaw = wrapped_angle(avatar.yaw + part);
+    progress_.turn_left = rest - part;
+    progress_.aligned = std::abs(rest - part) <= kAligned;
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const TurnStep&, const AvatarState&) {
+    return progress_.aligned ? Outcome::done : Outcome::going;
+}
+
+template <>
+void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent) {
+    const Vector3d eye = avatar.position + Vector3d(0, avatar.stature * walk_.avatar.eye_height, 0);
+    const Vector3d way = step.target.point - eye;
+    const double distance = flat(way).norm();
+    const double yaw = distance > 0.0 ? yaw_towards(way) : avatar.yaw;
+    const double pitch = step.target.has_height ? angle_of(way.y(), distance) : 0.0;
+    intent.yaw = turned(avatar.yaw, yaw);
+    intent.pitch = turned(avatar.pitch, pitch);
+    progress_.aligned = std::abs(wrapped_angle(intent.yaw - yaw)) <= kAligned &&
+                        std::abs(wrapped_angle(intent.pitch - pitch)) <= kAligned;
+}
+
+template <>
+ScriptPlayer::Outcome ScriptPlayer::outcome(const LookAtStep&, const AvatarState&) {
+    return progress_.aligned ? Outcome::done : Outcome::going;
+}
+
+// ---- the player ----------------------------------------------------------------------------------------
+
 ScriptPlayer::ScriptPlayer(const Walk& walk) : walk_(walk), dt_(1.0 / walk.sim.ticks_per_second) {}
 
 Intent ScriptPlayer::intend(const AvatarState& avatar) {
@@ -165,128 +307,6 @@ double ScriptPlayer::turned(double from, double to) const {
     const double difference = wrapped_angle(to - from);
     return std::abs(difference) <= most ? wrapped_angle(to)
                                         : wrapped_angle(from + std::clamp(difference, -most, most));
-}
-
-// ---- one overload of each a step ------------------------------------------------------------------------
-
-void ScriptPlayer::intend(const SpawnStep& step, const AvatarState&, Intent& intent) {
-    intent.placement = {&step.label, step.position, EventKind::avatar_spawn};
-    intent.yaw = wrapped_angle(step.yaw);
-    intent.pitch = 0.0;
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const SpawnStep&, const AvatarState&) {
-    return Outcome::done;
-}
-
-void ScriptPlayer::intend(const TeleportStep& step, const AvatarState& avatar, Intent& intent) {
-    intent.placement = {&step.label, step.position, EventKind::avatar_teleport};
-    intent.yaw = wrapped_angle(step.yaw.value_or(avatar.yaw));
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const TeleportStep&, const AvatarState&) {
-    return Outcome::done;
-}
-
-void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Intent& intent) {
-    const double speed = speed_of(step.speed);
-    if (progress_.ticks == 0) {
-        const double distance = flat(step.target.point - avatar.position).norm();
-        progress_.allowed = step.timeout.value_or(2.0 * distance / speed + 5.0);
-    }
-    go_towards(step.target.point, speed, avatar, intent);
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const WalkToStep& step, const AvatarState& avatar) {
-    if (has_arrived(step.target, step.within, avatar)) {
-        return Outcome::arrived;
-    }
-    const double distance = flat(step.target.point - avatar.position).norm();
-    return gives_up(distance, speed_of(step.speed)) ? Outcome::blocked : Outcome::going;
-}
-
-void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Intent& intent) {
-    const double speed = speed_of(step.speed);
-    if (progress_.ticks == 0) {
-        curve_.start(avatar.position, step.points);
-        progress_.allowed = step.timeout.value_or(2.0 * curve_.length() / speed + 5.0);
-    }
-    go_towards(curve_.lead(avatar.position, speed * dt_), speed, avatar, intent);
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const FollowStep& step, const AvatarState& avatar) {
-    if (curve_.at_end() && has_arrived(step.points.back(), step.within, avatar)) {
-        return Outcome::arrived;
-    }
-    return gives_up(curve_.remaining(avatar.position), speed_of(step.speed)) ? Outcome::blocked
-                                                                             : Outcome::going;
-}
-
-/// Someone in the air comes down first.
-void ScriptPlayer::intend(const JumpStep& step, const AvatarState& avatar, Intent& intent) {
-    if (!progress_.jumped && !avatar.grounded) {
-        return;
-    }
-    if (!progress_.jumped) {
-        intent.jump = step.speed;
-        progress_.jumped = true;
-    }
-    const auto [sin, cos] = collision::sin_cos(avatar.yaw);
-    intent.move = step.forward * dt_ * Vector3d(-sin, 0.0, -cos);
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const JumpStep&, const AvatarState& avatar) {
-    return progress_.jumped && avatar.grounded ? Outcome::done : Outcome::going;
-}
-
-void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitStep& step, const AvatarState&) {
-    return static_cast<double>(progress_.ticks) >= step.seconds * walk_.sim.ticks_per_second - 1e-9
-               ? Outcome::done
-               : Outcome::going;
-}
-
-void ScriptPlayer::intend(const WaitUntilStep&, const AvatarState&, Intent&) {}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const WaitUntilStep& step, const AvatarState&) {
-    if (progress_.heard) {
-        return Outcome::done;
-    }
-    const bool late =
-        static_cast<double>(progress_.ticks) >= step.timeout * walk_.sim.ticks_per_second - 1e-9;
-    return late ? Outcome::timed_out : Outcome::going;
-}
-
-/// To an angle the short way; by an angle all the way, however often around.
-void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
-    const double rest =
-        progress_.turn_left.value_or(step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
-    const double most = walk_.avatar.turn_speed * dt_;
-    const double part = std::clamp(rest, -most, most);
-    intent.yaw = wrapped_angle(avatar.yaw + part);
-    progress_.turn_left = rest - part;
-    progress_.aligned = std::abs(rest - part) <= kAligned;
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const TurnStep&, const AvatarState&) {
-    return progress_.aligned ? Outcome::done : Outcome::going;
-}
-
-void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent) {
-    const Vector3d eye = avatar.position + Vector3d(0, avatar.stature * walk_.avatar.eye_height, 0);
-    const Vector3d way = step.target.point - eye;
-    const double distance = flat(way).norm();
-    const double yaw = distance > 0.0 ? yaw_towards(way) : avatar.yaw;
-    const double pitch = step.target.has_height ? angle_of(way.y(), distance) : 0.0;
-    intent.yaw = turned(avatar.yaw, yaw);
-    intent.pitch = turned(avatar.pitch, pitch);
-    progress_.aligned = std::abs(wrapped_angle(intent.yaw - yaw)) <= kAligned &&
-                        std::abs(wrapped_angle(intent.pitch - pitch)) <= kAligned;
-}
-
-ScriptPlayer::Outcome ScriptPlayer::outcome(const LookAtStep&, const AvatarState&) {
-    return progress_.aligned ? Outcome::done : Outcome::going;
 }
 
 }  // namespace campuswalk::engine

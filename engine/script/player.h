@@ -39,34 +39,20 @@ private:
         bool heard = false;  ///< wait_until: the event
     };
 
-    void intend(const SpawnStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const TeleportStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const WalkToStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const WaitStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const TurnStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const FollowStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const JumpStep& step, const AvatarState& avatar, Intent& intent);
-    void intend(const WaitUntilStep& step, const AvatarState& avatar, Intent& intent);
-    /// Instant steps are carried out after the step before them; the first step is always a spawn.
-    template <InstantStep Instant>
-    void intend(const Instant&, const AvatarState&, Intent&) {}
-
     enum class Outcome { going, done, arrived, blocked, timed_out };
-    std::optional<StepEnd> end_of(const Step& step, Outcome result, const AvatarState& avatar) const;
-    Outcome outcome(const SpawnStep& step, const AvatarState& avatar);
-    Outcome outcome(const TeleportStep& step, const AvatarState& avatar);
-    Outcome outcome(const WalkToStep& step, const AvatarState& avatar);
-    Outcome outcome(const WaitStep& step, const AvatarState& avatar);
-    Outcome outcome(const TurnStep& step, const AvatarState& avatar);
-    Outcome outcome(const LookAtStep& step, const AvatarState& avatar);
-    Outcome outcome(const FollowStep& step, const AvatarState& avatar);
-    Outcome outcome(const JumpStep& step, const AvatarState& avatar);
-    Outcome outcome(const WaitUntilStep& step, const AvatarState& avatar);
-    template <InstantStep Instant>
-    Outcome outcome(const Instant&, const AvatarState&) {
+    // What to do for a step in a tick, and what came of it: player.cpp says so for each kind.
+    template <typename Kind>
+    void intend(const Kind& step, const AvatarState& avatar, Intent& intent) = delete;
+    template <typename Kind>
+    Outcome outcome(const Kind& step, const AvatarState& avatar) = delete;
+    /// Instant steps are carried out after the step before them; the first step is always a spawn.
+    template <InstantStep Kind>
+    void intend(const Kind&, const AvatarState&, Intent&) {}
+    template <InstantStep Kind>
+    Outcome outcome(const Kind&, const AvatarState&) {
         return Outcome::done;
     }
+    std::optional<StepEnd> end_of(const Step& step, Outcome result, const AvatarState& avatar) const;
 
     double turned(double from, double to) const;
     double speed_of(const std::optional<double>& own) const;

@@ -37,7 +37,8 @@ struct Motion {
 /// The avatar's body among the campus' solids: the only place that knows where it is.
 class Body {
 public:
-    /// `disabled` (by object) may change: see adjust_to_enabled and adjust_to_disabled. All must outlive the body.
+    /// `disabled` (by object) may change: see adjust_to_enabled and adjust_to_disabled. All must outlive the
+    /// body.
     Body(const scene::Campus& campus, const Walk& walk, const std::vector<bool>& disabled);
 
     AvatarState state() const;

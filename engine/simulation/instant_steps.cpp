@@ -89,8 +89,7 @@ std::optional<Stop> carry_out_one(const ExpectStep& step, SimulationState& state
 
 /// Of the others, every tick's intent is what there is to do.
 template <typename Lasting>
-    requires(!InstantStep<Lasting>)
-std::optional<Stop> carry_out_one(const Lasting&, SimulationState&) {
+requires(!InstantStep<Lasting>) std::optional<Stop> carry_out_one(const Lasting&, SimulationState&) {
     assert(false && "takes time");
     return std::nullopt;
 }

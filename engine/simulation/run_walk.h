@@ -31,7 +31,8 @@ struct WalkSummary {
 /// observers, in their order. Deterministic: the same campus and walk give the same frames.
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers);
 
-/// The same with an avatar that the source moves; of the walk's steps it plays those that the source asks for.
+/// The same with an avatar that the source moves; of the walk's steps it plays those that the source asks
+/// for.
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, IntentSource& intents,
                      std::span<Observer* const> observers);
 

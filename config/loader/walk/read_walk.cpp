@@ -16,12 +16,13 @@ namespace {
 
 engine::SimSettings read_sim(const CheckedNode& node) {
     constexpr int kMostTicks = 10'000;  // a second
+    constexpr Range kSeed{0.0, 18446744073709551615.0, false, ""};
     engine::SimSettings sim;
     CheckedMap map(node, "'sim'");
     map.as_int("ticks_per_second", 1, kMostTicks, sim.ticks_per_second);
     map.number("stay_every", kSeconds, sim.stay_every);
     map.number("gaze_hold", kSeconds, sim.gaze_hold);
-    if (const auto seed = map.find("seed")) {
+    if (const auto seed = map.find("seed"); seed && seed->number(kSeed)) {
         seed->diagnostics().warning(seed->mark(), "deprecated",
                                     "'seed' is ignored, nothing draws random numbers; remove it");
     }

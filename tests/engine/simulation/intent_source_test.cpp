@@ -3,7 +3,6 @@
 #include "engine/script/intent.h"
 
 #include <array>
-#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,7 +73,8 @@ private:
 scene::Campus varied_campus() {
     scene::Campus campus = level_campus();
     add_building(campus, "hall", "Great Hall");
-    add_box(campus, "hall/inside", {-2, 0, -6}, {2, 3, -3}, {collision::Detection::trigger, "hall", true, ""});
+    add_box(campus, "hall/inside", {-2, 0, -6}, {2, 3, -3},
+            {collision::Detection::trigger, "hall", true, ""});
     add_box(campus, "gate", {-5, 0, -9}, {5, 3, -8});
     add_box(campus, "kerb", {-5, 0, -2}, {5, 0.2, -1.5});
     return campus;
@@ -157,8 +157,9 @@ TEST(IntentSource, DrivesAWalkWithoutSteps) {
     Visitor visitor;
     Recorder recorder;
     const WalkSummary summary = run_walk(campus, walk, visitor, std::array<Observer*, 1>{&recorder});
-    EXPECT_THAT(recorder.story(), ElementsAre("trigger.enter hall/inside", "popup.open hall", "popup.close hall",
-                                              "trigger.exit hall/inside", "expect.fail count"));
+    EXPECT_THAT(recorder.story(),
+                ElementsAre("trigger.enter hall/inside", "popup.open hall", "popup.close hall",
+                            "trigger.exit hall/inside", "expect.fail count"));
     ASSERT_EQ(summary.failures.size(), 1U) << "expectations are the walk's";
     EXPECT_EQ(summary.failures.front().mark.line, 9);
 }

@@ -14,8 +14,8 @@ namespace campuswalk::tools {
 struct RecordedWalk {
     std::string name;
     std::string project;
-    std::filesystem::path config;  ///< the walks.config.yaml with the project; empty when it isn't told
-    std::filesystem::path file;    ///< its walk file
+    std::filesystem::path config;       ///< the walks.config.yaml with the project; empty when it isn't told
+    std::filesystem::path file;         ///< its walk file
     std::optional<double> timeout;      ///< simulated seconds
     std::optional<std::uint64_t> hash;  ///< none when it didn't come to its end
     std::string why_none;               ///< "skipped", "interrupted", …
