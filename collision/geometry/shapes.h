@@ -69,6 +69,12 @@ struct Wheel {
     double half_width = 0.1;
 };
 
+/// The tree that a mesh is given. Queries of one mesh give the same answers with both.
+enum class Layout : std::uint8_t {
+    wide,   ///< eight children a node, sixteen triangles a leaf (bvh8.h): the fast one
+    paper,  ///< the paper's binary tree of spheres and oriented boxes (hybrid_tree.h): the one to read
+};
+
 /// The closed set of collider shapes. A mesh is shared because several objects may place the same one.
 using Shape = std::variant<std::shared_ptr<const MeshCollider>, Box, Sphere, Capsule, Wheel>;
 

@@ -63,8 +63,8 @@ template <NodeTest kTest, typename Found>
 class Search {
 public:
     Search(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Found found,
-           HybridContactCounters& counters)
-        : a_(a), b_(b), X_a_b_(X_a_b), pose_(X_a_b), found_(found), counters_(counters) {}
+           HybridContactStatistics& work)
+        : a_(a), b_(b), X_a_b_(X_a_b), pose_(X_a_b), found_(found), work_(work) {}
 
     void run() {
         if (a_.tree.nodes.empty() || b_.tree.nodes.empty()) {
@@ -104,22 +104,26 @@ private:
     }
 
     PosedNode pose(const HybridNode& b) {
-        ++counters_.nu;
+        ++work_.transform_updates;
         return pose_.template pose<kTest>(b);
     }
 
     bool may_meet(const HybridNode& a, const PosedNode& b) {
-        ++counters_.nv;
+        ++work_.volume_tests;
         if constexpr (kTest != NodeTest::box) {
+            ++work_.sphere_tests;
             if (apart(a.outer, b.outer)) {
-                ++counters_.outer;
+                ++work_.outer;
                 return false;
             }
+        }
+        if constexpr (kTest != NodeTest::sphere) {
+            ++work_.box_tests;
         }
         if constexpr (kTest == NodeTest::mixed) {
             const Vec3 offset = a.inner.axes.transpose() * (b.inner.center - a.inner.center);
             if (apart(a.inner, offset, b.inner.radius)) {
-                ++counters_.inner;
+                ++work_.inner;
                 return false;
             }
         }
@@ -127,11 +131,11 @@ private:
             const BoxOffset offset = offset_between(a.inner, b.inner);
             if (kTest == NodeTest::hybrid && (apart(a.inner, offset.in_a, b.inner.radius) ||
                                               apart(b.inner, offset.in_b, a.inner.radius))) {
-                ++counters_.inner;
+                ++work_.inner;
                 return false;
             }
             if (apart(a.inner, b.inner, offset)) {
-                ++counters_.box;
+                ++work_.box;
                 return false;
             }
         }
@@ -146,7 +150,7 @@ private:
             const Triangle moved{corner(v[0]), corner(v[1]), corner(v[2])};
             for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
                 const std::uint32_t ta = a_.tree.order[i];
-                ++counters_.np;
+                ++work_.primitive_tests;
                 if (overlap(corners(a_.mesh, ta), moved) && !found_(TrianglePair{ta, tb})) {
                     return false;
                 }
@@ -160,44 +164,44 @@ private:
     const Pose& X_a_b_;
     NodePose pose_;
     Found found_;
-    HybridContactCounters& counters_;
+    HybridContactStatistics& work_;
 };
 
 template <typename Found>
 void search(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test, Found found,
-            HybridContactCounters& counters) {
+            HybridContactStatistics& work) {
     switch (test) {
         case NodeTest::hybrid:
-            return Search<NodeTest::hybrid, Found>(a, b, X_a_b, found, counters).run();
+            return Search<NodeTest::hybrid, Found>(a, b, X_a_b, found, work).run();
         case NodeTest::box:
-            return Search<NodeTest::box, Found>(a, b, X_a_b, found, counters).run();
+            return Search<NodeTest::box, Found>(a, b, X_a_b, found, work).run();
         case NodeTest::sphere:
-            return Search<NodeTest::sphere, Found>(a, b, X_a_b, found, counters).run();
+            return Search<NodeTest::sphere, Found>(a, b, X_a_b, found, work).run();
         case NodeTest::mixed:
-            return Search<NodeTest::mixed, Found>(a, b, X_a_b, found, counters).run();
+            return Search<NodeTest::mixed, Found>(a, b, X_a_b, found, work).run();
     }
 }
 
 }  // namespace
 
 void all_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test,
-                  std::vector<TrianglePair>& out, HybridContactCounters& counters) {
+                  std::vector<TrianglePair>& out, HybridContactStatistics& work) {
     out.clear();
     const auto keep = [&out](const TrianglePair& pair) {
         out.push_back(pair);
         return true;
     };
-    search(a, b, X_a_b, test, keep, counters);
+    search(a, b, X_a_b, test, keep, work);
 }
 
 std::optional<TrianglePair> first_contact(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
-                                          NodeTest test, HybridContactCounters& counters) {
+                                          NodeTest test, HybridContactStatistics& work) {
     std::optional<TrianglePair> first;
     const auto keep = [&first](const TrianglePair& pair) {
         first = pair;
         return false;
     };
-    search(a, b, X_a_b, test, keep, counters);
+    search(a, b, X_a_b, test, keep, work);
     return first;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/geometry/triangle_pair.h"
 #include "collision/hybrid/hybrid_tree.h"
 
@@ -27,11 +27,12 @@ struct HybridMesh {
     const HybridTree& tree;
 };
 
-/// nv, np: pairs of nodes and of triangles tested. nu: nodes of b brought into a's frame, the cost of a rigid
-/// move: a node each time that it is descended to, but not while it is held against ever smaller nodes of a.
+/// Volume tests: of pairs of nodes; primitive tests: of pairs of triangles; transform updates: nodes of b
+/// brought into a's frame, the cost of a rigid move: a node each time that it is descended to, but not while
+/// it is held against ever smaller nodes of a.
 ///
-/// What is left of nv after the three layers, nv - outer - inner - box, was descended from.
-struct HybridContactCounters : QueryCounters {
+/// What the three layers don't part, volume_tests - outer - inner - box, is descended from.
+struct HybridContactStatistics : QueryStatistics {
     std::uint64_t outer = 0;  ///< pairs of nodes that the outer spheres parted
     std::uint64_t inner = 0;  ///< of the others, those that an inner sphere and a box parted
     std::uint64_t box = 0;    ///< of the others, those that the boxes parted
@@ -39,10 +40,10 @@ struct HybridContactCounters : QueryCounters {
 
 /// Replaces `out` by all overlapping pairs.
 void all_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test,
-                  std::vector<TrianglePair>& out, HybridContactCounters& counters);
+                  std::vector<TrianglePair>& out, HybridContactStatistics& work);
 
 /// The pair that all_contacts finds first.
 std::optional<TrianglePair> first_contact(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
-                                          NodeTest test, HybridContactCounters& counters);
+                                          NodeTest test, HybridContactStatistics& work);
 
 }  // namespace campuswalk::collision

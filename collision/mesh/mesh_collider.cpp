@@ -37,28 +37,19 @@ std::variant<Bvh8, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
 
 }  // namespace
 
-MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout)
-    : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {}
-
-MeshCollider::MeshCollider(TriangleMesh mesh, Bvh8 tree) : mesh_(std::move(mesh)), tree_(std::move(tree)) {
-    checked(mesh_);
-    if (const char* fault = fault_of(bvh8(), mesh_.triangles.size())) {
-        throw std::invalid_argument(fault);
+MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout, Interior interior)
+    : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {
+    if (interior == Interior::found) {
+        closed_.emplace(mesh_);
     }
 }
 
 MeshCollider::MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed)
-    : MeshCollider(std::move(mesh), std::move(tree)) {
-    closed_.emplace(std::move(closed));
-}
-
-const ClosedParts& MeshCollider::closed_parts() const {
-    std::call_once(closed_once_, [this] {
-        if (!closed_) {
-            closed_.emplace(mesh_);
-        }
-    });
-    return *closed_;
+    : mesh_(std::move(mesh)), tree_(std::move(tree)), closed_(std::move(closed)) {
+    checked(mesh_);
+    if (const char* fault = fault_of(bvh8(), mesh_.triangles.size())) {
+        throw std::invalid_argument(fault);
+    }
 }
 
 }  // namespace campuswalk::collision

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <variant>
 
@@ -12,22 +11,19 @@
 
 namespace campuswalk::collision {
 
-/// How a mesh's tree is laid out. Queries of one mesh give the same answers on both.
-enum class Layout : std::uint8_t {
-    wide,   ///< eight children a node, sixteen triangles a leaf (bvh8.h): the fast one
-    paper,  ///< the paper's binary tree (hybrid_tree.h): the readable reference
-};
+/// Whether it is found out what lies inside a mesh (closed_parts.h), which only `is_inside` asks for.
+enum class Interior : std::uint8_t { found, unknown };
 
 /// A mesh with its tree, built once and never changed.
 class MeshCollider {
 public:
     /// Throws std::invalid_argument for a mesh without triangles, an index out of range, or a position that
     /// is not finite or beyond kMaxCoordinate: callers check user input first.
-    explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide);
-    /// With the tree that was built of this mesh before, as from a file. Throws std::invalid_argument for a
-    /// mesh as above, and for a tree whose parts don't fit together (bvh8_check.h).
-    MeshCollider(TriangleMesh mesh, Bvh8 tree);
-    /// With the closed parts that were found before, too.
+    explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide,
+                          Interior interior = Interior::found);
+    /// With the tree and the closed parts that were made of this mesh before, as from a file. Throws
+    /// std::invalid_argument for a mesh as above, and for a tree whose parts don't fit together
+    /// (bvh8_check.h).
     MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed);
 
     const TriangleMesh& mesh() const { return mesh_; }
@@ -36,14 +32,13 @@ public:
     /// Throw std::bad_variant_access for a collider of the other layout.
     const Bvh8& bvh8() const { return std::get<Bvh8>(tree_); }
     const HybridTree& paper_tree() const { return std::get<HybridTree>(tree_); }
-    /// Found when first asked for: few meshes ever are.
-    const ClosedParts& closed_parts() const;
+    /// Throws std::bad_optional_access for a collider of Interior::unknown.
+    const ClosedParts& closed_parts() const { return closed_.value(); }
 
 private:
     TriangleMesh mesh_;
     std::variant<Bvh8, HybridTree> tree_;
-    mutable std::once_flag closed_once_;
-    mutable std::optional<ClosedParts> closed_;
+    std::optional<ClosedParts> closed_;
 };
 
 }  // namespace campuswalk::collision

@@ -35,18 +35,18 @@ bool spheres_overlap(const BoundingSphere& a, const BoundingSphere& b, const Pos
 }
 
 void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Wanted wanted,
-                          std::vector<TrianglePair>& out, QueryCounters& counters) {
-    HybridContactCounters work;
+                          std::vector<TrianglePair>& out, QueryStatistics* statistics) {
+    HybridContactStatistics work;
     if (wanted == Wanted::all) {
         all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
     } else if (const auto pair = first_contact(a, b, X_a_b, NodeTest::hybrid, work)) {
         out.push_back(*pair);
     }
-    counters += work;
+    add_to(statistics, work);
 }
 
 void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, Wanted wanted,
-                   SimdTarget simd_target, std::vector<TrianglePair>& out, QueryCounters& counters) {
+                   SimdTarget simd_target, std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     out.clear();
     if (a.layout() != b.layout()) {
         throw std::invalid_argument("two meshes aren't of one layout");
@@ -54,28 +54,29 @@ void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a
     const double tilt = checked_tilt(X_a_b);
     if (a.layout() == Layout::paper) {
         find_hybrid_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
-                             counters);
+                             statistics);
         return;
     }
-    ++counters.nv;
-    ++counters.nu;
+    QueryStatistics work{.transform_updates = 1, .sphere_tests = 1};
     if (spheres_overlap(a.bvh8().outer, b.bvh8().outer, X_a_b, tilt)) {
         const Bvh8Pair pair{a.mesh(), b.mesh(), a.bvh8(), b.bvh8(), X_a_b, tilt};
-        find_bvh8_contacts(pair, wanted, simd_target, out, counters);
+        find_bvh8_contacts(pair, wanted, simd_target, out, work);
     }
+    work.volume_tests = work.sphere_tests + work.box_tests;
+    add_to(statistics, work);
 }
 
 }  // namespace
 
 void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
-                  std::vector<TrianglePair>& out, QueryCounters& counters, SimdTarget simd_target) {
-    find_contacts(a, b, X_a_b, Wanted::all, simd_target, out, counters);
+                  std::vector<TrianglePair>& out, QueryStatistics* statistics, SimdTarget simd_target) {
+    find_contacts(a, b, X_a_b, Wanted::all, simd_target, out, statistics);
 }
 
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
-                                          QueryCounters& counters, SimdTarget simd_target) {
+                                          QueryStatistics* statistics, SimdTarget simd_target) {
     thread_local std::vector<TrianglePair> found;
-    find_contacts(a, b, X_a_b, Wanted::first, simd_target, found, counters);
+    find_contacts(a, b, X_a_b, Wanted::first, simd_target, found, statistics);
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/base/simd_target.h"
 #include "collision/geometry/shapes.h"
 #include "collision/geometry/triangle_pair.h"
@@ -23,16 +23,17 @@ namespace campuswalk::collision {
 /// never wrong.
 
 /// Replaces `out` by all overlapping pairs. The order depends on the two meshes and the pose alone, not on
-/// the instructions. nv: pairs of boxes tested; np: pairs of triangles that their boxes and planes left open;
-/// nu: pairs of nodes brought into one frame. On the paper's layout, see HybridContactCounters.
+/// the instructions. Volume tests: of pairs of boxes; primitive tests: of pairs of triangles that their boxes
+/// and planes left open; a transform is updated for each pair of nodes brought into one frame. In the hybrid
+/// tree, see HybridContactStatistics.
 void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
-                  std::vector<TrianglePair>& out, QueryCounters& counters,
+                  std::vector<TrianglePair>& out, QueryStatistics* statistics = nullptr,
                   SimdTarget simd_target = default_simd_target());
 
 /// One overlapping pair, the same whatever the instructions; none if the surfaces are apart. Looks where
 /// boxes reach deepest into each other first.
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
-                                          QueryCounters& counters,
+                                          QueryStatistics* statistics = nullptr,
                                           SimdTarget simd_target = default_simd_target());
 
 }  // namespace campuswalk::collision

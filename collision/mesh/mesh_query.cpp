@@ -28,27 +28,47 @@ double offer(std::optional<MeshHit>& best, const MeshHit& found) {
 
 /// Hands `meet` the triangles that may be on the ray up to the limit, near ones first.
 template <typename Meet>
-void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryCounters& counters,
+void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryStatistics* statistics,
             SimdTarget simd_target) {
     const PathVolume path(ray);
     if (mesh.layout() == Layout::paper || !fits_bvh8_rays(ray)) {
         const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
             return meet(t, corners(mesh.mesh(), t), limit);
         };
-        descend(mesh, path, 1.0, meet_of_mesh, counters);
+        descend(mesh, path, 1.0, meet_of_mesh, statistics);
         return;
     }
-    ++counters.nu;
-    ++counters.nv;
+    QueryStatistics work{.transform_updates = 1, .sphere_tests = 1};
     if (path.bound(mesh.bvh8().outer) <= 1.0) {
-        trace_bvh8_ray(mesh.mesh(), mesh.bvh8(), ray, simd_target, RayVisitor(meet), counters);
+        trace_bvh8_ray(mesh.mesh(), mesh.bvh8(), ray, simd_target, RayVisitor(meet), work);
     }
+    work.volume_tests = work.sphere_tests + work.box_tests;
+    add_to(statistics, work);
 }
+
+/// Visits every triangle that a descent meets, its corners from where they are at hand.
+class VisitAll {
+public:
+    VisitAll(const TriangleMesh& mesh, TriangleVisitor visit) : mesh_(mesh), visit_(visit) {}
+
+    double operator()(std::uint32_t triangle, double limit) const {
+        visit_(triangle, corners(mesh_, triangle));
+        return limit;
+    }
+    double operator()(const Bvh8Leaf& leaf, std::size_t slot, double limit) const {
+        visit_(leaf.triangle[slot], corners(mesh_, leaf, slot));
+        return limit;
+    }
+
+private:
+    const TriangleMesh& mesh_;
+    TriangleVisitor visit_;
+};
 
 }  // namespace
 
 void triangles_near(const MeshCollider& mesh, const Segment& segment, double radius,
-                    std::vector<std::uint32_t>& out, QueryCounters& counters) {
+                    std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
     const auto meet = [&](std::uint32_t t, double limit) {
         if (closest(segment, corners(mesh.mesh(), t)).distance <= radius) {
@@ -56,12 +76,12 @@ void triangles_near(const MeshCollider& mesh, const Segment& segment, double rad
         }
         return limit;
     };
-    descend(mesh, ThickSegment(segment, radius), radius * radius, meet, counters);
+    descend(mesh, ThickSegment(segment, radius), radius * radius, meet, statistics);
     std::sort(out.begin(), out.end());
 }
 
 void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
-                      std::vector<std::uint32_t>& out, QueryCounters& counters) {
+                      std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
     const auto meet = [&](std::uint32_t t, double limit) {
         const Triangle c = corners(mesh.mesh(), t);
@@ -72,34 +92,35 @@ void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_me
         }
         return limit;
     };
-    descend(mesh, BoxVolume(box, X_mesh_box), 0.0, meet, counters);
+    descend(mesh, BoxVolume(box, X_mesh_box), 0.0, meet, statistics);
     std::sort(out.begin(), out.end());
 }
 
-std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters,
+std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryStatistics* statistics,
                                     SimdTarget simd_target) {
     std::optional<MeshHit> best;
     const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         const auto f = hit(ray, triangle);
         return f ? offer(best, {*f, t}) : limit;
     };
-    follow(mesh, ray, meet, counters, simd_target);
+    follow(mesh, ray, meet, statistics, simd_target);
     return best;
 }
 
-bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryCounters& counters, SimdTarget simd_target) {
+bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryStatistics* statistics,
+                SimdTarget simd_target) {
     constexpr double kNoMore = -1.0;  // below every fraction
     bool found = false;
     const auto meet = [&](std::uint32_t, const Triangle& triangle, double limit) {
         found = found || hit(ray, triangle).has_value();
         return found ? kNoMore : limit;
     };
-    follow(mesh, ray, meet, counters, simd_target);
+    follow(mesh, ray, meet, statistics, simd_target);
     return found;
 }
 
-void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out, QueryCounters& counters,
-                SimdTarget simd_target) {
+void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out,
+                QueryStatistics* statistics, SimdTarget simd_target) {
     out.clear();
     const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         if (const auto f = hit(ray, triangle)) {
@@ -107,11 +128,12 @@ void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& 
         }
         return limit;
     };
-    follow(mesh, ray, meet, counters, simd_target);
+    follow(mesh, ray, meet, statistics, simd_target);
     std::sort(out.begin(), out.end(), before);
 }
 
-bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters, SimdTarget simd_target) {
+bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryStatistics* statistics,
+               SimdTarget simd_target) {
     // An odd direction, so that edges and corners of upright geometry are unlikely to lie on it.
     const Vec3 direction(0.5377, 0.7389, 0.4061);
     const ClosedParts& parts = mesh.closed_parts();
@@ -128,11 +150,11 @@ bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryCounters& count
         }
         return limit;
     };
-    follow(mesh, ray, meet, counters, simd_target);
+    follow(mesh, ray, meet, statistics, simd_target);
     return winding > 0;
 }
 
-MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryCounters& counters) {
+MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryStatistics* statistics) {
     MeshPoint best;
     best.distance = std::numeric_limits<double>::infinity();
     const auto meet = [&](std::uint32_t t, double) {
@@ -142,12 +164,12 @@ MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryCounte
         }
         return best.distance * best.distance;
     };
-    descend(mesh, PointVolume(point), kApart<double>, meet, counters);
+    descend(mesh, PointVolume(point), kApart<double>, meet, statistics);
     return best;
 }
 
 std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, double radius,
-                             const Vec3& move, QueryCounters& counters) {
+                             const Vec3& move, QueryStatistics* statistics) {
     std::optional<MeshHit> best;
     const auto meet = [&](std::uint32_t t, double limit) {
         const Triangle triangle = corners(mesh.mesh(), t);
@@ -155,8 +177,13 @@ std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, d
                                    [&](const Segment& moved) { return closest(moved, triangle); });
         return f ? offer(best, {*f, t}) : limit;
     };
-    descend(mesh, PathVolume(segment, radius + kTouching, move), 1.0, meet, counters);
+    descend(mesh, PathVolume(segment, radius + kTouching, move), 1.0, meet, statistics);
     return best;
+}
+
+void visit_triangles_beyond(const MeshCollider& mesh, const Pose& X_world_mesh, const Aabb& known,
+                            const Aabb& region, TriangleVisitor visit, QueryStatistics* statistics) {
+    descend(mesh, Beyond(known, region, X_world_mesh), 0.0, VisitAll(mesh.mesh(), visit), statistics);
 }
 
 }  // namespace campuswalk::collision

@@ -50,28 +50,25 @@ LayeredBody::LayeredBody(const Box& box, const Pose& X_mesh_box) {
     outer_ = {inner_.center, inner_.radius};
 }
 
-double LayeredBody::bound(const BoundingSphere& mesh) const {
-    return apart(mesh, outer_) ? kApart<double> : 0.0;
+double LayeredBody::bound(const BoundingSphere& outer) const {
+    return apart(outer, outer_) ? kApart<double> : 0.0;
 }
 
-double LayeredBody::bound(const HybridNode& node) const {
-    if (apart(node.outer, outer_)) {
-        return kApart<double>;
-    }
-    const BoxOffset offset = offset_between(node.inner, inner_);
-    const bool parted = apart(node.inner, offset.in_a, inner_.radius) ||
-                        apart(inner_, offset.in_b, node.inner.radius) || apart(node.inner, inner_, offset);
+double LayeredBody::bound(const OrientedBox& inner) const {
+    const BoxOffset offset = offset_between(inner, inner_);
+    const bool parted = apart(inner, offset.in_a, inner_.radius) ||
+                        apart(inner_, offset.in_b, inner.radius) || apart(inner, inner_, offset);
     return parted ? kApart<double> : 0.0;
 }
 
-double PointVolume::bound(const BoundingSphere& mesh) const {
-    const double to_center = (point_ - mesh.center).norm();
-    const double gap = to_center - mesh.radius - kOutward * (to_center + mesh.radius);
+double PointVolume::bound(const BoundingSphere& outer) const {
+    const double to_center = (point_ - outer.center).norm();
+    const double gap = to_center - outer.radius - kOutward * (to_center + outer.radius);
     return gap > 0.0 ? gap * gap : 0.0;
 }
 
-double PointVolume::bound(const HybridNode& node) const {
-    return std::max(bound(node.outer), box_bound(*this, node.inner));
+double PointVolume::bound(const OrientedBox& inner) const {
+    return box_bound(*this, inner);
 }
 
 PathVolume::PathVolume(const Segment& segment, double radius, const Vec3& move)
@@ -80,18 +77,17 @@ PathVolume::PathVolume(const Segment& segment, double radius, const Vec3& move)
     path_ = {middle, middle + move};
 }
 
-double PathVolume::bound(const BoundingSphere& mesh) const {
-    const Vec3 near = closest_on_segment({path_.from, path_.to}, mesh.center);
+double PathVolume::bound(const BoundingSphere& outer) const {
+    const Vec3 near = closest_on_segment({path_.from, path_.to}, outer.center);
     const double size =
-        (path_.from - mesh.center).cwiseAbs().sum() + (path_.to - mesh.center).cwiseAbs().sum();
+        (path_.from - outer.center).cwiseAbs().sum() + (path_.to - outer.center).cwiseAbs().sum();
     const double body = half_.norm() + radius_;
-    const double reach = mesh.radius + body + kOutward * (size + body);
-    return (near - mesh.center).squaredNorm() > reach * reach ? kApart<double> : 0.0;
+    const double reach = outer.radius + body + kOutward * (size + body);
+    return (near - outer.center).squaredNorm() > reach * reach ? kApart<double> : 0.0;
 }
 
-double PathVolume::bound(const HybridNode& node) const {
-    const double outer = bound(node.outer);
-    return outer > 0.0 ? outer : box_bound(*this, node.inner);
+double PathVolume::bound(const OrientedBox& inner) const {
+    return box_bound(*this, inner);
 }
 
 }  // namespace campuswalk::collision

@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "collision/bvh8/box_lanes.h"
+#include "collision/geometry/fitting.h"
 #include "collision/geometry/ray.h"
 #include "collision/geometry/shapes.h"
-#include "collision/hybrid/hybrid_tree.h"
 
 namespace campuswalk::collision {
 
@@ -17,9 +17,10 @@ public:
     LayeredBody(const Segment& segment, double radius);
     LayeredBody(const Box& box, const Pose& X_mesh_box);
 
-    double bound(const BoundingSphere& mesh) const;
-    /// As in the paper: outer spheres by eq. (1), each inner sphere against the other's box, box against box.
-    double bound(const HybridNode& node) const;
+    /// Eq. (1).
+    double bound(const BoundingSphere& outer) const;
+    /// As in the paper: each inner sphere against the other's box, then box against box.
+    double bound(const OrientedBox& inner) const;
 
 private:
     BoundingSphere outer_;
@@ -131,8 +132,8 @@ class PointVolume {
 public:
     explicit PointVolume(const Vec3& point) : point_(point) {}
 
-    double bound(const BoundingSphere& mesh) const;
-    double bound(const HybridNode& node) const;
+    double bound(const BoundingSphere& outer) const;
+    double bound(const OrientedBox& inner) const;
 
     template <typename Real, std::size_t N>
     void bounds(const BoxFrame& frame, const Rows<Real, N>& center, const Rows<Real, N>& half,
@@ -152,8 +153,8 @@ public:
     explicit PathVolume(const Ray& ray) : path_(ray) {}
     PathVolume(const Segment& segment, double radius, const Vec3& move);
 
-    double bound(const BoundingSphere& mesh) const;
-    double bound(const HybridNode& node) const;
+    double bound(const BoundingSphere& outer) const;
+    double bound(const OrientedBox& inner) const;
 
     template <typename Real, std::size_t N>
     void bounds(const BoxFrame& frame, const Rows<Real, N>& center, const Rows<Real, N>& half,

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <type_traits>
 #include <variant>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/bvh8/box_lanes.h"
 #include "collision/bvh8/bvh8.h"
 #include "collision/hybrid/hybrid_tree.h"
@@ -13,13 +14,13 @@
 
 namespace campuswalk::collision {
 
-// One way down for queries of one mesh, on both layouts; rays have a faster one on the wide layout
-// (collision/bvh8/kernels/bvh8_rays.h). A query is a volume and what it does with a
+// One way down for queries of one mesh. A tree says how a descent starts and how it opens a node and a leaf;
+// rays have a faster way down the BVH8 (collision/bvh8/kernels/bvh8_rays.h). A query is a volume and what it does with a
 // triangle. The volume gives lower bounds of what the query looks for (a fraction, a squared distance), or
 // kApart; the query sets the limit above which nothing interests it any more:
 //
-//     double bound(const BoundingSphere&) const          of a whole mesh
-//     double bound(const HybridNode&) const              the paper's layers
+//     double bound(const BoundingSphere&) const          of a node's outer layer, or of a whole mesh
+//     double bound(const OrientedBox&) const             of a node's inner layer
 //     void bounds(frame, centers, halves, bounds) const  of N float32 boxes side by side
 //     double meet(triangle, limit)                       answers the new limit
 //     double meet(leaf, slot, limit)                     likewise, if the query prefers a wide leaf's copy
@@ -63,19 +64,35 @@ private:
     std::size_t depth_ = 0;
 };
 
+/// The paper's two layers: outer spheres first, eq. (1), and the inner layer where they leave it open.
 template <typename Volume>
-void start(const HybridTree& tree, const Volume& volume, double limit, TraversalStack& stack,
-           QueryCounters& counters) {
-    ++counters.nv;
-    if (const double bound = volume.bound(tree.nodes[0]); !(bound > limit)) {
-        TraversalStack::Siblings(stack).add({bound, 0, tree.nodes[0].is_leaf()});
+void add_node(const HybridTree& tree, std::uint32_t index, const Volume& volume, double limit,
+              TraversalStack::Siblings& siblings, QueryStatistics& work) {
+    const HybridNode& node = tree.nodes[index];
+    ++work.volume_tests;
+    ++work.sphere_tests;
+    const double by_sphere = volume.bound(node.outer);
+    if (by_sphere > limit) {
+        return;
+    }
+    ++work.box_tests;
+    if (const double bound = std::max(by_sphere, volume.bound(node.inner)); !(bound > limit)) {
+        siblings.add({bound, index, node.is_leaf()});
     }
 }
 
 template <typename Volume>
+void start(const HybridTree& tree, const Volume& volume, double limit, TraversalStack& stack,
+           QueryStatistics& work) {
+    TraversalStack::Siblings siblings(stack);
+    add_node(tree, 0, volume, limit, siblings, work);
+}
+
+template <typename Volume>
 void start(const Bvh8& tree, const Volume& volume, double limit, TraversalStack& stack,
-           QueryCounters& counters) {
-    ++counters.nv;
+           QueryStatistics& work) {
+    ++work.volume_tests;
+    ++work.sphere_tests;
     if (const double bound = volume.bound(tree.outer); !(bound > limit)) {
         TraversalStack::Siblings(stack).add({bound, 0, false});
     }
@@ -83,23 +100,21 @@ void start(const Bvh8& tree, const Volume& volume, double limit, TraversalStack&
 
 template <typename Volume>
 void open_node(const HybridTree& tree, std::uint32_t index, const Volume& volume, double limit,
-               TraversalStack& stack, QueryCounters& counters) {
+               TraversalStack& stack, QueryStatistics& work) {
     TraversalStack::Siblings siblings(stack);
     const std::uint32_t left = tree.nodes[index].first;
     for (const std::uint32_t child : {left + 1, left}) {
-        ++counters.nv;
-        if (const double bound = volume.bound(tree.nodes[child]); !(bound > limit)) {
-            siblings.add({bound, child, tree.nodes[child].is_leaf()});
-        }
+        add_node(tree, child, volume, limit, siblings, work);
     }
 }
 
 template <typename Volume>
 void open_node(const Bvh8& tree, std::uint32_t index, const Volume& volume, double limit,
-               TraversalStack& stack, QueryCounters& counters) {
+               TraversalStack& stack, QueryStatistics& work) {
     TraversalStack::Siblings siblings(stack);
     const Bvh8Node& node = tree.nodes[index];
-    counters.nv += node.count;
+    work.volume_tests += node.count;
+    work.box_tests += node.count;
     alignas(32) std::array<float, kBvh8Children> bounds;
     volume.bounds(BoxFrame(node), node.center, node.half, bounds);
     for (std::size_t i = 0; i < node.count; ++i) {
@@ -111,24 +126,24 @@ void open_node(const Bvh8& tree, std::uint32_t index, const Volume& volume, doub
 
 template <typename Volume, typename Meet>
 void open_leaf(const HybridTree& tree, std::uint32_t index, const Volume&, double& limit, const Meet& meet,
-               QueryCounters& counters) {
+               QueryStatistics& work) {
     const HybridNode& leaf = tree.nodes[index];
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-        ++counters.np;
+        ++work.primitive_tests;
         limit = meet(tree.order[i], limit);
     }
 }
 
 template <typename Volume, typename Meet>
 void open_leaf(const Bvh8& tree, std::uint32_t index, const Volume& volume, double& limit, const Meet& meet,
-               QueryCounters& counters) {
+               QueryStatistics& work) {
     const Bvh8Leaf& leaf = tree.leaves[index];
     const LeafBoxes boxes(leaf);
     alignas(32) std::array<float, kLeafTriangles> bounds;
     volume.bounds(BoxFrame(leaf), boxes.center, boxes.half, bounds);
     for (std::size_t i = 0; i < leaf.triangles; ++i) {
         if (!(static_cast<double>(bounds[i]) > limit)) {
-            ++counters.np;
+            ++work.primitive_tests;
             if constexpr (std::is_invocable_v<const Meet&, const Bvh8Leaf&, std::size_t, double>) {
                 limit = meet(leaf, i, limit);
             } else {
@@ -139,19 +154,18 @@ void open_leaf(const Bvh8& tree, std::uint32_t index, const Volume& volume, doub
 }
 
 template <typename Tree, typename Volume, typename Meet>
-void descend(const Tree& tree, const Volume& volume, double limit, const Meet& meet,
-             QueryCounters& counters) {
+void descend(const Tree& tree, const Volume& volume, double limit, const Meet& meet, QueryStatistics& work) {
     TraversalStack stack;
-    start(tree, volume, limit, stack, counters);
+    start(tree, volume, limit, stack, work);
     while (!stack.empty()) {
         const TraversalStack::Entry next = stack.take();
         if (next.bound > limit) {
             continue;
         }
         if (next.leaf) {
-            open_leaf(tree, next.index, volume, limit, meet, counters);
+            open_leaf(tree, next.index, volume, limit, meet, work);
         } else {
-            open_node(tree, next.index, volume, limit, stack, counters);
+            open_node(tree, next.index, volume, limit, stack, work);
         }
     }
 }
@@ -159,9 +173,10 @@ void descend(const Tree& tree, const Volume& volume, double limit, const Meet& m
 /// Hands `meet` the triangles whose bound isn't above the limit, those of low bounds first.
 template <typename Volume, typename Meet>
 void descend(const MeshCollider& mesh, const Volume& volume, double limit, const Meet& meet,
-             QueryCounters& counters) {
-    ++counters.nu;
-    std::visit([&](const auto& tree) { descend(tree, volume, limit, meet, counters); }, mesh.tree());
+             QueryStatistics* statistics) {
+    QueryStatistics work{.transform_updates = 1};
+    std::visit([&](const auto& tree) { descend(tree, volume, limit, meet, work); }, mesh.tree());
+    add_to(statistics, work);
 }
 
 }  // namespace campuswalk::collision

@@ -6,8 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/mesh/query_volumes.h"
-#include "collision/mesh/tree_descent.h"
+#include "collision/mesh/mesh_query.h"
 #include "collision/mover/upright_distance.h"
 
 namespace campuswalk::collision {
@@ -47,43 +46,16 @@ bool contains(const Aabb& outer, const Aabb& inner) {
     return (outer.min.array() <= inner.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
 }
 
-/// Hands over every triangle that a descent meets and that isn't held, with its corners from where they are
-/// at hand.
-template <typename Held, typename Take>
-class Gathering {
-public:
-    Gathering(const TriangleMesh& mesh, const Held& held, const Take& take)
-        : mesh_(mesh), held_(held), take_(take) {}
-
-    double operator()(std::uint32_t triangle, double limit) const {
-        if (!held_(triangle)) {
-            take_(triangle, corners(mesh_, triangle));
-        }
-        return limit;
-    }
-    double operator()(const Bvh8Leaf& leaf, std::size_t slot, double limit) const {
-        if (const std::uint32_t triangle = leaf.triangle[slot]; !held_(triangle)) {
-            take_(triangle, corners(mesh_, leaf, slot));
-        }
-        return limit;
-    }
-
-private:
-    const TriangleMesh& mesh_;
-    const Held& held_;
-    const Take& take_;
-};
-
 }  // namespace
 
 ContactCache::ContactCache(const World& world, const MoverSettings& settings, const QueryFilter& filter)
     : world_(&world), settings_(settings), filter_(filter), margin_(kFirstMargin) {}
 
-void ContactCache::cover(const Aabb& box, QueryCounters& counters) {
+void ContactCache::cover(const Aabb& box, QueryStatistics* statistics) {
     const Vec3 more(margin_, kUpright, margin_);
     const Aabb wanted{box.min - more, box.max + more};
     if (!contains(covered_, box)) {
-        go_on_to(wanted, counters);
+        go_on_to(wanted, statistics);
         return;
     }
     // In time, and along one axis at a time: no tick has to gather on all sides.
@@ -93,18 +65,18 @@ void ContactCache::cover(const Aabb& box, QueryCounters& counters) {
             Aabb next = covered_;
             next.min[axis] = wanted.min[axis];
             next.max[axis] = wanted.max[axis];
-            go_on_to(next, counters);
+            go_on_to(next, statistics);
             return;
         }
     }
 }
 
-void ContactCache::go_on_to(const Aabb& box, QueryCounters& counters) {
+void ContactCache::go_on_to(const Aabb& box, QueryStatistics* statistics) {
     const Aabb before = covered_;
     covered_ = box;
     near_count_ = 0;
     drop_outside();
-    gather(before, counters);
+    gather(before, statistics);
     restart_bounds();
     if (pieces_.size() < kFewPieces) {
         margin_ = std::min(kMostMargin, 1.4 * margin_);
@@ -139,33 +111,46 @@ void ContactCache::drop_outside() {
     }
 }
 
-void ContactCache::gather(const Aabb& before, QueryCounters& counters) {
+/// Adds what an object has of pieces, each kind of shape in its own way.
+struct ContactCache::Gathering {
+    ContactCache& cache;
+    ObjectId id;
+    const Aabb& before;
+    QueryStatistics* statistics;
+
+    void operator()(const std::shared_ptr<const MeshCollider>& mesh) const {
+        const Pose& X = cache.world_->object(id).X_world_shape;
+        const auto take = [&](std::uint32_t t, const Triangle& c) {
+            if (!cache.holds(id, t)) {
+                cache.add_triangle(id, t, {X * c.a, X * c.b, X * c.c});
+            }
+        };
+        visit_triangles_beyond(*mesh, X, before, cache.covered_, take, statistics);
+    }
+    void operator()(const Box& box) const { cache.gather_box(id, box); }
+    void operator()(const Sphere&) const { cache.gather_round(id); }
+    void operator()(const Capsule&) const { cache.gather_round(id); }
+    void operator()(const Wheel&) const { cache.gather_round(id); }
+};
+
+void ContactCache::gather(const Aabb& before, QueryStatistics* statistics) {
     name_pieces();
     world_->candidates(covered_, filter_, candidates_);
     for (const ObjectId id : candidates_) {
-        const Object& object = world_->object(id);
-        if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
-            gather_mesh(id, **mesh, before, counters);
-        } else if (const auto* box = std::get_if<Box>(&object.shape)) {
-            gather_box(id, *box);
-        } else if (!holds(id, 0)) {
-            Obstacle solid;
-            solid.object = id;
-            solid.solid = &object;
-            solid.top = world_->bounds(id).max.y();
-            add(solid, world_->bounds(id));
-        }
+        std::visit(Gathering{*this, id, before, statistics}, world_->object(id).shape);
     }
 }
 
-void ContactCache::gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before,
-                               QueryCounters& counters) {
-    const Pose& X = world_->object(id).X_world_shape;
-    const auto held = [&](std::uint32_t t) { return holds(id, t); };
-    const auto take = [&](std::uint32_t t, const Triangle& c) {
-        add_triangle(id, t, {X * c.a, X * c.b, X * c.c});
-    };
-    descend(mesh, Beyond(before, covered_, X), 0.0, Gathering(mesh.mesh(), held, take), counters);
+/// A round solid is one piece.
+void ContactCache::gather_round(ObjectId id) {
+    if (holds(id, 0)) {
+        return;
+    }
+    Obstacle solid;
+    solid.object = id;
+    solid.solid = &world_->object(id);
+    solid.top = world_->bounds(id).max.y();
+    add(solid, world_->bounds(id));
 }
 
 /// Open addressing, at most a quarter full.

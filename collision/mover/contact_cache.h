@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/geometry/closest.h"
 #include "collision/mover/mover_settings.h"
 #include "collision/world/obstacle.h"
@@ -57,7 +57,7 @@ public:
     ContactCache(const World& world, const MoverSettings& settings, const QueryFilter& filter);
 
     /// Sees to it that everything in `box` has been gathered.
-    void cover(const Aabb& box, QueryCounters& counters);
+    void cover(const Aabb& box, QueryStatistics* statistics = nullptr);
     /// Drops everything: the filter's objects have changed.
     void forget();
     /// The body has another height from now on.
@@ -76,6 +76,7 @@ public:
     bool known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const;
 
 private:
+    struct Gathering;
     static constexpr std::size_t kLanes = 8;
     using Lanes = std::array<float, kLanes>;
 
@@ -89,10 +90,10 @@ private:
         std::uint8_t last = 0;
     };
 
-    void go_on_to(const Aabb& box, QueryCounters& counters);
+    void go_on_to(const Aabb& box, QueryStatistics* statistics);
     void drop_outside();
-    void gather(const Aabb& before, QueryCounters& counters);
-    void gather_mesh(ObjectId id, const MeshCollider& mesh, const Aabb& before, QueryCounters& counters);
+    void gather(const Aabb& before, QueryStatistics* statistics);
+    void gather_round(ObjectId id);
     void gather_box(ObjectId id, const Box& box);
     void name_pieces();
     bool holds(ObjectId id, std::uint32_t triangle) const;

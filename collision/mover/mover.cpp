@@ -42,7 +42,7 @@ CapsuleMover::CapsuleMover(const World& world, const MoverSettings& settings, co
       steepest_(std::sqrt(1.0 - settings.min_up * settings.min_up) / settings.min_up) {}
 
 void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
-                        QueryCounters& counters) {
+                        QueryStatistics* statistics) {
     trace.path.assign(1, state.foot);
     trace.landed = false;
     trace.fall_height = 0.0;
@@ -56,10 +56,10 @@ void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, Mov
     const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
     const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
     if (parts > 1) {
-        look_around(state.foot, length, settings_.step_height, settings_.step_height, counters);
+        look_around(state.foot, length, settings_.step_height, settings_.step_height, statistics);
     }
     for (int i = 0; i < parts; ++i) {
-        move_part(state, wish / parts, seconds / parts, trace, counters);
+        move_part(state, wish / parts, seconds / parts, trace, statistics);
         trace.path.push_back(state.foot);
     }
     list_touching(state, trace);
@@ -94,12 +94,12 @@ Support CapsuleMover::support_of(const MoverState& state) const {
 }
 
 void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
-                             QueryCounters& counters) {
+                             QueryStatistics* statistics) {
     const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
     if (state.grounded) {
         const double above = support_of(state).base - state.foot.y();
         const double high = std::max(settings_.step_height + above, steepest_ * length) + 2.0 * kHeightSlack;
-        look_around(state.foot, length, high, high, counters);
+        look_around(state.foot, length, high, high, statistics);
         if (length > 0.0) {
             walk(state, wish);
         }
@@ -107,18 +107,18 @@ void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds
     }
     const double high =
         (std::abs(state.vertical_speed) + settings_.gravity * seconds) * seconds + kHeightSlack;
-    look_around(state.foot, length + high, high, high, counters);
+    look_around(state.foot, length + high, high, high, statistics);
     fall(state, wish, seconds, trace);
 }
 
 /// Surveys what the body may meet this far from its place.
 void CapsuleMover::look_around(const Vec3& foot, double sideways, double up, double down,
-                               QueryCounters& counters) {
+                               QueryStatistics* statistics) {
     const double beside = sideways + GroundQuery::kProbe;
     const double reach = settings_.radius + beside + settings_.skin + kSurroundings;
     const Vec3 low(reach, down + kSurroundings + settings_.skin, reach);
     const Vec3 high(reach, settings_.height + up + kSurroundings + settings_.skin, reach);
-    around_.cover({foot - low, foot + high}, counters);
+    around_.cover({foot - low, foot + high}, statistics);
     around_.survey(foot, beside, up, down, settings_.skin + kListed);
 }
 
@@ -339,8 +339,8 @@ void CapsuleMover::list_touching(const MoverState& state, MoveTrace& trace) {
     }
 }
 
-void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, QueryCounters& counters) {
-    look_around(foot, 0.0, kHeightSlack, search + kHeightSlack, counters);
+void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, QueryStatistics* statistics) {
+    look_around(foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
     const Vec3 down = way().free_part(foot, Vec3(0, -search, 0), settings_.radius + kRest);
     const Ground ground = underfoot(foot + down);
     state = MoverState{};
@@ -358,7 +358,7 @@ bool CapsuleMover::jump(MoverState& state, double speed) const {
     return true;
 }
 
-bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& counters) {
+bool CapsuleMover::resize(MoverState& state, double height, QueryStatistics* statistics) {
     const Segment old_core = settings_.core(state.foot);
     const double old_height = settings_.height;
     const auto change = [&](double to) {
@@ -368,7 +368,7 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
         ground_query_.resize(to);
     };
     change(height);
-    look_around(state.foot, 0.0, kHeightSlack, kHeightSlack, counters);
+    look_around(state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
     const auto near = around_.near();
     const bool room = std::all_of(near.begin(), near.end(), [&](ContactCache::Index i) {
         const double distance = around_.separation(i, state.foot).distance;
@@ -381,9 +381,9 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryCounters& count
     return room;
 }
 
-void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters) {
+void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryStatistics* statistics) {
     const double high = support_of(state).base - state.foot.y() + settings_.step_height + kHeightSlack;
-    look_around(state.foot, 0.0, high, high, counters);
+    look_around(state.foot, 0.0, high, high, statistics);
     list_touching(state, trace);
 }
 

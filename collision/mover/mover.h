@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/mover/contact_cache.h"
 #include "collision/mover/ground_query.h"
 #include "collision/mover/half_planes.h"
@@ -58,10 +58,11 @@ public:
 
     /// Puts the body down at `foot`, which must be free (see free_place): on the ground if that is within
     /// `search` metres below, in the air otherwise.
-    void place(MoverState& state, const Vec3& foot, double search, QueryCounters& counters);
+    void place(MoverState& state, const Vec3& foot, double search, QueryStatistics* statistics = nullptr);
 
     /// One tick: `wish` is the horizontal displacement asked for (y = 0), `seconds` the tick's length.
-    void move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace, QueryCounters& counters);
+    void move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
+              QueryStatistics* statistics = nullptr);
 
     /// Leaves the ground at `speed`, metres a second upwards; the moves that follow rise and fall on the
     /// exact parabola. False, and nothing is changed, unless the body stands.
@@ -69,19 +70,19 @@ public:
 
     /// Crouches or stands up: another total height, no less than two radii, on the same foot. False, and
     /// nothing is changed, where there is no head room.
-    bool resize(MoverState& state, double height, QueryCounters& counters);
+    bool resize(MoverState& state, double height, QueryStatistics* statistics = nullptr);
     double height() const { return settings_.height; }
 
     /// Call when the filter sees other objects than before.
     void forget();
 
     /// Fills `trace.touching` for a body at rest.
-    void touch(const MoverState& state, MoveTrace& trace, QueryCounters& counters);
+    void touch(const MoverState& state, MoveTrace& trace, QueryStatistics* statistics = nullptr);
 
 private:
-    void look_around(const Vec3& foot, double sideways, double up, double down, QueryCounters& counters);
+    void look_around(const Vec3& foot, double sideways, double up, double down, QueryStatistics* statistics);
     void move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
-                   QueryCounters& counters);
+                   QueryStatistics* statistics);
 
     Support support_of(const MoverState& state) const;
     void walk(MoverState& state, const Vec3& wish);

@@ -11,22 +11,30 @@ namespace {
 /// Surfaces this close behind each other along the ray count as one, metres.
 constexpr double kSamePlace = 1e-3;
 
-std::optional<double> first_hit(const std::shared_ptr<const MeshCollider>& mesh, const Ray& local,
-                                QueryCounters& counters) {
-    const auto found = first_on_ray(*mesh, local, counters);
-    return found ? std::optional(found->fraction) : std::nullopt;
-}
+/// Where a ray in the shape's frame meets it first.
+struct FirstHit {
+    const Ray& ray;
+    QueryStatistics* statistics;
 
-template <typename Solid>
-std::optional<double> first_hit(const Solid& solid, const Ray& local, QueryCounters& counters) {
-    ++counters.np;
-    return hit(local, solid);
-}
+    std::optional<double> operator()(const std::shared_ptr<const MeshCollider>& mesh) const {
+        const auto found = first_on_ray(*mesh, ray, statistics);
+        return found ? std::optional(found->fraction) : std::nullopt;
+    }
+    std::optional<double> operator()(const Box& box) const { return counted(hit(ray, box)); }
+    std::optional<double> operator()(const Sphere& sphere) const { return counted(hit(ray, sphere)); }
+    std::optional<double> operator()(const Capsule& capsule) const { return counted(hit(ray, capsule)); }
+    std::optional<double> operator()(const Wheel& wheel) const { return counted(hit(ray, wheel)); }
+
+    std::optional<double> counted(std::optional<double> fraction) const {
+        add_to(statistics, {.primitive_tests = 1});
+        return fraction;
+    }
+};
 
 }  // namespace
 
 std::optional<WorldRayHit> cast(const World& world, const QueryFilter& filter, const Ray& ray,
-                                Detection preferred, QueryCounters& counters) {
+                                Detection preferred, QueryStatistics* statistics) {
     thread_local std::vector<ObjectId> candidates;
     world.candidates(ray.from, ray.to, filter, candidates);
     const double length = (ray.to - ray.from).norm();
@@ -39,8 +47,7 @@ std::optional<WorldRayHit> cast(const World& world, const QueryFilter& filter, c
         const Object& object = world.object(id);
         const Pose& X = object.X_world_shape;
         const Ray local{X.inverse_apply(ray.from), X.inverse_apply(ray.to)};
-        const auto f =
-            std::visit([&](const auto& shape) { return first_hit(shape, local, counters); }, object.shape);
+        const auto f = std::visit(FirstHit{local, statistics}, object.shape);
         if (!f) {
             continue;
         }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/geometry/ray.h"
 #include "collision/world/world.h"
 
@@ -17,6 +17,6 @@ struct WorldRayHit {
 /// and one for looking at often share a mesh): one that takes part in `preferred` goes first, then the lowest
 /// id.
 std::optional<WorldRayHit> cast(const World& world, const QueryFilter& filter, const Ray& ray,
-                                Detection preferred, QueryCounters& counters);
+                                Detection preferred, QueryStatistics* statistics = nullptr);
 
 }  // namespace campuswalk::collision

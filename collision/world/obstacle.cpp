@@ -16,11 +16,11 @@ namespace {
 constexpr double kOnFace = 1e-6;
 
 void append_triangles(const World& world, ObjectId id, const MeshCollider& mesh, const Segment& segment,
-                      double radius, std::vector<Obstacle>& out, QueryCounters& counters) {
+                      double radius, std::vector<Obstacle>& out, QueryStatistics* statistics) {
     const Pose& X = world.object(id).X_world_shape;
     const Segment local{X.inverse_apply(segment.a), X.inverse_apply(segment.b)};
     thread_local std::vector<std::uint32_t> near;
-    triangles_near(mesh, local, radius, near, counters);
+    triangles_near(mesh, local, radius, near, statistics);
     for (const std::uint32_t t : near) {
         const Triangle c = corners(mesh.mesh(), t);
         Obstacle o;
@@ -36,17 +36,17 @@ void append_triangles(const World& world, ObjectId id, const MeshCollider& mesh,
 }
 
 void append_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
-                   std::vector<Obstacle>& out, QueryCounters& counters) {
+                   std::vector<Obstacle>& out, QueryStatistics* statistics) {
     const Object& object = world.object(id);
     if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
-        append_triangles(world, id, **mesh, segment, radius, out, counters);
+        append_triangles(world, id, **mesh, segment, radius, out, statistics);
         return;
     }
     Obstacle o;
     o.object = id;
     o.solid = &object;
     o.top = world.bounds(id).max.y();
-    ++counters.np;
+    add_to(statistics, {.primitive_tests = 1});
     if (closest(segment, o).distance <= radius) {
         out.push_back(o);
     }
@@ -89,19 +89,14 @@ bool up_at(const std::shared_ptr<const MeshCollider>&, const Pose&, const Vec3&,
     return false;  // meshes come apart into triangles before they get here
 }
 
-Closest to_solid(const Segment&, const std::shared_ptr<const MeshCollider>&, const Pose&) {
-    return {};
-}
-
-template <typename Solid>
-Closest to_solid(const Segment& segment, const Solid& solid, const Pose& X) {
-    return closest(segment, solid, X);
+Closest closest(const Segment&, const std::shared_ptr<const MeshCollider>&, const Pose&) {
+    return {};  // likewise
 }
 
 }  // namespace
 
 void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,
-                      std::vector<Obstacle>& out, QueryCounters& counters) {
+                      std::vector<Obstacle>& out, QueryStatistics* statistics) {
     out.clear();
     Aabb box;
     box.extend(segment.a);
@@ -109,14 +104,14 @@ void gather_obstacles(const World& world, const QueryFilter& filter, const Segme
     thread_local std::vector<ObjectId> candidates;
     world.candidates(box.grown(radius), filter, candidates);
     for (const ObjectId id : candidates) {
-        append_pieces(world, id, segment, radius, out, counters);
+        append_pieces(world, id, segment, radius, out, statistics);
     }
 }
 
 void gather_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
-                   std::vector<Obstacle>& out, QueryCounters& counters) {
+                   std::vector<Obstacle>& out, QueryStatistics* statistics) {
     out.clear();
-    append_pieces(world, id, segment, radius, out, counters);
+    append_pieces(world, id, segment, radius, out, statistics);
 }
 
 Closest closest(const Segment& segment, const Obstacle& obstacle) {
@@ -124,7 +119,7 @@ Closest closest(const Segment& segment, const Obstacle& obstacle) {
         return closest(segment, obstacle.corners);
     }
     const Object& object = *obstacle.solid;
-    return std::visit([&](const auto& shape) { return to_solid(segment, shape, object.X_world_shape); },
+    return std::visit([&](const auto& shape) { return closest(segment, shape, object.X_world_shape); },
                       object.shape);
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/geometry/closest.h"
 #include "collision/world/world.h"
 
@@ -24,11 +24,11 @@ struct Obstacle {
 /// Replaces `out` by everything that passes the filter within `radius` of the segment, ordered by object and
 /// triangle. Pointers into `world` stay valid as long as it does.
 void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,
-                      std::vector<Obstacle>& out, QueryCounters& counters);
+                      std::vector<Obstacle>& out, QueryStatistics* statistics = nullptr);
 
 /// Likewise for one object.
 void gather_pieces(const World& world, ObjectId id, const Segment& segment, double radius,
-                   std::vector<Obstacle>& out, QueryCounters& counters);
+                   std::vector<Obstacle>& out, QueryStatistics* statistics = nullptr);
 
 Closest closest(const Segment& segment, const Obstacle& obstacle);
 

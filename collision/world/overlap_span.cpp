@@ -47,9 +47,9 @@ void merge(std::optional<OverlapSpan>& total, const OverlapSpan& span) {
 }  // namespace
 
 std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const Segment& segment,
-                                        double radius, const Vec3& move, QueryCounters& counters) {
-    const bool inside_at_start = contains(world.object(id), segment.a, counters);
-    const bool inside_at_end = contains(world.object(id), segment.a + move, counters);
+                                        double radius, const Vec3& move, QueryStatistics* statistics) {
+    const bool inside_at_start = contains(world.object(id), segment.a, statistics);
+    const bool inside_at_end = contains(world.object(id), segment.a + move, statistics);
     OverlapSpan inside;
     inside.at_start = inside_at_start;
     inside.at_end = inside_at_end;
@@ -60,7 +60,7 @@ std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const S
     }
     thread_local std::vector<Obstacle> pieces;
     const Segment middle{segment.a + 0.5 * move, segment.b + 0.5 * move};
-    gather_pieces(world, id, middle, radius + 0.5 * move.norm(), pieces, counters);
+    gather_pieces(world, id, middle, radius + 0.5 * move.norm(), pieces, statistics);
     std::optional<OverlapSpan> total;
     for (const Obstacle& piece : pieces) {
         if (const auto span = span_of(segment, radius, move, piece)) {

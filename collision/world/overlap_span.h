@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/geometry/shapes.h"
 #include "collision/world/world.h"
 
@@ -20,6 +20,7 @@ struct OverlapSpan {
 /// solids are filled; a mesh is its surface, and also its inside where it is closed and faces outward.
 /// The span reaches from the first to the last contact, whatever gaps lie between.
 std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const Segment& segment,
-                                        double radius, const Vec3& move, QueryCounters& counters);
+                                        double radius, const Vec3& move,
+                                        QueryStatistics* statistics = nullptr);
 
 }  // namespace campuswalk::collision

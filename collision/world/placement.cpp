@@ -14,14 +14,21 @@ namespace campuswalk::collision {
 
 namespace {
 
-bool inside(const std::shared_ptr<const MeshCollider>& mesh, const Vec3& local, QueryCounters& counters) {
-    return is_inside(*mesh, local, counters);
-}
+/// Whether a point in the shape's frame is inside it.
+struct Holds {
+    const Vec3& point;
+    QueryStatistics* statistics;
 
-template <typename Solid>
-bool inside(const Solid& solid, const Vec3& local, QueryCounters& /*counters*/) {
-    return closest(Segment{local, local}, solid, Pose{}).distance <= 0.0;
-}
+    bool operator()(const std::shared_ptr<const MeshCollider>& mesh) const {
+        return is_inside(*mesh, point, statistics);
+    }
+    bool operator()(const Box& box) const { return closest(at(), box, {}).distance <= 0.0; }
+    bool operator()(const Sphere& sphere) const { return closest(at(), sphere, {}).distance <= 0.0; }
+    bool operator()(const Capsule& capsule) const { return closest(at(), capsule, {}).distance <= 0.0; }
+    bool operator()(const Wheel& wheel) const { return closest(at(), wheel, {}).distance <= 0.0; }
+
+    Segment at() const { return {point, point}; }
+};
 
 constexpr double kLift = 0.05;       // metres between the heights that are tried
 constexpr double kRing = 0.02;       // metres between the rings that are tried
@@ -79,16 +86,16 @@ std::vector<Vec3> offsets_within(double reach) {
 class Push {
 public:
     Push(const World& world, const QueryFilter& filter, const Vec3& foot, double radius, double height,
-         QueryCounters& counters)
+         QueryStatistics* statistics)
         : world_(world),
           filter_(filter),
           foot_(foot),
           radius_(radius),
           height_(height),
-          counters_(counters),
+          statistics_(statistics),
           axis_(axis_at(foot, radius, height)) {
         const Segment reach{axis_.a, axis_.b + Vec3(0, 2.0 * radius, 0)};
-        gather_obstacles(world, filter, reach, 3.0 * radius + kClearance, pieces_, counters);
+        gather_obstacles(world, filter, reach, 3.0 * radius + kClearance, pieces_, statistics);
         for (const Obstacle& piece : pieces_) {
             const bool overlapped = closest(axis_, piece).distance < radius;
             distances_.push_back(overlapped ? radius + kClearance : radius);
@@ -130,7 +137,7 @@ private:
         std::vector<ObjectId> around;
         world_.candidates(box, filter_, around);
         return std::ranges::any_of(
-            around, [&](ObjectId id) { return contains(world_.object(id), point, counters_); });
+            around, [&](ObjectId id) { return contains(world_.object(id), point, statistics_); });
     }
 
     bool is_free(const Vec3& offset) const {
@@ -143,7 +150,7 @@ private:
                 return false;
             }
         }
-        return !obstruction(world_, filter_, foot_ + offset, radius_, height_, counters_);
+        return !obstruction(world_, filter_, foot_ + offset, radius_, height_, statistics_);
     }
 
     Vec3 drawn_in(const Vec3& offset) const {
@@ -161,7 +168,7 @@ private:
     Vec3 foot_;
     double radius_;
     double height_;
-    QueryCounters& counters_;
+    QueryStatistics* statistics_;
     Segment axis_;
     std::vector<Obstacle> pieces_;
     std::vector<double> distances_;  ///< that the axis keeps from each piece, metres
@@ -169,16 +176,16 @@ private:
 
 }  // namespace
 
-bool contains(const Object& object, const Vec3& point, QueryCounters& counters) {
+bool contains(const Object& object, const Vec3& point, QueryStatistics* statistics) {
     const Vec3 local = object.X_world_shape.inverse_apply(point);
-    return std::visit([&](const auto& shape) { return inside(shape, local, counters); }, object.shape);
+    return std::visit(Holds{local, statistics}, object.shape);
 }
 
 std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filter, const Vec3& foot,
-                                    double radius, double height, QueryCounters& counters) {
+                                    double radius, double height, QueryStatistics* statistics) {
     const Segment body = axis_at(foot, radius, height);
     std::vector<Obstacle> pieces;
-    gather_obstacles(world, filter, body, radius, pieces, counters);
+    gather_obstacles(world, filter, body, radius, pieces, statistics);
     std::optional<ObjectId> worst;
     double least = radius;
     for (const Obstacle& piece : pieces) {
@@ -195,7 +202,7 @@ std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filte
     std::vector<ObjectId> around;
     world.candidates(box, filter, around);
     for (const ObjectId id : around) {
-        if (contains(world.object(id), body.a, counters)) {
+        if (contains(world.object(id), body.a, statistics)) {
             return id;
         }
     }
@@ -203,10 +210,10 @@ std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filte
 }
 
 std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
-                               double height, double search, QueryCounters& counters) {
+                               double height, double search, QueryStatistics* statistics) {
     for (int i = 0; i * kLift <= search; ++i) {
         const Vec3 tried = foot + Vec3(0, i * kLift, 0);
-        if (!obstruction(world, filter, tried, radius, height, counters)) {
+        if (!obstruction(world, filter, tried, radius, height, statistics)) {
             return tried;
         }
     }
@@ -214,18 +221,19 @@ std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, co
 }
 
 std::optional<Standing> standing_place(const World& world, const QueryFilter& filter, const Vec3& foot,
-                                       double radius, double height, double search, QueryCounters& counters) {
-    if (const auto here = free_place(world, filter, foot, radius, height, kLift, counters)) {
+                                       double radius, double height, double search,
+                                       QueryStatistics* statistics) {
+    if (const auto here = free_place(world, filter, foot, radius, height, kLift, statistics)) {
         return Standing{*here, std::nullopt};
     }
-    const auto in_the_way = obstruction(world, filter, foot, radius, height, counters);
-    if (const Push push(world, filter, foot, radius, height, counters); push.shallow()) {
+    const auto in_the_way = obstruction(world, filter, foot, radius, height, statistics);
+    if (const Push push(world, filter, foot, radius, height, statistics); push.shallow()) {
         if (const auto beside = push.nearest()) {
             return Standing{*beside, in_the_way};
         }
         return std::nullopt;
     }
-    if (const auto above = free_place(world, filter, foot, radius, height, search, counters)) {
+    if (const auto above = free_place(world, filter, foot, radius, height, search, statistics)) {
         return Standing{*above, in_the_way};
     }
     return std::nullopt;

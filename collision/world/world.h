@@ -34,8 +34,8 @@ struct QueryFilter {
     const std::vector<bool>* disabled = nullptr;  ///< by object: not seen; nothing is disabled if null
 };
 
-/// The static world: objects in a broad phase, hybrid trees as their narrow phase. Immutable once filled;
-/// queries are const and give objects in ascending id, whatever the broad phase's order.
+/// The static world: objects in a broad phase, the trees of their meshes as the narrow phase. Immutable once
+/// filled; queries are const and give objects in ascending id, whatever the broad phase's order.
 class World {
 public:
     explicit World(std::unique_ptr<BroadPhase> broad_phase);

@@ -45,8 +45,7 @@ void NoPenetrationEvaluator::see(const TickRecord& record, const StateSnapshot& 
     const Vector3d& foot = record.avatar.position;
     const collision::Segment axis{foot + Vector3d(0, radius, 0), foot + Vector3d(0, height - radius, 0)};
     const collision::QueryFilter filter{collision::Detection::solid, ignored_layers_, record.disabled};
-    collision::QueryCounters counters;
-    collision::gather_obstacles(campus_->world, filter, axis, radius, pieces_, counters);
+    collision::gather_obstacles(campus_->world, filter, axis, radius, pieces_);
     for (const collision::Obstacle& piece : pieces_) {
         see_depth(piece.object, radius - collision::closest(axis, piece).distance, now);
     }
@@ -56,7 +55,7 @@ void NoPenetrationEvaluator::see(const TickRecord& record, const StateSnapshot& 
     box.extend(middle);
     campus_->world.candidates(box, filter, around_);
     for (const collision::ObjectId id : around_) {
-        if (deepest_ < radius && collision::contains(campus_->world.object(id), middle, counters)) {
+        if (deepest_ < radius && collision::contains(campus_->world.object(id), middle)) {
             see_depth(id, radius, now);
         }
     }

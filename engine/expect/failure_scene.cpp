@@ -35,11 +35,10 @@ Nearest nearest_solid(const StateSnapshot& moment, const scene::Campus& campus, 
     const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(campus, avatar),
                                         moment.disabled.get()};
     std::vector<collision::Obstacle> pieces;
-    collision::QueryCounters counters;
     Nearest nearest;
     // Most walks end near something: a small circle first.
     for (const double reach : {0.5, 3.0, kReach}) {
-        collision::gather_obstacles(campus.world, filter, axis, avatar.radius + reach, pieces, counters);
+        collision::gather_obstacles(campus.world, filter, axis, avatar.radius + reach, pieces);
         for (const collision::Obstacle& piece : pieces) {
             const collision::Closest closest = collision::closest(axis, piece);
             const double distance = std::max(0.0, closest.distance - avatar.radius);

@@ -20,12 +20,13 @@ std::string track_name(int track, const std::string& name) {
            R"(,"name":"thread_name","args":{"name":)" + quoted(name) + "}}";
 }
 
-double tests(const collision::QueryCounters& cost) {
-    return static_cast<double>(cost.nv + cost.np);
+double tests(const collision::QueryStatistics& cost) {
+    return static_cast<double>(cost.volume_tests + cost.primitive_tests);
 }
 
-std::string counts(const collision::QueryCounters& cost) {
-    return R"("node_tests":)" + std::to_string(cost.nv) + R"(,"triangle_tests":)" + std::to_string(cost.np);
+std::string counts(const collision::QueryStatistics& cost) {
+    return R"("node_tests":)" + std::to_string(cost.volume_tests) + R"(,"triangle_tests":)" +
+           std::to_string(cost.primitive_tests);
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ void CostTrace::slice(const std::string& name, int track, double start, double d
 }
 
 /// Where the next one begins.
-double CostTrace::stage(const char* name, double start, const collision::QueryCounters& cost) {
+double CostTrace::stage(const char* name, double start, const collision::QueryStatistics& cost) {
     slice(name, kCostTrack, start, tests(cost), counts(cost));
     return start + tests(cost);
 }
@@ -58,7 +59,7 @@ void CostTrace::frame(const TickRecord& record) {
     const double start = cost_so_far_;
     if (record.tick >= next_) {  // a walk's closing frame repeats its last tick
         next_ = record.tick + 1;
-        collision::QueryCounters all = record.costs.move;
+        collision::QueryStatistics all = record.costs.move;
         all += record.costs.detect;
         const std::string when =
             R"("tick":)" + std::to_string(record.tick) + R"(,"time":)" + fixed(record.time, 6);

@@ -26,7 +26,7 @@ public:
 
 private:
     void slice(const std::string& name, int track, double start, double duration, const std::string& details);
-    double stage(const char* name, double start, const collision::QueryCounters& cost);
+    double stage(const char* name, double start, const collision::QueryStatistics& cost);
 
     LineSink sink_;
     Clock clock_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "engine/events/event.h"
 #include "engine/script/avatar.h"
 #include "engine/script/walk.h"
@@ -21,8 +21,8 @@ struct OpenPopup {
 
 /// The work of a tick's stages, in tests of pairs.
 struct TickCosts {
-    collision::QueryCounters move;    ///< putting down, sweeping, stepping and sliding
-    collision::QueryCounters detect;  ///< triggers and the look
+    collision::QueryStatistics move;    ///< putting down, sweeping, stepping and sliding
+    collision::QueryStatistics detect;  ///< triggers and the look
 };
 
 /// What one tick did, as plain data that observers read after it. Spans stay valid until the next tick.

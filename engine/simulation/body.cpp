@@ -8,7 +8,7 @@
 namespace campuswalk::engine {
 
 using collision::ObjectId;
-using collision::QueryCounters;
+using collision::QueryStatistics;
 using Eigen::Vector3d;
 
 namespace {
@@ -18,7 +18,7 @@ constexpr double kAbyss = 10.0;
 /// Falls of less than this are steps, not landings worth an event, metres.
 constexpr double kNotableFall = 0.5;
 /// Ground this far below the foot still carries it, metres.
-constexpr double kGroundQuery = 0.01;
+constexpr double kGroundSearch = 0.01;
 
 }  // namespace
 
@@ -48,17 +48,17 @@ bool Body::has_fallen_off_the_world() const {
     return foot().y() < campus_.world.bounds().min.y() - kAbyss;
 }
 
-Motion Body::follow(const Intent& intent, QueryCounters& counters) {
+Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
     Motion motion;
     yaw_ = intent.yaw;
     pitch_ = intent.pitch;
     if (intent.placement) {
         jumping_ = false;
-        motion.push = put_down(intent.placement->foot, counters);
+        motion.push = put_down(intent.placement->foot, statistics);
     } else {
         motion.jumped = intent.jump && mover_.jump(mover_state_, *intent.jump);
         jumping_ = jumping_ || motion.jumped;
-        mover_.move(mover_state_, intent.move, dt_, trace_, counters);
+        mover_.move(mover_state_, intent.move, dt_, trace_, &statistics);
         for (std::size_t i = 1; i < trace_.path.size(); ++i) {
             distance_ += (trace_.path[i] - trace_.path[i - 1]).norm();
         }
@@ -71,62 +71,62 @@ Motion Body::follow(const Intent& intent, QueryCounters& counters) {
     return motion;
 }
 
-bool Body::resize(double height, QueryCounters& counters) {
-    return mover_.resize(mover_state_, height, counters);
+bool Body::resize(double height, QueryStatistics& statistics) {
+    return mover_.resize(mover_state_, height, &statistics);
 }
 
-std::optional<ObjectId> Body::obstruction(double height, QueryCounters& counters) const {
-    return collision::obstruction(campus_.world, solids_, foot(), profile_.radius, height, counters);
+std::optional<ObjectId> Body::obstruction(double height, QueryStatistics& statistics) const {
+    return collision::obstruction(campus_.world, solids_, foot(), profile_.radius, height, &statistics);
 }
 
 /// A solid that appears where the body is pushes it aside.
-Body::Adjustment Body::adjust_to_enabled(QueryCounters& counters) {
+Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
     Adjustment adjustment;
     mover_.forget();
-    if (const auto solid = obstruction(height(), counters)) {
+    if (const auto solid = obstruction(height(), statistics)) {
         if (collision::standing_place(campus_.world, solids_, foot(), profile_.radius, height(),
-                                      kPlacementSearch, counters)) {
-            adjustment.push = put_down(foot(), counters);
+                                      kPlacementSearch, &statistics)) {
+            adjustment.push = put_down(foot(), statistics);
         } else {
             adjustment.enclosed_by = solid;
         }
     }
-    rest(counters);
+    rest(statistics);
     return adjustment;
 }
 
 /// A body at rest doesn't look for its ground again by itself.
-void Body::adjust_to_disabled(QueryCounters& counters) {
+void Body::adjust_to_disabled(QueryStatistics& statistics) {
     mover_.forget();
     collision::MoverState probe;
-    mover_.place(probe, foot(), kGroundQuery, counters);
+    mover_.place(probe, foot(), kGroundSearch, &statistics);
     if (mover_state_.grounded && !probe.grounded) {
         mover_state_.leave_ground(0.0, foot().y());
     }
-    rest(counters);
+    rest(statistics);
 }
 
 /// At a place, or beside what is in the way there.
-std::optional<Push> Body::put_down(const Vector3d& foot, QueryCounters& counters) {
+std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statistics) {
     // check_walk has refused places that can't be made free.
     const collision::Standing standing =
         collision::standing_place(campus_.world, solids_, foot, profile_.radius, height(), kPlacementSearch,
-                                  counters)
+                                  &statistics)
             .value_or(collision::Standing{foot, std::nullopt});
     std::optional<Push> push;
     if (standing.pushed_out_of) {
         push = Push{foot, (standing.foot - foot).norm(), *standing.pushed_out_of};
     }
-    mover_.place(mover_state_, standing.foot, 2.0 * kPlacementSearch, counters);
-    rest(counters);
+    mover_.place(mover_state_, standing.foot, 2.0 * kPlacementSearch, &statistics);
+    rest(statistics);
     return push;
 }
 
 /// The trace of a body that doesn't move.
-void Body::rest(QueryCounters& counters) {
+void Body::rest(QueryStatistics& statistics) {
     trace_.path.assign(1, foot());
     trace_.landed = false;
-    mover_.touch(mover_state_, trace_, counters);
+    mover_.touch(mover_state_, trace_, &statistics);
 }
 
 }  // namespace campuswalk::engine

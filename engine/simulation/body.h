@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/mover/mover.h"
 #include "engine/script/avatar.h"
 #include "engine/script/intent.h"
@@ -52,24 +52,24 @@ public:
     bool has_fallen_off_the_world() const;
 
     /// One tick.
-    Motion follow(const Intent& intent, collision::QueryCounters& counters);
+    Motion follow(const Intent& intent, collision::QueryStatistics& statistics);
 
     /// Crouches or stands up. False, and nothing is changed, where there is no head room.
-    bool resize(double height, collision::QueryCounters& counters);
+    bool resize(double height, collision::QueryStatistics& statistics);
     /// What is where the body would be, were it so tall.
-    std::optional<collision::ObjectId> obstruction(double height, collision::QueryCounters& counters) const;
+    std::optional<collision::ObjectId> obstruction(double height, collision::QueryStatistics& statistics) const;
 
     /// How the body took it that objects were enabled or disabled.
     struct Adjustment {
         std::optional<Push> push;
         std::optional<collision::ObjectId> enclosed_by;  ///< no room anywhere near; the body is where it was
     };
-    Adjustment adjust_to_enabled(collision::QueryCounters& counters);
-    void adjust_to_disabled(collision::QueryCounters& counters);
+    Adjustment adjust_to_enabled(collision::QueryStatistics& statistics);
+    void adjust_to_disabled(collision::QueryStatistics& statistics);
 
 private:
-    std::optional<Push> put_down(const Eigen::Vector3d& foot, collision::QueryCounters& counters);
-    void rest(collision::QueryCounters& counters);
+    std::optional<Push> put_down(const Eigen::Vector3d& foot, collision::QueryStatistics& statistics);
+    void rest(collision::QueryStatistics& statistics);
 
     const scene::Campus& campus_;
     const AvatarProfile& profile_;

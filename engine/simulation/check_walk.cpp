@@ -48,12 +48,11 @@ private:
     /// Complains about a place where the avatar can't stand.
     void check_place(const SourceMark& mark, const std::string& label, const Vector3d& foot,
                      std::vector<Diagnostic>& diagnostics) {
-        if (collision::standing_place(campus_.world, solids_, foot, avatar_.radius, height_, kPlacementSearch,
-                                      counters_)) {
+        if (collision::standing_place(campus_.world, solids_, foot, avatar_.radius, height_,
+                                      kPlacementSearch)) {
             return;
         }
-        const auto object =
-            collision::obstruction(campus_.world, solids_, foot, avatar_.radius, height_, counters_);
+        const auto object = collision::obstruction(campus_.world, solids_, foot, avatar_.radius, height_);
         const std::string where = object ? "inside " + campus_.objects[index_of(*object)].id : "not free";
         diagnostics.push_back({scene::Severity::error, mark, "spawn-blocked",
                                label + " at " + fixed(foot) + " is " + where +
@@ -89,7 +88,6 @@ private:
     double height_;
     std::vector<bool> disabled_;
     collision::QueryFilter solids_;
-    collision::QueryCounters counters_;
 };
 
 bool same_diagnostic(const Diagnostic& a, const Diagnostic& b) {

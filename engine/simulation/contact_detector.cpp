@@ -44,19 +44,20 @@ ContactDetector::ContactDetector(const scene::Campus& campus, const AvatarProfil
       gaze_tracker_(gaze_hold) {}
 
 void ContactDetector::detect(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                             std::vector<DetectedTransition>& out, collision::QueryCounters& counters) {
+                             std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics) {
     out.clear();
     find_solid_contacts(trace);
     collect(tick, DetectionMode::collision, solids_, out);
-    find_trigger_overlaps(avatar.stature * avatar_.height, trace, counters);
+    find_trigger_overlaps(avatar.stature * avatar_.height, trace, statistics);
     collect(tick, DetectionMode::trigger, triggers_, out);
-    find_gaze_hits(tick, avatar, counters);
+    find_gaze_hits(tick, avatar, statistics);
     collect(tick, DetectionMode::ray, gaze_, out);
     sort_for_log(out);
 }
 
 void ContactDetector::detect_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                                   std::vector<DetectedTransition>& out, collision::QueryCounters& counters) {
+                                   std::vector<DetectedTransition>& out,
+                                   collision::QueryStatistics* statistics) {
     if (disabled_ != nullptr) {
         for (std::size_t i = 0; i < disabled_->size(); ++i) {
             if ((*disabled_)[i]) {
@@ -64,7 +65,7 @@ void ContactDetector::detect_again(Tick tick, const AvatarState& avatar, const c
             }
         }
     }
-    detect(tick, avatar, trace, out, counters);
+    detect(tick, avatar, trace, out, statistics);
     // `sense` has told this tick's stays before.
     std::erase_if(out, [](const DetectedTransition& s) { return s.transition.phase == Phase::stay; });
 }
@@ -105,7 +106,7 @@ void ContactDetector::find_solid_contacts(const collision::MoveTrace& trace) {
 }
 
 void ContactDetector::find_trigger_overlaps(double height, const collision::MoveTrace& trace,
-                                            collision::QueryCounters& counters) {
+                                            collision::QueryStatistics* statistics) {
     seen_.clear();
     Aabb box;
     for (const Vec3& foot : trace.path) {
@@ -115,7 +116,7 @@ void ContactDetector::find_trigger_overlaps(double height, const collision::Move
     const QueryFilter filter{Detection::trigger, ignored_layers_, disabled_};
     campus_.world.candidates(box.grown(avatar_.radius + kVolumeSlack), filter, candidates_);
     for (const collision::ObjectId id : candidates_) {
-        const ObjectOverlap overlap = trigger_overlap(id, height, trace.path, counters);
+        const ObjectOverlap overlap = trigger_overlap(id, height, trace.path, statistics);
         if (overlap.met || triggers_.active(id)) {
             seen_.push_back(overlap);
         }
@@ -125,11 +126,11 @@ void ContactDetector::find_trigger_overlaps(double height, const collision::Move
 /// How the avatar meets a volume along its path, from the first contact to the last.
 ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double height,
                                                const std::vector<Vec3>& path,
-                                               collision::QueryCounters& counters) const {
+                                               collision::QueryStatistics* statistics) const {
     const double radius = avatar_.radius + (triggers_.active(id) ? kVolumeSlack : 0.0);
     const auto span_from = [&](const Vec3& foot, const Vec3& move) {
         const Segment body{foot + Vec3(0, avatar_.radius, 0), foot + Vec3(0, height - avatar_.radius, 0)};
-        return overlap_span(campus_.world, id, body, radius, move, counters);
+        return overlap_span(campus_.world, id, body, radius, move, statistics);
     };
     if (path.size() == 1) {  // put down here
         const bool inside = span_from(path.front(), Vec3::Zero()).has_value();
@@ -151,7 +152,7 @@ ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double he
 }
 
 void ContactDetector::find_gaze_hits(Tick tick, const AvatarState& avatar,
-                                     collision::QueryCounters& counters) {
+                                     collision::QueryStatistics* statistics) {
     seen_.clear();
     const auto [sin_yaw, cos_yaw] = collision::sin_cos(avatar.yaw);
     const auto [sin_pitch, cos_pitch] = collision::sin_cos(avatar.pitch);
@@ -159,7 +160,7 @@ void ContactDetector::find_gaze_hits(Tick tick, const AvatarState& avatar,
     const Vec3 eye = avatar.position + Vec3(0, avatar.stature * avatar_.eye_height, 0);
     const Ray ray{eye, eye + avatar_.look_distance * direction};
     const QueryFilter filter{Detection::solid | Detection::ray, ignored_layers_, disabled_};
-    const auto hit = collision::cast(campus_.world, filter, ray, Detection::ray, counters);
+    const auto hit = collision::cast(campus_.world, filter, ray, Detection::ray, statistics);
     if (hit && any_of(campus_.world.object(hit->object).detection, Detection::ray)) {
         gaze_tracker_.meet(tick, hit->object, hit->fraction * avatar_.look_distance);
     }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/mover/mover.h"
 #include "collision/world/world.h"
 #include "engine/events/contact_tracker.h"
@@ -34,12 +34,12 @@ public:
     /// After a tick that moved the avatar along `trace.path`. Replaces `out`, in log order: by time within
     /// the tick, exits before enters before stays, then by object.
     void detect(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                std::vector<DetectedTransition>& out, collision::QueryCounters& counters);
+                std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics = nullptr);
 
     /// After `sense`, in the same tick, when what can be met has changed: enters and exits alone. What was
     /// disabled is left at once, without the gaze's hold. Replaces `out`, in the same order.
     void detect_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
-                      std::vector<DetectedTransition>& out, collision::QueryCounters& counters);
+                      std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics = nullptr);
 
     /// Everything ends at once. Replaces `out`, in the same order.
     void leave_all(Tick tick, std::vector<DetectedTransition>& out);
@@ -47,11 +47,11 @@ public:
 private:
     void find_solid_contacts(const collision::MoveTrace& trace);
     void find_trigger_overlaps(double height, const collision::MoveTrace& trace,
-                               collision::QueryCounters& counters);
+                               collision::QueryStatistics* statistics);
     ObjectOverlap trigger_overlap(collision::ObjectId id, double height,
                                   const std::vector<collision::Vec3>& path,
-                                  collision::QueryCounters& counters) const;
-    void find_gaze_hits(Tick tick, const AvatarState& avatar, collision::QueryCounters& counters);
+                                  collision::QueryStatistics* statistics) const;
+    void find_gaze_hits(Tick tick, const AvatarState& avatar, collision::QueryStatistics* statistics);
     void collect(Tick tick, DetectionMode mode, ContactTracker& tracker,
                  std::vector<DetectedTransition>& out);
 

@@ -47,14 +47,14 @@ ContactEvents::ContactEvents(const scene::Campus& campus, const Walk& walk, cons
       windows_(windows) {}
 
 void ContactEvents::detect(const Body& body, const char* cause, TickEvents& events,
-                           collision::QueryCounters& counters) {
-    detector_.detect(events.tick, body.state(), body.trace(), transitions_, counters);
+                           collision::QueryStatistics& statistics) {
+    detector_.detect(events.tick, body.state(), body.trace(), transitions_, &statistics);
     report_all(body, cause, events);
 }
 
 void ContactEvents::detect_again(const Body& body, const char* cause, TickEvents& events,
-                                 collision::QueryCounters& counters) {
-    detector_.detect_again(events.tick, body.state(), body.trace(), transitions_, counters);
+                                 collision::QueryStatistics& statistics) {
+    detector_.detect_again(events.tick, body.state(), body.trace(), transitions_, &statistics);
     report_all(body, cause, events);
 }
 

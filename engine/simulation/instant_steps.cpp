@@ -22,8 +22,8 @@ std::optional<Stop> carry_out_one(const CrouchStep& step, SimulationState& state
     if (step.height == state.body.height()) {
         return std::nullopt;
     }
-    if (!state.body.resize(step.height, state.counters)) {
-        const auto by = state.body.obstruction(step.height, state.counters);
+    if (!state.body.resize(step.height, state.statistics)) {
+        const auto by = state.body.obstruction(step.height, state.statistics);
         return Stop{step.mark, "blocked",
                     "there is no head room for " + fixed(step.height, 2) + " m" +
                         (by ? ": blocked by " + state.name_of(*by) : "")};
@@ -62,7 +62,7 @@ std::optional<Stop> carry_out_one(const EnableStep& step, SimulationState& state
     }
     std::optional<Stop> stop;
     if (step.enabled) {
-        const Body::Adjustment adjustment = state.body.adjust_to_enabled(state.counters);
+        const Body::Adjustment adjustment = state.body.adjust_to_enabled(state.statistics);
         if (adjustment.enclosed_by) {
             stop = Stop{step.mark, "enclosed",
                         state.name_of(*adjustment.enclosed_by) +
@@ -72,10 +72,10 @@ std::optional<Stop> carry_out_one(const EnableStep& step, SimulationState& state
             state.report_push(*adjustment.push, state.walk.name);
         }
     } else {
-        state.body.adjust_to_disabled(state.counters);
+        state.body.adjust_to_disabled(state.statistics);
     }
     state.contacts.detect_again(state.body, step.enabled ? "enable" : "disabled", state.events,
-                                state.counters);
+                                state.statistics);
     return stop;
 }
 

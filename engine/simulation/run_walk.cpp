@@ -97,7 +97,7 @@ void summarize(const Simulation& simulation, const scene::Campus& campus, const 
     summary.events += static_cast<std::int64_t>(summary.failures.size());
     summary.distance = simulation.distance();
     summary.hash = simulation.hash();
-    summary.counters = simulation.counters();
+    summary.statistics = simulation.statistics();
 }
 
 WalkSummary run_walk(Simulation& simulation, const scene::Campus& campus, const Walk& walk,

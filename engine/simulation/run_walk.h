@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "engine/events/event.h"
 #include "engine/expect/failure.h"
 #include "engine/record/observer.h"
@@ -24,7 +24,7 @@ struct WalkSummary {
     /// a walk doesn't change it.
     std::uint64_t hash = 0;
     std::vector<Failure> failures;
-    collision::QueryCounters counters;
+    collision::QueryStatistics statistics;
 };
 
 /// Plays the walk from its first step to its last, evaluates the expectations and shows every frame to the

@@ -152,8 +152,8 @@ void Simulation::end_tick() {
     for (const Event& event : state_.events.list) {
         hash_.add(event);
     }
-    state_.counters += state_.costs.move;
-    state_.counters += state_.costs.detect;
+    state_.statistics += state_.costs.move;
+    state_.statistics += state_.costs.detect;
     record_ = state_.record();
     finished_ = stop_ || intents_.finished();
 }

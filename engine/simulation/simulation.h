@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "engine/record/tick_record.h"
 #include "engine/script/intent.h"
 #include "engine/script/player.h"
@@ -37,7 +37,7 @@ public:
     const ExpectationSet& expectations() const { return state_.expectations; }
     double distance() const { return state_.body.distance(); }
     std::uint64_t hash() const { return hash_.value(); }
-    const collision::QueryCounters& counters() const { return state_.counters; }
+    const collision::QueryStatistics& statistics() const { return state_.statistics; }
 
 private:
     void begin_tick(Tick tick);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "engine/expect/expectation_set.h"
 #include "engine/record/tick_record.h"
 #include "engine/script/walk.h"
@@ -41,7 +41,7 @@ struct SimulationState {
     TickEvents events{-1, {}};
     std::vector<const SnapshotStep*> snapshots;
     TickCosts costs;
-    collision::QueryCounters counters;  ///< of the whole walk but for this tick's `costs`
+    collision::QueryStatistics statistics;  ///< of the whole walk but for this tick's `costs`
 
     const std::string& name_of(collision::ObjectId object) const;
     /// Logs where the avatar was pushed aside to.

@@ -18,13 +18,12 @@ double first_view(const collision::MeshCollider& mesh, const Vec3& p_world_origi
     constexpr double kMaxSight = 15.0;             // metres
     constexpr double kTargetWeight = 10.0;         // metres
     const Vec3 eye = foot + kEye * Vec3::UnitY() - p_world_origin;
-    collision::QueryCounters counters;
     std::array<Vec3, kDirections> ahead;
     std::array<double, kDirections> free{};
     for (std::size_t d = 0; d < kDirections; ++d) {
         const collision::SinCos turn = collision::sin_cos(static_cast<double>(d) * kStep);
         ahead[d] = Vec3(-turn.sin, 0.0, -turn.cos);
-        const auto hit = collision::first_on_ray(mesh, {eye, eye + kMaxSight * ahead[d]}, counters);
+        const auto hit = collision::first_on_ray(mesh, {eye, eye + kMaxSight * ahead[d]});
         free[d] = hit ? hit->fraction * kMaxSight : kMaxSight;
     }
     Vec3 towards_target = target - foot;

@@ -15,7 +15,6 @@ namespace campuswalk::scene {
 
 using collision::Aabb;
 using collision::MeshCollider;
-using collision::QueryCounters;
 using collision::Vec3;
 
 namespace {
@@ -60,7 +59,6 @@ WalkableGround::WalkableGround(const std::shared_ptr<const MeshCollider>& mesh, 
 }
 
 void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_origin, double search) {
-    QueryCounters counters;
     std::vector<collision::MeshHit> hits;
     const double top = world_.bounds().max.y() + 1.0;
     const double bottom = world_.bounds().min.y() - 1.0;
@@ -72,7 +70,7 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
         from.y() = top;
         Vec3 to = from;
         to.y() = bottom;
-        all_on_ray(mesh, {from - p_world_origin, to - p_world_origin}, hits, counters);
+        all_on_ray(mesh, {from - p_world_origin, to - p_world_origin}, hits);
         double above = std::numeric_limits<double>::infinity();
         for (const collision::MeshHit& hit : hits) {  // from the top down
             const Vec3 foot = from + hit.fraction * (to - from);
@@ -80,7 +78,7 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
             const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
             const bool flat = std::abs(normal.y()) >= kSteepest * normal.norm();
             if (flat && above - foot.y() >= kHeadroom) {
-                const auto free = free_place(world_, kSolid, foot, kRadius, kHeight, search, counters);
+                const auto free = free_place(world_, kSolid, foot, kRadius, kHeight, search);
                 if (free) {
                     columns_[c].spots.push_back(static_cast<std::uint32_t>(spots_.size()));
                     Spot& spot = spots_.emplace_back();
@@ -97,7 +95,6 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
 }
 
 bool WalkableGround::connect(std::uint32_t a, const Column& column) {
-    QueryCounters counters;
     bool connected = false;
     for (const std::uint32_t b : column.spots) {
         const Vec3& from = spots_[a].foot;
@@ -107,7 +104,7 @@ bool WalkableGround::connect(std::uint32_t a, const Column& column) {
         }
         Vec3 between = 0.5 * (from + to);
         between.y() = std::min(from.y(), to.y());
-        if (free_place(world_, kSolid, between, kRadius, kHeight, kStep + kSearch, counters)) {
+        if (free_place(world_, kSolid, between, kRadius, kHeight, kStep + kSearch)) {
             spots_[a].next.push_back(b);
             spots_[b].next.push_back(a);
             connected = true;

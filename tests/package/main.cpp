@@ -11,12 +11,11 @@ int main() {
     const MeshCollider sail({{{0, -1, 0}, {0, -1, 1}, {0, 2, 0}}, {{0, 1, 2}}});
     const Pose X_ground_sail{Mat3::Identity(), Vec3(1, 0, 0.75)};
     std::vector<TrianglePair> pairs;
-    QueryCounters work;
-    all_contacts(ground, sail, X_ground_sail, pairs, work);
+    all_contacts(ground, sail, X_ground_sail, pairs);
     for (const TrianglePair& pair : pairs) {
         std::printf("ground %u meets sail %u\n", pair.a, pair.b);
     }
-    if (const auto hit = first_on_ray(ground, {{3, 8, 1}, {3, -2, 1}}, work)) {
+    if (const auto hit = first_on_ray(ground, {{3, 8, 1}, {3, -2, 1}})) {
         std::printf("a ray down meets ground %u after %g of its way\n", hit->triangle, hit->fraction);
     }
 }

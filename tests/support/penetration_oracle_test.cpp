@@ -20,7 +20,7 @@ using collision::LinearBroadPhase;
 using collision::MoverSettings;
 using collision::MoverState;
 using collision::MoveTrace;
-using collision::QueryCounters;
+using collision::QueryStatistics;
 using collision::Vec3;
 using collision::World;
 
@@ -171,8 +171,7 @@ protected:
     MoveBody real_mover(const MoverSettings& settings) const {
         auto mover = std::make_shared<CapsuleMover>(*village_, settings, collision::QueryFilter{});
         return [mover](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-            QueryCounters counters;
-            mover->move(state, wish, seconds, trace, counters);
+            mover->move(state, wish, seconds, trace);
         };
     }
 

@@ -13,9 +13,8 @@ public:
         : wide_(mesh, collision::Layout::wide), paper_(mesh, collision::Layout::paper) {}
 
     bool contains(const collision::Vec3& point) const {
-        collision::QueryCounters counters;
-        const bool inside = collision::is_inside(wide_, point, counters);
-        if (collision::is_inside(paper_, point, counters) != inside) {
+        const bool inside = collision::is_inside(wide_, point);
+        if (collision::is_inside(paper_, point) != inside) {
             throw std::logic_error("the layouts disagree about what is inside");
         }
         return inside;

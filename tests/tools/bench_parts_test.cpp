@@ -17,7 +17,7 @@ namespace campuswalk::tools::bench {
 namespace {
 
 using collision::MeshCollider;
-using collision::QueryCounters;
+using collision::QueryStatistics;
 using collision::Ray;
 using collision::TriangleMesh;
 using collision::Vec3;
@@ -39,16 +39,16 @@ TEST(ShuffledRuns, TimeTheSecondOfTwoRuns) {
 
 TEST(Survey, AsksEverybodyEverything) {
     std::vector<Respondent<int, double>> respondents;
-    respondents.push_back({"doubles", true, [](int question, double& answer, QueryCounters& counters) {
+    respondents.push_back({"doubles", true, [](int question, double& answer, QueryStatistics& counters) {
                                answer = 2.0 * question;
-                               counters.nv += 1;
+                               counters.volume_tests += 1;
                            }});
     respondents.push_back(
-        {"halves", false, [](int question, double& answer, QueryCounters&) { answer = 0.5 * question; }});
+        {"halves", false, [](int question, double& answer, QueryStatistics&) { answer = 0.5 * question; }});
     const auto replies = survey<int, double>({1, 2, 5}, respondents, 4);
     EXPECT_EQ(replies[0].answers, (std::vector<double>{2.0, 4.0, 10.0}));
     EXPECT_EQ(replies[1].answers, (std::vector<double>{0.5, 1.0, 2.5}));
-    EXPECT_EQ(replies[0].work.nv, 3U) << "of one run";
+    EXPECT_EQ(replies[0].work.volume_tests, 3U) << "of one run";
 }
 
 TEST(PairScenes, NestedCylindersAreApartByTheGap) {
@@ -56,15 +56,14 @@ TEST(PairScenes, NestedCylindersAreApartByTheGap) {
     const MeshCollider outer(scene.a);
     const MeshCollider inner(scene.b);
     const collision::Pose& X = scene.placements.at(0).X_a_b;
-    QueryCounters counters;
-    EXPECT_FALSE(first_contact(outer, inner, X, counters).has_value());
+    EXPECT_FALSE(first_contact(outer, inner, X).has_value());
     double least = 1.0;
     for (const Eigen::Vector3f& corner : scene.b.positions) {
-        least = std::min(least, closest_point(outer, X * corner.cast<double>(), counters).distance);
+        least = std::min(least, closest_point(outer, X * corner.cast<double>()).distance);
     }
     EXPECT_NEAR(least, kNestedGap, 1e-4);
     EXPECT_GE(least, kNestedGap - 1e-6);
-    EXPECT_LT(closest_point(outer, Vec3::Zero(), counters).distance, 1.4) << "the outer one is around it";
+    EXPECT_LT(closest_point(outer, Vec3::Zero()).distance, 1.4) << "the outer one is around it";
 }
 
 TEST(PairScenes, FinerOnesAreTable1s) {

@@ -145,14 +145,13 @@ TEST(DrawnCampus, IsWalkedThroughBetweenTheHouses) {
     for (const int lots : {2, 3}) {
         const scene::GeneratedCampus campus = scene::generated_campus(lots);
         const collision::MeshCollider mesh(campus.mesh);
-        collision::QueryCounters counters;
         const double half = 0.5 * lots * scene::kGeneratedLot;
         const auto views = views_among_houses(campus, lots);
         ASSERT_EQ(views.size(), 24U);
         for (const DrawnView& view : views) {
             EXPECT_LT(view.eye.cwiseAbs().maxCoeff(), half);
             EXPECT_GT((view.target - view.eye).norm(), 1.0);
-            const auto below = first_on_ray(mesh, {view.eye, view.eye - Eigen::Vector3d(0, 4, 0)}, counters);
+            const auto below = first_on_ray(mesh, {view.eye, view.eye - Eigen::Vector3d(0, 4, 0)});
             ASSERT_TRUE(below.has_value());
             EXPECT_NEAR(below->fraction * 4.0, 1.68, 1e-3) << "on the ground, not on a bench";
         }

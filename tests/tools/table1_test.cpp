@@ -6,9 +6,9 @@
 namespace campuswalk::tools::bench {
 namespace {
 
-using collision::HybridContactCounters;
+using collision::HybridContactStatistics;
 using collision::Pose;
-using collision::QueryCounters;
+using collision::QueryStatistics;
 using collision::TrianglePair;
 using Pairs = std::vector<TrianglePair>;
 
@@ -27,7 +27,7 @@ public:
         ++firsts;
         return pairs_.empty() ? std::nullopt : std::optional(pairs_.front());
     }
-    std::optional<HybridContactCounters> work() const override { return std::nullopt; }
+    std::optional<HybridContactStatistics> work() const override { return std::nullopt; }
 
     int moves = 0;
     int alls = 0;
@@ -141,10 +141,11 @@ TEST(PairRuns, ComplainWhereTheSceneKnowsBetter) {
 }
 
 TEST(CostModel, FindsTheCostsThatMadeTheTimes) {
-    const std::vector<QueryCounters> work = {{100, 7, 50}, {900, 120, 300}, {5000, 400, 2600}, {7000, 2, 10}};
+    const std::vector<QueryStatistics> work = {
+        {100, 7, 50}, {900, 120, 300}, {5000, 400, 2600}, {7000, 2, 10}};
     const CostModel made{0.02, 0.3, 0.005};
     std::vector<double> times;
-    for (const QueryCounters& w : work) {
+    for (const QueryStatistics& w : work) {
         times.push_back(made.predict(w));
     }
     EXPECT_DOUBLE_EQ(times[0], 2.0 + 2.1 + 0.25);
@@ -156,7 +157,7 @@ TEST(CostModel, FindsTheCostsThatMadeTheTimes) {
 
 TEST(CostModel, HasNoNegativeCosts) {
     // Only a negative Cp would explain these times exactly.
-    const std::vector<QueryCounters> work = {{100, 0, 10}, {100, 50, 10}, {200, 10, 90}};
+    const std::vector<QueryStatistics> work = {{100, 0, 10}, {100, 50, 10}, {200, 10, 90}};
     const std::vector<double> times = {10.0, 5.0, 21.0};
     const CostModel found = fit_costs(work, times);
     EXPECT_EQ(found.cp, 0.0);
@@ -166,7 +167,7 @@ TEST(CostModel, HasNoNegativeCosts) {
 
 TEST(CostModel, WeighsErrorsByTheTimes) {
     // One cost for two times that it can't both explain: in relative terms they pull alike.
-    const std::vector<QueryCounters> work = {{100, 0, 0}, {100000, 0, 0}};
+    const std::vector<QueryStatistics> work = {{100, 0, 0}, {100000, 0, 0}};
     const std::vector<double> times = {2.0, 1000.0};
     const double cv = fit_costs(work, times).cv;
     EXPECT_NEAR(cv, (50.0 + 100.0) / (2500.0 + 10000.0), 1e-12);

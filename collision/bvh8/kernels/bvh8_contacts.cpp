@@ -49,8 +49,8 @@ HWY_INLINE std::uint64_t whole_rows(std::uint64_t bits) {
 /// A way down two trees, from pairs of nodes to pairs of leaves.
 class Descent {
 public:
-    Descent(const Bvh8Pair& pair, std::vector<TrianglePair>& out, QueryCounters& counters)
-        : a_(pair.a), b_(pair.b), pose_(pair), leaf_pairs_(pair, pose_, out, counters), counters_(counters) {
+    Descent(const Bvh8Pair& pair, std::vector<TrianglePair>& out, QueryStatistics& work)
+        : a_(pair.a), b_(pair.b), pose_(pair), leaf_pairs_(pair, pose_, out, work), work_(work) {
         // Of trees that the caches next to a core can't hold, what comes next is fetched ahead.
         constexpr std::size_t kNodesInCache = 2048;
         far_ = a_.nodes.size() + b_.nodes.size() > kNodesInCache;
@@ -63,8 +63,8 @@ public:
     /// Bit 8 i + j: child i of a and child j of b.
     template <class Asked>
     HWY_INLINE std::uint64_t children(const NodePair& item, Asked& asked) {
-        ++counters_.nu;
-        counters_.nv += static_cast<std::uint64_t>(std::popcount(item.rows) * std::popcount(item.columns));
+        ++work_.transform_updates;
+        work_.box_tests += static_cast<std::uint64_t>(std::popcount(item.rows) * std::popcount(item.columns));
         return overlapping_children(pose_, a_.nodes[item.a], b_.nodes[item.b], item.rows, item.columns,
                                     asked);
     }
@@ -118,7 +118,7 @@ private:
     const Bvh8& b_;
     RelativePose pose_;
     LeafPairs leaf_pairs_;
-    QueryCounters& counters_;
+    QueryStatistics& work_;
     bool far_ = false;
 };
 
@@ -172,8 +172,8 @@ void find_first(Descent& descent, const NodePair& item, std::vector<TrianglePair
     }
 }
 
-void search(const Bvh8Pair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryCounters& counters) {
-    Descent descent(pair, out, counters);
+void search(const Bvh8Pair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryStatistics& work) {
+    Descent descent(pair, out, work);
     if (wanted == Wanted::all) {
         find_all(descent, Descent::roots(pair));
     } else {
@@ -189,18 +189,18 @@ HWY_AFTER_NAMESPACE();
 namespace campuswalk::collision {
 
 void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
-                        std::vector<TrianglePair>& out, QueryCounters& counters) {
+                        std::vector<TrianglePair>& out, QueryStatistics& work) {
     switch (simd_target) {
 #ifdef __aarch64__
         case SimdTarget::neon:
-            return N_NEON::search(pair, wanted, out, counters);
+            return N_NEON::search(pair, wanted, out, work);
 #else
         case SimdTarget::sse42:
-            return N_SSE4::search(pair, wanted, out, counters);
+            return N_SSE4::search(pair, wanted, out, work);
         case SimdTarget::avx2:
-            return N_AVX2::search(pair, wanted, out, counters);
+            return N_AVX2::search(pair, wanted, out, work);
         case SimdTarget::avx512:
-            return N_AVX3::search(pair, wanted, out, counters);
+            return N_AVX3::search(pair, wanted, out, work);
 #endif
     }
 }

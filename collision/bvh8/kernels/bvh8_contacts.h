@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/base/simd_target.h"
 #include "collision/bvh8/bvh8.h"
 #include "collision/geometry/triangle_mesh.h"
@@ -27,6 +27,6 @@ enum class Wanted : std::uint8_t { all, first };
 /// Adds the overlapping pairs to `out`: all, or those of two leaves that have any. The outer
 /// spheres are known to meet, so that distances are no greater than the meshes. See mesh_contacts.h.
 void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
-                        std::vector<TrianglePair>& out, QueryCounters& counters);
+                        std::vector<TrianglePair>& out, QueryStatistics& work);
 
 }  // namespace campuswalk::collision

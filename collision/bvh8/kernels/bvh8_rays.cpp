@@ -68,11 +68,11 @@ private:
 class Descent {
 public:
     Descent(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& meet,
-            QueryCounters& counters)
+            QueryStatistics& work)
         : mesh_(mesh),
           tree_(tree),
           meet_(meet),
-          counters_(counters),
+          work_(work),
           course_(ray),
           shear_(ray),
           reach_(course_.reach(limit_)) {}
@@ -97,7 +97,7 @@ public:
 private:
     /// Puts off what the ray meets but for the nearest, if there is one. Most nodes have no more.
     HWY_INLINE bool open_node(const Bvh8Node& node, Waiting& nearest) {
-        counters_.nv += node.count;
+        work_.box_tests += node.count;
         HWY_ALIGN float entry[kBvh8Children];
         std::uint32_t met = children_on_ray(course_, node, reach_, entry);
         if (met == 0) {
@@ -123,7 +123,7 @@ private:
     HWY_INLINE void open_leaf(const Bvh8Leaf& leaf) {
         for (std::uint32_t seen = shear_.triangles_seen(leaf); seen != 0; seen &= seen - 1) {
             const auto slot = static_cast<std::size_t>(std::countr_zero(seen));
-            ++counters_.np;
+            ++work_.primitive_tests;
             limit_ = meet_(leaf.triangle[slot], corners(mesh_, leaf, slot), limit_);
             reach_ = course_.reach(limit_);
         }
@@ -142,7 +142,7 @@ private:
     const TriangleMesh& mesh_;
     const Bvh8& tree_;
     const RayVisitor& meet_;
-    QueryCounters& counters_;
+    QueryStatistics& work_;
     Course course_;
     Shear shear_;
     double limit_ = 1.0;
@@ -151,8 +151,8 @@ private:
 };
 
 void follow(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& meet,
-            QueryCounters& counters) {
-    Descent(mesh, tree, ray, meet, counters).run();
+            QueryStatistics& work) {
+    Descent(mesh, tree, ray, meet, work).run();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -169,18 +169,18 @@ bool fits_bvh8_rays(const Ray& ray) {
 }
 
 void trace_bvh8_ray(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, SimdTarget simd_target,
-                    const RayVisitor& meet, QueryCounters& counters) {
+                    const RayVisitor& meet, QueryStatistics& work) {
     switch (simd_target) {
 #ifdef __aarch64__
         case SimdTarget::neon:
-            return N_NEON::follow(mesh, tree, ray, meet, counters);
+            return N_NEON::follow(mesh, tree, ray, meet, work);
 #else
         case SimdTarget::sse42:
-            return N_SSE4::follow(mesh, tree, ray, meet, counters);
+            return N_SSE4::follow(mesh, tree, ray, meet, work);
         case SimdTarget::avx2:
-            return N_AVX2::follow(mesh, tree, ray, meet, counters);
+            return N_AVX2::follow(mesh, tree, ray, meet, work);
         case SimdTarget::avx512:
-            return N_AVX3::follow(mesh, tree, ray, meet, counters);
+            return N_AVX3::follow(mesh, tree, ray, meet, work);
 #endif
     }
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "collision/base/simd_target.h"
 #include "collision/bvh8/bvh8.h"
 #include "collision/geometry/ray.h"
@@ -34,9 +34,9 @@ private:
 bool fits_bvh8_rays(const Ray& ray);
 
 /// Hands `meet` all triangles that `hit` (ray.h) may see up to the limit, 1 at first, and few others; near
-/// parts of the tree first. Which ones, and their order, is the same with all instructions. Counts as
-/// mesh_query.h says, but for the mesh's sphere. The ray fits.
+/// parts of the tree first. Which ones, and their order, is the same with all instructions. Adds to
+/// `work` the boxes and triangles that it tests. The ray fits.
 void trace_bvh8_ray(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, SimdTarget simd_target,
-                    const RayVisitor& meet, QueryCounters& counters);
+                    const RayVisitor& meet, QueryStatistics& work);
 
 }  // namespace campuswalk::collision

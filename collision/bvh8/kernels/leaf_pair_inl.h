@@ -36,11 +36,11 @@ using VertexTable = float[3][kLeafVertices];
 class LeafPairs {
 public:
     LeafPairs(const Bvh8Pair& pair, const RelativePose& pose, std::vector<TrianglePair>& out,
-              QueryCounters& counters)
-        : pair_(pair), pose_(pose), out_(out), counters_(counters) {}
+              QueryStatistics& work)
+        : pair_(pair), pose_(pose), out_(out), work_(work) {}
 
     void find(const Bvh8Leaf& a, const Bvh8Leaf& b) {
-        ++counters_.nu;
+        ++work_.transform_updates;
         float t[4];
         pose_.offset(a.origin, b.origin, t);
         const float error = pose_.bound(32.0F, a.radius + b.radius + length_of(t));
@@ -386,7 +386,7 @@ private:
         PairList pairs;
         pairs.add_all(open);
         const std::size_t count = pairs.size();
-        counters_.np += count;
+        work_.primitive_tests += count;
         PairList found;
         const ByteTag d8;
         const hn::FixedTag<std::uint16_t, 8> d16;
@@ -465,7 +465,7 @@ private:
     const Bvh8Pair& pair_;
     const RelativePose& pose_;
     std::vector<TrianglePair>& out_;
-    QueryCounters& counters_;
+    QueryStatistics& work_;
 };
 
 }  // namespace HWY_NAMESPACE

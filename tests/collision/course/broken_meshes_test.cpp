@@ -188,15 +188,14 @@ TEST(CoursePlaces, AFreshMoverEveryTickWalksTheSame) {
     support::add_object(*world, yard());
     CapsuleMover kept(*world, {}, {});
     MoverState state;
-    QueryCounters counters;
-    kept.place(state, {0, 0.01, 0.2}, 0.5, counters);
+    kept.place(state, {0, 0.01, 0.2}, 0.5);
     MoveTrace trace;
     for (const Leg& leg : kLegs) {
         for (int i = 0; i < 60.0 * leg.seconds; ++i) {
             const Vec3 wish = kPace / 60.0 * towards(leg.degrees);
             MoverState other = state;
-            CapsuleMover(*world, {}, {}).move(other, wish, 1.0 / 60.0, trace, counters);
-            kept.move(state, wish, 1.0 / 60.0, trace, counters);
+            CapsuleMover(*world, {}, {}).move(other, wish, 1.0 / 60.0, trace);
+            kept.move(state, wish, 1.0 / 60.0, trace);
             ASSERT_EQ(other.foot, state.foot);
             ASSERT_EQ(other.vertical_speed, state.vertical_speed);
             ASSERT_EQ(other.grounded, state.grounded);
@@ -225,8 +224,7 @@ TEST(CoursePlaces, RandomWalksDoNotDependOnTheTrianglesOrder) {
         const support::PenetrationOracle oracle(*world);
         CapsuleMover mover(*world, {}, {});
         const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-            QueryCounters counters;
-            mover.move(state, wish, seconds, trace, counters);
+            mover.move(state, wish, seconds, trace);
         };
         support::WalkSettings settings;
         settings.start = {0, 0.01, 0.2};

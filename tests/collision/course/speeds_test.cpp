@@ -17,8 +17,7 @@ TEST_P(CourseSpeeds, NothingIsEnteredOrPassed) {
     const support::PenetrationOracle oracle(*world);
     CapsuleMover mover(*world, {}, {});
     const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-        QueryCounters counters;
-        mover.move(state, wish, seconds, trace, counters);
+        mover.move(state, wish, seconds, trace);
     };
     for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
         SCOPED_TRACE(testing::Message() << GetParam() << " m/s, " << rate << " Hz");

@@ -120,8 +120,7 @@ TEST(ExactTriangle, TheTreeFindsExactlyWhatMeets) {
                 }
             }
             std::vector<std::uint32_t> near;
-            QueryCounters counters;
-            triangles_near(collider, segment, kNanometre, near, counters);
+            triangles_near(collider, segment, kNanometre, near);
             ASSERT_EQ(near, expected) << m << ' ' << i;
             found += near.size();
         }

@@ -62,7 +62,7 @@ std::size_t expect_exact(const Body& a, const Body& b, const Pose& X_a_b) {
     for (const NodeTest test : kNodeTests) {
         SCOPED_TRACE(static_cast<int>(test));
         std::vector<TrianglePair> pairs{{77, 77}};
-        HybridContactCounters counters;
+        HybridContactStatistics counters;
         all_contacts(a.view(), b.view(), X_a_b, test, pairs, counters);
         const auto first = first_contact(a.view(), b.view(), X_a_b, test, counters);
         EXPECT_EQ(first.has_value(), !pairs.empty());
@@ -75,8 +75,8 @@ std::size_t expect_exact(const Body& a, const Body& b, const Pose& X_a_b) {
     return expected.size();
 }
 
-HybridContactCounters count(const Body& a, const Body& b, const Pose& X_a_b, NodeTest test) {
-    HybridContactCounters counters;
+HybridContactStatistics count(const Body& a, const Body& b, const Pose& X_a_b, NodeTest test) {
+    HybridContactStatistics counters;
     std::vector<TrianglePair> pairs;
     all_contacts(a.view(), b.view(), X_a_b, test, pairs, counters);
     return counters;
@@ -333,7 +333,7 @@ TEST(HybridContacts, ComeInTheSameOrderEachTime) {
     const Body a(support::random_mesh(dice, 200, 2.0));
     const Body b(support::random_mesh(dice, 200, 2.0));
     const Pose X = support::random_pose(dice, 1.0);
-    HybridContactCounters counters;
+    HybridContactStatistics counters;
     std::vector<TrianglePair> one;
     std::vector<TrianglePair> two;
     all_contacts(a.view(), b.view(), X, NodeTest::hybrid, one, counters);
@@ -342,52 +342,52 @@ TEST(HybridContacts, ComeInTheSameOrderEachTime) {
     EXPECT_EQ(one, two);
 }
 
-TEST(HybridContactCounters, FarAwayOnlyTheRootsAreTested) {
+TEST(HybridContactStatistics, FarAwayOnlyTheRootsAreTested) {
     const Body a(ball(8));
     for (const NodeTest test : kNodeTests) {
-        const HybridContactCounters c = count(a, a, {Mat3::Identity(), Vec3(9, 0, 0)}, test);
-        EXPECT_EQ(c.nv, 1U);
-        EXPECT_EQ(c.nu, 1U) << "a move costs one node's transform";
-        EXPECT_EQ(c.np, 0U);
+        const HybridContactStatistics c = count(a, a, {Mat3::Identity(), Vec3(9, 0, 0)}, test);
+        EXPECT_EQ(c.volume_tests, 1U);
+        EXPECT_EQ(c.transform_updates, 1U) << "a move costs one node's transform";
+        EXPECT_EQ(c.primitive_tests, 0U);
         EXPECT_EQ(c.outer, test == NodeTest::box ? 0U : 1U);
         EXPECT_EQ(c.outer + c.inner + c.box, 1U);
     }
 }
 
-TEST(HybridContactCounters, EveryPairThatIsNotPartedIsDescendedFromOrTested) {
+TEST(HybridContactStatistics, EveryPairThatIsNotPartedIsDescendedFromOrTested) {
     Dice dice(321);
     for (int i = 0; i < repeats(20); ++i) {
         const Body a(support::random_mesh(dice, 150, 2.0), 1);
         const Body b(support::random_mesh(dice, 150, 2.0), 1);
         const Pose X = support::random_pose(dice, 2.0);
         for (const NodeTest test : kNodeTests) {
-            const HybridContactCounters c = count(a, b, X, test);
-            const std::uint64_t met = c.nv - c.outer - c.inner - c.box;
+            const HybridContactStatistics c = count(a, b, X, test);
+            const std::uint64_t met = c.volume_tests - c.outer - c.inner - c.box;
             // Leaves of one triangle: np pairs of leaves met. Each other pair has two children that are
             // tested.
-            EXPECT_EQ(c.nv, 1 + 2 * (met - c.np));
-            EXPECT_LE(c.nu, c.nv);
-            EXPECT_EQ(c.nu % 2, 1U) << "the root and both children of some nodes of b";
+            EXPECT_EQ(c.volume_tests, 1 + 2 * (met - c.primitive_tests));
+            EXPECT_LE(c.transform_updates, c.volume_tests);
+            EXPECT_EQ(c.transform_updates % 2, 1U) << "the root and both children of some nodes of b";
         }
     }
 }
 
-TEST(HybridContactCounters, MoreLayersPartMore) {
+TEST(HybridContactStatistics, MoreLayersPartMore) {
     Dice dice(322);
-    HybridContactCounters all;
+    HybridContactStatistics all;
     for (int i = 0; i < repeats(20); ++i) {
         const Body a(support::random_mesh(dice, 150, 2.0));
         const Body b(support::random_mesh(dice, 150, 2.0));
         const Pose X = support::random_pose(dice, 2.0);
-        const HybridContactCounters hybrid = count(a, b, X, NodeTest::hybrid);
-        const HybridContactCounters box = count(a, b, X, NodeTest::box);
-        const HybridContactCounters mixed = count(a, b, X, NodeTest::mixed);
-        const HybridContactCounters sphere = count(a, b, X, NodeTest::sphere);
-        EXPECT_LE(hybrid.nv, box.nv);
-        EXPECT_LE(hybrid.nv, mixed.nv);
-        EXPECT_LE(mixed.nv, sphere.nv);
-        EXPECT_LE(hybrid.np, box.np);
-        EXPECT_LE(mixed.np, sphere.np);
+        const HybridContactStatistics hybrid = count(a, b, X, NodeTest::hybrid);
+        const HybridContactStatistics box = count(a, b, X, NodeTest::box);
+        const HybridContactStatistics mixed = count(a, b, X, NodeTest::mixed);
+        const HybridContactStatistics sphere = count(a, b, X, NodeTest::sphere);
+        EXPECT_LE(hybrid.volume_tests, box.volume_tests);
+        EXPECT_LE(hybrid.volume_tests, mixed.volume_tests);
+        EXPECT_LE(mixed.volume_tests, sphere.volume_tests);
+        EXPECT_LE(hybrid.primitive_tests, box.primitive_tests);
+        EXPECT_LE(mixed.primitive_tests, sphere.primitive_tests);
         EXPECT_EQ(box.outer + box.inner, 0U);
         EXPECT_EQ(sphere.inner + sphere.box, 0U);
         EXPECT_EQ(mixed.box, 0U);
@@ -399,27 +399,27 @@ TEST(HybridContactCounters, MoreLayersPartMore) {
     EXPECT_GT(all.outer, 0U);
     EXPECT_GT(all.inner, 0U);
     EXPECT_GT(all.box, 0U);
-    EXPECT_LT(all.outer + all.inner + all.box, all.nv);
+    EXPECT_LT(all.outer + all.inner + all.box, all.volume_tests);
 }
 
-TEST(HybridContactCounters, AddToWhatIsThereAndStopAtTheFirstContact) {
+TEST(HybridContactStatistics, AddToWhatIsThereAndStopAtTheFirstContact) {
     const Body a(ball(20));
     const Pose X{Mat3::Identity(), Vec3(1, 0, 0)};
-    const HybridContactCounters once = count(a, a, X, NodeTest::hybrid);
-    HybridContactCounters twice;
+    const HybridContactStatistics once = count(a, a, X, NodeTest::hybrid);
+    HybridContactStatistics twice;
     std::vector<TrianglePair> pairs;
     all_contacts(a.view(), a.view(), X, NodeTest::hybrid, pairs, twice);
     all_contacts(a.view(), a.view(), X, NodeTest::hybrid, pairs, twice);
-    EXPECT_EQ(twice.nv, 2 * once.nv);
-    EXPECT_EQ(twice.np, 2 * once.np);
-    EXPECT_EQ(twice.nu, 2 * once.nu);
+    EXPECT_EQ(twice.volume_tests, 2 * once.volume_tests);
+    EXPECT_EQ(twice.primitive_tests, 2 * once.primitive_tests);
+    EXPECT_EQ(twice.transform_updates, 2 * once.transform_updates);
     EXPECT_EQ(twice.outer, 2 * once.outer);
     EXPECT_EQ(twice.inner, 2 * once.inner);
     EXPECT_EQ(twice.box, 2 * once.box);
-    HybridContactCounters first;
+    HybridContactStatistics first;
     EXPECT_TRUE(first_contact(a.view(), a.view(), X, NodeTest::hybrid, first));
-    EXPECT_LT(5 * first.nv, once.nv);
-    EXPECT_LT(5 * first.np, once.np);
+    EXPECT_LT(5 * first.volume_tests, once.volume_tests);
+    EXPECT_LT(5 * first.primitive_tests, once.primitive_tests);
 }
 
 }  // namespace

@@ -22,14 +22,13 @@ TEST(MeshContacts, OnThePapersLayoutAreThoseOnTheWide) {
         const Pose X = support::random_pose(dice, 2.0);
         std::vector<TrianglePair> wide;
         std::vector<TrianglePair> paper{{77, 77}};
-        QueryCounters counters;
-        all_contacts(MeshCollider(a), MeshCollider(b), X, wide, counters);
+        all_contacts(MeshCollider(a), MeshCollider(b), X, wide);
         const MeshCollider paper_a(a, Layout::paper);
         const MeshCollider paper_b(b, Layout::paper);
-        QueryCounters paper_counters;
-        all_contacts(paper_a, paper_b, X, paper, paper_counters);
-        EXPECT_GT(paper_counters.nv, 0U);
-        EXPECT_EQ(first_contact(paper_a, paper_b, X, paper_counters),
+        QueryStatistics paper_counters;
+        all_contacts(paper_a, paper_b, X, paper, &paper_counters);
+        EXPECT_GT(paper_counters.volume_tests, 0U);
+        EXPECT_EQ(first_contact(paper_a, paper_b, X, &paper_counters),
                   paper.empty() ? std::nullopt : std::optional(paper.front()));
         std::sort(wide.begin(), wide.end());
         std::sort(paper.begin(), paper.end());
@@ -44,9 +43,8 @@ TEST(MeshContacts, OfTwoLayoutsAreRefused) {
     const MeshCollider wide(support::random_mesh(dice, 5, 1.0));
     const MeshCollider paper(wide.mesh(), Layout::paper);
     std::vector<TrianglePair> pairs;
-    QueryCounters counters;
-    EXPECT_THROW(all_contacts(wide, paper, {}, pairs, counters), std::invalid_argument);
-    EXPECT_THROW(first_contact(paper, wide, {}, counters), std::invalid_argument);
+    EXPECT_THROW(all_contacts(wide, paper, {}, pairs), std::invalid_argument);
+    EXPECT_THROW(first_contact(paper, wide, {}), std::invalid_argument);
 }
 
 TEST(MeshContacts, OnThePapersLayoutRefuseWhatIsNoPoseToo) {
@@ -54,8 +52,7 @@ TEST(MeshContacts, OnThePapersLayoutRefuseWhatIsNoPoseToo) {
     const MeshCollider paper(support::random_mesh(dice, 5, 1.0), Layout::paper);
     Pose mirror;
     mirror.rotation(0, 0) = -1.0;
-    QueryCounters counters;
-    EXPECT_THROW(first_contact(paper, paper, mirror, counters), std::invalid_argument);
+    EXPECT_THROW(first_contact(paper, paper, mirror), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "collision/mesh/mesh_collider.h"
 
-#include <atomic>
 #include <limits>
+#include <optional>
 #include <stdexcept>
-#include <thread>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -34,21 +32,22 @@ TEST(MeshCollider, HoldsTheMeshAndOneTree) {
 
 TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
     const MeshCollider built(box());
-    const MeshCollider taken(box(), built.bvh8());
+    const MeshCollider taken(box(), built.bvh8(), built.closed_parts());
     EXPECT_EQ(taken.layout(), Layout::wide);
     EXPECT_EQ(taken.bvh8().leaves.size(), built.bvh8().leaves.size());
     Bvh8 foreign = built.bvh8();
     foreign.leaves[0].triangle[3] = 12;
-    EXPECT_THROW(MeshCollider(box(), foreign), std::invalid_argument);
+    EXPECT_THROW(MeshCollider(box(), foreign, built.closed_parts()), std::invalid_argument);
     TriangleMesh spoilt = box();
     spoilt.triangles[7][1] = static_cast<std::uint32_t>(spoilt.positions.size());
-    EXPECT_THROW(MeshCollider(spoilt, built.bvh8()), std::invalid_argument);
+    EXPECT_THROW(MeshCollider(spoilt, built.bvh8(), built.closed_parts()), std::invalid_argument);
 }
 
-TEST(MeshCollider, FindsClosedPartsOnce) {
-    const MeshCollider collider(box());
-    EXPECT_TRUE(collider.closed_parts().has(0));
-    EXPECT_EQ(&collider.closed_parts(), &collider.closed_parts()) << "found once";
+TEST(MeshCollider, KnowsItsClosedPartsUnlessToldNotToLookForThem) {
+    for (const Layout layout : {Layout::wide, Layout::paper}) {
+        EXPECT_TRUE(MeshCollider(box(), layout).closed_parts().has(0));
+        EXPECT_THROW(MeshCollider(box(), layout, Interior::unknown).closed_parts(), std::bad_optional_access);
+    }
 }
 
 TEST(MeshCollider, RefusesAMeshWithoutTriangles) {
@@ -71,19 +70,6 @@ TEST(MeshCollider, RefusesPositionsThatAreNotFinite) {
         mesh.positions[5].y() = bad;
         EXPECT_THROW(MeshCollider{mesh}, std::invalid_argument);
     }
-}
-
-TEST(MeshCollider, FindsClosedPartsForSeveralThreadsAtOnce) {
-    const MeshCollider collider(box());
-    std::atomic<int> inside = 0;
-    std::vector<std::thread> threads;
-    for (int i = 0; i < 4; ++i) {
-        threads.emplace_back([&] { inside += collider.closed_parts().has(0) ? 1 : 0; });
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
-    EXPECT_EQ(inside, 4);
 }
 
 }  // namespace

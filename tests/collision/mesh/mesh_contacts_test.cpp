@@ -33,9 +33,9 @@ std::size_t expect_exact(const MeshCollider& a, const MeshCollider& b, const Pos
     for (const SimdTarget simd_target : supported_simd_targets()) {
         SCOPED_TRACE(static_cast<int>(simd_target));
         std::vector<TrianglePair> pairs{{77, 77}};
-        QueryCounters counters;
-        all_contacts(a, b, X_a_b, pairs, counters, simd_target);
-        const auto first = first_contact(a, b, X_a_b, counters, simd_target);
+        QueryStatistics counters;
+        all_contacts(a, b, X_a_b, pairs, &counters, simd_target);
+        const auto first = first_contact(a, b, X_a_b, &counters, simd_target);
         EXPECT_EQ(first.has_value(), !expected.empty());
         EXPECT_TRUE(!first || std::binary_search(expected.begin(), expected.end(), *first));
         if (simd_target == SimdTarget::sse42) {
@@ -304,7 +304,6 @@ TEST(MeshContacts, RefuseAPoseThatIsNone) {
     Dice dice(422);
     const MeshCollider mesh(support::random_mesh(dice, 5, 1.0));
     std::vector<TrianglePair> pairs;
-    QueryCounters counters;
     Pose mirrored;
     mirrored.rotation(0, 0) = -1.0;
     Pose stretched;
@@ -314,27 +313,27 @@ TEST(MeshContacts, RefuseAPoseThatIsNone) {
     Pose endless;
     endless.translation.x() = std::numeric_limits<double>::infinity();
     for (const Pose& X : {mirrored, stretched, nowhere, endless}) {
-        EXPECT_THROW(all_contacts(mesh, mesh, X, pairs, counters), std::invalid_argument);
-        EXPECT_THROW(first_contact(mesh, mesh, X, counters), std::invalid_argument);
+        EXPECT_THROW(all_contacts(mesh, mesh, X, pairs), std::invalid_argument);
+        EXPECT_THROW(first_contact(mesh, mesh, X), std::invalid_argument);
     }
 }
 
 TEST(MeshContacts, CountTheirWork) {
     const MeshCollider a(support::ball(26));
     std::vector<TrianglePair> pairs;
-    QueryCounters apart;
-    all_contacts(a, a, {Mat3::Identity(), Vec3(2.5, 0, 0)}, pairs, apart);
-    EXPECT_EQ(apart.nv, 1U) << "the outer spheres alone";
-    EXPECT_EQ(apart.np, 0U);
-    QueryCounters all;
-    all_contacts(a, a, {Mat3::Identity(), Vec3(1.0, 0.1, 0.2)}, pairs, all);
-    EXPECT_GE(all.np, pairs.size());
-    EXPECT_LT(all.np, 20 * pairs.size()) << "boxes and planes leave few";
-    EXPECT_LT(all.nv, a.mesh().triangles.size() * 10);
-    QueryCounters first;
-    EXPECT_TRUE(first_contact(a, a, {Mat3::Identity(), Vec3(1.0, 0.1, 0.2)}, first));
-    EXPECT_LT(first.nv, all.nv / 10);
-    EXPECT_LE(first.nu, 12U) << "hardly more than the way straight down";
+    QueryStatistics apart;
+    all_contacts(a, a, {Mat3::Identity(), Vec3(2.5, 0, 0)}, pairs, &apart);
+    EXPECT_EQ(apart.volume_tests, 1U) << "the outer spheres alone";
+    EXPECT_EQ(apart.primitive_tests, 0U);
+    QueryStatistics all;
+    all_contacts(a, a, {Mat3::Identity(), Vec3(1.0, 0.1, 0.2)}, pairs, &all);
+    EXPECT_GE(all.primitive_tests, pairs.size());
+    EXPECT_LT(all.primitive_tests, 20 * pairs.size()) << "boxes and planes leave few";
+    EXPECT_LT(all.volume_tests, a.mesh().triangles.size() * 10);
+    QueryStatistics first;
+    EXPECT_TRUE(first_contact(a, a, {Mat3::Identity(), Vec3(1.0, 0.1, 0.2)}, &first));
+    EXPECT_LT(first.volume_tests, all.volume_tests / 10);
+    EXPECT_LE(first.transform_updates, 12U) << "hardly more than the way straight down";
 }
 
 }  // namespace

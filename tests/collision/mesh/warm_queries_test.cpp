@@ -59,22 +59,22 @@ Pose crossing_pose() {
 class WarmQueries : public ::testing::TestWithParam<Layout> {
 protected:
     const MeshCollider mesh_{crowded_mesh(1), GetParam()};
-    QueryCounters counters_;
+    QueryStatistics counters_;
 };
 
 TEST_P(WarmQueries, OfWhatIsNear) {
     std::vector<std::uint32_t> out;
-    expect_nothing_when_warm([&] { triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, counters_); });
+    expect_nothing_when_warm([&] { triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, &counters_); });
     EXPECT_GT(out.size(), 20U);
-    expect_nothing_when_warm([&] { triangles_near(mesh_, {{1, 0, 0}, {1, 0, 0}}, 0.3, out, counters_); });
+    expect_nothing_when_warm([&] { triangles_near(mesh_, {{1, 0, 0}, {1, 0, 0}}, 0.3, out, &counters_); });
     EXPECT_FALSE(out.empty());
     expect_nothing_when_warm([&] {
-        triangles_in_box(mesh_, Box{{1, 0.5, 0.2}}, crossing_pose(), out, counters_);
+        triangles_in_box(mesh_, Box{{1, 0.5, 0.2}}, crossing_pose(), out, &counters_);
     });
     EXPECT_GT(out.size(), 20U);
     std::vector<std::uint32_t> fresh;
     EXPECT_GT(allocations_of([&] {
-                  triangles_in_box(mesh_, Box{{1, 0.5, 0.2}}, crossing_pose(), fresh, counters_);
+                  triangles_in_box(mesh_, Box{{1, 0.5, 0.2}}, crossing_pose(), fresh, &counters_);
               }),
               0U);
 }
@@ -82,22 +82,22 @@ TEST_P(WarmQueries, OfWhatIsNear) {
 TEST_P(WarmQueries, OfARay) {
     const Ray ray{{-4, 0.1, 0.2}, {4, 0.2, -0.1}};
     std::vector<MeshHit> out;
-    expect_nothing_when_warm([&] { all_on_ray(mesh_, ray, out, counters_); });
+    expect_nothing_when_warm([&] { all_on_ray(mesh_, ray, out, &counters_); });
     EXPECT_GT(out.size(), 2U);
-    expect_nothing_when_warm([&] { EXPECT_TRUE(first_on_ray(mesh_, ray, counters_)); });
-    expect_nothing_when_warm([&] { EXPECT_TRUE(any_on_ray(mesh_, ray, counters_)); });
+    expect_nothing_when_warm([&] { EXPECT_TRUE(first_on_ray(mesh_, ray, &counters_)); });
+    expect_nothing_when_warm([&] { EXPECT_TRUE(any_on_ray(mesh_, ray, &counters_)); });
 }
 
 TEST_P(WarmQueries, OfTheClosestPoint) {
     expect_nothing_when_warm([&] {
-        EXPECT_GT(closest_point(mesh_, {0.1, 0.2, 0.3}, counters_).distance, 0.0);
+        EXPECT_GT(closest_point(mesh_, {0.1, 0.2, 0.3}, &counters_).distance, 0.0);
     });
 }
 
 TEST_P(WarmQueries, OfASweep) {
     const auto ask = [&] {
-        EXPECT_TRUE(sweep(mesh_, {{-8, 0, 0}, {-8, 1, 0}}, 0.3, {8, 0, 0}, counters_));
-        EXPECT_TRUE(sweep(mesh_, {{-8, 0, 0}, {-8, 0, 0}}, 0.3, {8, 0, 0}, counters_));
+        EXPECT_TRUE(sweep(mesh_, {{-8, 0, 0}, {-8, 1, 0}}, 0.3, {8, 0, 0}, &counters_));
+        EXPECT_TRUE(sweep(mesh_, {{-8, 0, 0}, {-8, 0, 0}}, 0.3, {8, 0, 0}, &counters_));
     };
     expect_nothing_when_warm(ask);
 }
@@ -105,11 +105,11 @@ TEST_P(WarmQueries, OfASweep) {
 /// They keep nothing in the thread: a new one's first query needs no more than the vector it is given.
 TEST_P(WarmQueries, OfANewThread) {
     std::vector<std::uint32_t> out;
-    triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, counters_);
+    triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, &counters_);
     std::size_t taken = 1;
     std::thread([&] {
         taken = allocations_of([&] {
-            triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, counters_);
+            triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, &counters_);
         });
     }).join();
     EXPECT_EQ(taken, 0U);
@@ -134,21 +134,22 @@ protected:
 
     const MeshCollider a_{crowded_mesh(2), GetParam().layout};
     const MeshCollider b_{crowded_mesh(3), GetParam().layout};
-    QueryCounters counters_;
+    QueryStatistics counters_;
 };
 
 TEST_P(WarmContacts, All) {
     std::vector<TrianglePair> out;
     const Pose X = crossing_pose();
-    expect_nothing_when_warm([&] { all_contacts(a_, b_, X, out, counters_, GetParam().simd_target); });
+    expect_nothing_when_warm([&] { all_contacts(a_, b_, X, out, &counters_, GetParam().simd_target); });
     EXPECT_GT(out.size(), 200U);
     std::vector<TrianglePair> fresh;
-    EXPECT_GT(allocations_of([&] { all_contacts(a_, b_, X, fresh, counters_, GetParam().simd_target); }), 0U);
+    EXPECT_GT(allocations_of([&] { all_contacts(a_, b_, X, fresh, &counters_, GetParam().simd_target); }),
+              0U);
 }
 
 TEST_P(WarmContacts, First) {
     expect_nothing_when_warm(
-        [&] { EXPECT_TRUE(first_contact(a_, b_, crossing_pose(), counters_, GetParam().simd_target)); });
+        [&] { EXPECT_TRUE(first_contact(a_, b_, crossing_pose(), &counters_, GetParam().simd_target)); });
 }
 
 /// A body that goes through another, and once more.
@@ -158,7 +159,7 @@ TEST_P(WarmContacts, OfABodyThatMoves) {
         Pose X = crossing_pose();
         for (int i = 0; i < 4; ++i) {
             X.translation.x() = 0.5 * i - 1.0;
-            all_contacts(a_, b_, X, out, counters_, GetParam().simd_target);
+            all_contacts(a_, b_, X, out, &counters_, GetParam().simd_target);
         }
     };
     expect_nothing_when_warm(pass);

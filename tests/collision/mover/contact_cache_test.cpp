@@ -50,10 +50,9 @@ TEST(ContactCache, ASurveyMissesNothingThatMayBeMet) {
         Dice dice(seed);
         const auto world = support::make_soup(dice);
         ContactCache around(*world, body, {});
-        QueryCounters counters;
         for (int i = 0; i < 100; ++i) {
             const Look look(dice);
-            around.cover(look.box(body), counters);
+            around.cover(look.box(body));
             around.survey(look.foot, look.sideways, look.up, look.down, look.reach);
             const std::set<ContactCache::Index> near(around.near().begin(), around.near().end());
             const Vec3 place = look.somewhere(dice);
@@ -76,17 +75,16 @@ TEST(ContactCache, ItHoldsEveryTriangleOfWhatItCovers) {
     Dice dice(7);
     const auto world = support::make_random_village(dice);
     ContactCache around(*world, body, {});
-    QueryCounters counters;
     for (int i = 0; i < 50; ++i) {
         const Look look(dice);
         const Aabb box = look.box(body);
-        around.cover(box, counters);
+        around.cover(box);
         std::set<Name> held;
         for (const ContactCache::Piece& piece : around.pieces()) {
             held.emplace(piece.obstacle.object, piece.obstacle.triangle);
         }
         std::vector<Obstacle> expected;
-        gather_obstacles(*world, {}, body.core(look.foot), body.radius + look.sideways, expected, counters);
+        gather_obstacles(*world, {}, body.core(look.foot), body.radius + look.sideways, expected);
         for (const Obstacle& o : expected) {
             const bool is_box = o.solid != nullptr && std::holds_alternative<Box>(o.solid->shape);
             ASSERT_TRUE(is_box || held.contains({o.object, o.triangle})) << i;
@@ -102,7 +100,6 @@ TEST(ContactCache, ItHoldsEveryTriangleOnceOnALongWay) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
         ContactCache around(*world, body, {});
-        QueryCounters counters;
         Vec3 foot(dice.between(-3, 3), dice.between(0, 1), dice.between(-3, 3));
         Vec3 step = Vec3::Zero();
         for (int i = 0; i < 200; ++i) {
@@ -112,14 +109,14 @@ TEST(ContactCache, ItHoldsEveryTriangleOnceOnALongWay) {
                 step = Vec3(x, y, dice.between(-0.2, 0.2));
             }
             foot += step;
-            around.cover({foot - Vec3(0.5, 0.3, 0.5), foot + Vec3(0.5, 2.1, 0.5)}, counters);
+            around.cover({foot - Vec3(0.5, 0.3, 0.5), foot + Vec3(0.5, 2.1, 0.5)});
             std::set<Name> held;
             for (const ContactCache::Piece& piece : around.pieces()) {
                 ASSERT_TRUE(held.emplace(piece.obstacle.object, piece.obstacle.triangle).second)
                     << "seed " << seed << ", step " << i;
             }
             std::vector<Obstacle> expected;
-            gather_obstacles(*world, {}, body.core(foot), 0.5, expected, counters);
+            gather_obstacles(*world, {}, body.core(foot), 0.5, expected);
             for (const Obstacle& o : expected) {
                 const bool is_box = o.solid != nullptr && std::holds_alternative<Box>(o.solid->shape);
                 ASSERT_TRUE(is_box || held.contains({o.object, o.triangle}))
@@ -141,7 +138,6 @@ TEST(ContactCache, WhatIsKeptNeverChangesAMove) {
         state.foot = support::random_free_place(*world, dice, support::kSoupHalf);
         MoveTrace trace;
         MoveTrace fresh_trace;
-        QueryCounters counters;
         Vec3 wish = Vec3::Zero();
         for (int tick = 0; tick < 400; ++tick) {
             if (tick % 25 == 0) {
@@ -149,8 +145,8 @@ TEST(ContactCache, WhatIsKeptNeverChangesAMove) {
             }
             CapsuleMover fresh(*world, {}, {});
             MoverState fresh_state = state;
-            fresh.move(fresh_state, wish, 1.0 / 60.0, fresh_trace, counters);
-            mover.move(state, wish, 1.0 / 60.0, trace, counters);
+            fresh.move(fresh_state, wish, 1.0 / 60.0, fresh_trace);
+            mover.move(state, wish, 1.0 / 60.0, trace);
             ASSERT_EQ(state.foot, fresh_state.foot) << "seed " << seed << ", tick " << tick;
             ASSERT_EQ(state.vertical_speed, fresh_state.vertical_speed);
             ASSERT_EQ(state.grounded, fresh_state.grounded);

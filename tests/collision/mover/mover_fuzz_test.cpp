@@ -34,8 +34,7 @@ WalkAudit walk_through(const Place& place, std::uint32_t seed, int ticks) {
     settings.fastest = place.fastest;
     settings.ticks = ticks;
     const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-        QueryCounters counters;
-        mover.move(state, wish, seconds, trace, counters);
+        mover.move(state, wish, seconds, trace);
     };
     return support::audit_random_walk(oracle, move, settings);
 }

@@ -269,9 +269,8 @@ TEST_F(MoverAndWalls, TouchesAreListedOnceAnObjectInOrder) {
         EXPECT_NEAR(touch.gap, kSkin, 1e-3);
     }
     MoveTrace trace;
-    QueryCounters counters;
     CapsuleMover mover(*world_, {}, {});
-    mover.touch(body.state(), trace, counters);
+    mover.touch(body.state(), trace);
     ASSERT_EQ(trace.touching.size(), 2U) << "the same for a body at rest";
     EXPECT_EQ(trace.touching[1].gap, body.trace().touching[1].gap);
 }
@@ -295,13 +294,12 @@ TEST_F(MoverAndWalls, LeavesAWallItWasPutInto) {
     state.foot = {2.8, 1e-4, 0};  // 10 cm deep
     state.grounded = true;
     MoveTrace trace;
-    QueryCounters counters;
     for (int i = 0; i < 30; ++i) {
-        mover.move(state, {0.02, 0, 0}, 1.0 / 60.0, trace, counters);
+        mover.move(state, {0.02, 0, 0}, 1.0 / 60.0, trace);
     }
     EXPECT_LE(state.foot.x(), 2.8 + 1e-9);
     for (int i = 0; i < 30; ++i) {
-        mover.move(state, {-0.02, 0, 0}, 1.0 / 60.0, trace, counters);
+        mover.move(state, {-0.02, 0, 0}, 1.0 / 60.0, trace);
     }
     EXPECT_LT(state.foot.x(), 2.4);
 }

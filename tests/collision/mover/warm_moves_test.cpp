@@ -14,7 +14,6 @@ using support::Dice;
 
 /// Walks, falls, jumps and crouches among all kinds of things.
 void wander(CapsuleMover& mover, MoverState& state, MoveTrace& trace, double speed, int ticks) {
-    QueryCounters counters;
     Dice dice(4);
     Vec3 velocity = Vec3::Zero();
     for (int i = 0; i < ticks; ++i) {
@@ -23,9 +22,9 @@ void wander(CapsuleMover& mover, MoverState& state, MoveTrace& trace, double spe
             mover.jump(state, 4.0);
         }
         if (i % 60 == 0) {
-            mover.resize(state, i % 120 == 0 ? 1.2 : 1.8, counters);
+            mover.resize(state, i % 120 == 0 ? 1.2 : 1.8);
         }
-        mover.move(state, velocity / 60.0, 1.0 / 60.0, trace, counters);
+        mover.move(state, velocity / 60.0, 1.0 / 60.0, trace);
     }
 }
 

@@ -21,8 +21,7 @@ constexpr QueryFilter kEverything{Detection::solid | Detection::trigger | Detect
 std::optional<WorldRayHit> cast_at(const World& world, const Ray& ray,
                                    const QueryFilter& filter = kEverything,
                                    Detection preferred = Detection::none) {
-    QueryCounters counters;
-    return cast(world, filter, ray, preferred, counters);
+    return cast(world, filter, ray, preferred);
 }
 
 /// By a loop over everything and the plain formulas; the least fraction, 2 for none.

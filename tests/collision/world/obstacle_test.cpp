@@ -100,8 +100,7 @@ TEST(GatherObstacles, FindsThePiecesOfTheLoopInOrder) {
             const QueryFilter filter{dice.chance(0.5) ? Detection::solid : Detection::trigger,
                                      static_cast<std::uint32_t>(dice.below(8))};
             std::vector<Obstacle> obstacles(3);
-            QueryCounters counters;
-            gather_obstacles(some.world, filter, segment, radius, obstacles, counters);
+            gather_obstacles(some.world, filter, segment, radius, obstacles);
             const Expected expected = loop_gather(some.world, filter, segment, radius);
             std::vector<std::pair<std::size_t, std::uint32_t>> ours;
             for (const Obstacle& o : obstacles) {
@@ -124,8 +123,7 @@ TEST(GatherObstacles, TellsATrianglesPlaceNormalAndTop) {
     support::add_triangle(mesh, {5, 0, 0}, {6, 0, 0}, {7, 0, 0});
     const ObjectId id = add_object(world, mesh, Detection::solid, {Mat3::Identity(), {10, 3, 0}});
     std::vector<Obstacle> pieces;
-    QueryCounters counters;
-    gather_pieces(world, id, {{10, 4, 0}, {10, 5, 0}}, 20.0, pieces, counters);
+    gather_pieces(world, id, {{10, 4, 0}, {10, 5, 0}}, 20.0, pieces);
     ASSERT_EQ(pieces.size(), 2U);
     EXPECT_EQ(pieces[0].object, id);
     EXPECT_EQ(pieces[0].solid, nullptr);
@@ -144,12 +142,11 @@ TEST(GatherPieces, LooksAtOneObjectOnlyWhateverItsDetection) {
     trigger.detection = Detection::trigger;
     const ObjectId id = world.add(trigger);
     std::vector<Obstacle> pieces;
-    QueryCounters counters;
-    gather_pieces(world, id, {{0, 0, 0}, {0, 1, 0}}, 0.3, pieces, counters);
+    gather_pieces(world, id, {{0, 0, 0}, {0, 1, 0}}, 0.3, pieces);
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_EQ(pieces[0].object, id);
     EXPECT_NEAR(pieces[0].top, 2.0, 1e-9);
-    gather_pieces(world, id, {{9, 0, 0}, {9, 1, 0}}, 0.3, pieces, counters);
+    gather_pieces(world, id, {{9, 0, 0}, {9, 1, 0}}, 0.3, pieces);
     EXPECT_TRUE(pieces.empty());
 }
 

@@ -23,8 +23,7 @@ Segment standing_at(const Vec3& foot) {
 }
 
 std::optional<OverlapSpan> span_of(const World& world, ObjectId id, const Vec3& from, const Vec3& move) {
-    QueryCounters counters;
-    return overlap_span(world, id, standing_at(from), kRadius, move, counters);
+    return overlap_span(world, id, standing_at(from), kRadius, move);
 }
 
 /// The span of a convex function's part below zero, by halving intervals from both ends.

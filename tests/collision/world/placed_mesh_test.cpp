@@ -58,8 +58,7 @@ TEST(ClosestOfAPlacedMesh, IsThatOfTheLoop) {
                 plain = std::min(plain, support::distance(Line{segment.a, segment.b}, t));
             }
             std::vector<Obstacle> obstacles;
-            QueryCounters counters;
-            gather_obstacles(mesh.world(), {}, segment, kReach, obstacles, counters);
+            gather_obstacles(mesh.world(), {}, segment, kReach, obstacles);
             double ours = kReach;
             for (const Obstacle& o : obstacles) {
                 ours = std::min(ours, closest(segment, o).distance);
@@ -102,9 +101,8 @@ TEST(SweepOfAPlacedMesh, IsThatOfTheLoop) {
                 continue;  // in contact from the start: the mover's sweep lets such bodies move away
             }
             std::vector<Obstacle> obstacles;
-            QueryCounters counters;
             const Segment middle{segment.a + 0.5 * move, segment.b + 0.5 * move};
-            gather_obstacles(mesh.world(), {}, middle, radius + 0.5 * move.norm(), obstacles, counters);
+            gather_obstacles(mesh.world(), {}, middle, radius + 0.5 * move.norm(), obstacles);
             double ours = 2.0;
             for (const Obstacle& o : obstacles) {
                 ours = std::min(ours, sweep(segment, radius, move, o).value_or(2.0));

@@ -21,19 +21,16 @@ constexpr double kRadius = 0.3;
 constexpr double kHeight = 1.8;
 
 std::optional<ObjectId> obstruction_at(const World& world, const Vec3& foot, const QueryFilter& filter = {}) {
-    QueryCounters counters;
-    return obstruction(world, filter, foot, kRadius, kHeight, counters);
+    return obstruction(world, filter, foot, kRadius, kHeight);
 }
 
 std::optional<Vec3> free_place_at(const World& world, const Vec3& foot, double search) {
-    QueryCounters counters;
-    return free_place(world, {}, foot, kRadius, kHeight, search, counters);
+    return free_place(world, {}, foot, kRadius, kHeight, search);
 }
 
 TEST(Contains, SolidsAsTheirSignedDistanceSays) {
     Dice dice(100);
     int inside = 0;
-    QueryCounters counters;
     for (int i = 0; i < 5000; ++i) {
         Object object;
         object.shape = support::random_solid(dice);
@@ -41,7 +38,7 @@ TEST(Contains, SolidsAsTheirSignedDistanceSays) {
         const Vec3 p = dice.in_cube(1.0);
         const double distance = support::signed_distance(object, Line{p, p});
         if (std::abs(distance) > 1e-9) {
-            ASSERT_EQ(contains(object, p, counters), distance < 0.0) << i;
+            ASSERT_EQ(contains(object, p), distance < 0.0) << i;
         }
         inside += distance < 0.0 ? 1 : 0;
     }
@@ -56,11 +53,9 @@ TEST(Contains, ClosedMeshesAsTheirSolidAngleSays) {
     Object object;
     object.shape = std::make_shared<const MeshCollider>(mesh);
     object.X_world_shape = support::random_pose(dice, 100.0);
-    QueryCounters counters;
     for (int i = 0; i < 2000; ++i) {
         const Vec3 local = dice.in_cube(3.0);
-        ASSERT_EQ(contains(object, object.X_world_shape * local, counters),
-                  winding_number(mesh, local) > 0.5);
+        ASSERT_EQ(contains(object, object.X_world_shape * local), winding_number(mesh, local) > 0.5);
     }
 }
 
@@ -147,8 +142,7 @@ TEST(FreePlace, IsLiftedOutOfGroundThatIsALittleHigher) {
 // ---- standing places ------------------------------------------------------------------------------------
 
 std::optional<Standing> standing_at(const World& world, const Vec3& foot) {
-    QueryCounters counters;
-    return standing_place(world, {}, foot, kRadius, kHeight, 0.5, counters);
+    return standing_place(world, {}, foot, kRadius, kHeight, 0.5);
 }
 
 TEST(StandingPlace, IsBesideAWallThatIsOverlapped) {

@@ -53,8 +53,8 @@ TEST(CostTrace, CountsWhatTheWalkCounted) {
         }
     }
     EXPECT_GT(nodes, 0U);
-    EXPECT_EQ(nodes, all.summary.counters.nv);
-    EXPECT_EQ(triangles, all.summary.counters.np);
+    EXPECT_EQ(nodes, all.summary.statistics.volume_tests);
+    EXPECT_EQ(triangles, all.summary.statistics.primitive_tests);
 }
 
 TEST(CostTrace, NestsStagesInTicksOneAfterTheOther) {

@@ -32,7 +32,7 @@ public:
         AvatarState avatar;
         avatar.position = path.back();
         avatar.yaw = yaw;
-        contact_detector_.detect(tick_++, avatar, trace, found, counters_);
+        contact_detector_.detect(tick_++, avatar, trace, found);
         return told_all();
     }
     std::vector<std::string> leave_all() {
@@ -58,7 +58,6 @@ private:
 
     const scene::Campus& campus_;
     ContactDetector contact_detector_;
-    collision::QueryCounters counters_;
     Tick tick_ = 0;
 };
 

@@ -89,7 +89,7 @@ TEST(Simulation, CountsItsQueries) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3});
     const WalkSummary summary = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -2)})).summary;
-    EXPECT_GT(summary.counters.np, 0U);
+    EXPECT_GT(summary.statistics.primitive_tests, 0U);
 }
 
 // ---- how steps end --------------------------------------------------------------------------------------

@@ -45,12 +45,11 @@ PlacedMesh placed(std::uint32_t triangles, std::uint32_t seed) {
 
 std::vector<collision::MeshHit> hits(const MeshCollider& mesh) {
     support::Dice dice(5);
-    collision::QueryCounters counters;
     std::vector<collision::MeshHit> found;
     for (int i = 0; i < 200; ++i) {
         const Vec3 from = dice.in_cube(12.0);
         const Vec3 to = dice.in_cube(12.0);
-        if (const auto hit = first_on_ray(mesh, {from, to}, counters)) {
+        if (const auto hit = first_on_ray(mesh, {from, to})) {
             found.push_back(*hit);
         }
     }
@@ -62,9 +61,8 @@ bool can_be_read(std::span<const std::byte> bytes) {
     try {
         for (const PlacedMesh& mesh : read_tree_file(bytes)) {
             hits(*mesh.collider);
-            collision::QueryCounters counters;
             std::vector<std::uint32_t> near;
-            triangles_near(*mesh.collider, {{0, 0, 0}, {0, 1, 0}}, 3.0, near, counters);
+            triangles_near(*mesh.collider, {{0, 0, 0}, {0, 1, 0}}, 3.0, near);
             for (const std::uint32_t t : near) {
                 EXPECT_LT(t, mesh.collider->mesh().triangles.size());
             }

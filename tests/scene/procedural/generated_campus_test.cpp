@@ -24,13 +24,11 @@ TEST(GeneratedCampus, EightLotsAreHalfAMillionTriangles) {
 TEST(GeneratedCampus, FeetAreOutdoorsOnTheGround) {
     const GeneratedCampus campus = generated_campus(2);
     const collision::MeshCollider mesh(campus.mesh);
-    collision::QueryCounters counters;
     std::size_t under_trees = 0;
     EXPECT_GT(campus.feet.size(), 1000U);
     for (const Vec3& foot : campus.feet) {
-        ASSERT_LT(closest_point(mesh, foot, counters).distance, 1e-5);
-        under_trees +=
-            any_on_ray(mesh, {foot + Vec3(0, 0.01, 0), foot + Vec3(0, 100, 0)}, counters) ? 1U : 0U;
+        ASSERT_LT(closest_point(mesh, foot).distance, 1e-5);
+        under_trees += any_on_ray(mesh, {foot + Vec3(0, 0.01, 0), foot + Vec3(0, 100, 0)}) ? 1U : 0U;
     }
     EXPECT_LT(under_trees, campus.feet.size() / 4) << "the others are under the sky";
     EXPECT_GT(under_trees, 0U);
@@ -58,7 +56,6 @@ TEST(GeneratedCampus, RunsTellTheKindsOfTriangles) {
 TEST(GeneratedCampus, RaysHitNearAndFarThingsAndTheSky) {
     const GeneratedCampus campus = generated_campus(2);
     const collision::MeshCollider mesh(campus.mesh);
-    collision::QueryCounters counters;
     SplitMix random(7);
     int far = 0;
     int near = 0;
@@ -67,7 +64,7 @@ TEST(GeneratedCampus, RaysHitNearAndFarThingsAndTheSky) {
         const auto foot =
             static_cast<std::size_t>(random.between(0.0, static_cast<double>(campus.feet.size())));
         const Vec3 eye = campus.feet[foot] + Vec3(0, 1.6, 0);
-        const auto hit = first_on_ray(mesh, {eye, eye + 200.0 * random.direction()}, counters);
+        const auto hit = first_on_ray(mesh, {eye, eye + 200.0 * random.direction()});
         near += hit && hit->fraction <= 0.05 ? 1 : 0;
         far += hit && hit->fraction > 0.05 ? 1 : 0;
     }

@@ -113,8 +113,8 @@ TEST(Table1Scene, HasThePapersNumbersOfOverlappingPairs) {
                 continue;
             }
             std::vector<TrianglePair> pairs;
-            collision::QueryCounters counters;
-            all_contacts(cylinder, teapot, placement.X_cylinder_teapot, pairs, counters, i);
+            collision::QueryStatistics counters;
+            all_contacts(cylinder, teapot, placement.X_cylinder_teapot, pairs, &counters, i);
             EXPECT_EQ(pairs.size(), placement.pairs);
             if (i == SimdTarget::sse42) {
                 numbers.push_back(pairs.size());

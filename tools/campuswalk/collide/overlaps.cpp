@@ -14,7 +14,6 @@ using collision::Box;
 using collision::Capsule;
 using collision::MeshCollider;
 using collision::Pose;
-using collision::QueryCounters;
 using collision::Sphere;
 using collision::TrianglePair;
 using collision::Vec3;
@@ -28,20 +27,17 @@ using Mesh = std::shared_ptr<const MeshCollider>;
 
 void triangles_of(const MeshCollider& mesh, const Sphere& sphere, const Pose& X,
                   std::vector<std::uint32_t>& out) {
-    QueryCounters counters;
-    triangles_near(mesh, {X.translation, X.translation}, sphere.radius, out, counters);
+    triangles_near(mesh, {X.translation, X.translation}, sphere.radius, out);
 }
 
 void triangles_of(const MeshCollider& mesh, const Capsule& capsule, const Pose& X,
                   std::vector<std::uint32_t>& out) {
-    QueryCounters counters;
     const Vec3 half = X.rotate(Vec3(0.0, capsule.half_length, 0.0));
-    triangles_near(mesh, {X.translation - half, X.translation + half}, capsule.radius, out, counters);
+    triangles_near(mesh, {X.translation - half, X.translation + half}, capsule.radius, out);
 }
 
 void triangles_of(const MeshCollider& mesh, const Box& box, const Pose& X, std::vector<std::uint32_t>& out) {
-    QueryCounters counters;
-    triangles_in_box(mesh, box, X, out, counters);
+    triangles_in_box(mesh, box, X, out);
 }
 
 void triangles_of(const MeshCollider& mesh, const Wheel& wheel, const Pose& X,
@@ -64,11 +60,10 @@ public:
 
     Overlaps operator()(const Mesh& a, const Mesh& b) const {
         Overlaps overlaps;
-        QueryCounters counters;
         if (wanted_ == Wanted::all) {
-            all_contacts(*a, *b, X_a_b_, overlaps.pairs, counters);
+            all_contacts(*a, *b, X_a_b_, overlaps.pairs);
             std::ranges::sort(overlaps.pairs);
-        } else if (const std::optional<TrianglePair> pair = first_contact(*a, *b, X_a_b_, counters)) {
+        } else if (const std::optional<TrianglePair> pair = first_contact(*a, *b, X_a_b_)) {
             overlaps.pairs.push_back(*pair);
         }
         overlaps.any = !overlaps.pairs.empty();

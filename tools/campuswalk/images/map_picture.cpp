@@ -24,9 +24,8 @@ void open_roof(const scene::Campus& campus, const MapState& moment, render::View
     const double tall = moment.avatar.stature * moment.profile.height;
     const Vector3d head = moment.avatar.position + tall * Vector3d::UnitY();
     const Vector3d sky = head + kHighestCeiling * Vector3d::UnitY();
-    collision::QueryCounters counters;
     const auto ceiling = collision::cast(campus.world, {collision::Detection::solid, 0}, {head, sky},
-                                         collision::Detection::solid, counters);
+                                         collision::Detection::solid);
     if (ceiling) {
         const double clear = std::min(kOverHead, 0.5 * ceiling->fraction * kHighestCeiling);
         view.near_distance = view.position.y() - (head.y() + clear);

@@ -20,9 +20,8 @@ SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
     SnapshotSettings settings;
     settings.backend = backend.value_or(engine::render::RenderingBackend::automatic);
     settings.free_distance = [&campus](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-        collision::QueryCounters counters;
         const auto hit = collision::cast(campus.world, {collision::Detection::solid, 0}, {from, to},
-                                         collision::Detection::solid, counters);
+                                         collision::Detection::solid);
         return (to - from).norm() * (hit ? hit->fraction : 1.0);
     };
     return settings;

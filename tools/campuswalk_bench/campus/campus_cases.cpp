@@ -17,7 +17,7 @@ namespace campuswalk::tools::bench {
 
 using collision::Layout;
 using collision::MeshCollider;
-using collision::QueryCounters;
+using collision::QueryStatistics;
 using collision::Ray;
 using collision::Segment;
 using collision::Vec3;
@@ -31,8 +31,8 @@ using Triangles = std::vector<std::uint32_t>;
 struct Campus {
     explicit Campus(int lots)
         : generated(scene::generated_campus(lots)),
-          wide(generated.mesh, Layout::wide),
-          paper(generated.mesh, Layout::paper) {}
+          wide(generated.mesh, Layout::wide, collision::Interior::unknown),
+          paper(generated.mesh, Layout::paper, collision::Interior::unknown) {}
 
     scene::GeneratedCampus generated;
     MeshCollider wide;
@@ -59,7 +59,7 @@ std::vector<Respondent<Question, Answer>> both_layouts(const Campus& campus, con
          {std::pair("wide", &campus.wide), std::pair("paper", &campus.paper)}) {
         made.push_back(
             {name, true,
-             [ask, collider = collider](const Question& question, Answer& answer, QueryCounters& counters) {
+             [ask, collider = collider](const Question& question, Answer& answer, QueryStatistics& counters) {
                  ask(*collider, question, answer, counters);
              }});
     }
@@ -72,15 +72,15 @@ Poll<Ray, Fraction> first_hits(const Campus& campus, const char* case_name, std:
     poll.query = "first_hit";
     poll.questions = std::move(rays);
     poll.respondents = both_layouts<Ray, Fraction>(
-        campus, [](const MeshCollider& mesh, const Ray& ray, Fraction& answer, QueryCounters& counters) {
-            const auto hit = first_on_ray(mesh, ray, counters);
+        campus, [](const MeshCollider& mesh, const Ray& ray, Fraction& answer, QueryStatistics& counters) {
+            const auto hit = first_on_ray(mesh, ray, &counters);
             answer = hit ? Fraction(hit->fraction) : std::nullopt;
         });
     for (const auto& [name, peer] :
          {std::pair("embree_robust", campus.embree), std::pair("bullet_bvh", campus.bullet)}) {
         if (peer) {
             poll.respondents.push_back(
-                {name, false, [peer = peer](const Ray& ray, Fraction& answer, QueryCounters&) {
+                {name, false, [peer = peer](const Ray& ray, Fraction& answer, QueryStatistics&) {
                      answer = peer->first_on_ray(ray);
                  }});
         }
@@ -98,8 +98,8 @@ Poll<Ray, char> any_hits(const Campus& campus, std::vector<Ray> rays) {
     poll.query = "any_hit";
     poll.questions = std::move(rays);
     poll.respondents = both_layouts<Ray, char>(
-        campus, [](const MeshCollider& mesh, const Ray& ray, char& answer, QueryCounters& counters) {
-            answer = any_on_ray(mesh, ray, counters) ? 1 : 0;
+        campus, [](const MeshCollider& mesh, const Ray& ray, char& answer, QueryStatistics& counters) {
+            answer = any_on_ray(mesh, ray, &counters) ? 1 : 0;
         });
     return poll;
 }
@@ -111,13 +111,13 @@ Poll<Segment, Triangles> touches(const Campus& campus, std::vector<Segment> segm
     poll.questions = std::move(segments);
     poll.respondents = both_layouts<Segment, Triangles>(
         campus,
-        [](const MeshCollider& mesh, const Segment& segment, Triangles& answer, QueryCounters& counters) {
-            triangles_near(mesh, segment, kAvatarRadius, answer, counters);
+        [](const MeshCollider& mesh, const Segment& segment, Triangles& answer, QueryStatistics& counters) {
+            triangles_near(mesh, segment, kAvatarRadius, answer, &counters);
         });
     if (campus.fcl) {
         poll.respondents.push_back(
             {"fcl_obbrss", false,
-             [fcl = campus.fcl](const Segment& segment, Triangles& answer, QueryCounters&) {
+             [fcl = campus.fcl](const Segment& segment, Triangles& answer, QueryStatistics&) {
                  fcl->triangles_near(segment, kAvatarRadius, answer);
              }});
     }
@@ -136,8 +136,8 @@ Poll<Vec3, double> distances(const Campus& campus, const std::vector<Segment>& s
         poll.questions.push_back(segment.b);
     }
     poll.respondents = both_layouts<Vec3, double>(
-        campus, [](const MeshCollider& mesh, const Vec3& point, double& answer, QueryCounters& counters) {
-            answer = closest_point(mesh, point, counters).distance;
+        campus, [](const MeshCollider& mesh, const Vec3& point, double& answer, QueryStatistics& counters) {
+            answer = closest_point(mesh, point, &counters).distance;
         });
     return poll;
 }

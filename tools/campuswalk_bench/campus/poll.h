@@ -84,10 +84,10 @@ Row conclude(const Poll<Question, Answer>& poll, const std::vector<Replies<Answe
     }
     ours_right = ours_right && row.difference->none();
     const std::uint64_t count = poll.questions.size();
-    row.work = {(mine.work.nv + count / 2) / count, (mine.work.np + count / 2) / count,
-                (mine.work.nu + count / 2) / count};
-    std::printf("%10llu%10llu  %s\n", static_cast<unsigned long long>(row.work->nv),
-                static_cast<unsigned long long>(row.work->np),
+    row.work = {(mine.work.volume_tests + count / 2) / count, (mine.work.primitive_tests + count / 2) / count,
+                (mine.work.transform_updates + count / 2) / count};
+    std::printf("%10llu%10llu  %s\n", static_cast<unsigned long long>(row.work->volume_tests),
+                static_cast<unsigned long long>(row.work->primitive_tests),
                 row.difference->none() ? "" : to_string(*row.difference).c_str());
     return row;
 }

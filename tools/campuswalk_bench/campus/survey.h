@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 #include "tools/campuswalk_bench/measure/row.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
 
@@ -17,15 +17,15 @@ struct Respondent {
     std::string name;
     bool is_ours = false;
     /// Replaces the answer; ours add to the counters.
-    std::function<void(const Question&, Answer&, collision::QueryCounters&)> answer;
+    std::function<void(const Question&, Answer&, collision::QueryStatistics&)> answer;
 };
 
 /// What a respondent said.
 template <typename Answer>
 struct Replies {
-    std::vector<Answer> answers;    ///< a question each
-    Spread each;                    ///< microseconds a question
-    collision::QueryCounters work;  ///< of all questions together
+    std::vector<Answer> answers;      ///< a question each
+    Spread each;                      ///< microseconds a question
+    collision::QueryStatistics work;  ///< of all questions together
 };
 
 /// Asks everybody everything (see shuffled_runs.h, where a run is all questions one after the other).

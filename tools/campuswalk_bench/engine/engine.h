@@ -32,7 +32,7 @@ public:
     virtual std::optional<collision::TrianglePair> first_pair() = 0;
 
     /// Of the last query, by those who count it.
-    virtual std::optional<collision::HybridContactCounters> work() const { return std::nullopt; }
+    virtual std::optional<collision::HybridContactStatistics> work() const { return std::nullopt; }
 };
 
 using MakeEngine = Engine*(const collision::TriangleMesh& a, const collision::TriangleMesh& b);

@@ -9,7 +9,7 @@
 
 namespace campuswalk::tools::bench {
 
-using collision::HybridContactCounters;
+using collision::HybridContactStatistics;
 using collision::MeshCollider;
 using collision::NodeTest;
 using collision::Pose;
@@ -40,7 +40,7 @@ public:
         return first_contact(a_, b_, X_a_b_, test_, work_);
     }
 
-    std::optional<HybridContactCounters> work() const override { return work_; }
+    std::optional<HybridContactStatistics> work() const override { return work_; }
 
 private:
     collision::HybridTree tree_a_;
@@ -49,34 +49,36 @@ private:
     collision::HybridMesh b_;
     NodeTest test_;
     Pose X_a_b_;
-    HybridContactCounters work_;
+    HybridContactStatistics work_;
 };
 
 class WideEngine final : public Engine {
 public:
     WideEngine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
-        : a_(a), b_(b), simd_target_(simd_target) {}
+        : a_(a, collision::Layout::wide, collision::Interior::unknown),
+          b_(b, collision::Layout::wide, collision::Interior::unknown),
+          simd_target_(simd_target) {}
 
     void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
 
     void all_pairs(std::vector<TrianglePair>& out) override {
         work_ = {};
-        all_contacts(a_, b_, X_a_b_, out, work_, simd_target_);
+        all_contacts(a_, b_, X_a_b_, out, &work_, simd_target_);
     }
 
     std::optional<TrianglePair> first_pair() override {
         work_ = {};
-        return first_contact(a_, b_, X_a_b_, work_, simd_target_);
+        return first_contact(a_, b_, X_a_b_, &work_, simd_target_);
     }
 
-    std::optional<HybridContactCounters> work() const override { return work_; }
+    std::optional<HybridContactStatistics> work() const override { return work_; }
 
 private:
     MeshCollider a_;
     MeshCollider b_;
     SimdTarget simd_target_;
     Pose X_a_b_;
-    HybridContactCounters work_;
+    HybridContactStatistics work_;
 };
 
 const std::map<std::string, NodeTest> kOnThePapersTree = {{"paper", NodeTest::hybrid},

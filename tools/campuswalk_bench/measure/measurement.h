@@ -19,7 +19,7 @@ struct Measurement {
     Query query = Query::all;
     double us_min = 0.0;
     double us_median = 0.0;
-    std::optional<collision::HybridContactCounters> work;
+    std::optional<collision::HybridContactStatistics> work;
     Difference difference;  ///< query first: a pair that isn't one, or none where there are some
 };
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 
 namespace campuswalk::tools::bench {
 
@@ -35,8 +35,8 @@ struct Row {
     std::string query;
     double least = 0.0;   ///< microseconds a query, or a triangle built; bytes a triangle
     double median = 0.0;  ///< the same unit
-    std::optional<collision::QueryCounters> work;  ///< a query
-    std::optional<Difference> difference;          ///< where there is something to compare with
+    std::optional<collision::QueryStatistics> work;  ///< a query
+    std::optional<Difference> difference;            ///< where there is something to compare with
 };
 
 /// What a case of the benchmark found.

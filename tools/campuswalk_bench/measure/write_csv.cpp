@@ -14,7 +14,8 @@ std::string line(const Row& row) {
                        row.engine + ',' + row.query + ',' + engine::fixed(row.least, 3) + ',' +
                        engine::fixed(row.median, 3) + ',';
     if (row.work) {
-        text += std::to_string(row.work->nv) + ',' + std::to_string(row.work->np) + ',';
+        text +=
+            std::to_string(row.work->volume_tests) + ',' + std::to_string(row.work->primitive_tests) + ',';
     } else {
         text += ",,";
     }

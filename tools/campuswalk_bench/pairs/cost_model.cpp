@@ -6,7 +6,7 @@
 
 namespace campuswalk::tools::bench {
 
-using collision::QueryCounters;
+using collision::QueryStatistics;
 
 namespace {
 
@@ -24,19 +24,19 @@ Eigen::Vector3d solve(Eigen::Matrix3d normal, Eigen::Vector3d right, unsigned wh
 
 }  // namespace
 
-double CostModel::predict(const QueryCounters& work) const {
-    return static_cast<double>(work.nv) * cv + static_cast<double>(work.np) * cp +
-           static_cast<double>(work.nu) * cu;
+double CostModel::predict(const QueryStatistics& work) const {
+    return static_cast<double>(work.volume_tests) * cv + static_cast<double>(work.primitive_tests) * cp +
+           static_cast<double>(work.transform_updates) * cu;
 }
 
-CostModel fit_costs(std::span<const QueryCounters> work, std::span<const double> microseconds) {
+CostModel fit_costs(std::span<const QueryStatistics> work, std::span<const double> microseconds) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < work.size(); ++i) {
-        const Eigen::Vector3d row =
-            Eigen::Vector3d(static_cast<double>(work[i].nv), static_cast<double>(work[i].np),
-                            static_cast<double>(work[i].nu)) /
-            microseconds[i];
+        const Eigen::Vector3d row = Eigen::Vector3d(static_cast<double>(work[i].volume_tests),
+                                                    static_cast<double>(work[i].primitive_tests),
+                                                    static_cast<double>(work[i].transform_updates)) /
+                                    microseconds[i];
         normal += row * row.transpose();
         right += row;
     }

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 
 namespace campuswalk::tools::bench {
 
@@ -13,11 +13,11 @@ struct CostModel {
     double cp = 0.0;
     double cu = 0.0;
 
-    double predict(const collision::QueryCounters& work) const;
+    double predict(const collision::QueryStatistics& work) const;
 };
 
 /// The costs, none of them negative, that are nearest to measured times: the least sum of squares of relative
 /// errors, since otherwise the longest query alone would decide. A time for each work, at least three.
-CostModel fit_costs(std::span<const collision::QueryCounters> work, std::span<const double> microseconds);
+CostModel fit_costs(std::span<const collision::QueryStatistics> work, std::span<const double> microseconds);
 
 }  // namespace campuswalk::tools::bench

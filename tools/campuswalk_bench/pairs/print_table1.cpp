@@ -7,8 +7,8 @@
 
 namespace campuswalk::tools::bench {
 
-using collision::HybridContactCounters;
-using collision::QueryCounters;
+using collision::HybridContactStatistics;
+using collision::QueryStatistics;
 
 namespace {
 
@@ -55,7 +55,7 @@ void print_times(const Results& results, Query query) {
 }
 
 void print_costs(const Results& results, const char* engine) {
-    std::vector<QueryCounters> work;
+    std::vector<QueryStatistics> work;
     for (std::size_t i = 0; i < results.pairs.size(); ++i) {
         work.push_back(results.find(i, engine, Query::all)->work.value());
     }
@@ -66,8 +66,10 @@ void print_costs(const Results& results, const char* engine) {
     std::printf("%7s%10s%9s%9s%16s%15s\n", "pairs", "Nv", "Np", "Nu", "T predicted us", "T measured us");
     for (std::size_t i = 0; i < work.size(); ++i) {
         std::printf("%7zu%10llu%9llu%9llu%16.1f%15.1f\n", results.pairs[i],
-                    static_cast<unsigned long long>(work[i].nv), static_cast<unsigned long long>(work[i].np),
-                    static_cast<unsigned long long>(work[i].nu), costs.predict(work[i]), times[i]);
+                    static_cast<unsigned long long>(work[i].volume_tests),
+                    static_cast<unsigned long long>(work[i].primitive_tests),
+                    static_cast<unsigned long long>(work[i].transform_updates), costs.predict(work[i]),
+                    times[i]);
     }
     std::printf("\n");
 }
@@ -80,20 +82,21 @@ void print_sphere_test(const Results& results) {
     std::printf("What the sphere test does (paper): of the pairs of nodes, how many each layer parts\n");
     std::printf("%7s%10s%10s%10s%10s%13s\n", "pairs", "outer %", "inner %", "boxes %", "none %", "obb/paper");
     const std::vector<double> lift = multiples(results, "obb", "paper", Query::all);
-    HybridContactCounters sum;
+    HybridContactStatistics sum;
     for (std::size_t i = 0; i < results.pairs.size(); ++i) {
-        const HybridContactCounters w = results.find(i, "paper", Query::all)->work.value();
+        const HybridContactStatistics w = results.find(i, "paper", Query::all)->work.value();
         sum += w;
         sum.outer += w.outer;
         sum.inner += w.inner;
         sum.box += w.box;
-        std::printf("%7zu%10.1f%10.1f%10.1f%10.1f%13.2f\n", results.pairs[i], percent(w.outer, w.nv),
-                    percent(w.inner, w.nv), percent(w.box, w.nv),
-                    percent(w.nv - w.outer - w.inner - w.box, w.nv), lift[i]);
+        std::printf("%7zu%10.1f%10.1f%10.1f%10.1f%13.2f\n", results.pairs[i],
+                    percent(w.outer, w.volume_tests), percent(w.inner, w.volume_tests),
+                    percent(w.box, w.volume_tests),
+                    percent(w.volume_tests - w.outer - w.inner - w.box, w.volume_tests), lift[i]);
     }
     std::uint64_t without = 0;
     for (std::size_t i = 0; i < results.pairs.size(); ++i) {
-        without += results.find(i, "obb", Query::all)->work.value().nv;
+        without += results.find(i, "obb", Query::all)->work.value().volume_tests;
     }
     const auto [least, most] = std::minmax_element(lift.begin(), lift.end());
     const double mean = geometric_mean(lift);
@@ -103,8 +106,9 @@ void print_sphere_test(const Results& results) {
         "those the boxes part too: without spheres (obb) %.1f %% more pairs of nodes are tested. With "
         "spheres\n"
         "first, the same query on the same tree is %.2f times as fast (geometric mean; %.2f to %.2f)%s\n\n",
-        percent(sum.outer, sum.nv), percent(sum.inner, sum.nv), percent(without, sum.nv) - 100.0, mean,
-        *least, *most, mean < 1.5 ? ":\nthe spheres alone don't make the tree twice as fast." : ".");
+        percent(sum.outer, sum.volume_tests), percent(sum.inner, sum.volume_tests),
+        percent(without, sum.volume_tests) - 100.0, mean, *least, *most,
+        mean < 1.5 ? ":\nthe spheres alone don't make the tree twice as fast." : ".");
 }
 
 void print_sets(const Results& results) {

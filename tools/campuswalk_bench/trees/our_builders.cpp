@@ -17,7 +17,9 @@ class OurBuilder final : public TreeBuilder {
 public:
     OurBuilder(const TriangleMesh& mesh, Layout layout) : mesh_(mesh), layout_(layout) {}
 
-    void build() override { made_ = std::make_unique<MeshCollider>(mesh_, layout_); }
+    void build() override {
+        made_ = std::make_unique<MeshCollider>(mesh_, layout_, collision::Interior::unknown);
+    }
     void discard() override { made_.reset(); }
 
 private:

@@ -106,7 +106,7 @@ void weigh_data(const PairScene& scene, double triangles, std::vector<Row>& rows
         double meshes = 0.0;
         double trees = 0.0;
         for (const TriangleMesh* mesh : {&scene.a, &scene.b}) {
-            const MeshCollider collider(*mesh, layout);
+            const MeshCollider collider(*mesh, layout, collision::Interior::unknown);
             meshes += static_cast<double>(bytes_of_mesh(collider.mesh()));
             trees += static_cast<double>(bytes_of_tree(collider));
         }

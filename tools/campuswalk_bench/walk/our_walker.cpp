@@ -38,15 +38,15 @@ OurWalker::OurWalker(const collision::TriangleMesh& mesh, const WalkBody& body)
 }
 
 void OurWalker::place(const Vec3& foot) {
-    const auto free = free_place(world_, {}, foot, settings_.radius, settings_.height, kSearch, counters_);
+    const auto free = free_place(world_, {}, foot, settings_.radius, settings_.height, kSearch);
     if (!free) {
         throw std::runtime_error("a path of the benchmark starts where nobody can stand");
     }
-    mover_->place(state_, *free, 2.0 * kSearch, counters_);
+    mover_->place(state_, *free, 2.0 * kSearch);
 }
 
 void OurWalker::walk(const Vec3& wish) {
-    mover_->move(state_, wish, body_.tick, *trace_, counters_);
+    mover_->move(state_, wish, body_.tick, *trace_);
 }
 
 std::size_t OurWalker::weigh() {

@@ -30,7 +30,6 @@ private:
     std::optional<collision::CapsuleMover> mover_;
     std::optional<collision::MoveTrace> trace_;
     collision::MoverState state_;
-    collision::QueryCounters counters_;
 };
 
 }  // namespace campuswalk::tools::bench

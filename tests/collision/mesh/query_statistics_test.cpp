@@ -1,4 +1,4 @@
-#include "collision/base/query_counters.h"
+#include "collision/base/query_statistics.h"
 
 #include <vector>
 
@@ -20,10 +20,10 @@ TriangleMesh tiled_floor() {
     return mesh;
 }
 
-QueryCounters count_near(const MeshCollider& mesh, const Segment& segment, double radius) {
-    QueryCounters counters;
+QueryStatistics count_near(const MeshCollider& mesh, const Segment& segment, double radius) {
+    QueryStatistics counters;
     std::vector<std::uint32_t> near;
-    triangles_near(mesh, segment, radius, near, counters);
+    triangles_near(mesh, segment, radius, near, &counters);
     return counters;
 }
 
@@ -85,43 +85,43 @@ private:
     NodeCounts counts_;
 };
 
-TEST(QueryCounters, AddUp) {
-    QueryCounters sum{1, 2, 3};
+TEST(QueryStatistics, AddUp) {
+    QueryStatistics sum{1, 2, 3};
     sum += {10, 20, 30};
-    EXPECT_EQ(sum.nv, 11U);
-    EXPECT_EQ(sum.np, 22U);
-    EXPECT_EQ(sum.nu, 33U);
+    EXPECT_EQ(sum.volume_tests, 11U);
+    EXPECT_EQ(sum.primitive_tests, 22U);
+    EXPECT_EQ(sum.transform_updates, 33U);
 }
 
-TEST(QueryCounters, FarAwayOnlyTheRootIsTested) {
+TEST(QueryStatistics, FarAwayOnlyTheRootIsTested) {
     for (const Layout layout : {Layout::wide, Layout::paper}) {
         const MeshCollider mesh(tiled_floor(), layout);
-        const QueryCounters counters = count_near(mesh, {{900, 0, 0}, {900, 2, 0}}, 0.3);
-        EXPECT_EQ(counters.nv, 1U);
-        EXPECT_EQ(counters.np, 0U);
-        EXPECT_EQ(counters.nu, 1U);
+        const QueryStatistics counters = count_near(mesh, {{900, 0, 0}, {900, 2, 0}}, 0.3);
+        EXPECT_EQ(counters.volume_tests, 1U);
+        EXPECT_EQ(counters.primitive_tests, 0U);
+        EXPECT_EQ(counters.transform_updates, 1U);
     }
 }
 
-TEST(QueryCounters, WithinReachOfAllEveryNodeAndTriangleIsTested) {
+TEST(QueryStatistics, WithinReachOfAllEveryNodeAndTriangleIsTested) {
     const MeshCollider paper(tiled_floor(), Layout::paper);
-    const QueryCounters on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
-    EXPECT_EQ(on_paper.nv, paper.paper_tree().nodes.size());
-    EXPECT_EQ(on_paper.np, paper.mesh().triangles.size());
-    EXPECT_EQ(on_paper.nu, 1U);
+    const QueryStatistics on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(on_paper.volume_tests, paper.paper_tree().nodes.size());
+    EXPECT_EQ(on_paper.primitive_tests, paper.mesh().triangles.size());
+    EXPECT_EQ(on_paper.transform_updates, 1U);
 
     const MeshCollider wide(tiled_floor());
     std::size_t boxes = 1;  // and the sphere of all
     for (const Bvh8Node& node : wide.bvh8().nodes) {
         boxes += node.count;
     }
-    const QueryCounters on_wide = count_near(wide, {{0, 0, 0}, {0, 2, 0}}, 500.0);
-    EXPECT_EQ(on_wide.nv, boxes);
-    EXPECT_EQ(on_wide.np, wide.mesh().triangles.size());
-    EXPECT_EQ(on_wide.nu, 1U);
+    const QueryStatistics on_wide = count_near(wide, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(on_wide.volume_tests, boxes);
+    EXPECT_EQ(on_wide.primitive_tests, wide.mesh().triangles.size());
+    EXPECT_EQ(on_wide.transform_updates, 1U);
 }
 
-TEST(QueryCounters, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
+TEST(QueryStatistics, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
     Dice dice(50);
     std::uint64_t tested = 0;
     std::uint64_t by_spheres = 0;
@@ -131,36 +131,36 @@ TEST(QueryCounters, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
         for (int i = 0; i < 20; ++i) {
             const Vec3 a = dice.in_cube(6.0);
             const Segment segment{a, a + Vec3(0, 1.2, 0)};
-            const QueryCounters counters = count_near(mesh, segment, 0.4);
+            const QueryStatistics counters = count_near(mesh, segment, 0.4);
             const NodeCounts counts = NodeCounter(mesh, segment, 0.4).count();
-            ASSERT_GE(counters.nv, counts.needed);
-            ASSERT_LE(counters.nv, counts.by_spheres_alone);
-            ASSERT_GE(counters.np, counts.triangles_needed);
-            ASSERT_EQ(counters.nu, 1U);
-            tested += counters.nv;
+            ASSERT_GE(counters.volume_tests, counts.needed);
+            ASSERT_LE(counters.volume_tests, counts.by_spheres_alone);
+            ASSERT_GE(counters.primitive_tests, counts.triangles_needed);
+            ASSERT_EQ(counters.transform_updates, 1U);
+            tested += counters.volume_tests;
             by_spheres += counts.by_spheres_alone;
         }
     }
     EXPECT_LT(tested, by_spheres) << "the inner layer rejects what the spheres let through";
 }
 
-TEST(QueryCounters, ASmallQueryInALargeMeshTestsLittleOfIt) {
+TEST(QueryStatistics, ASmallQueryInALargeMeshTestsLittleOfIt) {
     for (const Layout layout : {Layout::wide, Layout::paper}) {
         const MeshCollider mesh(tiled_floor(), layout);  // 8192 triangles
-        const QueryCounters counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);
-        EXPECT_LT(counters.nv, 200U);
-        EXPECT_LT(counters.np, 100U);
-        EXPECT_GT(counters.np, 0U);
+        const QueryStatistics counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);
+        EXPECT_LT(counters.volume_tests, 200U);
+        EXPECT_LT(counters.primitive_tests, 100U);
+        EXPECT_GT(counters.primitive_tests, 0U);
     }
 }
 
-TEST(QueryCounters, OfARayThatMissesStaySmall) {
+TEST(QueryStatistics, OfARayThatMissesStaySmall) {
     for (const Layout layout : {Layout::wide, Layout::paper}) {
         const MeshCollider mesh(tiled_floor(), layout);
-        QueryCounters counters;
-        EXPECT_FALSE(first_on_ray(mesh, {{3, 0.01, 3}, {4, 5.0, 3}}, counters));
-        EXPECT_LT(counters.nv, 200U);
-        EXPECT_EQ(counters.nu, 1U);
+        QueryStatistics counters;
+        EXPECT_FALSE(first_on_ray(mesh, {{3, 0.01, 3}, {4, 5.0, 3}}, &counters));
+        EXPECT_LT(counters.volume_tests, 200U);
+        EXPECT_EQ(counters.transform_updates, 1U);
     }
 }
 
