@@ -74,7 +74,6 @@ void ContactCache::cover(const Aabb& box, QueryStatistics* statistics) {
 void ContactCache::go_on_to(const Aabb& box, QueryStatistics* statistics) {
     const Aabb before = covered_;
     covered_ = box;
-    near_count_ = 0;
     drop_outside();
     gather(before, statistics);
     restart_bounds();
@@ -90,7 +89,6 @@ void ContactCache::forget() {
     margin_ = kFirstMargin;
     pieces_.clear();
     cached_.clear();
-    near_count_ = 0;
 }
 
 void ContactCache::resize(double height) {
@@ -282,7 +280,8 @@ void ContactCache::set_bound(Index i, const Vec3& normal, double at_origin) {
     b.rest[lane] = static_cast<float>(at_origin);
 }
 
-void ContactCache::survey(const Vec3& foot, double sideways, double up, double down, double reach) {
+std::span<const ContactCache::Index> ContactCache::survey(const Vec3& foot, double sideways, double up,
+                                                          double down, double reach) {
     const Vec3 at = foot - origin_;
     const auto x = static_cast<float>(at.x());
     const auto y = static_cast<float>(at.y());
@@ -305,10 +304,10 @@ void ContactCache::survey(const Vec3& foot, double sideways, double up, double d
         }
         first += kLanes;
     }
-    near_count_ = count;
+    return {near_.data(), count};
 }
 
-const Separation& ContactCache::separation(Index i, const Vec3& foot) {
+Separation& ContactCache::measure(Index i, const Vec3& foot) {
     CachedPiece& kept = cached_[i];
     for (std::uint8_t k = 0; k < 2; ++k) {
         if (kept.places[k].foot == foot) {

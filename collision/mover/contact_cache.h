@@ -31,9 +31,10 @@ struct Separation {
     Vec3 on_piece = Vec3::Zero();
     double distance = 0.0;  ///< from the capsule's core
     Feature feature = Feature::face;
-    /// CachedPiece by GroundQuery, which finds it out for edges that count from `kind_from`.
-    mutable std::optional<Kind> kind;
-    mutable double kind_from = 0.0;
+    /// What the piece is to a body that stands there, once `classify` (ground_query.h) has found out, and the
+    /// height that edges counted from then.
+    std::optional<Kind> kind;
+    double kind_from = 0.0;
 
     /// A body at `other` is no nearer than this.
     double bound(const Vec3& other) const {
@@ -64,15 +65,15 @@ public:
     void resize(double height);
 
     /// Finds the pieces that the body may come within `reach` of on its way from `foot` to anywhere up to
-    /// `sideways`, `up` and `down` from it. Valid until the next call or `cover`.
-    void survey(const Vec3& foot, double sideways, double up, double down, double reach);
-    std::span<const Index> near() const { return {near_.data(), near_count_}; }
+    /// `sideways`, `up` and `down` from it. The answer is valid until the next call or `cover`.
+    std::span<const Index> survey(const Vec3& foot, double sideways, double up, double down, double reach);
     std::span<const Piece> pieces() const { return pieces_; }
     const Piece& piece(Index i) const { return pieces_[i]; }
 
-    /// Exact. The last two places asked for are kept for each piece.
-    const Separation& separation(Index i, const Vec3& foot);
-    /// Whether what is kept shows that the body stays `distance` off the piece all the way.
+    /// Measures how the body at `foot` is apart from a piece, exactly, and keeps it: the last two places that
+    /// a piece was measured from aren't measured again.
+    Separation& measure(Index i, const Vec3& foot);
+    /// Whether what has been measured shows that the body stays `distance` off the piece all the way.
     bool known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const;
 
 private:
@@ -118,8 +119,7 @@ private:
     std::vector<std::uint64_t> names_;
     std::vector<CachedPiece> cached_;
     std::vector<Bounds> bounds_;
-    std::vector<Index> near_;
-    std::size_t near_count_ = 0;
+    std::vector<Index> near_;  ///< room for what `survey` finds
     std::vector<ObjectId> candidates_;
 };
 

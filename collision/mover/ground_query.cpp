@@ -17,11 +17,11 @@ constexpr double kOnto = 0.01;
 /// it wouldn't be met.
 constexpr double kSide = 0.01;
 
-}  // namespace
+using Piece = ContactCache::Piece;
+using Rest = MoveBuffers::Rest;
 
-std::optional<SphereRest> GroundQuery::rest_on(const ContactCache::Piece& piece, double x, double z,
-                                               double highest, double lowest) const {
-    const double reach = settings_.radius + kRest;
+std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double reach, double highest,
+                                  double lowest) {
     const Aabb& box = piece.box;
     // The ball rests no higher than it would on the nearest point of the box's top.
     const double dx = std::max({box.min.x() - x, x - box.max.x(), 0.0});
@@ -48,99 +48,58 @@ std::optional<SphereRest> GroundQuery::rest_on(const ContactCache::Piece& piece,
     return SphereRest{center.y(), closest(Segment{center, center}, o).on_shape};
 }
 
-bool GroundQuery::ends_in_floor(const ContactCache& around, const Vec3& point) const {
-    const auto pieces = around.pieces();
-    return std::any_of(pieces.begin(), pieces.end(), [&](const ContactCache::Piece& p) {
+bool ends_in_floor(const MoveContext& context, const Vec3& point) {
+    return std::ranges::any_of(context.contacts.pieces(), [&](const Piece& p) {
         if ((point.array() < p.box.min.array() - kOwned).any() ||
             (point.array() > p.box.max.array() + kOwned).any()) {
             return false;
         }
         const Closest c = closest(Segment{point, point}, p.obstacle);
-        return c.distance <= kOwned && walkable_at(p.obstacle, c.on_shape, settings_.min_up);
+        return c.distance <= kOwned && walkable_at(p.obstacle, c.on_shape, context.body.min_up);
     });
 }
 
-bool GroundQuery::carries(const ContactCache& around, const Rest& rest, double highest) const {
-    const Obstacle& o = around.piece(rest.piece).obstacle;
+bool carries(const MoveContext& context, const Rest& rest, double highest) {
+    const Obstacle& o = context.contacts.piece(rest.piece).obstacle;
     const Vec3& on = rest.ball.on;
-    const double up = (rest.ball.height - on.y()) / (settings_.radius + kRest);
+    const double up = (rest.ball.height - on.y()) / (context.body.radius + kRest);
     const bool low = on.y() <= highest;
-    if (walkable_at(o, on, settings_.min_up)) {
+    if (walkable_at(o, on, context.body.min_up)) {
         // The crest of a ramp is higher than its foot, and walked up to on a face as steep as the touch.
         constexpr double kAlike = 1e-6;
         return low || (o.solid == nullptr && std::abs(o.normal.y()) <= up + kAlike);
     }
-    return low && (up >= settings_.min_up || ends_in_floor(around, on));
+    return low && (up >= context.body.min_up || ends_in_floor(context, on));
 }
 
-Ground GroundQuery::ground(const ContactCache& around, double x, double z, const Support& stand, double up,
-                           double down) {
-    const double center = stand.foot.y() + settings_.radius;
-    const double highest = center + up;
-    const double lowest = center - down;
-    rests_.clear();
-    double best = lowest;
-    for (const ContactCache::Index i : around.near()) {
-        const auto ball = rest_on(around.piece(i), x, z, highest, best - 2.0 * kRest);
-        if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRest &&
-            ball->height - ball->on.y() > kSide * settings_.radius) {
-            rests_.push_back({i, *ball});
-            best = std::max(best, ball->height);
-        }
-    }
-    Ground ground;
-    ground.at = lowest - settings_.radius;
-    for (const Rest& rest : rests_) {
-        if (rest.ball.height >= best - 2.0 * kRest && rest.ball.height >= lowest) {
-            ground.found = true;
-            if (carries(around, rest, highest_edge(stand))) {
-                ground.carries = true;
-                ground.at = std::max(ground.at, rest.ball.on.y());
-            }
-        }
-    }
-    ground.foot_y = best - settings_.radius;
-    return ground;
+double highest_edge(const MoverSettings& body, const Support& stand) {
+    return stand.base + body.step_height + kHeightSlack;
 }
 
 /// Is the piece higher than `height` where the body would meet it? A face that slants down beside a stair
 /// may be tall elsewhere.
-bool GroundQuery::reaches_over(const Obstacle& obstacle, const Vec3& foot, double height) const {
+bool reaches_over(const MoverSettings& body, const Obstacle& obstacle, const Vec3& foot, double height) {
     if (obstacle.top <= height) {
         return false;
     }
-    const double bottom = std::max(foot.y() + settings_.radius, height + kHeightSlack);
-    const double top = std::max(bottom, foot.y() + settings_.height - settings_.radius);
+    const double bottom = std::max(foot.y() + body.radius, height + kHeightSlack);
+    const double top = std::max(bottom, foot.y() + body.height - body.radius);
     const Segment upper{{foot.x(), bottom, foot.z()}, {foot.x(), top, foot.z()}};
     return closest_upright(upper, obstacle).on_shape.y() > height;
 }
 
-Kind GroundQuery::kind(ContactCache& around, ContactCache::Index i, const Support& stand) {
-    const ContactCache::Piece& piece = around.piece(i);
-    const double top = piece.obstacle.top;
-    if (top <= stand.foot.y() || (piece.walkable && top <= highest_edge(stand))) {
-        return Kind::floor;
-    }
-    const Separation& s = around.separation(i, stand.foot);
-    if (!s.kind || s.kind_from != stand.base) {
-        s.kind = kind_of(around, piece, s, stand);
-        s.kind_from = stand.base;
-    }
-    return *s.kind;
-}
-
-Kind GroundQuery::kind_of(const ContactCache& around, const ContactCache::Piece& piece, const Separation& s,
-                          const Support& stand) {
+Kind kind_of(MoveContext& context, const Piece& piece, const Separation& s, const Support& stand) {
+    const MoverSettings& body = context.body;
     const Vec3& foot = stand.foot;
-    const bool below = s.normal.y() >= settings_.min_up;
+    const bool below = s.normal.y() >= body.min_up;
     if (below && s.feature == Feature::face) {
         return Kind::floor;
     }
     // The edge of a floor may be the crest of a ramp, however high.
     const bool may_be_crest = piece.walkable && s.normal.y() > 0.0;
-    const double highest = highest_edge(stand);
+    const double highest = highest_edge(body, stand);
     if (!below && !may_be_crest &&
-        (s.on_piece.y() > highest || reaches_over(piece.obstacle, foot, highest))) {
+        (s.on_piece.y() > highest || reaches_over(body, piece.obstacle, foot, highest))) {
         return Kind::wall;
     }
     const double flat = std::sqrt(s.normal.x() * s.normal.x() + s.normal.z() * s.normal.z());
@@ -148,11 +107,59 @@ Kind GroundQuery::kind_of(const ContactCache& around, const ContactCache::Piece&
         return below ? Kind::floor : Kind::wall;
     }
     // What would carry the body if it went there?
-    const double gap = std::max(0.0, s.distance - settings_.radius);
+    const double gap = std::max(0.0, s.distance - body.radius);
     const double ahead = std::min(gap / flat + kOnto, kProbe) / flat;
-    const Ground there = ground(around, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(),
-                                stand, highest - foot.y(), 2.0 * kRest);
+    const Ground there = find_ground(context, foot.x() - ahead * s.normal.x(),
+                                     foot.z() - ahead * s.normal.z(), stand, highest - foot.y(), 2.0 * kRest);
     return there.found && !there.carries ? Kind::wall : Kind::step;
+}
+
+}  // namespace
+
+Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down) {
+    const double radius = context.body.radius;
+    const double reach = radius + kRest;
+    std::vector<Rest>& rests = context.buffers.rests;
+    const double center = stand.foot.y() + radius;
+    const double highest = center + up;
+    const double lowest = center - down;
+    rests.clear();
+    double best = lowest;
+    for (const ContactCache::Index i : context.near) {
+        const auto ball = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRest);
+        if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRest &&
+            ball->height - ball->on.y() > kSide * radius) {
+            rests.push_back({i, *ball});
+            best = std::max(best, ball->height);
+        }
+    }
+    Ground ground;
+    ground.at = lowest - radius;
+    for (const Rest& rest : rests) {
+        if (rest.ball.height >= best - 2.0 * kRest && rest.ball.height >= lowest) {
+            ground.found = true;
+            if (carries(context, rest, highest_edge(context.body, stand))) {
+                ground.carries = true;
+                ground.at = std::max(ground.at, rest.ball.on.y());
+            }
+        }
+    }
+    ground.foot_y = best - radius;
+    return ground;
+}
+
+Kind classify(MoveContext& context, ContactCache::Index i, const Support& stand) {
+    const Piece& piece = context.contacts.piece(i);
+    const double top = piece.obstacle.top;
+    if (top <= stand.foot.y() || (piece.walkable && top <= highest_edge(context.body, stand))) {
+        return Kind::floor;
+    }
+    Separation& s = context.contacts.measure(i, stand.foot);
+    if (!s.kind || s.kind_from != stand.base) {
+        s.kind = kind_of(context, piece, s, stand);
+        s.kind_from = stand.base;
+    }
+    return *s.kind;
 }
 
 }  // namespace campuswalk::collision

@@ -10,7 +10,7 @@ namespace {
 /// The nearest allowed of the moves offered; of two as near, the lower in x, then in z.
 class Nearest {
 public:
-    Nearest(const Vec3& wish, const std::vector<HalfPlane>& planes)
+    Nearest(const Vec3& wish, std::span<const HalfPlane> planes)
         : wish_(wish), planes_(planes), distance_(wish.squaredNorm()) {}
 
     void offer(double x, double z) {
@@ -29,7 +29,7 @@ public:
 
 private:
     const Vec3& wish_;
-    const std::vector<HalfPlane>& planes_;
+    std::span<const HalfPlane> planes_;
     Vec3 best_ = Vec3::Zero();
     double distance_;
 };
@@ -37,7 +37,7 @@ private:
 }  // namespace
 
 /// The wish itself, or a point on one line, or where two lines meet.
-Vec3 nearest_allowed(const Vec3& wish, const std::vector<HalfPlane>& planes) {
+Vec3 nearest_allowed(const Vec3& wish, std::span<const HalfPlane> planes) {
     if (std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) { return p.allows(wish); })) {
         return wish;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "collision/geometry/shapes.h"
 
@@ -17,6 +17,6 @@ struct HalfPlane {
 
 /// The horizontal move nearest to `wish` (y = 0) that all half-planes allow, whatever their order. Standing
 /// still always is one.
-Vec3 nearest_allowed(const Vec3& wish, const std::vector<HalfPlane>& planes);
+Vec3 nearest_allowed(const Vec3& wish, std::span<const HalfPlane> planes);
 
 }  // namespace campuswalk::collision

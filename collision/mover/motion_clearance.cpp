@@ -18,65 +18,71 @@ bool apart(const Separation& s, const Vec3& from, const Vec3& to, double distanc
     return s.bound(from) >= distance && s.bound(to) >= distance;
 }
 
-}  // namespace
-
-bool MotionClearance::cleared(ContactCache::Index i, const Vec3& from, const Vec3& to) const {
-    if (around_.known_apart(i, from, to, settings_.radius + kKnown)) {
+bool is_cleared(MoveContext& context, ContactCache::Index i, const Vec3& from, const Vec3& to) {
+    const double radius = context.body.radius;
+    if (context.contacts.known_apart(i, from, to, radius + kKnown)) {
         return true;
     }
-    const double keep = settings_.radius + kSure;
-    return apart(around_.separation(i, from), from, to, keep) ||
-           apart(around_.separation(i, to), from, to, keep);
+    const double keep = radius + kSure;
+    return apart(context.contacts.measure(i, from), from, to, keep) ||
+           apart(context.contacts.measure(i, to), from, to, keep);
 }
 
-bool MotionClearance::blocked(ContactCache::Index i, const Vec3& from, const Vec3& to) const {
-    return sweep_upright(settings_.core(from), settings_.radius + kHard, to - from, around_.piece(i).obstacle)
+bool is_blocked(const MoveContext& context, ContactCache::Index i, const Vec3& from, const Vec3& to) {
+    return sweep_upright(context.body.core(from), context.body.radius + kHard, to - from,
+                         context.contacts.piece(i).obstacle)
         .has_value();
 }
 
-bool MotionClearance::is_free(const Vec3& from, const Vec3& to) const {
-    const auto near = around_.near();
-    return std::all_of(near.begin(), near.end(),
-                       [&](ContactCache::Index i) { return cleared(i, from, to) || !blocked(i, from, to); });
+}  // namespace
+
+bool is_free(MoveContext& context, const Vec3& from, const Vec3& to) {
+    return std::ranges::all_of(context.near, [&](ContactCache::Index i) {
+        return is_cleared(context, i, from, to) || !is_blocked(context, i, from, to);
+    });
 }
 
-bool MotionClearance::is_free_over(const Vec3& from, const Vec3& to) const {
+bool is_free_over(MoveContext& context, const Vec3& from, const Vec3& to) {
+    const double radius = context.body.radius;
     const double x = to.x() - from.x();
     const double z = to.z() - from.z();
-    const double over = std::max(from.y(), to.y()) + (x * x + z * z) / (8.0 * settings_.radius) + kHard;
+    const double over = std::max(from.y(), to.y()) + (x * x + z * z) / (8.0 * radius) + kHard;
     const Vec3 above_from(from.x(), over, from.z());
     const Vec3 above_to(to.x(), over, to.z());
-    const auto near = around_.near();
-    return std::all_of(near.begin(), near.end(), [&](ContactCache::Index i) {
+    return std::ranges::all_of(context.near, [&](ContactCache::Index i) {
         const auto known = [&](const Vec3& a, const Vec3& b) {
-            return around_.known_apart(i, a, b, settings_.radius + kSure);
+            return context.contacts.known_apart(i, a, b, radius + kSure);
         };
-        const auto clear = [&](const Vec3& a, const Vec3& b) { return known(a, b) || !blocked(i, a, b); };
+        const auto clear = [&](const Vec3& a, const Vec3& b) {
+            return known(a, b) || !is_blocked(context, i, a, b);
+        };
         if (known(from, above_from) && known(above_from, above_to) && known(above_to, to)) {
             return true;
         }
-        around_.separation(i, from);
-        around_.separation(i, to);
+        context.contacts.measure(i, from);
+        context.contacts.measure(i, to);
         return clear(from, above_from) && clear(above_from, above_to) && clear(above_to, to);
     });
 }
 
-Vec3 MotionClearance::free_part(const Vec3& foot, const Vec3& move, double radius) const {
+Vec3 free_part(const MoveContext& context, const Vec3& foot, const Vec3& move, double radius) {
     double fraction = 1.0;
-    for (const ContactCache::Index i : around_.near()) {
-        if (around_.known_apart(i, foot, foot + move, radius + kHard)) {
+    for (const ContactCache::Index i : context.near) {
+        if (context.contacts.known_apart(i, foot, foot + move, radius + kHard)) {
             continue;
         }
-        if (const auto f = sweep_upright(settings_.core(foot), radius, move, around_.piece(i).obstacle)) {
+        if (const auto f =
+                sweep_upright(context.body.core(foot), radius, move, context.contacts.piece(i).obstacle)) {
             fraction = std::min(fraction, *f);
         }
     }
     return fraction * move;
 }
 
-bool MotionClearance::meets(ContactCache::Index i, const Vec3& foot, const Vec3& move) const {
-    return !apart(around_.separation(i, foot), foot, foot + move, settings_.radius + kRest) &&
-           sweep_upright(settings_.core(foot), settings_.radius + kRest, move, around_.piece(i).obstacle);
+bool comes_near(MoveContext& context, ContactCache::Index i, const Vec3& foot, const Vec3& move) {
+    const double keep = context.body.radius + kRest;
+    return !apart(context.contacts.measure(i, foot), foot, foot + move, keep) &&
+           sweep_upright(context.body.core(foot), keep, move, context.contacts.piece(i).obstacle);
 }
 
 }  // namespace campuswalk::collision

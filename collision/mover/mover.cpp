@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
+#include "collision/mover/ground_query.h"
+#include "collision/mover/motion_clearance.h"
 #include "collision/mover/upright_distance.h"
+#include "collision/mover/wall_slide.h"
 
 namespace campuswalk::collision {
 
@@ -33,191 +37,42 @@ double horizontal_norm(const Vec3& v) {
     return std::sqrt(v.x() * v.x() + v.z() * v.z());
 }
 
-}  // namespace
-
-CapsuleMover::CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter)
-    : settings_(settings),
-      around_(world, settings, filter),
-      ground_query_(settings),
-      steepest_(std::sqrt(1.0 - settings.min_up * settings.min_up) / settings.min_up) {}
-
-void CapsuleMover::move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
-                        QueryStatistics* statistics) {
-    trace.path.assign(1, state.foot);
-    trace.landed = false;
-    trace.fall_height = 0.0;
-    if (stays(state, wish, seconds, trace)) {
-        return;
-    }
-    const MoverState before = state;
-    // In parts this short, an edge of a flat wall is never met by a body that keeps the skin from the wall.
-    const double longest =
-        std::max(0.99 * std::sqrt(2.0 * settings_.radius * settings_.skin), 0.1 * settings_.radius);
-    const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
-    const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
-    if (parts > 1) {
-        look_around(state.foot, length, settings_.step_height, settings_.step_height, statistics);
-    }
-    for (int i = 0; i < parts; ++i) {
-        move_part(state, wish / parts, seconds / parts, trace, statistics);
-        trace.path.push_back(state.foot);
-    }
-    list_touching(state, trace);
-    still_.known = state == before && !trace.landed;
-    if (still_.known) {
-        still_.state = state;
-        still_.wish = wish;
-        still_.seconds = seconds;
-        still_.places = trace.path.size();
-        still_.touching = trace.touching;
-    }
-}
-
-bool CapsuleMover::stays(const MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) const {
-    if (!still_.known || still_.wish != wish || still_.seconds != seconds || !(still_.state == state)) {
-        return false;
-    }
-    trace.path.assign(still_.places, state.foot);
-    trace.touching = still_.touching;
-    return true;
-}
-
-void CapsuleMover::forget() {
-    around_.forget();
-    still_.known = false;
-}
-
-Support CapsuleMover::support_of(const MoverState& state) const {
+Support support_of(const MoverSettings& body, const MoverState& state) {
     const double foot_y = state.foot.y();
-    const bool known = state.grounded && state.carried_at <= foot_y + settings_.radius;
+    const bool known = state.grounded && state.carried_at <= foot_y + body.radius;
     return {state.foot, known ? std::max(foot_y, state.carried_at) : foot_y};
 }
 
-void CapsuleMover::move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
-                             QueryStatistics* statistics) {
-    const double length = horizontal_norm(wish) + horizontal_norm(state.drift) * seconds;
-    if (state.grounded) {
-        const double above = support_of(state).base - state.foot.y();
-        const double high = std::max(settings_.step_height + above, steepest_ * length) + 2.0 * kHeightSlack;
-        look_around(state.foot, length, high, high, statistics);
-        if (length > 0.0) {
-            walk(state, wish);
-        }
-        return;
-    }
-    const double high =
-        (std::abs(state.vertical_speed) + settings_.gravity * seconds) * seconds + kHeightSlack;
-    look_around(state.foot, length + high, high, high, statistics);
-    fall(state, wish, seconds, trace);
-}
-
 /// Surveys what the body may meet this far from its place.
-void CapsuleMover::look_around(const Vec3& foot, double sideways, double up, double down,
-                               QueryStatistics* statistics) {
-    const double beside = sideways + GroundQuery::kProbe;
-    const double reach = settings_.radius + beside + settings_.skin + kSurroundings;
-    const Vec3 low(reach, down + kSurroundings + settings_.skin, reach);
-    const Vec3 high(reach, settings_.height + up + kSurroundings + settings_.skin, reach);
-    around_.cover({foot - low, foot + high}, statistics);
-    around_.survey(foot, beside, up, down, settings_.skin + kListed);
+void look_around(MoveContext& context, const Vec3& foot, double sideways, double up, double down,
+                 QueryStatistics* statistics) {
+    const MoverSettings& body = context.body;
+    const double beside = sideways + kProbe;
+    const double reach = body.radius + beside + body.skin + kSurroundings;
+    const Vec3 low(reach, down + kSurroundings + body.skin, reach);
+    const Vec3 high(reach, body.height + up + kSurroundings + body.skin, reach);
+    context.contacts.cover({foot - low, foot + high}, statistics);
+    context.near = context.contacts.survey(foot, beside, up, down, body.skin + kListed);
 }
 
-void CapsuleMover::find_walls(const Support& stand, double length, bool grounded) {
-    const Vec3& foot = stand.foot;
-    constexpr double kVertical = 1e-6;
-    planes_.clear();
-    edges_.clear();
-    const double reach = settings_.radius + settings_.skin + length + kRest;
-    const double highest_edge = foot.y() + settings_.step_height;
-    for (const ContactCache::Index i : around_.near()) {
-        const ContactCache::Piece& piece = around_.piece(i);
-        if ((grounded && piece.walkable && piece.obstacle.top <= highest_edge) ||
-            around_.known_apart(i, foot, foot, reach)) {
-            continue;
-        }
-        const Separation s = around_.separation(i, foot);
-        const double flat = horizontal_norm(s.normal);
-        if (s.distance > reach || flat <= kVertical) {
-            continue;
-        }
-        const bool wall =
-            grounded ? ground_query_.kind(around_, i, stand) == Kind::wall : s.normal.y() < settings_.min_up;
-        if (!wall) {
-            continue;
-        }
-        if (s.feature == Feature::face) {
-            const double room = std::max(0.0, s.distance - settings_.radius - settings_.skin);
-            planes_.push_back({s.normal.x() / flat, s.normal.z() / flat, room / flat});
-        } else {
-            edges_.push_back(i);
-        }
-    }
-}
-
-/// Holds the wish against the walls. Flat walls always count; an edge counts only once the move would run
-/// into it, because an edge between two flush faces isn't there for the avatar.
-Vec3 CapsuleMover::slide(const Support& stand, const Vec3& wish, bool grounded) {
-    const Vec3& foot = stand.foot;
-    find_walls(stand, horizontal_norm(wish), grounded);
-    while (true) {
-        Vec3 move = nearest_allowed(wish, planes_);
-        const auto met = std::partition(edges_.begin(), edges_.end(),
-                                        [&](ContactCache::Index i) { return !way().meets(i, foot, move); });
-        if (met == edges_.end()) {
-            return move;
-        }
-        for (auto i = met; i != edges_.end(); ++i) {
-            const Separation& s = around_.separation(*i, foot);
-            const double flat = horizontal_norm(s.normal);
-            const double room = std::max(0.0, s.distance - settings_.radius - kRest);
-            planes_.push_back({s.normal.x() / flat, s.normal.z() / flat, room / flat});
-        }
-        edges_.erase(met, edges_.end());
-    }
-}
-
-Ground CapsuleMover::underfoot(const Vec3& foot) {
-    return ground_query_.ground(around_, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRest, 4.0 * kRest);
-}
-
-void CapsuleMover::walk(MoverState& state, const Vec3& wish) {
-    const Support stand = support_of(state);
-    const Vec3& start = stand.foot;
-    Vec3 flat = slide(stand, wish, true);
-    if (flat.squaredNorm() < kCreep * kCreep * wish.squaredNorm()) {
-        flat = Vec3::Zero();
-    }
-    const double slope = steepest_ * horizontal_norm(flat) + kHeightSlack;
-    const double up = std::max(settings_.step_height + kHeightSlack + stand.base - start.y(), slope);
-    const double down = std::max(settings_.step_height + kHeightSlack, slope);
-    const Ground ahead =
-        ground_query_.ground(around_, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
-    if (ahead.carries) {
-        const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
-        if (way().is_free(start, goal) || way().is_free_over(start, goal)) {
-            state.foot = goal;
-            state.carried_at = ahead.at;
-            return;
-        }
-    }
-    walk_as_far_as_free(state, flat, ahead);
+Ground underfoot(MoveContext& context, const Vec3& foot) {
+    return find_ground(context, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRest, 4.0 * kRest);
 }
 
 /// Where something is in the way, or nothing to stand on.
-void CapsuleMover::walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead) {
-    const double radius = settings_.radius + kHard;
-    const Support stand = support_of(state);
+void walk_as_far_as_free(MoveContext& context, MoverState& state, const Vec3& flat, const Ground& ahead) {
+    const double radius = context.body.radius + kHard;
+    const Support stand = support_of(context.body, state);
     const Vec3& start = stand.foot;
     Vec3 foot = start;
     if (ahead.carries && ahead.foot_y > start.y()) {
-        foot += way().free_part(foot, Vec3(0, ahead.foot_y - start.y() + kHard, 0), radius);
+        foot += free_part(context, foot, Vec3(0, ahead.foot_y - start.y() + kHard, 0), radius);
     }
-    foot += way().free_part(foot, flat, radius);
-    const Ground below =
-        ground_query_.ground(around_, foot.x(), foot.z(), stand, foot.y() - start.y() + kHard,
-                             settings_.step_height + kHeightSlack);
+    foot += free_part(context, foot, flat, radius);
+    const Ground below = find_ground(context, foot.x(), foot.z(), stand, foot.y() - start.y() + kHard,
+                                     context.body.step_height + kHeightSlack);
     const double lower = std::min(0.0, (below.carries ? below.foot_y : start.y()) - foot.y());
-    foot += way().free_part(foot, Vec3(0, lower, 0), radius);
+    foot += free_part(context, foot, Vec3(0, lower, 0), radius);
     state.foot = foot;
     if (below.carries && foot.y() <= below.foot_y + kRest) {
         state.carried_at = below.at;
@@ -227,59 +82,42 @@ void CapsuleMover::walk_as_far_as_free(MoverState& state, const Vec3& flat, cons
     state.leave_ground(0.0, start.y());
 }
 
-void CapsuleMover::fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-    const Vec3 start = state.foot;
-    const double rise = state.vertical_speed * seconds - 0.5 * settings_.gravity * seconds * seconds;
-    Vec3 foot = start;
-    Vec3 vertical = Vec3::Zero();
-    if (rise > 0.0) {
-        vertical = way().free_part(foot, Vec3(0, rise, 0), settings_.radius + kHard);
-        foot += vertical;
+void walk(MoveContext& context, MoverState& state, const Vec3& desired) {
+    const Support stand = support_of(context.body, state);
+    const Vec3& start = stand.foot;
+    Vec3 flat = slide(context, stand, desired, true).move;
+    if (flat.squaredNorm() < kCreep * kCreep * desired.squaredNorm()) {
+        flat = Vec3::Zero();
     }
-    const Vec3 across = slide({foot, foot.y()}, wish + seconds * state.drift, false);
-    foot += way().free_part(foot, across, settings_.radius + kHard);
-    hold_drift(state, seconds);
-    if (rise <= 0.0) {
-        vertical = way().free_part(foot, Vec3(0, rise, 0), settings_.radius + kRest);
-        foot += vertical;
-    }
-    state.vertical_speed -= settings_.gravity * seconds;
-    state.fall_from = std::max(state.fall_from, foot.y());
-    const double rest = rise - vertical.y();
-    if (rest > 0.0) {
-        state.vertical_speed = 0.0;
-    } else if (rest < 0.0) {
-        if (const Ground ground = underfoot(foot); ground.carries) {
-            land(state, foot, ground, trace);
-            return;
-        }
-        const Vec3 before = foot;
-        const Vec3 n = resting_normal(foot);
-        foot = fall_along(foot, n, rest);
-        turn_along(state, n, (foot - start).norm(), seconds);
-        const bool wedged = (foot - before).norm() < kStill && std::abs(vertical.y()) < kStill;
-        if (const Ground ground = underfoot(foot); wedged || ground.carries) {
-            land(state, foot, ground, trace);
+    const double slope = context.steepest * horizontal_norm(flat) + kHeightSlack;
+    const double up = std::max(context.body.step_height + kHeightSlack + stand.base - start.y(), slope);
+    const double down = std::max(context.body.step_height + kHeightSlack, slope);
+    const Ground ahead = find_ground(context, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
+    if (ahead.carries) {
+        const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
+        if (is_free(context, start, goal) || is_free_over(context, start, goal)) {
+            state.foot = goal;
+            state.carried_at = ahead.at;
             return;
         }
     }
-    state.foot = foot;
+    walk_as_far_as_free(context, state, flat, ahead);
 }
 
-/// Too steep to stand on: what is left of the fall goes down the slope.
-Vec3 CapsuleMover::fall_along(const Vec3& foot, const Vec3& n, double rest) {
-    const Vec3 along = rest * (Vec3::UnitY() - n.y() * n);
-    const Vec3 flat = slide({foot, foot.y()}, Vec3(along.x(), 0, along.z()), false);
-    const Vec3 across = foot + way().free_part(foot, flat, settings_.radius + kHard);
-    return across + way().free_part(across, Vec3(0, along.y(), 0), settings_.radius + kRest);
+/// Walls stop the drift, as they stop what is asked for.
+void hold_drift(MoverState& state, double seconds, std::span<const HalfPlane> walls) {
+    const Vec3 own = seconds * state.drift;
+    if (const Vec3 left = nearest_allowed(own, walls); left != own) {
+        state.drift = left / seconds;
+    }
 }
 
-/// And so does the speed, but for what goes into the slope: without friction. Whoever is held up by something
-/// else as well is no faster for having wanted to be.
-void CapsuleMover::turn_along(MoverState& state, const Vec3& n, double moved, double seconds) const {
+/// On what is too steep to stand on, the speed goes down the slope, but for what goes into it: without
+/// friction. Whoever is held up by something else as well is no faster for having wanted to be.
+void turn_along(const MoverSettings& body, MoverState& state, const Vec3& n, double moved, double seconds) {
     Vec3 velocity = state.drift + Vec3(0, state.vertical_speed, 0);
     velocity -= std::min(0.0, velocity.dot(n)) * n;
-    const double most = moved / seconds + settings_.gravity * seconds;
+    const double most = moved / seconds + body.gravity * seconds;
     if (const double speed = velocity.norm(); speed > most) {
         velocity *= most / speed;
     }
@@ -287,21 +125,21 @@ void CapsuleMover::turn_along(MoverState& state, const Vec3& n, double moved, do
     state.vertical_speed = velocity.y();
 }
 
-/// Walls stop the drift, as they stop the wish: those of the last `slide`.
-void CapsuleMover::hold_drift(MoverState& state, double seconds) const {
-    const Vec3 own = seconds * state.drift;
-    if (const Vec3 left = nearest_allowed(own, planes_); left != own) {
-        state.drift = left / seconds;
-    }
+/// Too steep to stand on: what is left of the fall goes down the slope.
+Vec3 fall_along(MoveContext& context, const Vec3& foot, const Vec3& n, double rest) {
+    const Vec3 along = rest * (Vec3::UnitY() - n.y() * n);
+    const Vec3 flat = slide(context, {foot, foot.y()}, Vec3(along.x(), 0, along.z()), false).move;
+    const Vec3 across = foot + free_part(context, foot, flat, context.body.radius + kHard);
+    return across + free_part(context, across, Vec3(0, along.y(), 0), context.body.radius + kRest);
 }
 
 /// The steepest of what the body rests on.
-Vec3 CapsuleMover::resting_normal(const Vec3& foot) {
+Vec3 resting_normal(MoveContext& context, const Vec3& foot) {
     Vec3 steepest = Vec3::UnitY();
     const auto key = [](const Vec3& n) { return std::tuple(n.y(), n.x(), n.z()); };
-    for (const ContactCache::Index i : around_.near()) {
-        const Separation& s = around_.separation(i, foot);
-        const bool touches = s.distance > 0.0 && s.distance <= settings_.radius + 2.0 * kRest;
+    for (const ContactCache::Index i : context.near) {
+        const Separation& s = context.contacts.measure(i, foot);
+        const bool touches = s.distance > 0.0 && s.distance <= context.body.radius + 2.0 * kRest;
         if (touches && s.normal.y() > 0.0 && key(s.normal) < key(steepest)) {
             steepest = s.normal;
         }
@@ -309,7 +147,7 @@ Vec3 CapsuleMover::resting_normal(const Vec3& foot) {
     return steepest;
 }
 
-void CapsuleMover::land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace) {
+void land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace) {
     trace.landed = true;
     trace.fall_height = std::max(trace.fall_height, state.fall_from - foot.y());
     state.foot = foot;
@@ -319,30 +157,149 @@ void CapsuleMover::land(MoverState& state, const Vec3& foot, const Ground& groun
     state.drift = Vec3::Zero();
 }
 
-void CapsuleMover::list_touching(const MoverState& state, MoveTrace& trace) {
+void fall(MoveContext& context, MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+    const Vec3 start = state.foot;
+    const double rise = state.vertical_speed * seconds - 0.5 * context.body.gravity * seconds * seconds;
+    Vec3 foot = start;
+    Vec3 vertical = Vec3::Zero();
+    if (rise > 0.0) {
+        vertical = free_part(context, foot, Vec3(0, rise, 0), context.body.radius + kHard);
+        foot += vertical;
+    }
+    const Slide across = slide(context, {foot, foot.y()}, desired + seconds * state.drift, false);
+    foot += free_part(context, foot, across.move, context.body.radius + kHard);
+    hold_drift(state, seconds, across.walls);
+    if (rise <= 0.0) {
+        vertical = free_part(context, foot, Vec3(0, rise, 0), context.body.radius + kRest);
+        foot += vertical;
+    }
+    state.vertical_speed -= context.body.gravity * seconds;
+    state.fall_from = std::max(state.fall_from, foot.y());
+    const double rest = rise - vertical.y();
+    if (rest > 0.0) {
+        state.vertical_speed = 0.0;
+    } else if (rest < 0.0) {
+        if (const Ground ground = underfoot(context, foot); ground.carries) {
+            land(state, foot, ground, trace);
+            return;
+        }
+        const Vec3 before = foot;
+        const Vec3 n = resting_normal(context, foot);
+        foot = fall_along(context, foot, n, rest);
+        turn_along(context.body, state, n, (foot - start).norm(), seconds);
+        const bool wedged = (foot - before).norm() < kStill && std::abs(vertical.y()) < kStill;
+        if (const Ground ground = underfoot(context, foot); wedged || ground.carries) {
+            land(state, foot, ground, trace);
+            return;
+        }
+    }
+    state.foot = foot;
+}
+
+/// An equal part of a tick.
+void move_part(MoveContext& context, MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace,
+               QueryStatistics* statistics) {
+    const double length = horizontal_norm(desired) + horizontal_norm(state.drift) * seconds;
+    if (state.grounded) {
+        const double above = support_of(context.body, state).base - state.foot.y();
+        const double high =
+            std::max(context.body.step_height + above, context.steepest * length) + 2.0 * kHeightSlack;
+        look_around(context, state.foot, length, high, high, statistics);
+        if (length > 0.0) {
+            walk(context, state, desired);
+        }
+        return;
+    }
+    const double high =
+        (std::abs(state.vertical_speed) + context.body.gravity * seconds) * seconds + kHeightSlack;
+    look_around(context, state.foot, length + high, high, high, statistics);
+    fall(context, state, desired, seconds, trace);
+}
+
+void list_touching(MoveContext& context, const MoverState& state, MoveTrace& trace) {
     trace.touching.clear();
-    const Support stand = support_of(state);
+    const Support stand = support_of(context.body, state);
     const Vec3& foot = stand.foot;
-    const double reach = settings_.radius + settings_.skin + kListed;
-    const double highest_edge = foot.y() + settings_.step_height;
-    for (const ContactCache::Index i : around_.near()) {
-        const ContactCache::Piece& piece = around_.piece(i);
+    const double reach = context.body.radius + context.body.skin + kListed;
+    const double highest_edge = foot.y() + context.body.step_height;
+    for (const ContactCache::Index i : context.near) {
+        const ContactCache::Piece& piece = context.contacts.piece(i);
         if ((piece.walkable && piece.obstacle.top <= highest_edge) ||
-            around_.known_apart(i, foot, foot, reach)) {
+            context.contacts.known_apart(i, foot, foot, reach)) {
             continue;
         }
-        const double distance = around_.separation(i, foot).distance;
-        if (distance > reach || ground_query_.kind(around_, i, stand) != Kind::wall) {
+        const double distance = context.contacts.measure(i, foot).distance;
+        if (distance > reach || classify(context, i, stand) != Kind::wall) {
             continue;
         }
-        note(Touch{piece.obstacle.object, distance - settings_.radius}, trace.touching);
+        note(Touch{piece.obstacle.object, distance - context.body.radius}, trace.touching);
     }
 }
 
+}  // namespace
+
+CapsuleMover::CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter)
+    : settings_(settings),
+      steepest_(std::sqrt(1.0 - settings.min_up * settings.min_up) / settings.min_up),
+      contacts_(world, settings, filter) {}
+
+MoveContext CapsuleMover::new_context() {
+    return {settings_, steepest_, contacts_, buffers_, {}};
+}
+
+void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace,
+                        QueryStatistics* statistics) {
+    trace.path.assign(1, state.foot);
+    trace.landed = false;
+    trace.fall_height = 0.0;
+    if (stays(state, desired, seconds, trace)) {
+        return;
+    }
+    MoveContext context = new_context();
+    const MoverState before = state;
+    // In parts this short, an edge of a flat wall is never met by a body that keeps the skin from the wall.
+    const double longest =
+        std::max(0.99 * std::sqrt(2.0 * settings_.radius * settings_.skin), 0.1 * settings_.radius);
+    const double length = horizontal_norm(desired) + horizontal_norm(state.drift) * seconds;
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
+    if (parts > 1) {
+        look_around(context, state.foot, length, settings_.step_height, settings_.step_height, statistics);
+    }
+    for (int i = 0; i < parts; ++i) {
+        move_part(context, state, desired / parts, seconds / parts, trace, statistics);
+        trace.path.push_back(state.foot);
+    }
+    list_touching(context, state, trace);
+    still_.known = state == before && !trace.landed;
+    if (still_.known) {
+        still_.state = state;
+        still_.desired = desired;
+        still_.seconds = seconds;
+        still_.places = trace.path.size();
+        still_.touching = trace.touching;
+    }
+}
+
+bool CapsuleMover::stays(const MoverState& state, const Vec3& desired, double seconds,
+                         MoveTrace& trace) const {
+    if (!still_.known || still_.desired != desired || still_.seconds != seconds || !(still_.state == state)) {
+        return false;
+    }
+    trace.path.assign(still_.places, state.foot);
+    trace.touching = still_.touching;
+    return true;
+}
+
+void CapsuleMover::forget() {
+    contacts_.forget();
+    still_.known = false;
+}
+
 void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, QueryStatistics* statistics) {
-    look_around(foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
-    const Vec3 down = way().free_part(foot, Vec3(0, -search, 0), settings_.radius + kRest);
-    const Ground ground = underfoot(foot + down);
+    MoveContext context = new_context();
+    look_around(context, foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
+    const Vec3 down = free_part(context, foot, Vec3(0, -search, 0), settings_.radius + kRest);
+    const Ground ground = underfoot(context, foot + down);
     state = MoverState{};
     state.grounded = down.y() > -search && ground.carries;
     state.foot = state.grounded ? Vec3(foot + down) : foot;
@@ -364,16 +321,15 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryStatistics* sta
     const auto change = [&](double to) {
         settings_.height = to;
         still_.known = false;
-        around_.resize(to);
-        ground_query_.resize(to);
+        contacts_.resize(to);
     };
     change(height);
-    look_around(state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
-    const auto near = around_.near();
-    const bool room = std::all_of(near.begin(), near.end(), [&](ContactCache::Index i) {
-        const double distance = around_.separation(i, state.foot).distance;
+    MoveContext context = new_context();
+    look_around(context, state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
+    const bool room = std::ranges::all_of(context.near, [&](ContactCache::Index i) {
+        const double distance = contacts_.measure(i, state.foot).distance;
         return distance >= settings_.radius + kHard ||
-               distance >= closest_upright(old_core, around_.piece(i).obstacle).distance;
+               distance >= closest_upright(old_core, contacts_.piece(i).obstacle).distance;
     });
     if (!room) {
         change(old_height);
@@ -382,9 +338,11 @@ bool CapsuleMover::resize(MoverState& state, double height, QueryStatistics* sta
 }
 
 void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryStatistics* statistics) {
-    const double high = support_of(state).base - state.foot.y() + settings_.step_height + kHeightSlack;
-    look_around(state.foot, 0.0, high, high, statistics);
-    list_touching(state, trace);
+    const double high =
+        support_of(settings_, state).base - state.foot.y() + settings_.step_height + kHeightSlack;
+    MoveContext context = new_context();
+    look_around(context, state.foot, 0.0, high, high, statistics);
+    list_touching(context, state, trace);
 }
 
 }  // namespace campuswalk::collision

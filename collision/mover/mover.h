@@ -4,11 +4,7 @@
 #include <vector>
 
 #include "collision/base/query_statistics.h"
-#include "collision/mover/contact_cache.h"
-#include "collision/mover/ground_query.h"
-#include "collision/mover/half_planes.h"
-#include "collision/mover/motion_clearance.h"
-#include "collision/mover/mover_settings.h"
+#include "collision/mover/move_context.h"
 #include "collision/world/world.h"
 
 namespace campuswalk::collision {
@@ -60,8 +56,8 @@ public:
     /// `search` metres below, in the air otherwise.
     void place(MoverState& state, const Vec3& foot, double search, QueryStatistics* statistics = nullptr);
 
-    /// One tick: `wish` is the horizontal displacement asked for (y = 0), `seconds` the tick's length.
-    void move(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
+    /// One tick: `desired` is the horizontal displacement asked for (y = 0), `seconds` the tick's length.
+    void move(MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace,
               QueryStatistics* statistics = nullptr);
 
     /// Leaves the ground at `speed`, metres a second upwards; the moves that follow rise and fall on the
@@ -80,46 +76,26 @@ public:
     void touch(const MoverState& state, MoveTrace& trace, QueryStatistics* statistics = nullptr);
 
 private:
-    void look_around(const Vec3& foot, double sideways, double up, double down, QueryStatistics* statistics);
-    void move_part(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace,
-                   QueryStatistics* statistics);
-
-    Support support_of(const MoverState& state) const;
-    void walk(MoverState& state, const Vec3& wish);
-    void walk_as_far_as_free(MoverState& state, const Vec3& flat, const Ground& ahead);
-    void fall(MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace);
-    Vec3 fall_along(const Vec3& foot, const Vec3& n, double rest);
-    void turn_along(MoverState& state, const Vec3& n, double moved, double seconds) const;
-    void hold_drift(MoverState& state, double seconds) const;
-    Vec3 slide(const Support& stand, const Vec3& wish, bool grounded);
-    void find_walls(const Support& stand, double length, bool grounded);
-    Ground underfoot(const Vec3& foot);
-    Vec3 resting_normal(const Vec3& foot);
-    void list_touching(const MoverState& state, MoveTrace& trace);
-
-    static void land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace);
-
-    MotionClearance way() { return {around_, settings_}; }
+    MoveContext new_context();
 
     /// A move that came to nothing. It does so again if it is asked for again, and whoever pushes against
     /// something asks in every tick.
     struct RestState {
         bool known = false;
         MoverState state;
-        Vec3 wish = Vec3::Zero();
+        Vec3 desired = Vec3::Zero();
         double seconds = 0.0;
         std::size_t places = 0;  ///< on the trace's path
         std::vector<Touch> touching;
     };
-    bool stays(const MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) const;
+    bool stays(const MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) const;
 
     MoverSettings settings_;
-    ContactCache around_;
-    GroundQuery ground_query_;
     double steepest_;  ///< metres up for one metre ahead
-    std::vector<HalfPlane> planes_;
-    std::vector<ContactCache::Index> edges_;
+    // What is kept from one call to the next: without it an answer takes longer and is the same.
+    ContactCache contacts_;
     RestState still_;
+    MoveBuffers buffers_;
 };
 
 }  // namespace campuswalk::collision

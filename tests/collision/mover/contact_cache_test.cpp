@@ -53,8 +53,8 @@ TEST(ContactCache, ASurveyMissesNothingThatMayBeMet) {
         for (int i = 0; i < 100; ++i) {
             const Look look(dice);
             around.cover(look.box(body));
-            around.survey(look.foot, look.sideways, look.up, look.down, look.reach);
-            const std::set<ContactCache::Index> near(around.near().begin(), around.near().end());
+            const auto found = around.survey(look.foot, look.sideways, look.up, look.down, look.reach);
+            const std::set<ContactCache::Index> near(found.begin(), found.end());
             const Vec3 place = look.somewhere(dice);
             for (ContactCache::Index k = 0; k < around.pieces().size(); ++k) {
                 const Obstacle& o = around.piece(k).obstacle;
@@ -63,7 +63,7 @@ TEST(ContactCache, ASurveyMissesNothingThatMayBeMet) {
                     ASSERT_TRUE(near.contains(k)) << "seed " << seed << ", look " << i;
                     ++met;
                 }
-                ASSERT_GE(distance, around.separation(k, look.foot).bound(place) - 1e-9);
+                ASSERT_GE(distance, around.measure(k, look.foot).bound(place) - 1e-9);
             }
         }
     }

@@ -1,0 +1,76 @@
+#include "collision/mover/wall_slide.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/mover/motion_clearance.h"
+
+namespace campuswalk::collision {
+
+namespace {
+
+double horizontal_norm(const Vec3& v) {
+    return std::sqrt(v.x() * v.x() + v.z() * v.z());
+}
+
+/// The wall that a piece is to the body, which may go as near to it as `keep` from its core.
+HalfPlane wall_of(const Separation& s, double keep) {
+    const double flat = horizontal_norm(s.normal);
+    const double room = std::max(0.0, s.distance - keep);
+    return {s.normal.x() / flat, s.normal.z() / flat, room / flat};
+}
+
+/// Fills the buffers with the flat walls and the edges that a move of `length` may run into.
+void find_walls(MoveContext& context, const Support& stand, double length, bool grounded) {
+    constexpr double kVertical = 1e-6;
+    const MoverSettings& body = context.body;
+    const Vec3& foot = stand.foot;
+    context.buffers.walls.clear();
+    context.buffers.edges.clear();
+    const double reach = body.radius + body.skin + length + kRest;
+    const double highest_edge = foot.y() + body.step_height;
+    for (const ContactCache::Index i : context.near) {
+        const ContactCache::Piece& piece = context.contacts.piece(i);
+        if ((grounded && piece.walkable && piece.obstacle.top <= highest_edge) ||
+            context.contacts.known_apart(i, foot, foot, reach)) {
+            continue;
+        }
+        const Separation& s = context.contacts.measure(i, foot);
+        if (s.distance > reach || horizontal_norm(s.normal) <= kVertical) {
+            continue;
+        }
+        const bool wall = grounded ? classify(context, i, stand) == Kind::wall : s.normal.y() < body.min_up;
+        if (!wall) {
+            continue;
+        }
+        if (s.feature == Feature::face) {
+            context.buffers.walls.push_back(wall_of(s, body.radius + body.skin));
+        } else {
+            context.buffers.edges.push_back(i);
+        }
+    }
+}
+
+}  // namespace
+
+Slide slide(MoveContext& context, const Support& stand, const Vec3& desired, bool grounded) {
+    const Vec3& foot = stand.foot;
+    std::vector<HalfPlane>& walls = context.buffers.walls;
+    std::vector<ContactCache::Index>& edges = context.buffers.edges;
+    find_walls(context, stand, horizontal_norm(desired), grounded);
+    while (true) {
+        const Vec3 move = nearest_allowed(desired, walls);
+        const auto hit = std::partition(edges.begin(), edges.end(), [&](ContactCache::Index i) {
+            return !comes_near(context, i, foot, move);
+        });
+        if (hit == edges.end()) {
+            return {move, walls};
+        }
+        for (auto i = hit; i != edges.end(); ++i) {
+            walls.push_back(wall_of(context.contacts.measure(*i, foot), context.body.radius + kRest));
+        }
+        edges.erase(hit, edges.end());
+    }
+}
+
+}  // namespace campuswalk::collision
