@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "collision/geometry/shapes.h"
 #include "engine/script/avatar.h"
 #include "engine/script/camera.h"
 #include "engine/script/expectation.h"
@@ -172,6 +173,8 @@ struct SimSettings {
     /// Simulated seconds for which what was looked at still counts as looked at. Columns and posts that pass
     /// before the eyes take one to ten ticks; what stays away for longer has been left.
     double gaze_hold = 0.2;
+    /// What the campus' meshes are given to be queried by. It changes how long a walk takes, nothing else.
+    collision::Layout tree = collision::Layout::wide;
 };
 
 /// What is to be done with a walk, and what is to be thought of its end.

@@ -82,9 +82,9 @@ Origin move_to_origin(const CampusOrigin& wanted, std::vector<Model>& models) {
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
-    ColliderBuilder(Campus& campus, CachedMeshes& meshes, DiagnosticList& diagnostics,
+    ColliderBuilder(Campus& campus, CachedMeshes& meshes, collision::Layout tree, DiagnosticList& diagnostics,
                     std::vector<Diagnostic>& warnings)
-        : campus_(campus), meshes_(meshes), diagnostics_(diagnostics), warnings_(warnings) {}
+        : campus_(campus), meshes_(meshes), tree_(tree), diagnostics_(diagnostics), warnings_(warnings) {}
 
     void add(const ColliderDescription& collider);
 
@@ -96,6 +96,7 @@ private:
 
     Campus& campus_;
     CachedMeshes& meshes_;
+    collision::Layout tree_;
     DiagnosticList& diagnostics_;
     std::vector<Diagnostic>& warnings_;
     std::map<std::string, SourceMark> ids_;
@@ -152,6 +153,7 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     }
     ShapeSource source;
     source.has_nodes = !nodes.empty();
+    source.tree = tree_;
     source.geometry = gather_geometry(campus_.models, selection);
     if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
@@ -196,7 +198,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache,
-                   std::size_t imports_at_once) {
+                   std::size_t imports_at_once, collision::Layout tree) {
     DiagnosticList diagnostics;
     if (description.layers.size() > kMostLayers) {
         diagnostics.error(description.mark, "too-many-layers",
@@ -213,10 +215,11 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);
     }
-    const bool known = cache != nullptr && scenes.contents.size() == campus.models.size();
+    const bool known =
+        cache != nullptr && tree == collision::Layout::wide && scenes.contents.size() == campus.models.size();
     CachedMeshes meshes =
         known ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : CachedMeshes();
-    ColliderBuilder builder(campus, meshes, diagnostics, warnings);
+    ColliderBuilder builder(campus, meshes, tree, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
         check_globs(campus.models, collider.nodes, diagnostics);
         check_globs(campus.models, collider.except, diagnostics);

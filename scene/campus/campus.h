@@ -58,9 +58,11 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 /// The same, its models imported by `importer`. With a cache, what was imported and built before of the same
 /// files is taken from there, and what wasn't is kept there: the campus and the warnings are the same.
 /// `imports_at_once`: from how many threads `importer` may be called at a time; it makes no difference to
-/// what comes out.
+/// what comes out. `tree`: what the collision meshes are given; the cache keeps BVH8s alone, so that hybrid
+/// trees are built each time.
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings, const Importer& importer,
-                   const CacheFolder* cache = nullptr, std::size_t imports_at_once = 1);
+                   const CacheFolder* cache = nullptr, std::size_t imports_at_once = 1,
+                   collision::Layout tree = collision::Layout::wide);
 
 }  // namespace campuswalk::scene

@@ -51,7 +51,7 @@ std::optional<PlacedShape> place(const MeshShape& /*shape*/, const ShapeSource& 
     PlacedShape placed;
     placed.zero_area = baked.zero_area;
     placed.X_world_shape.translation = baked.p_world_origin;
-    placed.shape = std::make_shared<const collision::MeshCollider>(std::move(baked.mesh));
+    placed.shape = std::make_shared<const collision::MeshCollider>(std::move(baked.mesh), source.tree);
     return placed;
 }
 

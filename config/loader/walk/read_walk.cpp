@@ -16,12 +16,15 @@ namespace {
 
 engine::SimSettings read_sim(const CheckedNode& node) {
     constexpr int kMostTicks = 10'000;  // a second
+    constexpr std::array kTrees = {Choice<collision::Layout>{"bvh8", collision::Layout::wide},
+                                   Choice<collision::Layout>{"hybrid", collision::Layout::paper}};
     constexpr Range kSeed{0.0, 18446744073709551615.0, false, ""};
     engine::SimSettings sim;
     CheckedMap map(node, "'sim'");
     map.as_int("ticks_per_second", 1, kMostTicks, sim.ticks_per_second);
     map.number("stay_every", kSeconds, sim.stay_every);
     map.number("gaze_hold", kSeconds, sim.gaze_hold);
+    map.choice("tree", kTrees, sim.tree);
     if (const auto seed = map.find("seed"); seed && seed->number(kSeed)) {
         seed->diagnostics().warning(seed->mark(), "deprecated",
                                     "'seed' is ignored, nothing draws random numbers; remove it");

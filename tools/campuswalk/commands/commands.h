@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "collision/geometry/shapes.h"
 #include "scene/campus/campus_description.h"
 #include "tools/campuswalk/command_line/command.h"
 #include "tools/campuswalk/images/rendering_backend.h"
@@ -30,6 +32,8 @@ void add_help(Command program, Chosen& chosen);
 void add_file_frame(Command command, scene::SceneFile& file, const std::string& whose);
 /// `--rendering-backend`, for a command that draws.
 void add_rendering_backend(Command command, Backend& backend);
+/// `--tree`: what the walks' campuses are queried by.
+void add_tree(Command command, std::optional<collision::Layout>& tree);
 /// `--color`, for a command that prints reports.
 void add_color(Command command, ColorChoice& color);
 

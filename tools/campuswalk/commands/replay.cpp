@@ -35,7 +35,8 @@ struct ReplayOptions {
     /// The walks.config.yaml with the walks' projects; otherwise the one that a report names or, for a log,
     /// the one here or above.
     std::optional<std::filesystem::path> config;
-    bool verify = false;  ///< compare hashes; otherwise the event log is printed
+    std::optional<collision::Layout> tree;  ///< in the place of that which a walk says
+    bool verify = false;                    ///< compare hashes; otherwise the event log is printed
 };
 
 std::string title_of(const RecordedWalk& walk) {
@@ -51,6 +52,7 @@ public:
         config::SharedRun run = loader_.read(recorded.file, overrides_of(recorded));
         run.walk.project = recorded.project;
         run.walk.timeout = recorded.timeout;
+        run.walk.sim.tree = options_.tree.value_or(run.walk.sim.tree);
         return loader_.ready(std::move(run));
     }
 
@@ -177,6 +179,7 @@ void add_replay(Command program, Chosen& chosen) {
                    options->config);
     command.flag({.names = "--verify", .help = "Compare the hashes instead of printing the log"},
                  options->verify);
+    add_tree(command, options->tree);
     add_cache_flag(command);
     command.footer(
         "Exit code: 0 all the same, 1 something differs, 2 bad usage or input, 3 something failed.");

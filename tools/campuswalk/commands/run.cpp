@@ -74,6 +74,7 @@ void add_running(Command& command, const Options& options) {
                            "warning deprecated: --seed is ignored, nothing draws random numbers; "
                            "leave it out");
                    });
+    add_tree(command, options->tree);
     command.option({.names = "--timeout",
                     .help = "Simulated seconds a walk without a timeout of its own may take",
                     .value = "SECONDS"},
@@ -150,7 +151,8 @@ void add_output(Command& command, const Options& options) {
     command.choices(
         {.names = "--record",
          .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
-                 "or .tum, its costs as trace.json, for Chrome's trace viewer; several times"},
+                 "or .tum, its costs as trace.json, for Chrome's trace viewer, or with wall time as "
+                 "timed-trace.json; several times"},
         record_names(), options->records);
     add_sequence(command, options->sequence);
     const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},

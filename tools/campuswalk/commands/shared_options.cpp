@@ -24,6 +24,15 @@ void add_rendering_backend(Command command, Backend& backend) {
                    backends, backend);
 }
 
+void add_tree(Command command, std::optional<collision::Layout>& tree) {
+    const std::map<std::string, std::optional<collision::Layout>> trees = {
+        {"bvh8", collision::Layout::wide}, {"hybrid", collision::Layout::paper}};
+    command.choice({.names = "--tree",
+                    .help = "What finds a mesh's triangles: the wide BVH, or the paper's tree of spheres and "
+                            "oriented boxes; the log is the same [as the walk says, else bvh8]"},
+                   trees, tree);
+}
+
 void add_color(Command command, ColorChoice& color) {
     const std::map<std::string, ColorChoice> colors = {
         {"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}};

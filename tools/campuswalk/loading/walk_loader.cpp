@@ -39,7 +39,7 @@ config::SharedRun WalkLoader::read(const fs::path& walk_file, const config::Over
 LoadedWalk WalkLoader::ready(config::SharedRun run) {
     std::vector<scene::Diagnostic> warnings;
     LoadedWalk loaded;
-    loaded.campus = build(run.walk.campus, *run.campus, warnings);
+    loaded.campus = build(run.walk.campus, *run.campus, run.walk.sim.tree, warnings);
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
     warn_(warnings);
@@ -53,25 +53,27 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
 std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {
     std::vector<scene::Diagnostic> warnings;
     const scene::CampusDescription description = config::load_campus_description(campus_file);
-    std::shared_ptr<const scene::Campus> campus = build(campus_file, description, warnings);
+    std::shared_ptr<const scene::Campus> campus =
+        build(campus_file, description, engine::SimSettings().tree, warnings);
     warn_(warnings);
     return campus;
 }
 
 std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
                                                        const scene::CampusDescription& description,
+                                                       collision::Layout tree,
                                                        std::vector<scene::Diagnostic>& warnings) {
     std::error_code none;
     const fs::path key = fs::weakly_canonical(file, none);
     if (const auto known = broken_.find(key); known != broken_.end()) {
         throw known->second;  // models take long to read, and a thousand walks may be on them
     }
-    std::shared_ptr<const scene::Campus>& campus = campuses_[key];
+    std::shared_ptr<const scene::Campus>& campus = campuses_[{key, tree}];
     if (!campus) {
         try {
-            campus = std::make_shared<scene::Campus>(
-                scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
-                                   model_importer(), wanted_cache(), std::thread::hardware_concurrency()));
+            campus = std::make_shared<scene::Campus>(scene::load_campus(
+                description, collision::make_bullet_broad_phase(), warnings, model_importer(), wanted_cache(),
+                std::thread::hardware_concurrency(), tree));
         } catch (const scene::InputError& error) {
             broken_.emplace(key, error);
             throw;

@@ -20,8 +20,8 @@ struct LoadedWalk {
     std::shared_ptr<const scene::Campus> campus;
 };
 
-/// Reads walks; those on one campus share it. Warnings are told as they come; mistakes are thrown as
-/// scene::InputError, all of a file together.
+/// Reads walks; those on one campus, with one kind of trees, share it. Warnings are told as they come;
+/// mistakes are thrown as scene::InputError, all of a file together.
 class WalkLoader {
 public:
     using Told = std::function<void(const std::vector<scene::Diagnostic>&)>;
@@ -42,11 +42,13 @@ public:
 private:
     std::shared_ptr<const scene::Campus> build(const std::filesystem::path& file,
                                                const scene::CampusDescription& description,
+                                               collision::Layout tree,
                                                std::vector<scene::Diagnostic>& warnings);
 
     Told warn_;
     config::RunLoader loader_;
-    std::map<std::filesystem::path, std::shared_ptr<const scene::Campus>> campuses_;
+    std::map<std::pair<std::filesystem::path, collision::Layout>, std::shared_ptr<const scene::Campus>>
+        campuses_;
     std::map<std::filesystem::path, scene::InputError> broken_;  ///< what was wrong with campuses
 };
 

@@ -76,7 +76,8 @@ public:
         images_ = wants_images(options_.backend);
         check_sequence();
         read_last_run_if_wanted();
-        Plan plan = make_plan(settings_, {selector_for(options_), wanted_ids(), options_.repeat_each});
+        Plan plan =
+            make_plan(settings_, {selector_for(options_), wanted_ids(), options_.repeat_each, options_.tree});
         note_shard();
         if (plan.selected == 0) {
             return nothing_selected(plan);

@@ -96,6 +96,7 @@ private:
 
     void settle_walk(engine::Walk& walk, const ProjectConfig& project) const {
         walk.project = project.name;
+        walk.sim.tree = options_.tree.value_or(walk.sim.tree);
         if (!walk.timeout) {
             walk.timeout = project.timeout ? project.timeout : settings_.timeout;
         }
