@@ -21,22 +21,25 @@ std::string track_name(int track, const std::string& name) {
 }
 
 double tests(const collision::QueryStatistics& cost) {
-    return static_cast<double>(cost.volume_tests + cost.primitive_tests);
+    return static_cast<double>(cost.sphere_tests + cost.box_tests + cost.primitive_tests);
 }
 
 std::string counts(const collision::QueryStatistics& cost) {
-    return R"("node_tests":)" + std::to_string(cost.volume_tests) + R"(,"triangle_tests":)" +
-           std::to_string(cost.primitive_tests);
+    return R"("sphere_tests":)" + std::to_string(cost.sphere_tests) + R"(,"box_tests":)" +
+           std::to_string(cost.box_tests) + R"(,"triangle_tests":)" + std::to_string(cost.primitive_tests) +
+           R"(,"transform_updates":)" + std::to_string(cost.transform_updates);
 }
 
 }  // namespace
 
 void CostTrace::begin(const Walk& walk) {
     cost_so_far_ = 0.0;
+    total_ = {};
+    hybrid_ = walk.sim.tree == collision::Layout::paper;
     next_ = 0;
     began_ = last_ = clock_ ? clock_() : 0.0;
     sink_(R"({"displayTimeUnit":"ms","traceEvents":[)");
-    sink_(track_name(kCostTrack, walk.name + ": tests of pairs, 1 us each"));
+    sink_(track_name(kCostTrack, walk.name + ": tests, 1 us each"));
     if (clock_) {
         sink_("," + track_name(kClockTrack, walk.name + ": wall time"));
     }
@@ -61,6 +64,7 @@ void CostTrace::frame(const TickRecord& record) {
         next_ = record.tick + 1;
         collision::QueryStatistics all = record.costs.move;
         all += record.costs.detect;
+        total_ += all;
         const std::string when =
             R"("tick":)" + std::to_string(record.tick) + R"(,"time":)" + fixed(record.time, 6);
         cost_so_far_ += tests(all) + 1.0;
@@ -79,8 +83,21 @@ void CostTrace::frame(const TickRecord& record) {
     }
 }
 
+/// The terms of eq. (4). In the hybrid tree, each node whose sphere doesn't part it has its box tested: the
+/// others were decided by eq. (1) alone.
 void CostTrace::end() {
-    sink_("]}");
+    std::string terms =
+        std::string(R"("tree":)") + (hybrid_ ? R"("hybrid")" : R"("bvh8")") + R"(,"Nv":)" +
+        std::to_string(total_.volume_tests) + R"(,"Np":)" + std::to_string(total_.primitive_tests) +
+        R"(,"Nu":)" + std::to_string(total_.transform_updates) + R"(,"sphere_tests":)" +
+        std::to_string(total_.sphere_tests) + R"(,"box_tests":)" + std::to_string(total_.box_tests);
+    if (hybrid_) {
+        terms += R"(,"decided_by_eq_1":)" + std::to_string(total_.sphere_tests - total_.box_tests);
+    }
+    if (clock_) {
+        terms += R"(,"wall_time_us":)" + fixed(last_ - began_, 3);
+    }
+    sink_(R"(],"otherData":{)" + terms + "}}");
 }
 
 }  // namespace campuswalk::engine

@@ -10,8 +10,10 @@
 namespace campuswalk::engine {
 
 /// What every tick cost, as Chrome's trace viewer and Perfetto read it: a slice a tick, in it one for moving
-/// and one for sensing, and the walk's events as marks. A slice is as long as the tests of pairs it took, one
-/// a microsecond, so that the same walk gives the same bytes; a tick is one longer than its stages.
+/// and one for sensing, and the walk's events as marks. A slice is as long as the tests of spheres, boxes and
+/// triangles it took, one a microsecond, so that the same walk gives the same bytes; a tick is one longer
+/// than its stages. `otherData` has the terms of the paper's eq. (4), T = Nv Cv + Np Cp + Nu Cu, for the
+/// whole walk.
 class CostTrace final : public Observer {
 public:
     /// Microseconds since some moment. Not the walk's: whoever wants wall time brings the clock.
@@ -30,6 +32,8 @@ private:
 
     LineSink sink_;
     Clock clock_;
+    collision::QueryStatistics total_;
+    bool hybrid_ = false;  ///< the tree that the walk's campus has
     double cost_so_far_ = 0.0;
     double began_ = 0.0;  // by the clock
     double last_ = 0.0;

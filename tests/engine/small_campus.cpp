@@ -16,11 +16,11 @@ scene::Campus empty_campus() {
     return campus;
 }
 
-scene::Campus level_campus(double half_size) {
+scene::Campus level_campus(double half_size, collision::Layout tree) {
     scene::Campus campus = empty_campus();
     collision::TriangleMesh floor;
     support::add_floor(floor, half_size);
-    add_object(campus, "ground", std::make_shared<const collision::MeshCollider>(std::move(floor)),
+    add_object(campus, "ground", std::make_shared<const collision::MeshCollider>(std::move(floor), tree),
                Eigen::Vector3d::Zero());
     return campus;
 }

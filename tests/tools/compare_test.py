@@ -151,6 +151,19 @@ class Replay(Compare):
                          (1, [f"DIFFERS other/short.walk.yaml: hash {now}, was {was}",
                               "0 of 1 walks went the same again"]))
 
+    def test_a_walk_is_the_same_on_either_tree(self):
+        for tree in "bvh8", "hybrid":
+            self.assertEqual(self.passes("replay", "a.jsonl", "--verify", "--walk", "short.walk.yaml", "--tree",
+                                         tree).lines[0], "same    short.walk.yaml")
+            self.passes("run", "short.walk.yaml", "--tree", tree, "--log", f"{tree}.log", "--output", tree,
+                        "--record", "trace", "--record", "timed-trace")
+            for record in "trace", "timed-trace":
+                terms = json.loads(self.read(f"{tree}/short/{record}.json"))["otherData"]
+                self.assertEqual((terms["tree"], "wall_time_us" in terms), (tree, record == "timed-trace"))
+                self.assertGreater(terms["Nv"], 0)
+        self.assertEqual(self.lines("bvh8.log"), self.lines("hybrid.log"))
+        self.assertEqual(self.run_program("run", "short.walk.yaml", "--tree", "oak").code, 2)
+
     def test_a_report_is_verified(self):
         self.report(self.result(), self.result(outcome="skipped", hash="0" * 16))
         self.assertEqual(self.passes("replay", "r.jsonl", "--verify").lines,

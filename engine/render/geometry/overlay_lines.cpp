@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/hybrid/hybrid_tree.h"
 #include "collision/mesh/mesh_collider.h"
+#include "collision/mesh/tree_level.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -193,28 +193,11 @@ void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayL
         if (mesh == nullptr) {
             continue;
         }
-        const collision::HybridTree tree = collision::build_hybrid_tree((*mesh)->mesh());
-        std::vector<std::uint32_t> nodes = {0};
-        for (int depth = 0; depth < level; ++depth) {
-            std::vector<std::uint32_t> below;
-            for (const std::uint32_t node : nodes) {
-                if (tree.nodes[node].is_leaf()) {
-                    below.push_back(node);
-                } else {
-                    below.insert(below.end(), {tree.nodes[node].first, tree.nodes[node].first + 1});
-                }
-            }
-            if (below.size() == nodes.size()) {
-                break;
-            }
-            nodes = std::move(below);
-        }
-        for (const std::uint32_t node : nodes) {
-            const collision::OrientedBox& box = tree.nodes[node].inner;
+        for (const collision::PosedBox& posed : collision::boxes_at_level(**mesh, level)) {
             Pose pose;
-            pose.rotation = object.X_world_shape.rotation * box.axes;
-            pose.translation = object.X_world_shape * box.center;
-            Outliner(pose, kTree, lines).box(box.half_extents);
+            pose.rotation = object.X_world_shape.rotation * posed.X_mesh_box.rotation;
+            pose.translation = object.X_world_shape * posed.X_mesh_box.translation;
+            Outliner(pose, kTree, lines).box(posed.box.half_extents);
         }
     }
 }

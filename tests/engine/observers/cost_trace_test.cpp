@@ -20,10 +20,11 @@ struct Traced {
     WalkSummary summary;
 };
 
-Traced traced(CostTrace::Clock clock = {}) {
-    scene::Campus campus = level_campus();
+Traced traced(CostTrace::Clock clock = {}, collision::Layout tree = collision::Layout::wide) {
+    scene::Campus campus = level_campus(50.0, tree);
     add_box(campus, "gate \"north\"", {-1, 0, -4}, {1, 2, -3}, {collision::Detection::trigger, "", true, ""});
-    const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0.0, -6.0)});
+    Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0.0, -6.0)});
+    walk.sim.tree = tree;
     Traced traced;
     CostTrace trace([&](std::string_view line) { (traced.text += line) += '\n'; }, std::move(clock));
     const std::array<Observer*, 1> observers = {&trace};
@@ -42,19 +43,45 @@ std::vector<Json> slices(const Json& trace, const std::string& name, int track) 
 }
 
 TEST(CostTrace, CountsWhatTheWalkCounted) {
-    const Traced all = traced();
-    const Json trace = Json::parse(all.text);
-    std::uint64_t nodes = 0;
-    std::uint64_t triangles = 0;
-    for (const std::string stage : {"move", "sense"}) {
-        for (const Json& slice : slices(trace, stage, 1)) {
-            nodes += slice.at("args").at("node_tests").get<std::uint64_t>();
-            triangles += slice.at("args").at("triangle_tests").get<std::uint64_t>();
-        }
+    for (const collision::Layout tree : {collision::Layout::wide, collision::Layout::paper}) {
+        const Traced all = traced({}, tree);
+        const Json trace = Json::parse(all.text);
+        const collision::QueryStatistics& counted = all.summary.statistics;
+        const auto sum = [&](const char* name) {
+            std::uint64_t total = 0;
+            for (const std::string stage : {"move", "sense"}) {
+                for (const Json& slice : slices(trace, stage, 1)) {
+                    total += slice.at("args").at(name).get<std::uint64_t>();
+                }
+            }
+            return total;
+        };
+        EXPECT_GT(counted.box_tests, 0U);
+        EXPECT_EQ(sum("sphere_tests"), counted.sphere_tests);
+        EXPECT_EQ(sum("box_tests"), counted.box_tests);
+        EXPECT_EQ(sum("triangle_tests"), counted.primitive_tests);
+        EXPECT_EQ(sum("transform_updates"), counted.transform_updates);
     }
-    EXPECT_GT(nodes, 0U);
-    EXPECT_EQ(nodes, all.summary.statistics.volume_tests);
-    EXPECT_EQ(triangles, all.summary.statistics.primitive_tests);
+}
+
+TEST(CostTrace, EndsWithTheTermsOfEquation4AndWhatEquation1Decided) {
+    const Traced hybrid = traced({}, collision::Layout::paper);
+    const Json terms = Json::parse(hybrid.text).at("otherData");
+    const collision::QueryStatistics& counted = hybrid.summary.statistics;
+    EXPECT_EQ(terms.at("tree"), "hybrid");
+    EXPECT_EQ(terms.at("Nv"), counted.volume_tests);
+    EXPECT_EQ(terms.at("Np"), counted.primitive_tests);
+    EXPECT_EQ(terms.at("Nu"), counted.transform_updates);
+    EXPECT_EQ(counted.sphere_tests, counted.volume_tests) << "the outer sphere of every node";
+    EXPECT_EQ(terms.at("decided_by_eq_1"), counted.sphere_tests - counted.box_tests);
+    EXPECT_FALSE(terms.contains("wall_time_us"));
+
+    const Traced bvh8 = traced();
+    const Json other = Json::parse(bvh8.text).at("otherData");
+    EXPECT_EQ(other.at("tree"), "bvh8");
+    EXPECT_EQ(other.at("Nv"),
+              other.at("sphere_tests").get<std::uint64_t>() + other.at("box_tests").get<std::uint64_t>());
+    EXPECT_EQ(bvh8.summary.hash, hybrid.summary.hash);
 }
 
 TEST(CostTrace, NestsStagesInTicksOneAfterTheOther) {

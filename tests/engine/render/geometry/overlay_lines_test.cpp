@@ -93,7 +93,7 @@ TEST(OverlayLines, FollowTheSelectedOverlays) {
 TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
     scene::Campus campus = campus_of(tower_scene());
     SceneBuilder scene;
-    scene.paint(kRed).box({0, 0, 0}, {4, 8, 6});
+    scene.paint(kRed).box({0, 0, 0}, {1, 2, 1}).box({3, 0, 0}, {4, 8, 1}).box({0, 6, 5}, {4, 8, 6});
     campus.world.add({.shape = mesh_of(scene.model()), .X_world_shape = {}, .detection = Detection::solid});
     const auto boxes = [&](int level) {
         std::vector<OverlayLine> lines;
@@ -103,8 +103,8 @@ TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
     EXPECT_EQ(boxes(0).size(), 12U);
     EXPECT_GT(length(boxes(0)), 4 * (4 + 8 + 6) - 0.1) << "around all of it";
     EXPECT_LT(length(boxes(0)), 1.4 * 4 * (4 + 8 + 6));
-    EXPECT_EQ(boxes(1).size(), 24U);
-    EXPECT_LT(length(boxes(2)) / static_cast<double>(boxes(2).size()), length(boxes(0)) / 12);
+    EXPECT_GT(boxes(1).size(), 12U);
+    EXPECT_LT(length(boxes(1)) / static_cast<double>(boxes(1).size()), length(boxes(0)) / 12);
     EXPECT_EQ(boxes(40).size(), boxes(30).size()) << "no deeper than the leaves";
 }
 
