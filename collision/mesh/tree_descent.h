@@ -15,9 +15,9 @@
 namespace campuswalk::collision {
 
 // One way down for queries of one mesh. A tree says how a descent starts and how it opens a node and a leaf;
-// rays have a faster way down the BVH8 (collision/bvh8/kernels/bvh8_rays.h). A query is a volume and what it does with a
-// triangle. The volume gives lower bounds of what the query looks for (a fraction, a squared distance), or
-// kApart; the query sets the limit above which nothing interests it any more:
+// rays have a faster way down the BVH8 (collision/bvh8/kernels/bvh8_rays.h). A query is a volume and what it
+// does with a triangle. The volume gives lower bounds of what the query looks for (a fraction, a squared
+// distance), or kApart; the query sets the limit above which nothing interests it any more:
 //
 //     double bound(const BoundingSphere&) const          of a node's outer layer, or of a whole mesh
 //     double bound(const OrientedBox&) const             of a node's inner layer

@@ -57,7 +57,8 @@ public:
     /// Crouches or stands up. False, and nothing is changed, where there is no head room.
     bool resize(double height, collision::QueryStatistics& statistics);
     /// What is where the body would be, were it so tall.
-    std::optional<collision::ObjectId> obstruction(double height, collision::QueryStatistics& statistics) const;
+    std::optional<collision::ObjectId> obstruction(double height,
+                                                   collision::QueryStatistics& statistics) const;
 
     /// How the body took it that objects were enabled or disabled.
     struct Adjustment {

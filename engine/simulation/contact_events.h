@@ -18,7 +18,8 @@ public:
 
     /// After the body has moved. `cause` says why contacts change, where it isn't by the avatar's own motion;
     /// null otherwise.
-    void detect(const Body& body, const char* cause, TickEvents& events, collision::QueryStatistics& statistics);
+    void detect(const Body& body, const char* cause, TickEvents& events,
+                collision::QueryStatistics& statistics);
     /// In the same tick, after objects have been enabled or disabled.
     void detect_again(const Body& body, const char* cause, TickEvents& events,
                       collision::QueryStatistics& statistics);
