@@ -22,14 +22,16 @@ std::vector<HalfPlane> random_planes(Dice& dice, int count) {
     return planes;
 }
 
+using Planes = std::vector<HalfPlane>;
+
 TEST(HalfPlanes, WithoutWallsTheWishIsGranted) {
     EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, {}), Vec3(0.3, 0, -0.1));
-    EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, {{1, 0, 0.0}}), Vec3(0.3, 0, -0.1));
+    EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, Planes{{1, 0, 0.0}}), Vec3(0.3, 0, -0.1));
 }
 
 TEST(HalfPlanes, AWallLeavesWhatGoesAlongIt) {
-    EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, {{1, 0, 0.0}}).isApprox(Vec3(0, 0, 0.2)));
-    EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, {{1, 0, 0.1}}).isApprox(Vec3(-0.1, 0, 0.2)));
+    EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, Planes{{1, 0, 0.0}}).isApprox(Vec3(0, 0, 0.2)));
+    EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, Planes{{1, 0, 0.1}}).isApprox(Vec3(-0.1, 0, 0.2)));
 }
 
 /// No allowed point of a fine grid is nearer to the wish.

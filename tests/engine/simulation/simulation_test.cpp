@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/script/avatar_body.h"
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
 

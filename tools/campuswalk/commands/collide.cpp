@@ -16,7 +16,7 @@ using namespace collide;
 namespace {
 
 struct CollideOptions {
-    std::string a;  ///< a model file or a shape, see collide/parse_shape.h
+    std::string a;  ///< a model file or a shape, see parse_shape.h
     std::string b;
     std::string pose;         ///< of b, see parse_pose; empty: where it is
     std::string pose_matrix;  ///< instead of `pose`
