@@ -19,12 +19,12 @@ using collision::Pose;
 using Eigen::Vector3d;
 using LineColor = std::array<float, 3>;
 
-constexpr Color kSolid = {0.02F, 0.55F, 0.95F};
-constexpr Color kRayTarget = {0.75F, 0.10F, 0.85F};  // ray targets that are not solid
-constexpr Color kTrigger = {1.0F, 0.45F, 0.02F};
-constexpr Color kPath = {1.0F, 0.60F, 0.02F};
-constexpr Color kContact = {1.0F, 0.02F, 0.02F};
-constexpr Color kTree = {0.05F, 0.85F, 0.10F};
+constexpr LineColor kSolid = {0.02F, 0.55F, 0.95F};
+constexpr LineColor kRayTarget = {0.75F, 0.10F, 0.85F};  // ray targets that are not solid
+constexpr LineColor kTrigger = {1.0F, 0.45F, 0.02F};
+constexpr LineColor kPath = {1.0F, 0.60F, 0.02F};
+constexpr LineColor kContact = {1.0F, 0.02F, 0.02F};
+constexpr LineColor kTree = {0.05F, 0.85F, 0.10F};
 
 constexpr double kMaxFlatCosine = 0.93969262;  // cosine of 20 degrees
 constexpr int kCircleParts = 24;

@@ -15,7 +15,7 @@ namespace campuswalk::engine::render {
 namespace {
 
 // Depth is smooth: the Paeth filter halves the file.
-constexpr int kCompressionLevel = 3;
+constexpr int kDepthCompressionLevel = 3;
 
 void check(int error) {
     if (error != 0) {
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> encode_depth_png(int width, int height, const std::vec
                                                                  spng_ctx_free);
     check(encoder ? 0 : SPNG_EMEM);
     check(spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1));
-    check(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel));
+    check(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, kDepthCompressionLevel));
     check(spng_set_option(encoder.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_PAETH));
     spng_ihdr header{};
     header.width = static_cast<std::uint32_t>(width);

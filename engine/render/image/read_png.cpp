@@ -67,7 +67,7 @@ private:
         if (std::ferror(stream_.get()) != 0) {
             refuse("unreadable-file", std::string("can't read the picture: ") + std::strerror(errno));
         }
-        if (count < read.size() || read != kSignature) {
+        if (count < read.size() || read != kPngSignature) {
             refuse("bad-picture", "this is not a PNG file");
         }
         std::rewind(stream_.get());

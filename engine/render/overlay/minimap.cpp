@@ -11,7 +11,7 @@ namespace {
 
 // Pixels in an image 720 high.
 constexpr double kRadius = 88.0;
-constexpr double kMargin = 26.0;
+constexpr double kMapMargin = 26.0;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 }  // namespace
@@ -22,7 +22,7 @@ void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarStat
     }
     const double s = canvas.scale();
     const double radius = kRadius * s;
-    const Eigen::Vector2d centre(kMargin * s + radius, canvas.height() - kMargin * s - radius);
+    const Eigen::Vector2d centre(kMapMargin * s + radius, canvas.height() - kMapMargin * s - radius);
     const auto here = pixel_of(minimap.view, minimap.plan.width, minimap.plan.height, avatar.position);
     if (!here) {
         return;

@@ -1,10 +1,11 @@
 #include <array>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
-#include "config/loader/values/number.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/compare_image_files.h"
 
@@ -25,11 +26,11 @@ std::optional<engine::PixelBox> parse_mask(const std::string& text) {
         if (comma == std::string::npos) {
             return std::nullopt;
         }
-        const auto number = config::parse_digits(text.substr(from, comma - from));
-        if (!number || *number > static_cast<std::uint64_t>(kPixels.most)) {
+        const char* end = text.data() + comma;
+        const auto [rest, error] = std::from_chars(text.data() + from, end, numbers[i]);
+        if (error != std::errc() || rest != end || numbers[i] < 0 || numbers[i] > kPixels.most) {
             return std::nullopt;
         }
-        numbers[i] = static_cast<int>(*number);
         from = comma + 1;
     }
     return engine::PixelBox{numbers[0], numbers[1], numbers[2], numbers[3]};

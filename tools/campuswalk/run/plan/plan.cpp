@@ -28,10 +28,10 @@ struct Candidate {
 };
 
 std::string name_of(const fs::path& file) {
-    constexpr std::string_view kSuffix = ".walk.yaml";
+    constexpr std::string_view kWalkSuffix = ".walk.yaml";
     std::string name = file.filename().generic_string();
-    if (name.size() > kSuffix.size() && name.ends_with(kSuffix)) {
-        name.resize(name.size() - kSuffix.size());
+    if (name.size() > kWalkSuffix.size() && name.ends_with(kWalkSuffix)) {
+        name.resize(name.size() - kWalkSuffix.size());
     }
     return name;
 }
