@@ -13,10 +13,10 @@ double horizontal_norm(const Vec3& v) {
     return std::sqrt(v.x() * v.x() + v.z() * v.z());
 }
 
-/// The wall that a piece is to the body, which may go as near to it as `keep` from its core.
-HalfPlane wall_of(const Separation& s, double keep) {
+/// The wall that a piece is to the body, which keeps `gap` from it.
+HalfPlane wall_of(const Separation& s, double radius, double gap) {
     const double flat = horizontal_norm(s.normal);
-    const double room = std::max(0.0, s.distance - keep);
+    const double room = std::max(0.0, s.distance - radius - gap);
     return {s.normal.x() / flat, s.normal.z() / flat, room / flat};
 }
 
@@ -44,7 +44,7 @@ void find_walls(MoveContext& context, const Support& stand, double length, bool 
             continue;
         }
         if (s.feature == Feature::face) {
-            context.buffers.walls.push_back(wall_of(s, body.radius + body.skin));
+            context.buffers.walls.push_back(wall_of(s, body.radius, body.skin));
         } else {
             context.buffers.edges.push_back(i);
         }
@@ -67,7 +67,7 @@ Slide slide(MoveContext& context, const Support& stand, const Vec3& desired, boo
             return {move, walls};
         }
         for (auto i = hit; i != edges.end(); ++i) {
-            walls.push_back(wall_of(context.contacts.measure(*i, foot), context.body.radius + kRest));
+            walls.push_back(wall_of(context.contacts.measure(*i, foot), context.body.radius, kRest));
         }
         edges.erase(hit, edges.end());
     }
