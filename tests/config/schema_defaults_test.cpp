@@ -79,17 +79,18 @@ std::multimap<std::string, json> walk_defaults() {
     const engine::Walk walk;
     const engine::CameraSettings& camera = walk.camera;
     const bool runs = walk.status.kind == engine::WalkStatus::Kind::run;
-    const bool sees = camera.view == engine::View::first_person;
+    const bool descends_bvh8 = walk.sim.tree == collision::Layout::wide;
+    const bool sees = std::holds_alternative<engine::FirstPersonView>(camera.view);
     return {{"walk/definitions/status_word", runs ? "run" : "another"},
             {"walk/definitions/sim/properties/ticks_per_second", walk.sim.ticks_per_second},
             {"walk/definitions/sim/properties/stay_every", walk.sim.stay_every},
             {"walk/definitions/sim/properties/gaze_hold", walk.sim.gaze_hold},
-            {"walk/definitions/sim/properties/seed", walk.sim.seed},
+            {"walk/definitions/sim/properties/tree", descends_bvh8 ? "bvh8" : "another"},
             {"walk/definitions/view", sees ? "first_person" : "another"},
             {"walk/definitions/width", camera.width},
             {"walk/definitions/height", camera.height},
             {"walk/definitions/fov_deg", degrees(camera.fov)},
-            {"walk/definitions/height_above", camera.height_above}};
+            {"walk/definitions/height_above", engine::TopView().height_above}};
 }
 
 std::multimap<std::string, json> step_defaults() {

@@ -140,8 +140,7 @@ class BrokenInput(ProgramCase):
         self.walk("turn: 180", "include: lap.steps.yaml")
         self.refused("short.walk.yaml:6:14: error missing-file: 'lap.steps.yaml': no such file; check the path")
         self.write("short.walk.yaml", WALK.replace("turn: 180", "include: short.walk.yaml"))
-        self.refused("short.walk.yaml:6:14: error include-cycle: short.walk.yaml includes itself, by way of this "
-                     "line")
+        self.refused("short.walk.yaml:6:14: error include-cycle: short.walk.yaml includes itself through this line")
 
     def test_mistake_in_a_steps_file(self):
         self.walk("turn: 180", "repeat: {times: 2, steps: [{include: parts/lap.steps.yaml}]}")

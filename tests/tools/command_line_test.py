@@ -213,7 +213,7 @@ class Info(ProgramCase):
             self.assertEqual((outcome.code, outcome.complaints, outcome.out), (2, [complaint], ""))
         outcome = self.run_program("info", "short.walk.yaml")
         self.assertEqual(outcome.code, 2)
-        self.assertRegex(outcome.err, "^short.walk.yaml: error bad-model: 'short.walk.yaml' is of no format that is read")
+        self.assertRegex(outcome.err, "^short.walk.yaml: error bad-model: 'short.walk.yaml' is not in a supported format")
 
 
 class StandardOutput(ProgramCase):

@@ -123,13 +123,13 @@ class Schemas(ProgramCase):
 
     def test_a_reference_that_differs_is_found_and_written(self):
         shutil.copytree(os.path.join(ROOT, "config"), self.path("copy/config"))
-        changed = self.read("copy/config/schema/avatar.schema.json").replace("Radius of the capsule", "Half its width")
+        changed = self.read("copy/config/schema/avatar.schema.json").decode().replace("Radius of the capsule", "Half its width")
         self.write("copy/config/schema/avatar.schema.json", changed)
         done = self.reference(self.path("copy"), "--check")
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stdout, r"^config/README\.md:\d+:1: error reference: ")
         self.assertEqual(self.reference(self.path("copy")).returncode, 0)
-        self.assertIn("Half its width in metres", self.read("copy/config/README.md"))
+        self.assertIn("Half its width in metres", self.read("copy/config/README.md").decode())
         self.assertEqual(self.reference(self.path("copy"), "--check").returncode, 0)
 
     def test_every_schema_has_its_tables(self):

@@ -118,7 +118,7 @@ TEST(TreeFile, RefersToOwnedBytesWithoutCopying) {
     std::vector<PlacedMesh> made = {placed(900, 2)};
     TriangleMesh box;
     support::add_box(box, {0, 0, 0}, {1, 1, 1});
-    made.push_back({std::make_shared<const MeshCollider>(box), {}, 0});
+    made.push_back({"box", std::make_shared<const MeshCollider>(box), {}, 0});
     const std::vector<std::byte> bytes = write_tree_file(made);
     for (const std::size_t off : {0U, 8U}) {
         std::vector<PlacedMesh> read;
