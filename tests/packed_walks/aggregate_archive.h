@@ -56,7 +56,11 @@ inline constexpr std::size_t kMembersTold<scene::CapsuleShape> = 3;
 template <>
 inline constexpr std::size_t kMembersTold<scene::WheelShape> = 4;
 template <>
-inline constexpr std::size_t kMembersTold<engine::CameraSettings> = 11;
+inline constexpr std::size_t kMembersTold<engine::CameraSettings> = 4;
+template <>
+inline constexpr std::size_t kMembersTold<engine::FixedView> = 4;
+template <>
+inline constexpr std::size_t kMembersTold<engine::Views> = 5;
 template <>
 inline constexpr std::size_t kMembersTold<engine::LightSettings> = 14;
 

@@ -24,7 +24,7 @@ std::vector<std::byte> pack_walk(const scene::Campus& campus, const engine::Walk
     put(out, colliders);
     put(out, campus.origin);
     put(out, walk);
-    return scene::joined(out.finish());
+    return scene::concatenated(out.finish());
 }
 
 PackedWalk unpack_walk(std::span<const std::byte> bytes) {

@@ -83,8 +83,8 @@ TEST(TreeChoice, EveryWalkIsTheSameToTheByteOnEitherTree) {
         EXPECT_EQ(bvh8.log, hybrid.log) << file;
         EXPECT_EQ(bvh8.summary.hash, hybrid.summary.hash) << file;
         EXPECT_EQ(bvh8.summary.failures.size(), hybrid.summary.failures.size()) << file;
-        on_bvh8 += bvh8.summary.counters;
-        on_hybrid += hybrid.summary.counters;
+        on_bvh8 += bvh8.summary.statistics;
+        on_hybrid += hybrid.summary.statistics;
         ++walks;
     }
     EXPECT_GT(walks, 60U);
