@@ -180,8 +180,7 @@ TEST_F(CampusTest, ReportsExceptionsThatLeaveNothing) {
               "demo.campus.yaml:30:9: error empty-mesh: 'except' excludes every node of collider 'none'\n"
               "demo.campus.yaml:31:9: error no-node: no node is named 'libary'; did you mean 'library'?\n"
               "demo.campus.yaml:32:9: error missing-nodes: 'except' filters 'nodes', but collider 'numbers' "
-              "names "
-              "none\n");
+              "has no 'nodes'\n");
 }
 
 TEST_F(CampusTest, NumbersLayersFromOne) {
