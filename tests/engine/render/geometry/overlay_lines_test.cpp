@@ -11,6 +11,7 @@
 #include "engine/render/renderer.h"
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/small_scenes.h"
+#include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -92,9 +93,13 @@ TEST(OverlayLines, FollowTheSelectedOverlays) {
 
 TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
     scene::Campus campus = campus_of(tower_scene());
-    SceneBuilder scene;
-    scene.paint(kRed).box({0, 0, 0}, {1, 2, 1}).box({3, 0, 0}, {4, 8, 1}).box({0, 6, 5}, {4, 8, 6});
-    campus.world.add({.shape = mesh_of(scene.model()), .X_world_shape = {}, .detection = Detection::solid});
+    collision::TriangleMesh mesh;
+    campuswalk::support::add_box(mesh, {0, 0, 0}, {1, 2, 1});
+    campuswalk::support::add_box(mesh, {3, 0, 0}, {4, 8, 1});
+    campuswalk::support::add_box(mesh, {0, 6, 5}, {4, 8, 6});
+    campus.world.add({.shape = std::make_shared<const collision::MeshCollider>(mesh),
+                      .X_world_shape = {},
+                      .detection = Detection::solid});
     const auto boxes = [&](int level) {
         std::vector<OverlayLine> lines;
         add_tree_boxes(campus, level, lines);
