@@ -30,8 +30,8 @@ struct Body {
     const std::string& node_of(std::uint32_t triangle) const;
 };
 
-/// A shape (see parse_shape.h) or a model file, all meshes of all nodes together; triangles are numbered from 0
-/// in the order of the nodes. `frame` says how files are to be read. Throws scene::InputError; what a file
+/// A shape (see parse_shape.h) or a model file, all meshes of all nodes together; triangles are numbered from
+/// 0 in the order of the nodes. `frame` says how files are to be read. Throws scene::InputError; what a file
 /// asks for and doesn't get goes to `warnings`.
 Body read_body(const std::string& word, const scene::SceneFile& frame,
                std::vector<scene::Diagnostic>& warnings);
