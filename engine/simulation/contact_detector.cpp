@@ -66,7 +66,7 @@ void ContactDetector::detect_again(Tick tick, const AvatarState& avatar, const c
         }
     }
     detect(tick, avatar, trace, out, statistics);
-    // `sense` has told this tick's stays before.
+    // `detect` has already reported this tick's stays.
     std::erase_if(out, [](const DetectedTransition& s) { return s.transition.phase == Phase::stay; });
 }
 

@@ -36,7 +36,7 @@ public:
     void detect(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
                 std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics = nullptr);
 
-    /// After `sense`, in the same tick, when what can be met has changed: enters and exits alone. What was
+    /// After `detect`, in the same tick, when what can be met has changed: enters and exits alone. What was
     /// disabled is left at once, without the gaze's hold. Replaces `out`, in the same order.
     void detect_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
                       std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics = nullptr);
