@@ -67,7 +67,7 @@ struct LeafBoxes {
 
     explicit LeafBoxes(const Bvh8Leaf& leaf) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto& at = leaf.corner[k];
+            const auto& at = leaf.vertex[k];
             for (std::size_t i = 0; i < kLeafTriangles; ++i) {
                 const float a = at[leaf.vertex_of[0][i]];
                 const float b = at[leaf.vertex_of[1][i]];

@@ -48,12 +48,12 @@ static_assert(offsetof(Bvh8Node, turned) < 256);
 /// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
 struct alignas(64) Bvh8Leaf {
     /// By axis, less the origin. Slots without a corner hold the last one again.
-    std::array<std::array<float, kLeafVertices>, 3> corner{};
+    std::array<std::array<float, kLeafVertices>, 3> vertex{};
     std::array<std::array<std::uint8_t, kLeafTriangles>, 3> vertex_of{};  ///< by corner, then triangle
     std::array<float, 4> origin{};                                        ///< the fourth entry is 0
     std::array<std::uint32_t, kLeafTriangles> triangle{};                 ///< of the mesh, ascending
     float radius = 0.0F;  ///< all corners lie this close to the origin
-    std::uint8_t corners = 0;
+    std::uint8_t vertices = 0;
     std::uint8_t triangles = 0;
     bool exact = false;             ///< origin + corner is the mesh's vertex itself, for all corners
     std::array<float, 3> facing{};  ///< unit mean normal, or zero
@@ -67,18 +67,18 @@ struct alignas(64) Bvh8Leaf {
 
 /// A leaf's triangle as `corners(mesh, leaf.triangle[slot])` has it. Most leaves are exact, which spares a
 /// query the way to the mesh: far to go in memory.
-inline Triangle corners(const TriangleMesh& mesh, const Bvh8Leaf& leaf, std::size_t slot) {
+inline Triangle vertices(const TriangleMesh& mesh, const Bvh8Leaf& leaf, std::size_t slot) {
     if (!leaf.exact) {
-        return corners(mesh, leaf.triangle[slot]);
+        return vertices(mesh, leaf.triangle[slot]);
     }
-    const auto corner = [&](std::size_t c) {
+    const auto vertex = [&](std::size_t c) {
         const std::size_t at = leaf.vertex_of[c][slot];
         const auto along = [&](std::size_t k) {
-            return static_cast<double>(leaf.origin[k]) + static_cast<double>(leaf.corner[k][at]);
+            return static_cast<double>(leaf.origin[k]) + static_cast<double>(leaf.vertex[k][at]);
         };
         return Vec3(along(0), along(1), along(2));
     };
-    return {corner(0), corner(1), corner(2)};
+    return {vertex(0), vertex(1), vertex(2)};
 }
 
 /// nodes[0] is the root. Plain data; build_bvh8 makes it.

@@ -28,13 +28,13 @@ public:
         fill_items();
         find_middle();
         spare_.resize(items_.size());
-        corners_.reserve(items_.size());
+        vertices_.reserve(items_.size());
         leaves_.reserve(items_.size() / 8);
         divide(part(items_));
         move_nodes();
         fill_leaves();
         fit_nodes();
-        tree_.outer = sphere_about(middle_, corners_);
+        tree_.outer = sphere_about(middle_, vertices_);
     }
 
 private:
@@ -68,7 +68,7 @@ private:
     void find_middle() {
         Vec3 sum = Vec3::Zero();
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            sum += incentre(corners(mesh_, t));
+            sum += incentre(vertices(mesh_, t));
         }
         middle_ = sum / static_cast<double>(mesh_.triangles.size());
     }
@@ -93,7 +93,7 @@ private:
             return {items, std::nullopt};
         }
         for (const std::uint32_t v : leaf_maker_.vertices()) {
-            corners_.push_back(points_[v]);
+            vertices_.push_back(points_[v]);
         }
         return {items, static_cast<std::uint32_t>(leaves_.size() - 1)};
     }
@@ -158,10 +158,10 @@ private:
         held_by_leaf_.reserve(leaves_.size());
         std::size_t first = 0;
         for (const LeafTriangles& leaf : leaves_) {
-            const std::span corners = std::span<const Lanes>(corners_).subspan(first, leaf.corners);
-            fill_leaf(tree_.leaves.emplace_back(), leaf, corners);
-            held_by_leaf_.push_back(hold(corners, middle_));
-            first += corners.size();
+            const std::span vertices = std::span<const Lanes>(vertices_).subspan(first, leaf.vertices);
+            fill_leaf(tree_.leaves.emplace_back(), leaf, vertices);
+            held_by_leaf_.push_back(hold(vertices, middle_));
+            first += vertices.size();
         }
     }
 
@@ -188,7 +188,7 @@ private:
     std::vector<SplitItem> spare_;
     LeafMaker leaf_maker_;
     std::vector<LeafTriangles> leaves_;
-    std::vector<Lanes> corners_;  ///< of the leaves, one after the other
+    std::vector<Lanes> vertices_;  ///< of the leaves, one after the other
     std::vector<Held> held_by_leaf_;
     Vec3 middle_ = Vec3::Zero();  ///< mean of the incentres, the outer sphere's centre
 };

@@ -26,8 +26,8 @@ std::uint32_t not_finite(const std::array<float, N>& numbers) {
 }
 
 std::uint32_t not_finite(const Bvh8Leaf& leaf) {
-    return not_finite(leaf.origin) | not_finite(leaf.corner[0]) | not_finite(leaf.corner[1]) |
-           not_finite(leaf.corner[2]);
+    return not_finite(leaf.origin) | not_finite(leaf.vertex[0]) | not_finite(leaf.vertex[1]) |
+           not_finite(leaf.vertex[2]);
 }
 
 /// Not 0 if a triangle has a corner that no leaf has.
@@ -35,8 +35,8 @@ std::uint8_t beyond_vertices(const Bvh8Leaf& leaf) {
     static_assert(std::has_single_bit(kLeafVertices));
     std::uint8_t all = 0;
     for (const auto& of_triangle : leaf.vertex_of) {
-        for (const std::uint8_t corner : of_triangle) {
-            all = static_cast<std::uint8_t>(all | corner);
+        for (const std::uint8_t vertex : of_triangle) {
+            all = static_cast<std::uint8_t>(all | vertex);
         }
     }
     return static_cast<std::uint8_t>(all & ~(kLeafVertices - 1));
@@ -47,7 +47,7 @@ bool is_sound(const Bvh8Leaf& leaf, std::size_t mesh_triangles) {
     for (const std::uint32_t triangle : leaf.triangle) {
         last = std::max(last, triangle);
     }
-    return last < mesh_triangles && leaf.corners >= 1 && leaf.corners <= kLeafVertices &&
+    return last < mesh_triangles && leaf.vertices >= 1 && leaf.vertices <= kLeafVertices &&
            leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles &&
            (beyond_vertices(leaf) | not_finite(leaf)) == 0;
 }

@@ -38,8 +38,8 @@ Boxes turned_boxes(std::span<const Held> children, const Lanes& origin, const Ei
     Boxes boxes;
     for (std::size_t c = 0; c < children.size(); ++c) {
         LaneBounds box;
-        for (const Lanes& corner : children[c].corners) {
-            const Lanes d = corner - origin;
+        for (const Lanes& vertex : children[c].vertices) {
+            const Lanes d = vertex - origin;
             box.extend(Lanes(x * d[0] + (y * d[1] + z * d[2])));
         }
         boxes.set(c, box);
@@ -102,34 +102,34 @@ Mat3 PointMoments::covariance() const {
     return made;
 }
 
-Held hold(std::span<const Lanes> corners, const Vec3& origin) {
+Held hold(std::span<const Lanes> vertices, const Vec3& origin) {
     Held held;
-    held.corners = corners;
-    for (const Lanes& corner : corners) {
-        held.bounds.extend(corner);
-        held.moments.add(exact(corner) - origin);
+    held.vertices = vertices;
+    for (const Lanes& vertex : vertices) {
+        held.bounds.extend(vertex);
+        held.moments.add(exact(vertex) - origin);
     }
     return held;
 }
 
 Held hold(std::span<const Held> children) {
     Held all;
-    const Lanes* first = children.front().corners.data();
+    const Lanes* first = children.front().vertices.data();
     std::size_t count = 0;
     for (const Held& child : children) {
-        first = std::min(first, child.corners.data());
-        count += child.corners.size();
+        first = std::min(first, child.vertices.data());
+        count += child.vertices.size();
         all.bounds.extend(child.bounds);
         all.moments.add(child.moments);
     }
-    all.corners = {first, count};
+    all.vertices = {first, count};
     return all;
 }
 
-BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> corners) {
+BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> vertices) {
     double squared = 0.0;
-    for (const Lanes& corner : corners) {
-        squared = std::max(squared, (exact(corner) - center).squaredNorm());
+    for (const Lanes& vertex : vertices) {
+        squared = std::max(squared, (exact(vertex) - center).squaredNorm());
     }
     return sphere_about(center, squared);
 }

@@ -22,19 +22,19 @@ struct PointMoments {
 
 /// What is below a child. Vertices are those of its leaves; what leaves share counts for each of them.
 struct Held {
-    std::span<const Lanes> corners;
+    std::span<const Lanes> vertices;
     LaneBounds bounds;
     PointMoments moments;
 };
 
 /// What a leaf holds, moments about `origin`.
-Held hold(std::span<const Lanes> corners, const Vec3& origin);
+Held hold(std::span<const Lanes> vertices, const Vec3& origin);
 
 /// What children hold together, whose corners lie side by side in memory, in any order.
 Held hold(std::span<const Held> children);
 
 /// The outer sphere of a mesh that has these corners.
-BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> corners);
+BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> vertices);
 
 /// Sets the frame of a `node` that knows its children, and the boxes of its children, which hold `all`
 /// together. The frame is that of the corners' principal axes (paper III.A.2) or the mesh's own, whichever

@@ -21,25 +21,25 @@ bool is_sum(const Lanes& p, const Lanes& a, const Lanes& b) {
 }
 
 /// About the middle of their bounds.
-void set_vertices(Bvh8Leaf& leaf, std::span<const Lanes> corners) {
+void set_vertices(Bvh8Leaf& leaf, std::span<const Lanes> vertices) {
     LaneBounds bounds;
-    for (const Lanes& corner : corners) {
-        bounds.extend(corner);
+    for (const Lanes& vertex : vertices) {
+        bounds.extend(vertex);
     }
     const Lanes origin = bounds.middle();
     double farthest = 0.0;
     leaf.exact = true;
-    for (const Lanes& corner : corners) {
-        const Lanes local = corner - origin;
+    for (const Lanes& vertex : vertices) {
+        const Lanes local = vertex - origin;
         for (std::size_t k = 0; k < 3; ++k) {
-            leaf.corner[k][leaf.corners] = local[static_cast<Eigen::Index>(k)];
+            leaf.vertex[k][leaf.vertices] = local[static_cast<Eigen::Index>(k)];
         }
-        ++leaf.corners;
-        leaf.exact = leaf.exact && is_sum(corner, origin, local);
+        ++leaf.vertices;
+        leaf.exact = leaf.exact && is_sum(vertex, origin, local);
         farthest = std::max(farthest, exact(local).squaredNorm());
     }
-    for (auto& along : leaf.corner) {
-        std::fill(along.begin() + leaf.corners, along.end(), along[leaf.corners - 1U]);
+    for (auto& along : leaf.vertex) {
+        std::fill(along.begin() + leaf.vertices, along.end(), along[leaf.vertices - 1U]);
     }
     leaf.origin = {origin[0], origin[1], origin[2], 0.0F};
     leaf.radius = static_cast<float>(std::sqrt(farthest)) * (1.0F + 8.0F * kFloatUnit) + kUnderflow;
@@ -57,7 +57,7 @@ Vec3 certain_normal(const Triangle& t) {
 }
 
 /// `corner`: any of the triangle's, less the leaf's origin.
-void set_plane(Bvh8Leaf& leaf, std::size_t slot, const Vec3& normal, const Vec3& corner) {
+void set_plane(Bvh8Leaf& leaf, std::size_t slot, const Vec3& normal, const Vec3& vertex) {
     leaf.plane[3][slot] = 0.0F;
     const double length = normal.norm();
     if (length <= 0.0) {
@@ -67,18 +67,18 @@ void set_plane(Bvh8Leaf& leaf, std::size_t slot, const Vec3& normal, const Vec3&
     for (std::size_t k = 0; k < 3; ++k) {
         leaf.plane[k][slot] = unit[static_cast<Eigen::Index>(k)];
     }
-    leaf.plane[3][slot] = static_cast<float>(unit.cast<double>().dot(corner));
+    leaf.plane[3][slot] = static_cast<float>(unit.cast<double>().dot(vertex));
 }
 
 /// Returns the sum of the triangles' normals.
-Vec3 set_planes(Bvh8Leaf& leaf, std::span<const Lanes> corners) {
+Vec3 set_planes(Bvh8Leaf& leaf, std::span<const Lanes> vertices) {
     leaf.plane[3].fill(-1e30F);
     const Vec3 origin = Eigen::Vector3f(leaf.origin[0], leaf.origin[1], leaf.origin[2]).cast<double>();
     Vec3 sum = Vec3::Zero();
     for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
-        const Triangle triangle{exact(corners[leaf.vertex_of[0][slot]]),
-                                exact(corners[leaf.vertex_of[1][slot]]),
-                                exact(corners[leaf.vertex_of[2][slot]])};
+        const Triangle triangle{exact(vertices[leaf.vertex_of[0][slot]]),
+                                exact(vertices[leaf.vertex_of[1][slot]]),
+                                exact(vertices[leaf.vertex_of[2][slot]])};
         const Vec3 normal = certain_normal(triangle);
         set_plane(leaf, slot, normal, triangle.a - origin);
         sum += normal;
@@ -95,9 +95,9 @@ void set_facing(Bvh8Leaf& leaf, const Vec3& sum_of_normals) {
     for (std::size_t k = 0; k < 3; ++k) {
         leaf.facing[k] = facing[static_cast<Eigen::Index>(k)];
     }
-    for (std::size_t c = 0; c < leaf.corners; ++c) {
+    for (std::size_t c = 0; c < leaf.vertices; ++c) {
         const float along =
-            facing[0] * leaf.corner[0][c] + (facing[1] * leaf.corner[1][c] + facing[2] * leaf.corner[2][c]);
+            facing[0] * leaf.vertex[0][c] + (facing[1] * leaf.vertex[1][c] + facing[2] * leaf.vertex[2][c]);
         leaf.low = std::min(leaf.low, along);
         leaf.high = std::max(leaf.high, along);
     }
@@ -129,16 +129,16 @@ bool LeafMaker::make(std::span<const SplitItem> items, LeafTriangles& leaf) {
     }
     count_ = count;
     leaf.triangles = static_cast<std::uint8_t>(items.size());
-    leaf.corners = static_cast<std::uint8_t>(count);
+    leaf.vertices = static_cast<std::uint8_t>(count);
     return count <= kLeafVertices;
 }
 
-void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> corners) {
+void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> vertices) {
     leaf.triangle = triangles.triangle;
     leaf.vertex_of = triangles.vertex_of;
     leaf.triangles = triangles.triangles;
-    set_vertices(leaf, corners);
-    set_facing(leaf, set_planes(leaf, corners));
+    set_vertices(leaf, vertices);
+    set_facing(leaf, set_planes(leaf, vertices));
 }
 
 }  // namespace campuswalk::collision

@@ -17,7 +17,7 @@ struct LeafTriangles {
     std::array<std::uint32_t, kLeafTriangles> triangle{};
     std::array<std::array<std::uint8_t, kLeafTriangles>, 3> vertex_of{};  ///< by corner, then triangle
     std::uint8_t triangles = 0;
-    std::uint8_t corners = 0;
+    std::uint8_t vertices = 0;
 };
 
 /// Puts triangles into leaves. Made once for a mesh and used for one leaf after the other.
@@ -40,6 +40,6 @@ private:
 };
 
 /// Fills a new leaf. `corners`: where its vertices are.
-void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> corners);
+void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> vertices);
 
 }  // namespace campuswalk::collision

@@ -17,12 +17,12 @@ constexpr double kRounding = 8e-15;
 /// Up to four points of a convex body: of which part of it is the origin's nearest point?
 class Simplex {
 public:
-    void add(const Vec3& corner) { corner_[count_++] = corner; }
+    void add(const Vec3& vertex) { vertex_[count_++] = vertex; }
 
     /// The point of their hull that is nearest to the origin. Keeps the corners that span it, so that there
     /// is room for another unless it is the origin itself.
     Vec3 reduce() {
-        Vec3 nearest = corner_[0];
+        Vec3 nearest = vertex_[0];
         unsigned kept = 1;
         for (unsigned chosen = 2; chosen < 1U << count_; ++chosen) {
             const std::optional<Vec3> point = nearest_inside(chosen);
@@ -40,7 +40,7 @@ private:
         std::size_t count = 0;
         for (std::size_t i = 0; i < count_; ++i) {
             if ((chosen >> i & 1U) != 0) {
-                corner_[count++] = corner_[i];
+                vertex_[count++] = vertex_[i];
             }
         }
         count_ = count;
@@ -53,7 +53,7 @@ private:
         std::size_t count = 0;
         for (std::size_t i = 0; i < count_; ++i) {
             if ((chosen >> i & 1U) != 0) {
-                p[count++] = corner_[i];
+                p[count++] = vertex_[i];
             }
         }
         switch (count) {
@@ -98,7 +98,7 @@ private:
         return all_on_one_side ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
     }
 
-    std::array<Vec3, 4> corner_;
+    std::array<Vec3, 4> vertex_;
     std::size_t count_ = 0;
 };
 
@@ -190,13 +190,13 @@ double distance_between(const ConvexSolid& a, const ConvexSolid& b) {
 
 double distance_between(const ConvexSolid& solid, const Triangle& triangle) {
     const Vec3& center = solid.X_world_solid.translation;
-    const std::array<Vec3, 3> corners = {triangle.a - center, triangle.b - center, triangle.c - center};
+    const std::array<Vec3, 3> vertices = {triangle.a - center, triangle.b - center, triangle.c - center};
     const auto farthest = [&](const Vec3& direction) {
         const auto is_nearer = [&](const Vec3& p, const Vec3& q) {
             return p.dot(direction) < q.dot(direction);
         };
-        const Vec3& corner = *std::max_element(corners.begin(), corners.end(), is_nearer);
-        return Vec3(corner - farthest_of(solid, -direction));
+        const Vec3& vertex = *std::max_element(vertices.begin(), vertices.end(), is_nearer);
+        return Vec3(vertex - farthest_of(solid, -direction));
     };
     return gap_to_origin(farthest).less(solid.radius);
 }

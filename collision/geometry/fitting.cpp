@@ -36,7 +36,7 @@ BoundingSphere sphere_about(const Vec3& center, double squared) {
 BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
     Vec3 sum = Vec3::Zero();
     for (const std::uint32_t t : triangles) {
-        sum += incentre(corners(mesh, t));
+        sum += incentre(vertices(mesh, t));
     }
     return sphere_to_farthest(sum / static_cast<double>(triangles.size()), mesh, triangles);
 }

@@ -23,7 +23,7 @@ struct Triangle {
     Eigen::Vector3d c = Eigen::Vector3d::Zero();
 };
 
-inline Triangle corners(const TriangleMesh& mesh, std::size_t i) {
+inline Triangle vertices(const TriangleMesh& mesh, std::size_t i) {
     const auto& t = mesh.triangles[i];
     return {mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
             mesh.positions[t[2]].cast<double>()};

@@ -16,11 +16,11 @@ struct TrianglePair {
 
 /// A corner of b in a's frame, the one rounding between the input and the answer of mesh against mesh: each
 /// row's products are added from left to right, the translation last.
-inline Vec3 b_vertex_in_a(const Pose& X_a_b, const Eigen::Vector3f& corner) {
+inline Vec3 b_vertex_in_a(const Pose& X_a_b, const Eigen::Vector3f& vertex) {
     const Mat3& R = X_a_b.rotation;
-    const double x = corner.x();
-    const double y = corner.y();
-    const double z = corner.z();
+    const double x = vertex.x();
+    const double y = vertex.y();
+    const double z = vertex.z();
     const auto row = [&](int i) {
         return ((R(i, 0) * x + R(i, 1) * y) + R(i, 2) * z) + X_a_b.translation[i];
     };

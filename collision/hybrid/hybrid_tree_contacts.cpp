@@ -146,12 +146,12 @@ private:
         for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
             const std::uint32_t tb = b_.tree.order[j];
             const auto& v = b_.mesh.triangles[tb];
-            const auto corner = [&](std::uint32_t k) { return b_vertex_in_a(X_a_b_, b_.mesh.positions[k]); };
-            const Triangle moved{corner(v[0]), corner(v[1]), corner(v[2])};
+            const auto vertex = [&](std::uint32_t k) { return b_vertex_in_a(X_a_b_, b_.mesh.positions[k]); };
+            const Triangle moved{vertex(v[0]), vertex(v[1]), vertex(v[2])};
             for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
                 const std::uint32_t ta = a_.tree.order[i];
                 ++work_.primitive_tests;
-                if (overlap(corners(a_.mesh, ta), moved) && !found_(TrianglePair{ta, tb})) {
+                if (overlap(vertices(a_.mesh, ta), moved) && !found_(TrianglePair{ta, tb})) {
                     return false;
                 }
             }

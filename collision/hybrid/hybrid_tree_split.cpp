@@ -16,8 +16,8 @@ constexpr std::size_t kSlices = 16;
 /// A triangle's bounds along the axes of the box.
 Aabb bounds_along(const OrientedBox& box, const Triangle& t) {
     Aabb bounds;
-    for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
-        bounds.extend(box.axes.transpose() * (*corner - box.center));
+    for (const Vec3* vertex : {&t.a, &t.b, &t.c}) {
+        bounds.extend(box.axes.transpose() * (*vertex - box.center));
     }
     return bounds;
 }
@@ -79,7 +79,7 @@ Cut cheapest_cut(const TriangleMesh& mesh, std::span<const std::uint32_t> triang
     Slice all;
     std::array<Slices, 3> slices;
     for (const std::uint32_t t : triangles) {
-        const Slice one{bounds_along(box, corners(mesh, t)), 1};
+        const Slice one{bounds_along(box, vertices(mesh, t)), 1};
         all.add(one);
         for (int axis = 0; axis < 3; ++axis) {
             slices[static_cast<std::size_t>(axis)][slice_of(box, one.bounds, axis)].add(one);
@@ -97,7 +97,7 @@ std::size_t halve(const TriangleMesh& mesh, std::span<std::uint32_t> triangles, 
     int longest = 0;
     box.half_extents.maxCoeff(&longest);
     const auto at = [&](std::uint32_t t) {
-        const Aabb bounds = bounds_along(box, corners(mesh, t));
+        const Aabb bounds = bounds_along(box, vertices(mesh, t));
         return bounds.min[longest] + bounds.max[longest];
     };
     const std::size_t half = triangles.size() / 2;
@@ -118,7 +118,7 @@ std::size_t split(const TriangleMesh& mesh, std::span<std::uint32_t> triangles, 
         return halve(mesh, triangles, box);
     }
     const auto middle = std::stable_partition(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
-        return slice_of(box, bounds_along(box, corners(mesh, t)), cut.axis) < cut.slice;
+        return slice_of(box, bounds_along(box, vertices(mesh, t)), cut.axis) < cut.slice;
     });
     return static_cast<std::size_t>(middle - triangles.begin());
 }

@@ -146,7 +146,7 @@ ClosedParts::ClosedParts(const TriangleMesh& mesh) {
     WeldedMesh welded(mesh);
     std::vector<double> volume(mesh.positions.size());  // by part, six times, signed
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle t = corners(mesh, i);
+        const Triangle t = vertices(mesh, i);
         volume[welded.part_of(i)] += t.a.dot(t.b.cross(t.c));
     }
     const std::vector<bool> open = welded.open_parts();
@@ -157,7 +157,7 @@ ClosedParts::ClosedParts(const TriangleMesh& mesh) {
         if (!open[part] && volume[part] > 0.0) {
             some = true;
             members[i / kBits] |= std::uint64_t{1} << i % kBits;
-            const Triangle t = corners(mesh, i);
+            const Triangle t = vertices(mesh, i);
             bounds_.extend(t.a);
             bounds_.extend(t.b);
             bounds_.extend(t.c);

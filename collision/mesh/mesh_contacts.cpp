@@ -34,10 +34,10 @@ bool spheres_overlap(const BoundingSphere& a, const BoundingSphere& b, const Pos
     return (center - a.center).stableNorm() <= reach;
 }
 
-void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Wanted wanted,
+void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, SearchMode wanted,
                           std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     HybridContactStatistics work;
-    if (wanted == Wanted::all) {
+    if (wanted == SearchMode::all) {
         all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
     } else if (const auto pair = first_contact(a, b, X_a_b, NodeTest::hybrid, work)) {
         out.push_back(*pair);
@@ -45,7 +45,7 @@ void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& 
     add_to(statistics, work);
 }
 
-void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, Wanted wanted,
+void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, SearchMode wanted,
                    SimdTarget simd_target, std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     out.clear();
     if (a.layout() != b.layout()) {
@@ -70,13 +70,13 @@ void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a
 
 void all_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                   std::vector<TrianglePair>& out, QueryStatistics* statistics, SimdTarget simd_target) {
-    find_contacts(a, b, X_a_b, Wanted::all, simd_target, out, statistics);
+    find_contacts(a, b, X_a_b, SearchMode::all, simd_target, out, statistics);
 }
 
 std::optional<TrianglePair> first_contact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b,
                                           QueryStatistics* statistics, SimdTarget simd_target) {
     thread_local std::vector<TrianglePair> found;
-    find_contacts(a, b, X_a_b, Wanted::first, simd_target, found, statistics);
+    find_contacts(a, b, X_a_b, SearchMode::first, simd_target, found, statistics);
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 

@@ -33,7 +33,7 @@ void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QuerySta
     const PathVolume path(ray);
     if (mesh.layout() == Layout::paper || !fits_bvh8_rays(ray)) {
         const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
-            return meet(t, corners(mesh.mesh(), t), limit);
+            return meet(t, vertices(mesh.mesh(), t), limit);
         };
         descend(mesh, path, 1.0, meet_of_mesh, statistics);
         return;
@@ -52,11 +52,11 @@ public:
     VisitAll(const TriangleMesh& mesh, TriangleVisitor visit) : mesh_(mesh), visit_(visit) {}
 
     double operator()(std::uint32_t triangle, double limit) const {
-        visit_(triangle, corners(mesh_, triangle));
+        visit_(triangle, vertices(mesh_, triangle));
         return limit;
     }
     double operator()(const Bvh8Leaf& leaf, std::size_t slot, double limit) const {
-        visit_(leaf.triangle[slot], corners(mesh_, leaf, slot));
+        visit_(leaf.triangle[slot], vertices(mesh_, leaf, slot));
         return limit;
     }
 
@@ -71,7 +71,7 @@ void triangles_near(const MeshCollider& mesh, const Segment& segment, double rad
                     std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
     const auto meet = [&](std::uint32_t t, double limit) {
-        if (closest(segment, corners(mesh.mesh(), t)).distance <= radius) {
+        if (closest(segment, vertices(mesh.mesh(), t)).distance <= radius) {
             out.push_back(t);
         }
         return limit;
@@ -84,7 +84,7 @@ void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_me
                       std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
     const auto meet = [&](std::uint32_t t, double limit) {
-        const Triangle c = corners(mesh.mesh(), t);
+        const Triangle c = vertices(mesh.mesh(), t);
         const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
                              X_mesh_box.inverse_apply(c.c)};
         if (overlap(local, box)) {
@@ -158,7 +158,7 @@ MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryStatis
     MeshPoint best;
     best.distance = std::numeric_limits<double>::infinity();
     const auto meet = [&](std::uint32_t t, double) {
-        const Closest c = closest(Segment{point, point}, corners(mesh.mesh(), t));
+        const Closest c = closest(Segment{point, point}, vertices(mesh.mesh(), t));
         if (c.distance < best.distance || (c.distance == best.distance && t < best.triangle)) {
             best = {c.on_shape, c.distance, t};
         }
@@ -172,7 +172,7 @@ std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, d
                              const Vec3& move, QueryStatistics* statistics) {
     std::optional<MeshHit> best;
     const auto meet = [&](std::uint32_t t, double limit) {
-        const Triangle triangle = corners(mesh.mesh(), t);
+        const Triangle triangle = vertices(mesh.mesh(), t);
         const auto f = first_touch(segment, radius, move,
                                    [&](const Segment& moved) { return closest(moved, triangle); });
         return f ? offer(best, {*f, t}) : limit;

@@ -81,11 +81,11 @@ class TriangleVisitor {
 public:
     template <typename Visit>
     TriangleVisitor(const Visit& visit)
-        : visit_(&visit), call_([](const void* to, std::uint32_t index, const Triangle& corners) {
-              (*static_cast<const Visit*>(to))(index, corners);
+        : visit_(&visit), call_([](const void* to, std::uint32_t index, const Triangle& vertices) {
+              (*static_cast<const Visit*>(to))(index, vertices);
           }) {}
 
-    void operator()(std::uint32_t index, const Triangle& corners) const { call_(visit_, index, corners); }
+    void operator()(std::uint32_t index, const Triangle& vertices) const { call_(visit_, index, vertices); }
 
 private:
     const void* visit_;

@@ -43,10 +43,10 @@ LayeredBody::LayeredBody(const Segment& segment, double radius) {
 LayeredBody::LayeredBody(const Box& box, const Pose& X_mesh_box) {
     inner_.center = X_mesh_box.translation;
     inner_.axes = X_mesh_box.rotation;
-    const double corner = box.half_extents.norm();
-    const double outward = kOutward * (inner_.center.norm() + corner);
+    const double vertex = box.half_extents.norm();
+    const double outward = kOutward * (inner_.center.norm() + vertex);
     inner_.half_extents = box.half_extents.array() + outward;
-    inner_.radius = corner + 2.0 * outward;
+    inner_.radius = vertex + 2.0 * outward;
     outer_ = {inner_.center, inner_.radius};
 }
 

@@ -177,7 +177,7 @@ bool ContactCache::holds(ObjectId id, std::uint32_t triangle) const {
 /// A box is its twelve triangles: whoever is outside can't get in.
 void ContactCache::gather_box(ObjectId id, const Box& box) {
     const Pose& X = world_->object(id).X_world_shape;
-    const auto corner = [&](unsigned i) {
+    const auto vertex = [&](unsigned i) {
         const Vec3 side((i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1);
         return Vec3(X * side.cwiseProduct(box.half_extents));
     };
@@ -185,7 +185,7 @@ void ContactCache::gather_box(ObjectId id, const Box& box) {
         {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
     const auto add_face = [&](std::uint32_t index, unsigned a, unsigned b, unsigned c) {
         if (!holds(id, index)) {
-            add_triangle(id, index, {corner(a), corner(b), corner(c)});
+            add_triangle(id, index, {vertex(a), vertex(b), vertex(c)});
         }
     };
     std::uint32_t index = 0;
@@ -195,16 +195,16 @@ void ContactCache::gather_box(ObjectId id, const Box& box) {
     }
 }
 
-void ContactCache::add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners) {
-    const Aabb box = bounds_of(corners);
+void ContactCache::add_triangle(ObjectId id, std::uint32_t index, const Triangle& vertices) {
+    const Aabb box = bounds_of(vertices);
     if (!box.overlaps(covered_)) {
         return;
     }
     Obstacle o;
     o.object = id;
     o.triangle = index;
-    o.corners = corners;
-    const Vec3 n = (corners.b - corners.a).cross(corners.c - corners.a);
+    o.vertices = vertices;
+    const Vec3 n = (vertices.b - vertices.a).cross(vertices.c - vertices.a);
     const double length = n.norm();
     o.normal = length > 0.0 ? Vec3(n / length) : Vec3::Zero();
     o.top = box.max.y();

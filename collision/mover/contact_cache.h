@@ -99,7 +99,7 @@ private:
     void name_pieces();
     bool holds(ObjectId id, std::uint32_t triangle) const;
     void add(const Obstacle& obstacle, const Aabb& box);
-    void add_triangle(ObjectId id, std::uint32_t index, const Triangle& corners);
+    void add_triangle(ObjectId id, std::uint32_t index, const Triangle& vertices);
     void restart_bounds();
     void reserve_for(std::size_t count);
     void bound_by_box(Index i);

@@ -33,7 +33,7 @@ std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double
     }
     const Obstacle& o = piece.obstacle;
     if (o.solid == nullptr) {
-        return sphere_rest(o.corners, o.normal, x, z, reach);
+        return sphere_rest(o.vertices, o.normal, x, z, reach);
     }
     const Segment ball{{x, highest, z}, {x, highest, z}};
     const Vec3 drop(0, lowest - highest, 0);

@@ -10,12 +10,12 @@ namespace {
 /// The nearest allowed of the moves offered; of two as near, the lower in x, then in z.
 class Nearest {
 public:
-    Nearest(const Vec3& wish, std::span<const HalfPlane> planes)
-        : wish_(wish), planes_(planes), distance_(wish.squaredNorm()) {}
+    Nearest(const Vec3& desired, std::span<const HalfPlane> planes)
+        : desired_(desired), planes_(planes), distance_(desired.squaredNorm()) {}
 
     void offer(double x, double z) {
         const Vec3 move(x, 0, z);
-        const double distance = (wish_ - move).squaredNorm();
+        const double distance = (desired_ - move).squaredNorm();
         const bool ahead = x != best_.x() ? x < best_.x() : z < best_.z();
         if (distance > distance_ || (distance == distance_ && !ahead)) {
             return;
@@ -28,7 +28,7 @@ public:
     const Vec3& best() const { return best_; }
 
 private:
-    const Vec3& wish_;
+    const Vec3& desired_;
     std::span<const HalfPlane> planes_;
     Vec3 best_ = Vec3::Zero();
     double distance_;
@@ -37,15 +37,15 @@ private:
 }  // namespace
 
 /// The wish itself, or a point on one line, or where two lines meet.
-Vec3 nearest_allowed(const Vec3& wish, std::span<const HalfPlane> planes) {
-    if (std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) { return p.allows(wish); })) {
-        return wish;
+Vec3 nearest_allowed(const Vec3& desired, std::span<const HalfPlane> planes) {
+    if (std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) { return p.allows(desired); })) {
+        return desired;
     }
-    Nearest nearest(wish, planes);
+    Nearest nearest(desired, planes);
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const HalfPlane& p = planes[i];
-        const double short_of = -p.room - (p.x * wish.x() + p.z * wish.z());
-        nearest.offer(wish.x() + short_of * p.x, wish.z() + short_of * p.z);
+        const double short_of = -p.room - (p.x * desired.x() + p.z * desired.z());
+        nearest.offer(desired.x() + short_of * p.x, desired.z() + short_of * p.z);
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
             const HalfPlane& q = planes[j];
             const double determinant = p.x * q.z - p.z * q.x;

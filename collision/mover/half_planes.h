@@ -17,6 +17,6 @@ struct HalfPlane {
 
 /// The horizontal move nearest to `wish` (y = 0) that all half-planes allow, whatever their order. Standing
 /// still always is one.
-Vec3 nearest_allowed(const Vec3& wish, std::span<const HalfPlane> planes);
+Vec3 nearest_allowed(const Vec3& desired, std::span<const HalfPlane> planes);
 
 }  // namespace campuswalk::collision

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "collision/mover/ball_rest.h"
 #include "collision/mover/contact_cache.h"
 #include "collision/mover/half_planes.h"
 #include "collision/mover/mover_settings.h"
+#include "collision/mover/sphere_rest.h"
 
 namespace campuswalk::collision {
 

@@ -56,7 +56,7 @@ Closest to_edges(const Segment& upright, const Triangle& t) {
 }  // namespace
 
 Closest closest_upright(const Segment& upright, const Obstacle& obstacle) {
-    const Triangle& t = obstacle.corners;
+    const Triangle& t = obstacle.vertices;
     const Vec3& n = obstacle.normal;
     if (obstacle.solid != nullptr || n == Vec3::Zero()) {
         return closest(upright, obstacle);

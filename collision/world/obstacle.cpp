@@ -22,15 +22,15 @@ void append_triangles(const World& world, ObjectId id, const MeshCollider& mesh,
     thread_local std::vector<std::uint32_t> near;
     triangles_near(mesh, local, radius, near, statistics);
     for (const std::uint32_t t : near) {
-        const Triangle c = corners(mesh.mesh(), t);
+        const Triangle c = vertices(mesh.mesh(), t);
         Obstacle o;
         o.object = id;
         o.triangle = t;
-        o.corners = {X * c.a, X * c.b, X * c.c};
-        const Vec3 n = (o.corners.b - o.corners.a).cross(o.corners.c - o.corners.a);
+        o.vertices = {X * c.a, X * c.b, X * c.c};
+        const Vec3 n = (o.vertices.b - o.vertices.a).cross(o.vertices.c - o.vertices.a);
         const double length = n.norm();
         o.normal = length > 0.0 ? Vec3(n / length) : Vec3::Zero();
-        o.top = std::max({o.corners.a.y(), o.corners.b.y(), o.corners.c.y()});
+        o.top = std::max({o.vertices.a.y(), o.vertices.b.y(), o.vertices.c.y()});
         out.push_back(o);
     }
 }
@@ -116,7 +116,7 @@ void gather_pieces(const World& world, ObjectId id, const Segment& segment, doub
 
 Closest closest(const Segment& segment, const Obstacle& obstacle) {
     if (obstacle.solid == nullptr) {
-        return closest(segment, obstacle.corners);
+        return closest(segment, obstacle.vertices);
     }
     const Object& object = *obstacle.solid;
     return std::visit([&](const auto& shape) { return closest(segment, shape, object.X_world_shape); },

@@ -16,7 +16,7 @@ struct Obstacle {
     ObjectId object{};
     std::uint32_t triangle = 0;     ///< index in the object's mesh; 0 for a solid
     const Object* solid = nullptr;  ///< set for a convex solid
-    Triangle corners;               ///< for a triangle
+    Triangle vertices;              ///< for a triangle
     Vec3 normal = Vec3::Zero();     ///< for a triangle: unit face normal, zero if it has no area
     double top = 0.0;               ///< greatest y
 };

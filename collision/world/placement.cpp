@@ -220,21 +220,21 @@ std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, co
     return std::nullopt;
 }
 
-std::optional<Standing> standing_place(const World& world, const QueryFilter& filter, const Vec3& foot,
-                                       double radius, double height, double search,
-                                       QueryStatistics* statistics) {
+std::optional<FreePlacement> nearest_free_placement(const World& world, const QueryFilter& filter,
+                                                    const Vec3& foot, double radius, double height,
+                                                    double search, QueryStatistics* statistics) {
     if (const auto here = free_place(world, filter, foot, radius, height, kLift, statistics)) {
-        return Standing{*here, std::nullopt};
+        return FreePlacement{*here, std::nullopt};
     }
     const auto in_the_way = obstruction(world, filter, foot, radius, height, statistics);
     if (const Push push(world, filter, foot, radius, height, statistics); push.shallow()) {
         if (const auto beside = push.nearest()) {
-            return Standing{*beside, in_the_way};
+            return FreePlacement{*beside, in_the_way};
         }
         return std::nullopt;
     }
     if (const auto above = free_place(world, filter, foot, radius, height, search, statistics)) {
-        return Standing{*above, in_the_way};
+        return FreePlacement{*above, in_the_way};
     }
     return std::nullopt;
 }

@@ -21,7 +21,7 @@ std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, co
                                double height, double search, QueryStatistics* statistics = nullptr);
 
 /// Where a body stands that was to be put down at a place.
-struct Standing {
+struct FreePlacement {
     Vec3 foot = Vec3::Zero();
     std::optional<ObjectId> pushed_out_of;  ///< none when the place was free, but for the rounding of numbers
 };
@@ -31,8 +31,8 @@ struct Standing {
 /// the offsets on rings 2 cm and heights 5 cm apart in 64 directions, drawn in to 1 mm from what was
 /// overlapped. If it overlaps by more, the lowest free place up to `search` above, as of someone put into a
 /// table who then stands on it. Otherwise none.
-std::optional<Standing> standing_place(const World& world, const QueryFilter& filter, const Vec3& foot,
-                                       double radius, double height, double search,
-                                       QueryStatistics* statistics = nullptr);
+std::optional<FreePlacement> nearest_free_placement(const World& world, const QueryFilter& filter,
+                                                    const Vec3& foot, double radius, double height,
+                                                    double search, QueryStatistics* statistics = nullptr);
 
 }  // namespace campuswalk::collision

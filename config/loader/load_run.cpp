@@ -139,7 +139,7 @@ public:
             read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, names);
         }
         if (overrides_.spawn) {
-            names.standing(node_of(overrides_.spawn, "'spawn'"));
+            names.placement(node_of(overrides_.spawn, "'spawn'"));
         }
     }
 
@@ -221,8 +221,8 @@ private:
             return;
         }
         const CheckedNode node = node_of(overrides_.spawn, "'spawn'");
-        Standing standing = names.standing(node);
-        *spawn = {node.mark(), std::move(standing.label), standing.position, standing.yaw.value_or(0.0)};
+        Placement placement = names.placement(node);
+        *spawn = {node.mark(), std::move(placement.label), placement.position, placement.yaw.value_or(0.0)};
     }
 
     fs::path walk_file_;  ///< empty without a walk

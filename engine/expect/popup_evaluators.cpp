@@ -78,15 +78,14 @@ VisitsEvaluator::VisitsEvaluator(const ExpectVisits& expected, const scene::Camp
             return scene::glob_matches(pattern.glob, buildings[i].id);
         });
         if (meant && has_popup(campus, i)) {
-            wanted_.push_back(buildings[i].id);
+            mode_.push_back(buildings[i].id);
         }
     }
 }
 
 void VisitsEvaluator::see(const TickRecord& record, const StateSnapshot& /*now*/) {
     for (const Event& event : record.events) {
-        if (event.kind == EventKind::popup_open &&
-            std::ranges::find(wanted_, event.object) != wanted_.end()) {
+        if (event.kind == EventKind::popup_open && std::ranges::find(mode_, event.object) != mode_.end()) {
             visited_.insert(event.object);
         }
     }
@@ -95,16 +94,16 @@ void VisitsEvaluator::see(const TickRecord& record, const StateSnapshot& /*now*/
 Finding VisitsEvaluator::finding(bool /*ended*/) const {
     constexpr double kRounding = 1e-9;
     constexpr std::size_t kMostListed = 8;
-    const auto needed = static_cast<std::size_t>(
-        std::ceil(expected_->ratio * static_cast<double>(wanted_.size()) - kRounding));
-    std::string message = std::to_string(visited_.size()) + " of " + std::to_string(wanted_.size()) +
-                          (wanted_.size() == 1 ? " building was visited" : " buildings were visited");
+    const auto needed =
+        static_cast<std::size_t>(std::ceil(expected_->ratio * static_cast<double>(mode_.size()) - kRounding));
+    std::string message = std::to_string(visited_.size()) + " of " + std::to_string(mode_.size()) +
+                          (mode_.size() == 1 ? " building was visited" : " buildings were visited");
     if (visited_.size() >= needed) {
         return {true, expected_->mark, message, std::nullopt};
     }
     message += ", expected " + std::to_string(needed) + "; not visited: ";
     std::size_t listed = 0;
-    for (const std::string& building : wanted_) {
+    for (const std::string& building : mode_) {
         if (!visited_.contains(building) && ++listed <= kMostListed) {
             message += (listed == 1 ? "" : ", ") + building;
         }

@@ -34,8 +34,8 @@ public:
 
 private:
     const ExpectVisits* expected_;
-    std::vector<std::string> wanted_;  ///< in the campus' order
-    std::set<std::string> visited_;    ///< of those
+    std::vector<std::string> mode_;  ///< in the campus' order
+    std::set<std::string> visited_;  ///< of those
 };
 
 inline PopupEvaluator evaluator_of(const ExpectPopup& expected, const EvaluatorContext&) {

@@ -84,8 +84,8 @@ Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
     Adjustment adjustment;
     mover_.forget();
     if (const auto solid = obstruction(height(), statistics)) {
-        if (collision::standing_place(campus_.world, solids_, foot(), profile_.radius, height(),
-                                      kPlacementSearch, &statistics)) {
+        if (collision::nearest_free_placement(campus_.world, solids_, foot(), profile_.radius, height(),
+                                              kPlacementSearch, &statistics)) {
             adjustment.push = put_down(foot(), statistics);
         } else {
             adjustment.enclosed_by = solid;
@@ -109,15 +109,15 @@ void Body::adjust_to_disabled(QueryStatistics& statistics) {
 /// At a place, or beside what is in the way there.
 std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statistics) {
     // check_walk has refused places that can't be made free.
-    const collision::Standing standing =
-        collision::standing_place(campus_.world, solids_, foot, profile_.radius, height(), kPlacementSearch,
-                                  &statistics)
-            .value_or(collision::Standing{foot, std::nullopt});
+    const collision::FreePlacement placement =
+        collision::nearest_free_placement(campus_.world, solids_, foot, profile_.radius, height(),
+                                          kPlacementSearch, &statistics)
+            .value_or(collision::FreePlacement{foot, std::nullopt});
     std::optional<Push> push;
-    if (standing.pushed_out_of) {
-        push = Push{foot, (standing.foot - foot).norm(), *standing.pushed_out_of};
+    if (placement.pushed_out_of) {
+        push = Push{foot, (placement.foot - foot).norm(), *placement.pushed_out_of};
     }
-    mover_.place(mover_state_, standing.foot, 2.0 * kPlacementSearch, &statistics);
+    mover_.place(mover_state_, placement.foot, 2.0 * kPlacementSearch, &statistics);
     rest(statistics);
     return push;
 }

@@ -15,8 +15,8 @@
 
 namespace campuswalk::engine {
 
-/// How far above a written-down place the avatar looks for a free one, metres (see standing_place). Ground is
-/// looked for twice as far below what it found, so at least as far below what was written.
+/// How far above a written-down place the avatar looks for a free one, metres (see nearest_free_placement).
+/// Ground is looked for twice as far below what it found, so at least as far below what was written.
 constexpr double kPlacementSearch = 0.5;
 
 /// Out of what the avatar was pushed where it was put down.

@@ -48,8 +48,8 @@ private:
     /// Complains about a place where the avatar can't stand.
     void check_place(const SourceMark& mark, const std::string& label, const Vector3d& foot,
                      std::vector<Diagnostic>& diagnostics) {
-        if (collision::standing_place(campus_.world, solids_, foot, avatar_.radius, height_,
-                                      kPlacementSearch)) {
+        if (collision::nearest_free_placement(campus_.world, solids_, foot, avatar_.radius, height_,
+                                              kPlacementSearch)) {
             return;
         }
         const auto object = collision::obstruction(campus_.world, solids_, foot, avatar_.radius, height_);

@@ -50,18 +50,18 @@ void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const Keeps&
     WeldTable<3> welded(geometry.positions.size());
     auto& positions = baked.mesh.positions;
     for (const auto& triangle : geometry.triangles) {
-        std::array<Eigen::Vector3f, 3> corners;
+        std::array<Eigen::Vector3f, 3> vertices;
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = (geometry.positions[triangle[k]] - baked.p_world_origin).cast<float>();
+            vertices[k] = (geometry.positions[triangle[k]] - baked.p_world_origin).cast<float>();
         }
-        if (!keeps(corners)) {
+        if (!keeps(vertices)) {
             continue;
         }
         std::array<std::uint32_t, 3> numbers{};
         for (std::size_t k = 0; k < 3; ++k) {
-            numbers[k] = welded.number_of(bits_of(corners[k]));
+            numbers[k] = welded.number_of(bits_of(vertices[k]));
             if (numbers[k] == positions.size()) {
-                positions.push_back(corners[k]);
+                positions.push_back(vertices[k]);
             }
         }
         baked.mesh.triangles.push_back(numbers);
@@ -77,9 +77,9 @@ BakedMesh bake_mesh(const WorldGeometry& geometry) {
         return baked;
     }
     baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
-    add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& corners) {
-        const bool thick = thickness(corners[0].cast<double>(), corners[1].cast<double>(),
-                                     corners[2].cast<double>()) >= kThinnest;
+    add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& vertices) {
+        const bool thick = thickness(vertices[0].cast<double>(), vertices[1].cast<double>(),
+                                     vertices[2].cast<double>()) >= kThinnest;
         baked.zero_area += thick ? 0U : 1U;
         return thick;
     });

@@ -45,7 +45,7 @@ WalkableGround::WalkableGround(const std::shared_ptr<const MeshCollider>& mesh, 
     const Vec3 half = Vec3::Constant(0.5 * kMaxExtent);
     const Vec3 low = bounds.min.cwiseMax(center - half);
     const Vec3 high = bounds.max.cwiseMin(center + half);
-    corner_ = Vec3(low.x(), 0.0, low.z()) + Vec3(0.5 * kCell, 0.0, 0.5 * kCell);
+    origin_ = Vec3(low.x(), 0.0, low.z()) + Vec3(0.5 * kCell, 0.0, 0.5 * kCell);
     width_ = std::max<std::int64_t>(static_cast<std::int64_t>((high.x() - low.x()) / kCell), 0);
     depth_ = std::max<std::int64_t>(static_cast<std::int64_t>((high.z() - low.z()) / kCell), 0);
     columns_.resize(static_cast<std::size_t>(width_ * depth_));
@@ -66,7 +66,7 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
         const auto number = static_cast<std::int64_t>(c);
         const std::int64_t row = number / width_;
         const std::int64_t column = number % width_;
-        Vec3 from = corner_ + kCell * Vec3(static_cast<double>(column), 0.0, static_cast<double>(row));
+        Vec3 from = origin_ + kCell * Vec3(static_cast<double>(column), 0.0, static_cast<double>(row));
         from.y() = top;
         Vec3 to = from;
         to.y() = bottom;
@@ -74,7 +74,7 @@ void WalkableGround::find_floors(const MeshCollider& mesh, const Vec3& p_world_o
         double above = std::numeric_limits<double>::infinity();
         for (const collision::MeshHit& hit : hits) {  // from the top down
             const Vec3 foot = from + hit.fraction * (to - from);
-            const collision::Triangle t = corners(mesh.mesh(), hit.triangle);
+            const collision::Triangle t = vertices(mesh.mesh(), hit.triangle);
             const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
             const bool flat = std::abs(normal.y()) >= kSteepest * normal.norm();
             if (flat && above - foot.y() >= kHeadroom) {
@@ -241,8 +241,8 @@ bool WalkableGround::is_straight(const Vec3& from, const Vec3& to) const {
     double y = from.y();
     for (int i = 1; i <= steps; ++i) {
         const Vec3 p = from + (to - from) * (static_cast<double>(i) / steps);
-        const Column& column = column_at(std::llround((p.x() - corner_.x()) / kCell),
-                                         std::llround((p.z() - corner_.z()) / kCell));
+        const Column& column = column_at(std::llround((p.x() - origin_.x()) / kCell),
+                                         std::llround((p.z() - origin_.z()) / kCell));
         const auto on = std::find_if(column.spots.begin(), column.spots.end(), [&](std::uint32_t s) {
             return std::abs(spots_[s].foot.y() - y) <= kStep && (spots_[s].edge_distance > 0 || i == steps);
         });

@@ -69,7 +69,7 @@ private:
     }
 
     collision::World world_;
-    collision::Vec3 corner_ = collision::Vec3::Zero();
+    collision::Vec3 origin_ = collision::Vec3::Zero();
     std::int64_t width_ = 0;
     std::int64_t depth_ = 0;
     std::vector<Column> columns_;

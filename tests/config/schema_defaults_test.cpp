@@ -119,7 +119,7 @@ std::multimap<std::string, json> expectation_defaults() {
             {definitions + "min_tile_ssim", tolerance.min_tile_ssim}};
 }
 
-/// An image without a light is one by day: tests/tools/pictures_test.py.
+/// An image without a light is one by day: tests/tools/images_test.py.
 std::multimap<std::string, json> light_defaults() {
     const engine::LightSettings day = load_light(kSchemas / ".." / "lights" / "day.light.yaml");
     const bool smooth = day.anti_aliasing == engine::AntiAliasing::msaa;

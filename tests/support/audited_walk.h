@@ -9,8 +9,8 @@
 namespace campuswalk::support {
 
 /// One tick of a body: a mover to test, right or wrong.
-using MoveBody = std::function<void(collision::MoverState& state, const collision::Vec3& wish, double seconds,
-                                    collision::MoveTrace& trace)>;
+using MoveBody = std::function<void(collision::MoverState& state, const collision::Vec3& desired,
+                                    double seconds, collision::MoveTrace& trace)>;
 
 struct WalkSettings {
     collision::Vec3 start = collision::Vec3::Zero();  ///< a free place

@@ -25,7 +25,7 @@ std::vector<TrianglePair> loop_contacts(const TriangleMesh& a, const TriangleMes
     }
     std::vector<TrianglePair> pairs;
     for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
-        const Triangle first = corners(a, i);
+        const Triangle first = vertices(a, i);
         for (std::uint32_t j = 0; j < moved.size(); ++j) {
             if (overlap(first, moved[j])) {
                 pairs.push_back({i, j});
@@ -36,16 +36,16 @@ std::vector<TrianglePair> loop_contacts(const TriangleMesh& a, const TriangleMes
 }
 
 TriangleMesh lattice_soup(Dice& dice, int triangles, const Vec3& at) {
-    const auto corner = [&] {
+    const auto vertex = [&] {
         const double x = dice.below(7);
         const double y = dice.below(7);
         return Vec3(at + Vec3(x, y, dice.below(7)));
     };
     TriangleMesh mesh;
     for (int i = 0; i < triangles; ++i) {
-        const Vec3 p = corner();
-        const Vec3 q = corner();
-        add_triangle(mesh, p, q, dice.chance(0.1) ? q : corner());
+        const Vec3 p = vertex();
+        const Vec3 q = vertex();
+        add_triangle(mesh, p, q, dice.chance(0.1) ? q : vertex());
     }
     return mesh;
 }

@@ -76,11 +76,11 @@ PenetrationOracle::PenetrationOracle(const collision::World& world, const collis
 void PenetrationOracle::add_mesh(std::size_t object, const collision::Object& placed) {
     const collision::TriangleMesh& mesh = std::get<MeshPtr>(placed.shape)->mesh();
     const auto& X = placed.X_world_shape;
-    const auto corner = [&](std::uint32_t v) {
+    const auto vertex = [&](std::uint32_t v) {
         return Point(X.rotation * mesh.positions[v].cast<double>() + X.translation);
     };
     for (const auto& t : mesh.triangles) {
-        grid_.add(object, {corner(t[0]), corner(t[1]), corner(t[2])});
+        grid_.add(object, {vertex(t[0]), vertex(t[1]), vertex(t[2])});
     }
 }
 
@@ -89,7 +89,7 @@ Penetration PenetrationOracle::worst_penetration(const Point& foot, double radiu
     const Point grown = Point::Constant(radius + kClear);
     Penetration worst{-kClear, std::nullopt};
     grid_.visit_near(axis.from - grown, axis.to + grown, [&](const TriangleGrid::Entry& e) {
-        deepen(worst, e.object, radius - distance(axis, e.corners));
+        deepen(worst, e.object, radius - distance(axis, e.vertices));
     });
     for (const Solid& solid : solids_) {
         const double clear = solid.reach + radius + kClear;
@@ -105,7 +105,7 @@ Penetration PenetrationOracle::worst_penetration_without_grid(const Point& foot,
     const Line axis = axis_of(foot, radius, height);
     Penetration worst{-kClear, std::nullopt};
     for (const TriangleGrid::Entry& e : grid_.entries()) {
-        deepen(worst, e.object, radius - distance(axis, e.corners));
+        deepen(worst, e.object, radius - distance(axis, e.vertices));
     }
     for (const Solid& solid : solids_) {
         deepen(worst, solid.object, radius - signed_distance(*solid.shape, axis));
@@ -122,7 +122,7 @@ std::optional<std::size_t> PenetrationOracle::crossed(const Point& from, const P
 
     grid_.visit_near(start.from.cwiseMin(end.from), start.to.cwiseMax(end.to),
                      [&](const TriangleGrid::Entry& e) {
-                         if (sweeps_through(start, end, e.corners)) {
+                         if (sweeps_through(start, end, e.vertices)) {
                              report(e.object);
                          }
                      });

@@ -170,8 +170,8 @@ protected:
 
     MoveBody real_mover(const MoverSettings& settings) const {
         auto mover = std::make_shared<CapsuleMover>(*village_, settings, collision::QueryFilter{});
-        return [mover](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-            mover->move(state, wish, seconds, trace);
+        return [mover](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+            mover->move(state, desired, seconds, trace);
         };
     }
 
@@ -196,9 +196,9 @@ TEST_F(MoverUnderAudit, ARadiusFiveCentimetresShortIsFound) {
 }
 
 TEST_F(MoverUnderAudit, GoingStraightWithoutLookingIsFound) {
-    const WalkAudit audit = walks([](MoverState& state, const Vec3& wish, double, MoveTrace& trace) {
+    const WalkAudit audit = walks([](MoverState& state, const Vec3& desired, double, MoveTrace& trace) {
         trace.path.assign(1, state.foot);
-        state.foot += wish;
+        state.foot += desired;
         trace.path.push_back(state.foot);
     });
     EXPECT_GT(audit.ticks_inside, kSanitized ? 2 : 10);
@@ -207,15 +207,16 @@ TEST_F(MoverUnderAudit, GoingStraightWithoutLookingIsFound) {
 
 TEST_F(MoverUnderAudit, StandingACentimetreInTheWallIsFound) {
     const MoveBody real = real_mover({});
-    const WalkAudit audit = walks([&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-        const Vec3 before = state.foot;
-        real(state, wish, seconds, trace);
-        const double gained = (state.foot - before).dot(wish) / wish.norm();
-        if (state.grounded && gained < 0.5 * wish.norm()) {
-            state.foot += (MoverSettings{}.skin + 0.01) * wish.normalized();
-            trace.path.push_back(state.foot);
-        }
-    });
+    const WalkAudit audit =
+        walks([&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+            const Vec3 before = state.foot;
+            real(state, desired, seconds, trace);
+            const double gained = (state.foot - before).dot(desired) / desired.norm();
+            if (state.grounded && gained < 0.5 * desired.norm()) {
+                state.foot += (MoverSettings{}.skin + 0.01) * desired.normalized();
+                trace.path.push_back(state.foot);
+            }
+        });
     EXPECT_GT(audit.ticks_inside, kSanitized ? 2 : 10);
     EXPECT_GT(audit.deepest.depth, 0.005);
 }

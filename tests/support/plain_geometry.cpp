@@ -17,9 +17,9 @@ double volume(const Point& p, const Point& q, const Point& r, const Point& s) {
 /// Is the foot of the perpendicular from `point` on the triangle's plane inside the triangle?
 bool stands_over(const Point& point, const Vertices& t, const Point& normal) {
     for (std::size_t i = 0; i < 3; ++i) {
-        const Point& corner = t[i];
-        const Point edge = t[(i + 1) % 3] - corner;
-        if (normal.dot(edge.cross(point - corner)) < 0.0) {
+        const Point& vertex = t[i];
+        const Point edge = t[(i + 1) % 3] - vertex;
+        if (normal.dot(edge.cross(point - vertex)) < 0.0) {
             return false;
         }
     }

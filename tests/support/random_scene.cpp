@@ -43,19 +43,19 @@ void add_solid(World& world, Dice& dice, const Vec3& at) {
 
 TriangleMesh rolling_ground(Dice& dice) {
     constexpr int kCells = static_cast<int>(kRandomVillageHalf);
-    constexpr int kCorners = 2 * kCells + 1;
+    constexpr int kVertices = 2 * kCells + 1;
     std::vector<double> heights;
-    heights.reserve(std::size_t{kCorners} * std::size_t{kCorners});
-    for (int i = 0; i < kCorners * kCorners; ++i) {
+    heights.reserve(std::size_t{kVertices} * std::size_t{kVertices});
+    for (int i = 0; i < kVertices * kVertices; ++i) {
         heights.push_back(dice.between(0.0, 0.35));
     }
     const auto at = [&](int i, int j) {
-        const int number = i * kCorners + j;
+        const int number = i * kVertices + j;
         return Vec3(i - kCells, heights[static_cast<std::size_t>(number)], j - kCells);
     };
     TriangleMesh mesh;
-    for (int i = 0; i + 1 < kCorners; ++i) {
-        for (int j = 0; j + 1 < kCorners; ++j) {
+    for (int i = 0; i + 1 < kVertices; ++i) {
+        for (int j = 0; j + 1 < kVertices; ++j) {
             add_quad(mesh, at(i, j + 1), at(i + 1, j + 1), at(i + 1, j), at(i, j));
         }
     }

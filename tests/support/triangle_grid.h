@@ -11,7 +11,7 @@ namespace campuswalk::support {
 class TriangleGrid {
 public:
     struct Entry {
-        Vertices corners;
+        Vertices vertices;
         Point min = Point::Zero();
         Point max = Point::Zero();
         std::size_t object = 0;

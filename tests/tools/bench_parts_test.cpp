@@ -5,8 +5,8 @@
 #include "collision/mesh/mesh_contacts.h"
 #include "collision/mesh/mesh_query.h"
 #include "scene/procedural/table1_scene.h"
+#include "tools/campuswalk_bench/campus/answer_check.h"
 #include "tools/campuswalk_bench/campus/differ.h"
-#include "tools/campuswalk_bench/campus/judge.h"
 #include "tools/campuswalk_bench/campus/survey.h"
 #include "tools/campuswalk_bench/measure/heap.h"
 #include "tools/campuswalk_bench/measure/targets.h"
@@ -58,8 +58,8 @@ TEST(PairScenes, NestedCylindersAreApartByTheGap) {
     const collision::Pose& X = scene.placements.at(0).X_a_b;
     EXPECT_FALSE(first_contact(outer, inner, X).has_value());
     double least = 1.0;
-    for (const Eigen::Vector3f& corner : scene.b.positions) {
-        least = std::min(least, closest_point(outer, X * corner.cast<double>()).distance);
+    for (const Eigen::Vector3f& vertex : scene.b.positions) {
+        least = std::min(least, closest_point(outer, X * vertex.cast<double>()).distance);
     }
     EXPECT_NEAR(least, kNestedGap, 1e-4);
     EXPECT_GE(least, kNestedGap - 1e-6);
@@ -152,8 +152,8 @@ TEST(Evaluator, KnowsTheFirstHit) {
     EXPECT_FALSE(is_first_hit(mesh, down, 0.6005));
     EXPECT_FALSE(is_first_hit(mesh, down, 0.5995));
     EXPECT_FALSE(is_first_hit(mesh, down, std::nullopt));
-    for (const Eigen::Vector3f& corner : square().positions) {
-        mesh.positions.push_back(corner + Eigen::Vector3f(0.0F, 1.0F, 0.0F));
+    for (const Eigen::Vector3f& vertex : square().positions) {
+        mesh.positions.push_back(vertex + Eigen::Vector3f(0.0F, 1.0F, 0.0F));
     }
     mesh.triangles.push_back({4, 5, 6});
     mesh.triangles.push_back({4, 6, 7});

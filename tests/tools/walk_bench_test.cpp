@@ -18,9 +18,9 @@
 #include "tools/campuswalk_bench/measure/heap.h"
 #include "tools/campuswalk_bench/walk/our_walker.h"
 #include "tools/campuswalk_bench/walk/walk_csv.h"
-#include "tools/campuswalk_bench/walk/walk_judge.h"
 #include "tools/campuswalk_bench/walk/walk_paths.h"
 #include "tools/campuswalk_bench/walk/walk_run.h"
+#include "tools/campuswalk_bench/walk/walk_score.h"
 #include "tools/campuswalk_bench/walk/walk_verdicts.h"
 
 namespace campuswalk::tools::bench {
@@ -33,11 +33,11 @@ using scene::WalkPath;
 /// Moves as a function says.
 class MadeUpWalker final : public WalkEngine {
 public:
-    using Move = std::function<Vec3(const Vec3& foot, const Vec3& wish)>;
+    using Move = std::function<Vec3(const Vec3& foot, const Vec3& desired)>;
     explicit MadeUpWalker(Move move) : move_(std::move(move)) {}
 
     void place(const Vec3& foot) override { foot_ = foot; }
-    void walk(const Vec3& wish) override { foot_ = move_(foot_, wish); }
+    void walk(const Vec3& desired) override { foot_ = move_(foot_, desired); }
     Vec3 foot() const override { return foot_; }
 
 private:
@@ -66,8 +66,8 @@ WalkScore score_of(const MadeUpWalker::Move& move, int rounds = 3) {
 }
 
 TEST(RunWalks, LetsOneThatStopsBeforeWallsPass) {
-    const WalkScore score = score_of([](const Vec3& foot, const Vec3& wish) {
-        const Vec3 there = foot + wish;
+    const WalkScore score = score_of([](const Vec3& foot, const Vec3& desired) {
+        const Vec3 there = foot + desired;
         return Vec3(std::min(there.x(), 1.7), there.y(), there.z());
     });
     EXPECT_EQ(score.goals, 1U);
@@ -83,7 +83,8 @@ TEST(RunWalks, LetsOneThatStopsBeforeWallsPass) {
 }
 
 TEST(RunWalks, SeesOneThatWalksThroughWalls) {
-    const WalkScore score = score_of([](const Vec3& foot, const Vec3& wish) { return Vec3(foot + wish); });
+    const WalkScore score =
+        score_of([](const Vec3& foot, const Vec3& desired) { return Vec3(foot + desired); });
     EXPECT_EQ(score.reached, 1U);
     EXPECT_EQ(score.forbidden, 1U);
     EXPECT_EQ(score.crossings, 1U);
@@ -93,8 +94,8 @@ TEST(RunWalks, SeesOneThatWalksThroughWalls) {
 }
 
 TEST(RunWalks, SeesOneThatSinksIn) {
-    const WalkScore score = score_of([](const Vec3& foot, const Vec3& wish) {
-        return Vec3(std::min(foot.x() + wish.x(), 1.75), -0.001, foot.z());
+    const WalkScore score = score_of([](const Vec3& foot, const Vec3& desired) {
+        return Vec3(std::min(foot.x() + desired.x(), 1.75), -0.001, foot.z());
     });
     EXPECT_NEAR(score.max_penetration, 0.05, 1e-9);
     EXPECT_EQ(score.reached, 1U);
@@ -111,9 +112,9 @@ TEST(RunWalks, SeesOneThatGetsNowhere) {
 
 TEST(RunWalks, SeesOneThatIsNeverTheSame) {
     double drift = 0.0;
-    const WalkScore score = score_of([&](const Vec3& foot, const Vec3& wish) {
+    const WalkScore score = score_of([&](const Vec3& foot, const Vec3& desired) {
         drift += 1e-9;
-        return Vec3(std::min(foot.x() + wish.x(), 1.6) + drift, foot.y(), foot.z());
+        return Vec3(std::min(foot.x() + desired.x(), 1.6) + drift, foot.y(), foot.z());
     });
     EXPECT_EQ(score.unrepeated, 1U);
     EXPECT_FALSE(walks_right(score));
@@ -122,9 +123,9 @@ TEST(RunWalks, SeesOneThatIsNeverTheSame) {
 TEST(RunWalks, SeesOneThatKeepsMoreAndMore) {
     std::vector<std::unique_ptr<std::array<char, 100>>> kept;
     kept.reserve(10000);
-    const auto hoard = [&](const Vec3& foot, const Vec3& wish) {
+    const auto hoard = [&](const Vec3& foot, const Vec3& desired) {
         kept.push_back(std::make_unique<std::array<char, 100>>());
-        return Vec3(std::min(foot.x() + wish.x(), 1.6), foot.y(), foot.z());
+        return Vec3(std::min(foot.x() + desired.x(), 1.6), foot.y(), foot.z());
     };
     EXPECT_FALSE(score_of(hoard, 2).heap_growth.has_value());
     const WalkScore score = score_of(hoard, 3);
@@ -138,13 +139,13 @@ TEST(RunWalks, SeesOneThatKeepsMoreAndMore) {
 TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
     static constexpr double kSlow = 200.0;  // microseconds
     const auto slow_in_the_first_round = [](int& round) {
-        return [&round](const Vec3& foot, const Vec3& wish) {
+        return [&round](const Vec3& foot, const Vec3& desired) {
             round += foot.x() == 0.0 ? 1 : 0;
             const auto start = std::chrono::steady_clock::now();
             while (round == 1 && std::chrono::steady_clock::now() - start <
                                      std::chrono::duration<double, std::micro>(kSlow)) {
             }
-            return Vec3(std::min(foot.x() + wish.x(), 1.6), foot.y(), foot.z());
+            return Vec3(std::min(foot.x() + desired.x(), 1.6), foot.y(), foot.z());
         };
     };
     int rounds = 0;
@@ -182,7 +183,7 @@ TEST(WalkEvaluator, AgreesWithTheTestsOwnOracle) {
         const support::Line way{foot, to};
         if (i % 40 == 0) {
             for (std::size_t t = 0; t < campus.mesh.triangles.size(); ++t) {
-                const collision::Triangle c = corners(campus.mesh, t);
+                const collision::Triangle c = vertices(campus.mesh, t);
                 met_one_by_one += passes_through(way, support::Vertices{c.a, c.b, c.c}) ? 1 : 0;
             }
             EXPECT_EQ(met, met_one_by_one > 0) << foot.transpose();
@@ -204,9 +205,9 @@ public:
         start_ = foot;
         counted_.place(foot);
     }
-    void walk(const Vec3& wish) override {
+    void walk(const Vec3& desired) override {
         const std::size_t before = collision::allocation_count();
-        counted_.walk(wish);
+        counted_.walk(desired);
         warm_allocations_ += times_ > 2 ? collision::allocation_count() - before : 0;
         warm_ticks_ += times_ > 2 ? 1 : 0;
     }

@@ -142,7 +142,7 @@ TEST(ExpectationWalks, EndAsTheirStatusSays) {
     for (const Lesson& lesson : lessons()) {
         SCOPED_TRACE(lesson.file.filename().string());
         const Played played = play(lesson);
-        // Those about images are judged by the program, which draws: picture_expectations_test.py.
+        // Those about images are judged by the program, which draws: image_expectations_test.py.
         if (lesson.walk.status.kind == WalkStatus::Kind::skip ||
             std::ranges::any_of(lesson.walk.expectations, is_about_images)) {
             continue;

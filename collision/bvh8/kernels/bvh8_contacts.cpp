@@ -172,9 +172,9 @@ void find_first(Descent& descent, const NodePair& item, std::vector<TrianglePair
     }
 }
 
-void search(const Bvh8Pair& pair, Wanted wanted, std::vector<TrianglePair>& out, QueryStatistics& work) {
+void search(const Bvh8Pair& pair, SearchMode wanted, std::vector<TrianglePair>& out, QueryStatistics& work) {
     Descent descent(pair, out, work);
-    if (wanted == Wanted::all) {
+    if (wanted == SearchMode::all) {
         find_all(descent, Descent::roots(pair));
     } else {
         find_first(descent, Descent::roots(pair), out);
@@ -188,7 +188,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace campuswalk::collision {
 
-void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
+void find_bvh8_contacts(const Bvh8Pair& pair, SearchMode wanted, SimdTarget simd_target,
                         std::vector<TrianglePair>& out, QueryStatistics& work) {
     switch (simd_target) {
 #ifdef __aarch64__

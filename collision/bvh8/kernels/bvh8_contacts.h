@@ -22,11 +22,11 @@ struct Bvh8Pair {
     double tilt = 0.0;
 };
 
-enum class Wanted : std::uint8_t { all, first };
+enum class SearchMode : std::uint8_t { all, first };
 
 /// Adds the overlapping pairs to `out`: all, or those of two leaves that have any. The outer
 /// spheres are known to meet, so that distances are no greater than the meshes. See mesh_contacts.h.
-void find_bvh8_contacts(const Bvh8Pair& pair, Wanted wanted, SimdTarget simd_target,
+void find_bvh8_contacts(const Bvh8Pair& pair, SearchMode wanted, SimdTarget simd_target,
                         std::vector<TrianglePair>& out, QueryStatistics& work);
 
 }  // namespace campuswalk::collision

@@ -124,7 +124,7 @@ private:
         for (std::uint32_t seen = shear_.triangles_seen(leaf); seen != 0; seen &= seen - 1) {
             const auto slot = static_cast<std::size_t>(std::countr_zero(seen));
             ++work_.primitive_tests;
-            limit_ = meet_(leaf.triangle[slot], corners(mesh_, leaf, slot), limit_);
+            limit_ = meet_(leaf.triangle[slot], vertices(mesh_, leaf, slot), limit_);
             reach_ = course_.reach(limit_);
         }
     }

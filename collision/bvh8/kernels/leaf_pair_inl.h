@@ -61,9 +61,9 @@ private:
     using PointTable = float[kByPoint ? kLeafVertices : 1][4];
 
     template <class Table>
-    static HWY_INLINE Real3 load(const Table& corners, std::size_t c) {
+    static HWY_INLINE Real3 load(const Table& vertices, std::size_t c) {
         const Floats d;
-        return {hn::Load(d, &corners[0][c]), hn::Load(d, &corners[1][c]), hn::Load(d, &corners[2][c])};
+        return {hn::Load(d, &vertices[0][c]), hn::Load(d, &vertices[1][c]), hn::Load(d, &vertices[2][c])};
     }
 
     static HWY_INLINE void store_points(const Real3& p, PointTable& points, std::size_t c) {
@@ -73,7 +73,8 @@ private:
 
     /// The corners at `index`, a lane each.
     template <class Table>
-    static HWY_INLINE Real3 fetch(const Table& corners, const PointTable& points, const std::uint8_t* index) {
+    static HWY_INLINE Real3 fetch(const Table& vertices, const PointTable& points,
+                                  const std::uint8_t* index) {
         const Floats d;
         if constexpr (kByPoint) {
             const hn::RepartitionToWide<Floats> d2;
@@ -89,8 +90,8 @@ private:
                     hn::BitCast(d, hn::ConcatUpperUpper(d2, xy23, xy01)),
                     hn::BitCast(d, hn::ConcatLowerLower(d2, z23, z01))};
         } else {
-            return {pick(d, &corners[0][0], index), pick(d, &corners[1][0], index),
-                    pick(d, &corners[2][0], index)};
+            return {pick(d, &vertices[0][0], index), pick(d, &vertices[1][0], index),
+                    pick(d, &vertices[2][0], index)};
         }
     }
 
@@ -114,8 +115,8 @@ private:
               error(bound),
               doubt(greatest_doubt(leaf_a.radius, leaf_b.radius, length_of(t), bound)) {
             const Floats d;
-            for (std::size_t c = 0; c < b.corners; c += kLanes) {
-                const Real3 p = load(b.corner, c);
+            for (std::size_t c = 0; c < b.vertices; c += kLanes) {
+                const Real3 p = load(b.vertex, c);
                 for (std::size_t k = 0; k < 3; ++k) {
                     Real v = hn::MulAdd(hn::Set(d, pose.column[0][k]), p.x, hn::Set(d, t[k]));
                     v = hn::MulAdd(hn::Set(d, pose.column[1][k]), p.y, v);
@@ -126,9 +127,9 @@ private:
                     store_points(load(b_in_a, c), b_points, c);
                 }
             }
-            for (std::size_t c = 0; c < a.corners; c += kLanes) {
+            for (std::size_t c = 0; c < a.vertices; c += kLanes) {
                 const Real3 p =
-                    subtract(load(a.corner, c), {hn::Set(d, t[0]), hn::Set(d, t[1]), hn::Set(d, t[2])});
+                    subtract(load(a.vertex, c), {hn::Set(d, t[0]), hn::Set(d, t[1]), hn::Set(d, t[2])});
                 for (std::size_t k = 0; k < 3; ++k) {
                     Real v = hn::Mul(hn::Set(d, pose.column[k][0]), p.x);
                     v = hn::MulAdd(hn::Set(d, pose.column[k][1]), p.y, v);
@@ -136,7 +137,7 @@ private:
                     hn::Store(v, d, a_in_b[k] + c);
                 }
                 if constexpr (kByPoint) {
-                    store_points(load(a.corner, c), a_points, c);
+                    store_points(load(a.vertex, c), a_points, c);
                 }
             }
         }
@@ -190,10 +191,10 @@ private:
     /// Whether corners lie neither all beyond `high` nor all before `low` along a direction.
     static HWY_INLINE bool reaches(const float direction[3], float low, float high, const Bvh8Leaf& leaf) {
         const Floats d;
-        Real least = along(direction, load(leaf.corner, 0));
+        Real least = along(direction, load(leaf.vertex, 0));
         Real most = least;
         for (std::size_t c = kLanes; c < kLeafVertices; c += kLanes) {
-            const Real f = along(direction, load(leaf.corner, c));
+            const Real f = along(direction, load(leaf.vertex, c));
             least = hn::Min(least, f);
             most = hn::Max(most, f);
         }
@@ -222,8 +223,8 @@ private:
     HWY_INLINE bool find(const Sight& s) {
         SideTable<kSides> of_b;
         SideTable<kSides> of_a;
-        const bool sure_b = of_b.fill(s.a, s.b_in_a, s.b.corners, s.error);
-        const bool sure_a = of_a.fill(s.b, s.a_in_b, s.a.corners, s.error);
+        const bool sure_b = of_b.fill(s.a, s.b_in_a, s.b.vertices, s.error);
+        const bool sure_a = of_a.fill(s.b, s.a_in_b, s.a.vertices, s.error);
         if (!sure_a || !sure_b) {
             return false;
         }
@@ -242,13 +243,13 @@ private:
     }
 
     /// The span of each triangle along a line, from those of its corners.
-    static HWY_INLINE void spans(const Bvh8Leaf& leaf, const float corners[16], float margin, float low[16],
+    static HWY_INLINE void spans(const Bvh8Leaf& leaf, const float vertices[16], float margin, float low[16],
                                  float high[16]) {
         const Floats d;
         for (std::size_t c = 0; c < leaf.triangles; c += kLanes) {
-            const Real p = pick(d, corners, leaf.vertex_of[0].data() + c);
-            const Real q = pick(d, corners, leaf.vertex_of[1].data() + c);
-            const Real r = pick(d, corners, leaf.vertex_of[2].data() + c);
+            const Real p = pick(d, vertices, leaf.vertex_of[0].data() + c);
+            const Real q = pick(d, vertices, leaf.vertex_of[1].data() + c);
+            const Real r = pick(d, vertices, leaf.vertex_of[2].data() + c);
             hn::Store(hn::Sub(hn::Min(p, hn::Min(q, r)), hn::Set(d, margin)), d, low + c);
             hn::Store(hn::Add(hn::Max(p, hn::Max(q, r)), hn::Set(d, margin)), d, high + c);
         }
@@ -270,10 +271,10 @@ private:
                                m[0] * n[1] - m[1] * n[0]};
         HWY_ALIGN float vertices_a[16];
         HWY_ALIGN float vertices_b[16];
-        for (std::size_t c = 0; c < s.a.corners; c += kLanes) {
-            hn::Store(along(line, load(s.a.corner, c)), d, vertices_a + c);
+        for (std::size_t c = 0; c < s.a.vertices; c += kLanes) {
+            hn::Store(along(line, load(s.a.vertex, c)), d, vertices_a + c);
         }
-        for (std::size_t c = 0; c < s.b.corners; c += kLanes) {
+        for (std::size_t c = 0; c < s.b.vertices; c += kLanes) {
             hn::Store(along(line, load(s.b_in_a, c)), d, vertices_b + c);
         }
         HWY_ALIGN float low_a[16];
@@ -428,7 +429,7 @@ private:
     HWY_INLINE std::uint32_t settle_lanes(const Sight& s, const std::uint8_t order[6][16], std::size_t c,
                                           std::uint32_t sure, const std::uint8_t* ij, std::size_t lanes) {
         const Floats d;
-        const auto of_a = [&](std::size_t k) { return fetch(s.a.corner, s.a_points, order[k] + c); };
+        const auto of_a = [&](std::size_t k) { return fetch(s.a.vertex, s.a_points, order[k] + c); };
         const auto of_b = [&](std::size_t k) { return fetch(s.b_in_a, s.b_points, order[3 + k] + c); };
         const Real3 p = of_a(0);
         const Real3 m = subtract(of_b(0), p);
@@ -456,10 +457,10 @@ private:
 
     HWY_NOINLINE bool exactly_overlap(const TrianglePair& pair) const {
         const auto& t = pair_.mesh_b.triangles[pair.b];
-        const auto corner = [&](std::size_t c) {
+        const auto vertex = [&](std::size_t c) {
             return b_vertex_in_a(pair_.X_a_b, pair_.mesh_b.positions[t[c]]);
         };
-        return overlap(corners(pair_.mesh_a, pair.a), {corner(0), corner(1), corner(2)});
+        return overlap(vertices(pair_.mesh_a, pair.a), {vertex(0), vertex(1), vertex(2)});
     }
 
     const Bvh8Pair& pair_;

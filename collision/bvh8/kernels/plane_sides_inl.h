@@ -52,7 +52,8 @@ class SideTable {
 public:
     /// `corners` are in the frame of `planes`. Distances up to `error` are near zero. Whether the table is
     /// good.
-    HWY_INLINE bool fill(const Bvh8Leaf& planes, const float corners[3][16], std::size_t count, float error) {
+    HWY_INLINE bool fill(const Bvh8Leaf& planes, const float vertices[3][16], std::size_t count,
+                         float error) {
         const Floats d;
         const ByteTag d8;
         for (std::size_t half = 0; half < 2; ++half) {
@@ -61,7 +62,7 @@ public:
         }
         Bits nearest = hn::Set(Unsigned(), 0xFFFFFFFFU);
         for (std::size_t c = 0; c < planes.triangles; c += kPlanesAtOnce) {
-            nearest = fill_planes(planes, corners, count, error, c, nearest);
+            nearest = fill_planes(planes, vertices, count, error, c, nearest);
         }
         const Bits doubtful = hn::BitCast(Unsigned(), hn::Set(d, 2.0F * error));
         const auto in_doubt = hn::Eq(hn::Min(nearest, doubtful), nearest);
@@ -115,8 +116,8 @@ private:
         return hn::TableLookupBytes(hn::Load(ByteTag(), table), at);
     }
 
-    static HWY_INLINE void record(Table& table, std::size_t corner, std::uint32_t bits, std::size_t c) {
-        table[c / 8][corner] = static_cast<std::uint8_t>(bits);
+    static HWY_INLINE void record(Table& table, std::size_t vertex, std::uint32_t bits, std::size_t c) {
+        table[c / 8][vertex] = static_cast<std::uint8_t>(bits);
     }
 
     /// The planes from c on. Returns `nearest` or what is nearer.
@@ -124,7 +125,7 @@ private:
     /// Planes are moved up by `error`, so that a negative distance is below for certain, and one up to twice
     /// that is in doubt. As unsigned numbers, negative distances are the greatest: the least of all tells
     /// whether any is in doubt.
-    HWY_INLINE Bits fill_planes(const Bvh8Leaf& planes, const float corners[3][16], std::size_t count,
+    HWY_INLINE Bits fill_planes(const Bvh8Leaf& planes, const float vertices[3][16], std::size_t count,
                                 float error, std::size_t c, Bits nearest) {
         const Floats d;
         const std::size_t c2 = c + kLanes;
@@ -143,7 +144,7 @@ private:
             return kSides == Sides::certain ? bits_of(d, hn::Gt(f, far)) : 0U;
         };
         const auto see = [&](std::size_t v) {
-            const Real3 x{hn::Set(d, corners[0][v]), hn::Set(d, corners[1][v]), hn::Set(d, corners[2][v])};
+            const Real3 x{hn::Set(d, vertices[0][v]), hn::Set(d, vertices[1][v]), hn::Set(d, vertices[2][v])};
             const Real f1 = distance(n1, x, d1);
             nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f1));
             std::uint32_t below = sign_bits(d, f1);
@@ -171,9 +172,9 @@ private:
         return nearest;
     }
 
-    HWY_INLINE void record_above(std::size_t corner, std::uint32_t bits, std::size_t c) {
+    HWY_INLINE void record_above(std::size_t vertex, std::uint32_t bits, std::size_t c) {
         if constexpr (kSides == Sides::certain) {
-            record(above_, corner, bits, c);
+            record(above_, vertex, bits, c);
         }
     }
 
@@ -199,13 +200,13 @@ private:
     }
 
     /// By lane, all bits if the corner is on that side of the plane.
-    static HWY_INLINE Bytes side(const Table& table, Bytes corner, Bytes plane) {
+    static HWY_INLINE Bytes side(const Table& table, Bytes vertex, Bytes plane) {
         const ByteTag d;
         alignas(16) static constexpr std::uint8_t kBits[16] = {1, 2, 4, 8, 16, 32, 64, 128,
                                                                1, 2, 4, 8, 16, 32, 64, 128};
         const Bytes bit = lookup(kBits, plane);
         const auto upper = hn::Gt(plane, hn::Set(d, 7));
-        const Bytes planes = hn::IfThenElse(upper, lookup(table[1], corner), lookup(table[0], corner));
+        const Bytes planes = hn::IfThenElse(upper, lookup(table[1], vertex), lookup(table[0], vertex));
         return hn::VecFromMask(d, hn::Eq(hn::And(planes, bit), bit));
     }
 

@@ -52,9 +52,9 @@ public:
         HWY_ALIGN float ys[kLeafVertices];
         const RayTag d;
         for (std::size_t c = 0; c < kLeafVertices; c += kRayLanes) {
-            const RayReal along = hn::Load(d, leaf.corner[z_].data() + c);
+            const RayReal along = hn::Load(d, leaf.vertex[z_].data() + c);
             const auto sheared = [&](std::size_t axis, float at, double slope) {
-                const RayReal place = hn::Sub(hn::Load(d, leaf.corner[axis].data() + c), hn::Set(d, at));
+                const RayReal place = hn::Sub(hn::Load(d, leaf.vertex[axis].data() + c), hn::Set(d, at));
                 return hn::Sub(place, hn::Mul(hn::Set(d, static_cast<float>(slope)), along));
             };
             hn::Store(sheared(x_, at_x, slope_x_), d, xs + c);
@@ -62,8 +62,8 @@ public:
         }
         std::uint32_t missed = 0;
         for (std::size_t t = 0; t < kLeafTriangles; t += kRayLanes) {
-            const auto of = [&](const float* along, std::size_t corner) {
-                return pick(d, along, leaf.vertex_of[corner].data() + t);
+            const auto of = [&](const float* along, std::size_t vertex) {
+                return pick(d, along, leaf.vertex_of[vertex].data() + t);
             };
             const RayReal ax = of(xs, 0), ay = of(ys, 0);
             const RayReal bx = of(xs, 1), by = of(ys, 1);

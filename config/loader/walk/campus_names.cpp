@@ -127,35 +127,35 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
     return target;
 }
 
-Standing CampusNames::standing(const CheckedNode& node) const {
-    Standing standing;
+Placement CampusNames::placement(const CheckedNode& node) const {
+    Placement placement;
     if (node.is_map()) {
         CheckedMap map(node, node.what());
         map.require("at");
-        map.vector("at", kCoordinate, standing.position);
+        map.vector("at", kCoordinate, placement.position);
         if (const auto yaw = map.find("yaw_deg")) {
-            standing.yaw = radians(yaw->number(kYaw).value_or(0.0));
+            placement.yaw = radians(yaw->number(kYaw).value_or(0.0));
         }
         map.refuse_other_keys();
-        standing.label = label_of({standing.position.data(), 3});
-        return standing;
+        placement.label = label_of({placement.position.data(), 3});
+        return placement;
     }
     if (!node.is_scalar()) {
         node.diagnose("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
-        return standing;
+        return placement;
     }
-    standing.label = node.line().value_or("");
-    if (standing.label.empty() || campus_ == nullptr) {
-        return standing;
+    placement.label = node.line().value_or("");
+    if (placement.label.empty() || campus_ == nullptr) {
+        return placement;
     }
-    const auto spawn = std::ranges::find(campus_->spawns, standing.label, &Spawn::name);
+    const auto spawn = std::ranges::find(campus_->spawns, placement.label, &Spawn::name);
     if (spawn == campus_->spawns.end()) {
-        diagnose_unknown(node, standing.label, "spawn", names_of(campus_->spawns));
-        return standing;
+        diagnose_unknown(node, placement.label, "spawn", names_of(campus_->spawns));
+        return placement;
     }
-    standing.position = spawn->position;
-    standing.yaw = spawn->yaw;
-    return standing;
+    placement.position = spawn->position;
+    placement.yaw = spawn->yaw;
+    return placement;
 }
 
 void CampusNames::check_layer(const CheckedNode& node, const std::string& layer) const {

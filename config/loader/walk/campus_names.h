@@ -13,7 +13,7 @@
 namespace campuswalk::config {
 
 /// Where an avatar is put down.
-struct Standing {
+struct Placement {
     std::string label;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::optional<double> yaw;  ///< radians
@@ -30,7 +30,7 @@ public:
     /// A building's, place's or spawn's name (in this order), or `[x, y, z]`.
     engine::CameraTarget camera_target(const CheckedNode& node) const;
     /// A spawn's name, or `{at: [x, y, z], yaw_deg: 90}`.
-    Standing standing(const CheckedNode& node) const;
+    Placement placement(const CheckedNode& node) const;
     /// Complains unless the campus has the layer.
     void check_layer(const CheckedNode& node, const std::string& layer) const;
 

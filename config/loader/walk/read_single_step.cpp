@@ -72,13 +72,13 @@ Step read_spawn(const CheckedNode& node, StepContext& context) {
     if (!context.first) {
         node.diagnose("bad-value", "'spawn' can only be the first step; use 'teleport' here");
     }
-    const Standing standing = context.names.standing(node);
-    return SpawnStep{node.mark(), standing.label, standing.position, standing.yaw.value_or(0.0)};
+    const Placement placement = context.names.placement(node);
+    return SpawnStep{node.mark(), placement.label, placement.position, placement.yaw.value_or(0.0)};
 }
 
 Step read_teleport(const CheckedNode& node, StepContext& context) {
-    Standing standing = context.names.standing(node);
-    return TeleportStep{node.mark(), std::move(standing.label), standing.position, standing.yaw};
+    Placement placement = context.names.placement(node);
+    return TeleportStep{node.mark(), std::move(placement.label), placement.position, placement.yaw};
 }
 
 Step read_walk_to(const CheckedNode& node, StepContext& context) {

@@ -70,10 +70,10 @@ Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double p
     const double slope = std::tan(0.5 * fov);
     double distance = kClosestOrbit;
     for (int i = 0; i < 8; ++i) {
-        const Eigen::Vector3d corner((i & 1) != 0 ? box.max.x() : box.min.x(),
+        const Eigen::Vector3d vertex((i & 1) != 0 ? box.max.x() : box.min.x(),
                                      (i & 2) != 0 ? box.max.y() : box.min.y(),
                                      (i & 4) != 0 ? box.max.z() : box.min.z());
-        const Eigen::Vector3d p = R_camera_world * (corner - centre);  // right, up, backwards
+        const Eigen::Vector3d p = R_camera_world * (vertex - centre);  // right, up, backwards
         distance = std::max({distance, p.z() + kOrbitMargin * std::abs(p.x()) / (slope * aspect),
                              p.z() + kOrbitMargin * std::abs(p.y()) / slope});
     }

@@ -134,7 +134,7 @@ void Outliner::mesh(const collision::TriangleMesh& mesh) {
     std::vector<Edge> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const collision::Triangle t = collision::corners(mesh, i);
+        const collision::Triangle t = collision::vertices(mesh, i);
         const Vector3d normal = (t.b - t.a).cross(t.c - t.a).normalized();
         edges.push_back(edge_of(t.a, t.b, normal));
         edges.push_back(edge_of(t.b, t.c, normal));

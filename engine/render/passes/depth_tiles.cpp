@@ -25,8 +25,8 @@ Footprint footprint_of(const Eigen::AlignedBox3d& box, const Eigen::Matrix4d& cl
                        int height) {
     Footprint footprint;
     for (int i = 0; i < 8; ++i) {
-        const Eigen::Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-        const Eigen::Vector4d clip = clip_campus * corner.homogeneous();
+        const Eigen::Vector3d vertex = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+        const Eigen::Vector4d clip = clip_campus * vertex.homogeneous();
         const double distance = clip.w() - kDepthMargin;
         if (distance < kMinDistance) {
             footprint.known = false;

@@ -15,7 +15,7 @@ public:
 };
 
 /// The frames that this process draws if several play the same walk: those with number % parts == part.
-struct FrameShare {
+struct SequenceShare {
     std::size_t part = 0;
     std::size_t parts = 1;
 

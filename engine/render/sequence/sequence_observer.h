@@ -7,7 +7,7 @@
 #include "engine/record/observer.h"
 #include "engine/render/sequence/frame_queue.h"
 #include "engine/render/snapshot/renderer_store.h"
-#include "engine/render/snapshot/walk_shots.h"
+#include "engine/render/snapshot/walk_snapshots.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine::render {
@@ -16,7 +16,7 @@ namespace campuswalk::engine::render {
 struct SequenceSettings {
     double every = 0.5;     ///< simulated seconds between frames; at most one per tick
     CameraSettings camera;  ///< of all frames
-    FrameShare share;       ///< the frames to draw in this process
+    SequenceShare share;    ///< the frames to draw in this process
 };
 
 /// Draws frames of a walk at regular times, the first at the first tick.

@@ -6,8 +6,8 @@
 
 #include "engine/record/observer.h"
 #include "engine/render/snapshot/renderer_store.h"
-#include "engine/render/snapshot/snapshot_sight.h"
-#include "engine/render/snapshot/walk_shots.h"
+#include "engine/render/snapshot/visibility_report.h"
+#include "engine/render/snapshot/walk_snapshots.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine::render {

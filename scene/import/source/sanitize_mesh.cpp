@@ -31,7 +31,7 @@ bool positions_finite(const RawMesh& source) {
     });
 }
 
-/// Makes the vertex at each index position ("corner", 3 per triangle) from the attributes of the file.
+/// Makes the vertex at each position in the index buffer (3 per triangle) from the attributes of the file.
 class VertexSource {
 public:
     VertexSource(const RawMesh& source, bool flat_normals) : source_(source) {
@@ -41,10 +41,10 @@ public:
         }
     }
 
-    void append(std::size_t corner, SanitizedMesh& out) const {
-        const std::uint32_t vertex = source_.triangles[corner / 3][corner % 3];
+    void append(std::size_t index, SanitizedMesh& out) const {
+        const std::uint32_t vertex = source_.triangles[index / 3][index % 3];
         out.mesh.positions.push_back(source_.positions[vertex]);
-        out.mesh.normals.push_back(normal(corner, vertex, out.repaired_normals));
+        out.mesh.normals.push_back(normal(index, vertex, out.repaired_normals));
         if (!source_.uvs.empty()) {
             out.mesh.uvs.push_back(uv(vertex, out.repaired_uvs));
         }
@@ -54,9 +54,9 @@ public:
     }
 
 private:
-    Eigen::Vector3f normal(std::size_t corner, std::uint32_t vertex, std::size_t& repaired) const {
+    Eigen::Vector3f normal(std::size_t index, std::uint32_t vertex, std::size_t& repaired) const {
         if (source_.normals.empty()) {
-            return generated_[corner];
+            return generated_[index];
         }
         const Eigen::Vector3d n = source_.normals[vertex].cast<double>();
         const double length = n.norm();
@@ -64,7 +64,7 @@ private:
             return (n / length).cast<float>();
         }
         ++repaired;
-        const auto& t = source_.triangles[corner / 3];
+        const auto& t = source_.triangles[index / 3];
         return face_normal(source_.positions[t[0]], source_.positions[t[1]], source_.positions[t[2]]);
     }
 
@@ -81,12 +81,12 @@ private:
     std::vector<Eigen::Vector3f> generated_;
 };
 
-/// Makes a vertex per corner and welds identical ones.
-void append_welded(const VertexSource& vertices, std::size_t corners, SanitizedMesh& out) {
-    WeldTable<9> welded(corners);
+/// Makes a vertex per index and welds identical ones.
+void append_welded(const VertexSource& vertices, std::size_t index_count, SanitizedMesh& out) {
+    WeldTable<9> welded(index_count);
     Mesh& mesh = out.mesh;
-    for (std::size_t corner = 0; corner < corners; ++corner) {
-        vertices.append(corner, out);
+    for (std::size_t index = 0; index < index_count; ++index) {
+        vertices.append(index, out);
         WeldTable<9>::Key key{};
         std::ranges::copy(bits_of(mesh.positions.back()), key.begin());
         std::ranges::copy(bits_of(mesh.normals.back()), key.begin() + 3);
@@ -99,7 +99,7 @@ void append_welded(const VertexSource& vertices, std::size_t corners, SanitizedM
         }
         const std::size_t known = welded.size();
         const std::uint32_t number = welded.number_of(key);
-        mesh.triangles[corner / 3][corner % 3] = number;
+        mesh.triangles[index / 3][index % 3] = number;
         if (number < known) {
             mesh.positions.pop_back();
             mesh.normals.pop_back();
@@ -121,13 +121,13 @@ void append_indexed(const VertexSource& vertices, const RawMesh& source, Sanitiz
     out.mesh.normals.reserve(vertex_count);
     out.mesh.uvs.reserve(source.uvs.size());
     out.mesh.colors.reserve(source.colors.size());
-    for (std::size_t corner = 0; corner < source.triangles.size() * 3; ++corner) {
-        std::uint32_t& n = number[source.triangles[corner / 3][corner % 3]];
+    for (std::size_t index = 0; index < source.triangles.size() * 3; ++index) {
+        std::uint32_t& n = number[source.triangles[index / 3][index % 3]];
         if (n == kUnused) {
             n = static_cast<std::uint32_t>(out.mesh.positions.size());
-            vertices.append(corner, out);
+            vertices.append(index, out);
         }
-        out.mesh.triangles[corner / 3][corner % 3] = n;
+        out.mesh.triangles[index / 3][index % 3] = n;
     }
 }
 

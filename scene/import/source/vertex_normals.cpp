@@ -46,9 +46,8 @@ FaceAdjacency find_adjacency(std::span<const Eigen::Vector3f> positions, Triangl
     }
     adjacency.faces.resize(adjacency.position_of_vertex.size());
     std::vector<std::uint32_t> next = adjacency.first;
-    for (std::size_t corner = 0; corner < adjacency.position_of_vertex.size(); ++corner) {
-        adjacency.faces[next[adjacency.position_of_vertex[corner]]++] =
-            static_cast<std::uint32_t>(corner / 3);
+    for (std::size_t index = 0; index < adjacency.position_of_vertex.size(); ++index) {
+        adjacency.faces[next[adjacency.position_of_vertex[index]]++] = static_cast<std::uint32_t>(index / 3);
     }
     return adjacency;
 }
@@ -70,15 +69,15 @@ std::vector<Eigen::Vector3f> vertex_normals(std::span<const Eigen::Vector3f> pos
     }
     std::vector<Eigen::Vector3f> result(triangles.size() * 3);
     if (crease_cosine >= 1.0) {
-        for (std::size_t corner = 0; corner < result.size(); ++corner) {
-            result[corner] = normals[corner / 3].cast<float>();
+        for (std::size_t index = 0; index < result.size(); ++index) {
+            result[index] = normals[index / 3].cast<float>();
         }
         return result;
     }
     const FaceAdjacency adjacency = find_adjacency(positions, triangles);
-    for (std::size_t corner = 0; corner < result.size(); ++corner) {
-        const std::size_t face = corner / 3;
-        const std::uint32_t position = adjacency.position_of_vertex[corner];
+    for (std::size_t index = 0; index < result.size(); ++index) {
+        const std::size_t face = index / 3;
+        const std::uint32_t position = adjacency.position_of_vertex[index];
         const std::size_t begin = adjacency.first[position];
         const std::size_t end = adjacency.first[position + 1];
         Eigen::Vector3d sum = areas[face];
@@ -88,7 +87,7 @@ std::vector<Eigen::Vector3f> vertex_normals(std::span<const Eigen::Vector3f> pos
                 sum += areas[other];
             }
         }
-        result[corner] = unit_or_up(sum).cast<float>();
+        result[index] = unit_or_up(sum).cast<float>();
     }
     return result;
 }

@@ -102,11 +102,11 @@ TEST_F(Bvh8Check, FindsLeavesWithWhatIsNotThere) {
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle[0] = kTriangles; }), kForeign);
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle[15] = kTriangles; }), kForeign) << "an unused slot";
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertex_of[1][15] = 16; }), kForeign);
-    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].corners = 17; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertices = 17; }), kForeign);
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangles = 17; }), kForeign);
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangles = 0; }), kForeign);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].corner[2][15] = kNan; }), kForeign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertex[2][15] = kNan; }), kForeign);
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].origin[0] = -std::numeric_limits<float>::infinity(); }),
               kForeign);
     EXPECT_EQ(fault([](Bvh8& t) { t.reach = kNan; }), "the tree is nowhere");

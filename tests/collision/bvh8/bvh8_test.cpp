@@ -55,8 +55,8 @@ private:
 
     void expect_held(const Bvh8Node& node, std::size_t child, const std::vector<std::uint32_t>& triangles) {
         for (const std::uint32_t t : triangles) {
-            const Triangle corners = collision::corners(mesh_, t);
-            for (const Vec3& p : {corners.a, corners.b, corners.c}) {
+            const Triangle vertices = collision::vertices(mesh_, t);
+            for (const Vec3& p : {vertices.a, vertices.b, vertices.c}) {
                 const Vec3 d = p - point(node.origin);
                 EXPECT_LE(d.norm(), node.radius);
                 for (std::size_t k = 0; k < 3; ++k) {
@@ -72,17 +72,17 @@ private:
     std::vector<std::uint32_t> inspect_leaf(const Bvh8Leaf& leaf) {
         EXPECT_GE(leaf.triangles, 1);
         EXPECT_LE(leaf.triangles, kLeafTriangles);
-        EXPECT_LE(leaf.corners, kLeafVertices);
+        EXPECT_LE(leaf.vertices, kLeafVertices);
         std::vector<std::uint32_t> all;
         for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
             const std::uint32_t t = leaf.triangle[slot];
             ++seen_[t];
             all.push_back(t);
-            const Triangle given = collision::corners(mesh_, t);
-            const Triangle found = collision::corners(mesh_, leaf, slot);
+            const Triangle given = collision::vertices(mesh_, t);
+            const Triangle found = collision::vertices(mesh_, leaf, slot);
             EXPECT_TRUE(found.a == given.a && found.b == given.b && found.c == given.c);
             for (std::size_t c = 0; c < 3; ++c) {
-                expect_corner(leaf, slot, c, mesh_.positions[mesh_.triangles[t][c]].cast<double>());
+                expect_vertex(leaf, slot, c, mesh_.positions[mesh_.triangles[t][c]].cast<double>());
             }
         }
         for (std::size_t slot = leaf.triangles; slot < kLeafTriangles; ++slot) {
@@ -91,10 +91,10 @@ private:
         return all;
     }
 
-    void expect_corner(const Bvh8Leaf& leaf, std::size_t slot, std::size_t c, const Vec3& position) {
+    void expect_vertex(const Bvh8Leaf& leaf, std::size_t slot, std::size_t c, const Vec3& position) {
         const std::size_t at = leaf.vertex_of[c][slot];
-        ASSERT_LT(at, leaf.corners);
-        const Vec3 stored(leaf.corner[0][at], leaf.corner[1][at], leaf.corner[2][at]);
+        ASSERT_LT(at, leaf.vertices);
+        const Vec3 stored(leaf.vertex[0][at], leaf.vertex[1][at], leaf.vertex[2][at]);
         const Vec3 local = position - point(leaf.origin);
         const double unit = kFloatUnit * static_cast<double>(leaf.radius);
         EXPECT_LE((stored - local).cwiseAbs().maxCoeff(), unit);

@@ -192,10 +192,10 @@ TEST(CoursePlaces, AFreshMoverEveryTickWalksTheSame) {
     MoveTrace trace;
     for (const Leg& leg : kLegs) {
         for (int i = 0; i < 60.0 * leg.seconds; ++i) {
-            const Vec3 wish = kPace / 60.0 * towards(leg.degrees);
+            const Vec3 desired = kPace / 60.0 * towards(leg.degrees);
             MoverState other = state;
-            CapsuleMover(*world, {}, {}).move(other, wish, 1.0 / 60.0, trace);
-            kept.move(state, wish, 1.0 / 60.0, trace);
+            CapsuleMover(*world, {}, {}).move(other, desired, 1.0 / 60.0, trace);
+            kept.move(state, desired, 1.0 / 60.0, trace);
             ASSERT_EQ(other.foot, state.foot);
             ASSERT_EQ(other.vertical_speed, state.vertical_speed);
             ASSERT_EQ(other.grounded, state.grounded);
@@ -223,8 +223,8 @@ TEST(CoursePlaces, RandomWalksDoNotDependOnTheTrianglesOrder) {
         support::add_object(*world, mesh);
         const support::PenetrationOracle oracle(*world);
         CapsuleMover mover(*world, {}, {});
-        const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-            mover.move(state, wish, seconds, trace);
+        const auto move = [&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+            mover.move(state, desired, seconds, trace);
         };
         support::WalkSettings settings;
         settings.start = {0, 0.01, 0.2};

@@ -14,10 +14,10 @@ using support::add_quad;
 
 /// A pole of triangles, as modellers make round ones.
 void add_prism(TriangleMesh& mesh, const Vec3& at, double radius, double high, int sides) {
-    const auto corner = [&](int i) { return Vec3(at + radius * towards(360.0 * i / sides)); };
+    const auto vertex = [&](int i) { return Vec3(at + radius * towards(360.0 * i / sides)); };
     for (int i = 0; i < sides; ++i) {
         const Vec3 up(0, high, 0);
-        add_quad(mesh, corner(i), corner(i + 1), corner(i + 1) + up, corner(i) + up);
+        add_quad(mesh, vertex(i), vertex(i + 1), vertex(i + 1) + up, vertex(i) + up);
     }
 }
 

@@ -16,8 +16,8 @@ TEST_P(CourseSpeeds, NothingIsEnteredOrPassed) {
     const auto world = support::make_village();
     const support::PenetrationOracle oracle(*world);
     CapsuleMover mover(*world, {}, {});
-    const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-        mover.move(state, wish, seconds, trace);
+    const auto move = [&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+        mover.move(state, desired, seconds, trace);
     };
     for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
         SCOPED_TRACE(testing::Message() << GetParam() << " m/s, " << rate << " Hz");

@@ -183,11 +183,11 @@ TEST(CourseSteps, KerbsAreCrossedAtAnyAngle) {
     for (const double degrees : {3.0, 10.0, 45.0, 90.0}) {
         SCOPED_TRACE(degrees);
         body.stand({-8, 0, 0.4});
-        const Vec3 wish = kPace * towards(degrees);
-        const double seconds = std::min(10.0, 2.0 / wish.head<3>().dot(Vec3(0, 0, -1)));
-        ASSERT_NO_FATAL_FAILURE(body.walk(wish, seconds));
-        EXPECT_NEAR((body.foot() - Vec3(-8, body.foot().y(), 0.4) - seconds * wish).norm(), 0.0, 0.02);
-        ASSERT_NO_FATAL_FAILURE(body.walk(Vec3(wish.x(), 0, -wish.z()), seconds));
+        const Vec3 desired = kPace * towards(degrees);
+        const double seconds = std::min(10.0, 2.0 / desired.head<3>().dot(Vec3(0, 0, -1)));
+        ASSERT_NO_FATAL_FAILURE(body.walk(desired, seconds));
+        EXPECT_NEAR((body.foot() - Vec3(-8, body.foot().y(), 0.4) - seconds * desired).norm(), 0.0, 0.02);
+        ASSERT_NO_FATAL_FAILURE(body.walk(Vec3(desired.x(), 0, -desired.z()), seconds));
         EXPECT_NEAR(body.foot().z(), 0.4, 0.02);
         EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
         EXPECT_EQ(body.ticks_in_air(), 0);

@@ -63,11 +63,11 @@ TEST_P(CourseAlongWalls, SlidingCostsTheAngleOnly) {
         for (double degrees = 5.0; degrees < 90.0; degrees += every) {
             SCOPED_TRACE(testing::Message() << "wall at " << heading << ", wish at " << degrees);
             body.stand(-3.0 * along + (kRadius + kSkin + 0.01) * out);
-            const Vec3 wish = 3.0 * towards(heading + degrees);
-            ASSERT_NO_FATAL_FAILURE(body.walk(wish, 0.2));
+            const Vec3 desired = 3.0 * towards(heading + degrees);
+            ASSERT_NO_FATAL_FAILURE(body.walk(desired, 0.2));
             const Vec3 start = body.foot();
             const double seconds = every > 5.0 ? 0.5 : 1.5;
-            ASSERT_NO_FATAL_FAILURE(body.walk(wish, seconds));
+            ASSERT_NO_FATAL_FAILURE(body.walk(desired, seconds));
             const double free = 3.0 * seconds * std::cos(radians(degrees));
             EXPECT_NEAR((body.foot() - start).dot(along), free, 0.01 * free);
             EXPECT_LE(body.foot().dot(out), kRadius + kSkin + 1e-3) << "it lost the wall";
@@ -97,10 +97,10 @@ TEST(CourseWalls, AcuteCornersHoldTheBodyStill) {
                 body.ticks_per_second = rate;
                 const double there = (kRadius + kSkin) / std::sin(radians(0.5 * degrees));
                 body.stand({-there - 0.8, 0, 0});
-                const Vec3 wish = kPace * towards(0.5 * part * degrees);
-                ASSERT_NO_FATAL_FAILURE(body.walk(wish, 4.0));
+                const Vec3 desired = kPace * towards(0.5 * part * degrees);
+                ASSERT_NO_FATAL_FAILURE(body.walk(desired, 4.0));
                 EXPECT_NEAR(body.foot().x(), -there, 0.01);
-                EXPECT_LE(jitter(body, wish, 2.0), 5e-4);
+                EXPECT_LE(jitter(body, desired, 2.0), 5e-4);
                 const double tip = body.foot().x();
                 ASSERT_NO_FATAL_FAILURE(body.walk(-kEast, 0.5));
                 EXPECT_NEAR(tip - body.foot().x(), 0.5 * kPace, 0.01) << "not sticky";

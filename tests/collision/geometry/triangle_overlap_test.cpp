@@ -44,12 +44,12 @@ Extent extent(const Triangle& triangle) {
     if (!t.is_degenerate()) {
         return t;
     }
-    std::array<Rational::Point_3, 3> corners = {t[0], t[1], t[2]};
-    std::sort(corners.begin(), corners.end());
-    if (corners[0] == corners[2]) {
-        return corners[0];
+    std::array<Rational::Point_3, 3> vertices = {t[0], t[1], t[2]};
+    std::sort(vertices.begin(), vertices.end());
+    if (vertices[0] == vertices[2]) {
+        return vertices[0];
     }
-    return Rational::Segment_3(corners[0], corners[2]);
+    return Rational::Segment_3(vertices[0], vertices[2]);
 }
 
 bool share_a_point(const Triangle& s, const Triangle& t) {
@@ -226,10 +226,10 @@ TEST(TriangleOverlap, SeesANanometreFarFromTheOrigin) {
             return moved(t, [&](const Vec3& p) -> Vec3 { return origin + p; });
         };
         for (const double gap : {-kNanometre, 0.0, kNanometre}) {
-            const Triangle corner_down{{1, 1, gap}, {2, 1, 1}, {1, 2, 2}};
+            const Triangle vertex_down{{1, 1, gap}, {2, 1, 1}, {1, 2, 2}};
             const Triangle above = moved(kFloor, [&](const Vec3& p) { return Vec3(p.x(), p.y(), gap); });
             const Triangle behind{{0, -gap, 0}, {4, -gap, 0}, {2, -3, 2}};
-            EXPECT_EQ(overlap(placed(kFloor), placed(corner_down)), gap <= 0.0) << far << ' ' << gap;
+            EXPECT_EQ(overlap(placed(kFloor), placed(vertex_down)), gap <= 0.0) << far << ' ' << gap;
             EXPECT_EQ(overlap(placed(kFloor), placed(above)), gap == 0.0) << far << ' ' << gap;
             EXPECT_EQ(overlap(placed(kFloor), placed(behind)), gap <= 0.0) << far << ' ' << gap;
         }
@@ -370,16 +370,16 @@ TEST(TriangleOverlap, NeighboursInATerrainMeetAndNoOthers) {
     }
     struct Tile {
         Triangle triangle;
-        std::array<int, 3> corners{};
+        std::array<int, 3> vertices{};
     };
     std::vector<Tile> tiles;
     const auto add = [&](std::array<std::array<int, 2>, 3> at) {
-        const auto corner = [&](std::size_t i) {
+        const auto vertex = [&](std::size_t i) {
             const auto [x, y] = at[i];
             return Vec3(0.1 * x, 0.3 * y, height[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)]);
         };
         const auto name = [&](std::size_t i) { return at[i][0] + 100 * at[i][1]; };
-        tiles.push_back({{corner(0), corner(1), corner(2)}, {name(0), name(1), name(2)}});
+        tiles.push_back({{vertex(0), vertex(1), vertex(2)}, {name(0), name(1), name(2)}});
     };
     for (int x = 0; x < kSide; ++x) {
         for (int y = 0; y < kSide; ++y) {
@@ -389,8 +389,9 @@ TEST(TriangleOverlap, NeighboursInATerrainMeetAndNoOthers) {
     }
     for (const Tile& s : tiles) {
         for (const Tile& t : tiles) {
-            const bool neighbours = std::find_first_of(s.corners.begin(), s.corners.end(), t.corners.begin(),
-                                                       t.corners.end()) != s.corners.end();
+            const bool neighbours =
+                std::find_first_of(s.vertices.begin(), s.vertices.end(), t.vertices.begin(),
+                                   t.vertices.end()) != s.vertices.end();
             ASSERT_EQ(overlap(s.triangle, t.triangle), neighbours);
         }
     }

@@ -42,7 +42,7 @@ struct Body {
 std::vector<TrianglePair> loop_contacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& X_a_b) {
     std::vector<TrianglePair> pairs;
     for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
-        const Triangle first = corners(a, i);
+        const Triangle first = vertices(a, i);
         for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
             const auto& v = b.triangles[j];
             const Triangle second{b_vertex_in_a(X_a_b, b.positions[v[0]]),
@@ -84,16 +84,16 @@ HybridContactStatistics count(const Body& a, const Body& b, const Pose& X_a_b, N
 
 /// Triangles with whole coordinates: they touch in corners, along edges and in planes, some are points.
 TriangleMesh lattice_soup(Dice& dice, int triangles, const Vec3& at) {
-    const auto corner = [&] {
+    const auto vertex = [&] {
         const double x = dice.below(7);
         const double y = dice.below(7);
         return Vec3(at + Vec3(x, y, dice.below(7)));
     };
     TriangleMesh mesh;
     for (int i = 0; i < triangles; ++i) {
-        const Vec3 p = corner();
-        const Vec3 q = corner();
-        support::add_triangle(mesh, p, q, dice.chance(0.1) ? q : corner());
+        const Vec3 p = vertex();
+        const Vec3 q = vertex();
+        support::add_triangle(mesh, p, q, dice.chance(0.1) ? q : vertex());
     }
     return mesh;
 }

@@ -17,7 +17,7 @@ using Mat3l = Eigen::Matrix<Real, 3, 3>;
 /// Rounding's worth, as a part of the coordinates' size.
 constexpr Real kSlack = 1e-10L;
 
-std::vector<Vec3l> corners_in(const TriangleMesh& mesh, Triangles triangles) {
+std::vector<Vec3l> vertices_in(const TriangleMesh& mesh, Triangles triangles) {
     std::vector<Vec3l> points;
     for (const std::uint32_t t : triangles) {
         for (const std::uint32_t v : mesh.triangles[t]) {
@@ -79,7 +79,7 @@ Mat3l covariance_of(const std::vector<Vec3l>& points) {
 
 ::testing::AssertionResult is_outer_sphere(const BoundingSphere& sphere, const TriangleMesh& mesh,
                                            Triangles triangles) {
-    const std::vector<Vec3l> points = corners_in(mesh, triangles);
+    const std::vector<Vec3l> points = vertices_in(mesh, triangles);
     const Real slack = kSlack * size_of(points);
     Vec3l mean = Vec3l::Zero();
     for (std::size_t i = 0; i < points.size(); i += 3) {
@@ -99,7 +99,7 @@ Mat3l covariance_of(const std::vector<Vec3l>& points) {
 
 ::testing::AssertionResult is_inner_box(const OrientedBox& box, const TriangleMesh& mesh,
                                         Triangles triangles) {
-    const std::vector<Vec3l> points = corners_in(mesh, triangles);
+    const std::vector<Vec3l> points = vertices_in(mesh, triangles);
     const Real slack = kSlack * size_of(points);
     const Mat3l axes = box.axes.cast<Real>();
     if (const Real by = (axes.transpose() * axes - Mat3l::Identity()).norm(); by > kSlack) {

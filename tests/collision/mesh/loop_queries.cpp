@@ -16,7 +16,7 @@ using support::Dice;
 std::vector<std::uint32_t> loop_near(const TriangleMesh& mesh, const Segment& segment, double radius) {
     std::vector<std::uint32_t> near;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (closest(segment, corners(mesh, t)).distance <= radius) {
+        if (closest(segment, vertices(mesh, t)).distance <= radius) {
             near.push_back(t);
         }
     }
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> loop_near(const TriangleMesh& mesh, const Segment& se
 std::vector<MeshHit> loop_all_on_ray(const TriangleMesh& mesh, const Ray& ray) {
     std::vector<MeshHit> hits;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (const auto f = hit(ray, corners(mesh, t))) {
+        if (const auto f = hit(ray, vertices(mesh, t))) {
             hits.push_back({*f, t});
         }
     }
@@ -38,7 +38,7 @@ std::vector<MeshHit> loop_all_on_ray(const TriangleMesh& mesh, const Ray& ray) {
 std::vector<std::uint32_t> loop_in_box(const TriangleMesh& mesh, const Box& box, const Pose& X_mesh_box) {
     std::vector<std::uint32_t> met;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Triangle c = corners(mesh, t);
+        const Triangle c = vertices(mesh, t);
         const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
                              X_mesh_box.inverse_apply(c.c)};
         if (overlap(local, box)) {
@@ -52,7 +52,7 @@ MeshPoint loop_closest_point(const TriangleMesh& mesh, const Vec3& point) {
     MeshPoint best;
     best.distance = 1e300;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Closest c = closest(Segment{point, point}, corners(mesh, t));
+        const Closest c = closest(Segment{point, point}, vertices(mesh, t));
         if (c.distance < best.distance) {
             best = {c.on_shape, c.distance, t};
         }
@@ -64,7 +64,7 @@ std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segme
                                   const Vec3& move) {
     std::optional<MeshHit> first;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Triangle triangle = corners(mesh, t);
+        const Triangle triangle = vertices(mesh, t);
         const auto f = first_touch(segment, radius, move,
                                    [&](const Segment& moved) { return closest(moved, triangle); });
         if (f && (!first || *f < first->fraction)) {
@@ -124,7 +124,7 @@ TriangleMesh hard_mesh(Dice& dice) {
 
 Vec3 point_around(const TriangleMesh& mesh, Dice& dice, double reach) {
     const auto t = static_cast<std::size_t>(dice.below(static_cast<int>(mesh.triangles.size())));
-    const Triangle c = corners(mesh, t);
+    const Triangle c = vertices(mesh, t);
     const double u = dice.between(0.0, 1.0);
     const double v = dice.between(0.0, 1.0 - u);
     return (1.0 - u - v) * c.a + u * c.b + v * c.c + dice.in_cube(reach);

@@ -66,7 +66,7 @@ TEST(TrianglesNear, AreThoseThePlainFormulaFinds) {
             triangles_near(*both.each()[static_cast<std::size_t>(i % 2)], segment, radius, near);
             for (std::uint32_t t = 0; t < both.mesh().triangles.size(); ++t) {
                 const double distance =
-                    support::distance(Line{segment.a, segment.b}, vertices_of(corners(both.mesh(), t)));
+                    support::distance(Line{segment.a, segment.b}, vertices_of(vertices(both.mesh(), t)));
                 if (std::abs(distance - radius) > 1e-9) {
                     ASSERT_EQ(std::binary_search(near.begin(), near.end(), t), distance < radius) << t;
                 }
@@ -179,7 +179,7 @@ TEST(OnRay, IsWhereThePlainFormulaSays) {
             double plain = 2.0;
             for (std::size_t t = 0; t < both.mesh().triangles.size(); ++t) {
                 const auto f =
-                    support::first_meeting(Line{ray.from, ray.to}, vertices_of(corners(both.mesh(), t)));
+                    support::first_meeting(Line{ray.from, ray.to}, vertices_of(vertices(both.mesh(), t)));
                 plain = std::min(plain, f.value_or(2.0));
             }
             const auto ours = first_on_ray(*both.each()[static_cast<std::size_t>(i % 2)], ray);

@@ -49,7 +49,7 @@ public:
 
 private:
     bool in_reach(std::uint32_t triangle) const {
-        return closest(segment_, corners(mesh_.mesh(), triangle)).distance <= radius_;
+        return closest(segment_, vertices(mesh_.mesh(), triangle)).distance <= radius_;
     }
 
     bool count_needed(std::uint32_t index) {

@@ -10,7 +10,7 @@ namespace campuswalk::collision {
 double winding_number(const TriangleMesh& mesh, const Eigen::Vector3d& point) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle t = corners(mesh, i);
+        const Triangle t = vertices(mesh, i);
         const Eigen::Vector3d a = t.a - point;
         const Eigen::Vector3d b = t.b - point;
         const Eigen::Vector3d c = t.c - point;

@@ -31,7 +31,7 @@ TEST(TreeLevel, EveryLevelOfEitherTreeHoldsTheWholeMesh) {
         for (const int level : {0, 1, 2, 4, 40}) {
             const auto boxes = boxes_at_level(mesh, level);
             for (std::size_t t = 0; t < mesh.mesh().triangles.size(); ++t) {
-                const Triangle c = corners(mesh.mesh(), t);
+                const Triangle c = vertices(mesh.mesh(), t);
                 ASSERT_TRUE(std::ranges::any_of(boxes,
                                                 [&](const PosedBox& posed) {
                                                     return holds(posed, c.a) && holds(posed, c.b) &&

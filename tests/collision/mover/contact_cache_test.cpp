@@ -138,15 +138,15 @@ TEST(ContactCache, WhatIsKeptNeverChangesAMove) {
         state.foot = support::random_free_place(*world, dice, support::kSoupHalf);
         MoveTrace trace;
         MoveTrace fresh_trace;
-        Vec3 wish = Vec3::Zero();
+        Vec3 desired = Vec3::Zero();
         for (int tick = 0; tick < 400; ++tick) {
             if (tick % 25 == 0) {
-                wish = 0.05 * Vec3(dice.between(-1, 1), 0, dice.between(-1, 1));
+                desired = 0.05 * Vec3(dice.between(-1, 1), 0, dice.between(-1, 1));
             }
             CapsuleMover fresh(*world, {}, {});
             MoverState fresh_state = state;
-            fresh.move(fresh_state, wish, 1.0 / 60.0, fresh_trace);
-            mover.move(state, wish, 1.0 / 60.0, trace);
+            fresh.move(fresh_state, desired, 1.0 / 60.0, fresh_trace);
+            mover.move(state, desired, 1.0 / 60.0, trace);
             ASSERT_EQ(state.foot, fresh_state.foot) << "seed " << seed << ", tick " << tick;
             ASSERT_EQ(state.vertical_speed, fresh_state.vertical_speed);
             ASSERT_EQ(state.grounded, fresh_state.grounded);

@@ -39,19 +39,19 @@ TEST(HalfPlanes, NothingAllowedIsNearer) {
     Dice dice(5);
     for (int i = 0; i < support::repeats(500); ++i) {
         const auto planes = random_planes(dice, 1 + i % 6);
-        const Vec3 wish(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
-        const Vec3 found = nearest_allowed(wish, planes);
+        const Vec3 desired(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
+        const Vec3 found = nearest_allowed(desired, planes);
         for (const HalfPlane& p : planes) {
             ASSERT_GE(p.x * found.x() + p.z * found.z(), -p.room - 1e-11);
         }
-        const double distance = (found - wish).norm();
+        const double distance = (found - desired).norm();
         for (int x = -60; x <= 60; ++x) {
             for (int z = -60; z <= 60; ++z) {
                 const Vec3 other(x / 100.0, 0, z / 100.0);
                 const bool fits = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) {
                     return p.x * other.x() + p.z * other.z() >= -p.room;
                 });
-                ASSERT_TRUE(!fits || (other - wish).norm() >= distance - 1e-11) << i;
+                ASSERT_TRUE(!fits || (other - desired).norm() >= distance - 1e-11) << i;
             }
         }
     }
@@ -61,10 +61,10 @@ TEST(HalfPlanes, TheirOrderDoesNotMatter) {
     Dice dice(6);
     for (int i = 0; i < 2000; ++i) {
         auto planes = random_planes(dice, 4);
-        const Vec3 wish(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
-        const Vec3 found = nearest_allowed(wish, planes);
+        const Vec3 desired(dice.between(-0.4, 0.4), 0, dice.between(-0.4, 0.4));
+        const Vec3 found = nearest_allowed(desired, planes);
         std::reverse(planes.begin(), planes.end());
-        const Vec3 other = nearest_allowed(wish, planes);
+        const Vec3 other = nearest_allowed(desired, planes);
         ASSERT_LT((found - other).norm(), 1e-12) << i;
     }
     // Two ways as long as each other.

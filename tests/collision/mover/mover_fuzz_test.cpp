@@ -33,8 +33,8 @@ WalkAudit walk_through(const Place& place, std::uint32_t seed, int ticks) {
     settings.seed = seed;
     settings.fastest = place.fastest;
     settings.ticks = ticks;
-    const auto move = [&](MoverState& state, const Vec3& wish, double seconds, MoveTrace& trace) {
-        mover.move(state, wish, seconds, trace);
+    const auto move = [&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+        mover.move(state, desired, seconds, trace);
     };
     return support::audit_random_walk(oracle, move, settings);
 }

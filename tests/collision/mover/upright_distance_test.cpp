@@ -13,7 +13,7 @@ namespace {
 
 Obstacle obstacle(const Triangle& t) {
     Obstacle o;
-    o.corners = t;
+    o.vertices = t;
     const Vec3 n = (t.b - t.a).cross(t.c - t.a);
     o.normal = n.norm() > 0.0 ? Vec3(n.normalized()) : Vec3::Zero();
     o.top = std::max({t.a.y(), t.b.y(), t.c.y()});

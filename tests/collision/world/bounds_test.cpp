@@ -39,8 +39,8 @@ struct SurfacePoints {
     }
     std::vector<Vec3> operator()(const Box& box) const {
         std::vector<Vec3> points;
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        for (int vertex = 0; vertex < 8; ++vertex) {
+            const Vec3 side(vertex & 1 ? 1 : -1, vertex & 2 ? 1 : -1, vertex & 4 ? 1 : -1);
             points.push_back(side.cwiseProduct(box.half_extents));
         }
         return points;

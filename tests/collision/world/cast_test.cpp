@@ -32,7 +32,7 @@ double loop_first(const World& world, const Ray& ray) {
         const Pose& X = object.X_world_shape;
         if (const auto* mesh = std::get_if<std::shared_ptr<const MeshCollider>>(&object.shape)) {
             for (std::size_t t = 0; t < (*mesh)->mesh().triangles.size(); ++t) {
-                const Triangle c = corners((*mesh)->mesh(), t);
+                const Triangle c = vertices((*mesh)->mesh(), t);
                 const support::Vertices placed{X * c.a, X * c.b, X * c.c};
                 first = std::min(first, support::first_meeting(Line{ray.from, ray.to}, placed).value_or(2.0));
             }

@@ -28,7 +28,7 @@ Obstacle obstacle_of(const Object& solid) {
 
 Obstacle obstacle_of(const Triangle& t, const Vec3& normal) {
     Obstacle o;
-    o.corners = t;
+    o.vertices = t;
     o.normal = normal;
     return o;
 }
@@ -79,7 +79,7 @@ Expected loop_gather(const World& world, const QueryFilter& filter, const Segmen
             continue;
         }
         for (std::uint32_t t = 0; t < (*mesh)->mesh().triangles.size(); ++t) {
-            const Triangle c = corners((*mesh)->mesh(), t);
+            const Triangle c = vertices((*mesh)->mesh(), t);
             const Pose& X = object.X_world_shape;
             consider(i, t, support::distance(line, {X * c.a, X * c.b, X * c.c}));
         }
@@ -127,7 +127,7 @@ TEST(GatherObstacles, TellsATrianglesPlaceNormalAndTop) {
     ASSERT_EQ(pieces.size(), 2U);
     EXPECT_EQ(pieces[0].object, id);
     EXPECT_EQ(pieces[0].solid, nullptr);
-    EXPECT_EQ(pieces[0].corners.c, Vec3(12, 3, 0));
+    EXPECT_EQ(pieces[0].vertices.c, Vec3(12, 3, 0));
     EXPECT_EQ(pieces[0].normal, Vec3(0, 1, 0));
     EXPECT_EQ(pieces[0].top, 3.0);
     EXPECT_EQ(pieces[1].triangle, 1U);

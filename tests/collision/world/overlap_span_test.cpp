@@ -18,12 +18,12 @@ using support::Line;
 
 constexpr double kRadius = 0.3;
 
-Segment standing_at(const Vec3& foot) {
+Segment placement_at(const Vec3& foot) {
     return {foot + Vec3(0, kRadius, 0), foot + Vec3(0, 1.5, 0)};
 }
 
 std::optional<OverlapSpan> span_of(const World& world, ObjectId id, const Vec3& from, const Vec3& move) {
-    return overlap_span(world, id, standing_at(from), kRadius, move);
+    return overlap_span(world, id, placement_at(from), kRadius, move);
 }
 
 /// The span of a convex function's part below zero, by halving intervals from both ends.
@@ -68,7 +68,7 @@ TEST(OverlapSpan, OfASolidIsWhereThePlainGapIsClosed) {
         const ObjectId id = world.add(object);
         const Vec3 from = dice.in_cube(2.0);
         const Vec3 move = dice.in_cube(2.0) - from;
-        const Segment body = standing_at(from);
+        const Segment body = placement_at(from);
         const auto gap_at = [&](double f) {
             return support::signed_distance(object, Line{body.a + f * move, body.b + f * move}) - kRadius;
         };
@@ -92,11 +92,11 @@ TEST(OverlapSpan, OfATriangleIsWhereThePlainGapIsClosed) {
         TriangleMesh mesh;
         const Triangle t = support::random_triangle(dice, dice.in_cube(1.0));
         support::add_triangle(mesh, t.a, t.b, t.c);
-        const support::Vertices rounded = support::vertices_of(corners(mesh, 0));
+        const support::Vertices rounded = support::vertices_of(vertices(mesh, 0));
         const ObjectId id = add_object(world, mesh);
         const Vec3 from = dice.in_cube(2.0);
         const Vec3 move = dice.in_cube(2.0) - from;
-        const Segment body = standing_at(from);
+        const Segment body = placement_at(from);
         const auto gap_at = [&](double f) {
             return support::distance(Line{body.a + f * move, body.b + f * move}, rounded) - kRadius;
         };

@@ -28,7 +28,7 @@ public:
     explicit PlacedMesh(Dice& dice) : X_(support::random_pose(dice, 50.0)) {
         TriangleMesh mesh = mesh_of_some_kind(dice);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            const Triangle c = corners(mesh, t);
+            const Triangle c = vertices(mesh, t);
             triangles_.push_back({X_ * c.a, X_ * c.b, X_ * c.c});
         }
         support::add_object(world_, std::move(mesh), Detection::solid, X_);

@@ -139,25 +139,25 @@ TEST(FreePlace, IsLiftedOutOfGroundThatIsALittleHigher) {
     EXPECT_FALSE(free_place_at(world, {0, -0.62, 0}, 0.5)) << "too deep";
 }
 
-// ---- standing places ------------------------------------------------------------------------------------
+// ---- placement places ------------------------------------------------------------------------------------
 
-std::optional<Standing> standing_at(const World& world, const Vec3& foot) {
-    return standing_place(world, {}, foot, kRadius, kHeight, 0.5);
+std::optional<FreePlacement> placement_at(const World& world, const Vec3& foot) {
+    return nearest_free_placement(world, {}, foot, kRadius, kHeight, 0.5);
 }
 
 TEST(StandingPlace, IsBesideAWallThatIsOverlapped) {
     World world(std::make_unique<LinearBroadPhase>());
     const ObjectId wall = add_object(world, Box{{0.1, 2, 5}}, {1, 2, 0});  // its face at x = 0.9
     for (const double x : {0.61, 0.75, 0.899}) {
-        const auto standing = standing_at(world, {x, 0, 0});
-        ASSERT_TRUE(standing) << x;
-        EXPECT_EQ(standing->pushed_out_of, wall);
-        EXPECT_NEAR(standing->foot.x(), 0.9 - kRadius - 1e-3, 1e-4) << x;
-        EXPECT_NEAR(standing->foot.z(), 0.0, 1e-9);
-        EXPECT_EQ(standing->foot.y(), 0.0);
+        const auto placement = placement_at(world, {x, 0, 0});
+        ASSERT_TRUE(placement) << x;
+        EXPECT_EQ(placement->pushed_out_of, wall);
+        EXPECT_NEAR(placement->foot.x(), 0.9 - kRadius - 1e-3, 1e-4) << x;
+        EXPECT_NEAR(placement->foot.z(), 0.0, 1e-9);
+        EXPECT_EQ(placement->foot.y(), 0.0);
     }
-    EXPECT_EQ(standing_at(world, {0.59, 0, 0})->pushed_out_of, std::nullopt);
-    EXPECT_FALSE(standing_at(world, {0.95, 0, 0})) << "its axis is inside";
+    EXPECT_EQ(placement_at(world, {0.59, 0, 0})->pushed_out_of, std::nullopt);
+    EXPECT_FALSE(placement_at(world, {0.95, 0, 0})) << "its axis is inside";
 }
 
 TEST(StandingPlace, IsOnThisSideOfAThinWall) {
@@ -166,11 +166,11 @@ TEST(StandingPlace, IsOnThisSideOfAThinWall) {
     support::add_quad(sheet, {0.1, 0, -9}, {0.1, 9, -9}, {0.1, 9, 9}, {0.1, 0, 9});
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, sheet);
-    const auto alone = standing_at(world, {0, 0, 0});
+    const auto alone = placement_at(world, {0, 0, 0});
     ASSERT_TRUE(alone);
     EXPECT_NEAR(alone->foot.x(), 0.1 - kRadius - 1e-3, 1e-4);
     add_object(world, Box{{0.1, 2, 9}}, {-0.4, 2, 0});  // its face at x = -0.3: no room in between
-    EXPECT_FALSE(standing_at(world, {0, 0, 0}));
+    EXPECT_FALSE(placement_at(world, {0, 0, 0}));
 }
 
 TEST(StandingPlace, IsNoFartherThanTwiceTheRadius) {
@@ -179,7 +179,7 @@ TEST(StandingPlace, IsNoFartherThanTwiceTheRadius) {
         World world(std::make_unique<LinearBroadPhase>());
         add_object(world, Box{{0.5, 2, 2}}, {-0.775, 2, 2});
         add_object(world, Box{{0.5, 2, 2}}, {0.775, 2, 2});
-        return standing_at(world, {0, 0, depth}).has_value();
+        return placement_at(world, {0, 0, depth}).has_value();
     };
     EXPECT_TRUE(in_niche(0.3));
     EXPECT_FALSE(in_niche(0.8));
@@ -200,13 +200,14 @@ TEST(StandingPlace, IsNearlyTheNearestFreeOne) {
         if (depth < 0.02 || depth > 0.2) {
             continue;
         }
-        const auto standing = standing_at(*village, foot);
-        if (!standing) {
+        const auto placement = placement_at(*village, foot);
+        if (!placement) {
             continue;
         }
-        ASSERT_LE(oracle.worst_penetration(standing->foot, kRadius, kHeight).depth, 1e-9) << foot.transpose();
-        const double moved = (standing->foot - foot).norm();
-        if (!standing->pushed_out_of || standing->foot.y() - foot.y() >= 0.05) {
+        ASSERT_LE(oracle.worst_penetration(placement->foot, kRadius, kHeight).depth, 1e-9)
+            << foot.transpose();
+        const double moved = (placement->foot - foot).norm();
+        if (!placement->pushed_out_of || standing->foot.y() - foot.y() >= 0.05) {
             continue;
         }
         ++pushed;

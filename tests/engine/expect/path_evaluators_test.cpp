@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/expect/one_judge.h"
+#include "tests/engine/expect/single_evaluator.h"
 #include "tests/engine/short_walk.h"
 
 namespace campuswalk::engine {

@@ -126,7 +126,7 @@ TEST(Renderer, DrawsTheSameBytesInAnyProcessBackendAndThreadCount) {
     for (const char* backend : {"osmesa", "egl"}) {
         for (const char* threads : {"0", "1", "2"}) {
             const std::filesystem::path file = folder.path() / (std::string(backend) + threads + ".png");
-            const std::string command = std::string("LP_NUM_THREADS=") + threads + ' ' + DRAW_ONE_PICTURE +
+            const std::string command = std::string("LP_NUM_THREADS=") + threads + ' ' + DRAW_ONE_IMAGE +
                                         " '" + file.string() + "' " + backend;
             ASSERT_EQ(std::system(command.c_str()), 0) << command;
             std::ifstream stream(file, std::ios::binary);

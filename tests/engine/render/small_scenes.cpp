@@ -82,11 +82,11 @@ SceneBuilder& SceneBuilder::named(const char* name) {
 }
 
 // Vertices counter-clockwise from the lower left as seen from outside.
-void SceneBuilder::quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) const {
+void SceneBuilder::quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& vertices) const {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    for (const Eigen::Vector3d& corner : corners) {
-        mesh.positions.push_back(corner.cast<float>());
+    const Eigen::Vector3d normal = (vertices[1] - vertices[0]).cross(vertices[2] - vertices[0]).normalized();
+    for (const Eigen::Vector3d& vertex : vertices) {
+        mesh.positions.push_back(vertex.cast<float>());
         mesh.normals.push_back(normal.cast<float>());
     }
     mesh.uvs.insert(mesh.uvs.end(), {{0.0F, 1.0F}, {1.0F, 1.0F}, {1.0F, 0.0F}, {0.0F, 0.0F}});
@@ -119,16 +119,16 @@ SceneBuilder& SceneBuilder::box(const Eigen::Vector3d& low, const Eigen::Vector3
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         for (const bool upper : {false, true}) {
-            std::array<Eigen::Vector3d, 4> corners = {low, low, low, low};
-            for (Eigen::Vector3d& corner : corners) {
-                corner[axis] = upper ? high[axis] : low[axis];
+            std::array<Eigen::Vector3d, 4> vertices = {low, low, low, low};
+            for (Eigen::Vector3d& vertex : vertices) {
+                vertex[axis] = upper ? high[axis] : low[axis];
             }
             // u x v is the outward axis of the upper side; the lower one goes round the other way.
             const int second = upper ? u : v;
             const int last = upper ? v : u;
-            corners[1][second] = corners[2][second] = high[second];
-            corners[2][last] = corners[3][last] = high[last];
-            quad(mesh, corners);
+            vertices[1][second] = vertices[2][second] = high[second];
+            vertices[2][last] = vertices[3][last] = high[last];
+            quad(mesh, vertices);
         }
     }
     add(std::move(mesh));

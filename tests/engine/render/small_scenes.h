@@ -52,7 +52,7 @@ public:
     scene::Model model() const;
 
 private:
-    void quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) const;
+    void quad(scene::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& vertices) const;
     void add(scene::Mesh mesh);
 
     scene::Model model_;

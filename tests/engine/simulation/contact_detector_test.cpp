@@ -160,12 +160,12 @@ TEST(ContactDetector, PutTransitionsInATotalOrder) {
     scene::Campus campus = empty_campus();
     support::Dice dice(5);
     for (int i = 0; i < 40; ++i) {
-        const Vector3d corner = dice.in_cube(8.0);
+        const Vector3d low = dice.in_cube(8.0);
         const Vector3d size(dice.between(0.1, 3.0), dice.between(0.1, 3.0), dice.between(0.1, 3.0));
         const Detection detection = dice.chance(0.5)   ? Detection::trigger
                                     : dice.chance(0.5) ? Detection::ray
                                                        : Detection::trigger | Detection::ray;
-        add_box(campus, "box-" + std::to_string(i), corner, corner + size, {detection, "", true, ""});
+        add_box(campus, "box-" + std::to_string(i), low, low + size, {detection, "", true, ""});
     }
     Sensing sensing(campus, 0, 2);
     Vector3d foot(0, 0, 0);

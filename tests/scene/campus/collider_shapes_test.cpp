@@ -17,10 +17,10 @@ ShapeSource box_source(const collision::Pose& frame, const Vec3& centre, const V
     ShapeSource source;
     source.frame = frame;
     source.has_nodes = true;
-    for (int corner = 0; corner < 8; ++corner) {
+    for (int vertex = 0; vertex < 8; ++vertex) {
         Vec3 p = centre;
         for (int axis = 0; axis < 3; ++axis) {
-            p[axis] += size[axis] * ((corner >> axis & 1) != 0 ? 0.5 : -0.5);
+            p[axis] += size[axis] * ((vertex >> axis & 1) != 0 ? 0.5 : -0.5);
         }
         source.geometry.positions.push_back(frame * p);
     }

@@ -46,13 +46,13 @@ ObjFigures read_obj(const fs::path& path) {
             words >> p.x() >> p.y() >> p.z();
             positions.push_back(p);
         } else if (word == "f") {
-            std::size_t corners = 0;
+            std::size_t vertices = 0;
             while (words >> word) {
                 const long index = std::stol(word);
                 figures.bounds.extend(positions[static_cast<std::size_t>(index > 0 ? index - 1 : 0)]);
-                ++corners;
+                ++vertices;
             }
-            figures.triangles += corners - 2;
+            figures.triangles += vertices - 2;
         }
     }
     return figures;

@@ -47,7 +47,7 @@ TEST(MeshParts, PrismFacesOutward) {
     MeshParts(mesh).add_prism(quarter_turn_about_y(), {0.0, -1.0, 0.0}, 0.5, 3.0, 6);
     EXPECT_EQ(mesh.triangles.size(), 12U);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const collision::Triangle t = corners(mesh, i);
+        const collision::Triangle t = vertices(mesh, i);
         const Vec3 out = (t.a + t.b + t.c) / 3.0 - Vec3(10.0, 0.5, 5.0);
         const Vec3 normal = (t.b - t.a).cross(t.c - t.a).normalized();
         EXPECT_NEAR(normal.dot(out), 0.5 * 0.8660254, 1e-5);

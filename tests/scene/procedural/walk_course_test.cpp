@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/procedural/walkable_campus.h"
-#include "tests/scene/procedural/standing_flood.h"
+#include "tests/scene/procedural/placement_flood_fill.h"
 #include "tests/support/effort.h"
 
 namespace campuswalk::scene {

@@ -47,20 +47,20 @@ void triangles_of(const MeshCollider& mesh, const Wheel& wheel, const Pose& X,
     triangles_of(mesh, Box{half}, X, out);
     const collision::ConvexSolid solid = convex_solid(wheel, X);
     std::erase_if(out,
-                  [&](std::uint32_t t) { return distance_between(solid, corners(mesh.mesh(), t)) > 0.0; });
+                  [&](std::uint32_t t) { return distance_between(solid, vertices(mesh.mesh(), t)) > 0.0; });
 }
 
 /// All pairs of kinds, with X_a_b for b's own frame: that of a mesh lies where its origin is.
 class Search {
 public:
-    Search(const Body& a, const Body& b, const Pose& X_a_b, Wanted wanted) : wanted_(wanted) {
+    Search(const Body& a, const Body& b, const Pose& X_a_b, SearchMode wanted) : mode_(wanted) {
         X_a_b_.rotation = X_a_b.rotation;
         X_a_b_.translation = X_a_b * b.p_body_mesh - a.p_body_mesh;
     }
 
     Overlaps operator()(const Mesh& a, const Mesh& b) const {
         Overlaps overlaps;
-        if (wanted_ == Wanted::all) {
+        if (mode_ == SearchMode::all) {
             all_contacts(*a, *b, X_a_b_, overlaps.pairs);
             std::ranges::sort(overlaps.pairs);
         } else if (const std::optional<TrianglePair> pair = first_contact(*a, *b, X_a_b_)) {
@@ -97,14 +97,14 @@ private:
         Overlaps overlaps;
         triangles_of(mesh, solid, X_mesh_solid, overlaps.triangles);
         overlaps.any = !overlaps.triangles.empty();
-        if (wanted_ == Wanted::one && overlaps.any) {
+        if (mode_ == SearchMode::one && overlaps.any) {
             overlaps.triangles.resize(1);
         }
         return overlaps;
     }
 
     Pose X_a_b_;
-    Wanted wanted_;
+    SearchMode mode_;
 };
 
 }  // namespace
@@ -113,7 +113,7 @@ std::size_t Overlaps::count() const {
     return distance ? (any ? 1 : 0) : pairs.size() + triangles.size();
 }
 
-Overlaps find_overlaps(const Body& a, const Body& b, const Pose& X_a_b, Wanted wanted) {
+Overlaps find_overlaps(const Body& a, const Body& b, const Pose& X_a_b, SearchMode wanted) {
     return std::visit(Search(a, b, X_a_b, wanted), a.shape, b.shape);
 }
 

@@ -21,8 +21,8 @@ struct Overlaps {
 };
 
 /// All of them, or one alone: of two meshes the pair that is found first, else the lowest triangle.
-enum class Wanted : std::uint8_t { all, one };
+enum class SearchMode : std::uint8_t { all, one };
 
-Overlaps find_overlaps(const Body& a, const Body& b, const collision::Pose& X_a_b, Wanted wanted);
+Overlaps find_overlaps(const Body& a, const Body& b, const collision::Pose& X_a_b, SearchMode wanted);
 
 }  // namespace campuswalk::tools::collide

@@ -72,13 +72,13 @@ std::vector<std::string> words_of(const std::string& value) {
 KnownOption known_option(const CLI::Option& option) {
     KnownOption known;
     for (const std::string& name : option.get_snames()) {
-        known.spellings.push_back("-" + name);
+        known.names.push_back("-" + name);
     }
     for (const std::string& name : option.get_lnames()) {
-        known.spellings.push_back("--" + name);
+        known.names.push_back("--" + name);
     }
     if (option.get_positional()) {
-        known.spellings.push_back(option.get_name());
+        known.names.push_back(option.get_name());
     }
     known.help = option.get_description();
     const bool takes_value = option.get_items_expected_max() > 0;
@@ -119,106 +119,106 @@ void Command::footer(const std::string& text) {
     app_->footer(text);
 }
 
-void Command::finish(CLI::Option& option, const Spelling& spelling) {
-    option.type_name(spelling.value)->required(spelling.required);
-    if (spelling.check) {
-        option.check(spelling.check);
+void Command::finish(CLI::Option& option, const OptionSpec& spec) {
+    option.type_name(spec.value)->required(spec.required);
+    if (spec.check) {
+        option.check(spec.check);
     }
-    if (spelling.show_default) {
+    if (spec.show_default) {
         option.capture_default_str();
     }
-    if (!spelling.excludes.empty()) {
-        option.excludes(app_->get_option(spelling.excludes));
+    if (!spec.excludes.empty()) {
+        option.excludes(app_->get_option(spec.excludes));
     }
-    if (!spelling.environment.empty()) {
-        option.envname(spelling.environment);
+    if (!spec.environment.empty()) {
+        option.envname(spec.environment);
     }
 }
 
 template <typename Value>
-CLI::Option& Command::add_option(const Spelling& spelling, Value& target) {
-    CLI::Option* option = app_->add_option(spelling.names, target, spelling.help);
-    finish(*option, spelling);
+CLI::Option& Command::add_option(const OptionSpec& spec, Value& target) {
+    CLI::Option* option = app_->add_option(spec.names, target, spec.help);
+    finish(*option, spec);
     return *option;
 }
 
 template <typename Value, typename Number>
-void Command::add_number(const Spelling& spelling, Value& target, const Limits<Number>& limits) {
-    Spelling shown = spelling;
-    shown.value = spelling.value.empty() ? "N" : spelling.value;
+void Command::add_number(const OptionSpec& spec, Value& target, const Limits<Number>& limits) {
+    OptionSpec shown = spec;
+    shown.value = spec.value.empty() ? "N" : spec.value;
     add_option(shown, target).check(CLI::Range(limits.least, limits.most));
 }
 
-void Command::option(const Spelling& spelling, std::string& target) {
-    add_option(spelling, target);
+void Command::option(const OptionSpec& spec, std::string& target) {
+    add_option(spec, target);
 }
-void Command::option(const Spelling& spelling, std::filesystem::path& target) {
-    add_option(spelling, target);
+void Command::option(const OptionSpec& spec, std::filesystem::path& target) {
+    add_option(spec, target);
 }
-void Command::option(const Spelling& spelling, std::optional<std::string>& target) {
-    add_option(spelling, target);
+void Command::option(const OptionSpec& spec, std::optional<std::string>& target) {
+    add_option(spec, target);
 }
-void Command::option(const Spelling& spelling, std::optional<std::filesystem::path>& target) {
-    add_option(spelling, target);
+void Command::option(const OptionSpec& spec, std::optional<std::filesystem::path>& target) {
+    add_option(spec, target);
 }
-void Command::option(const Spelling& spelling, std::vector<std::string>& target) {
+void Command::option(const OptionSpec& spec, std::vector<std::string>& target) {
     // One value each time it is named: what follows belongs to the command.
-    add_option(spelling, target).allow_extra_args(!spelling.names.starts_with('-'));
+    add_option(spec, target).allow_extra_args(!spec.names.starts_with('-'));
 }
-void Command::option(const Spelling& spelling, std::vector<std::filesystem::path>& target) {
-    add_option(spelling, target).allow_extra_args(!spelling.names.starts_with('-'));
+void Command::option(const OptionSpec& spec, std::vector<std::filesystem::path>& target) {
+    add_option(spec, target).allow_extra_args(!spec.names.starts_with('-'));
 }
-void Command::option(const Spelling& spelling, int& target, const Limits<int>& limits) {
-    add_number(spelling, target, limits);
+void Command::option(const OptionSpec& spec, int& target, const Limits<int>& limits) {
+    add_number(spec, target, limits);
 }
-void Command::option(const Spelling& spelling, std::optional<int>& target, const Limits<int>& limits) {
-    add_number(spelling, target, limits);
+void Command::option(const OptionSpec& spec, std::optional<int>& target, const Limits<int>& limits) {
+    add_number(spec, target, limits);
 }
-void Command::option(const Spelling& spelling, double& target, const Limits<double>& limits) {
-    add_number(spelling, target, limits);
+void Command::option(const OptionSpec& spec, double& target, const Limits<double>& limits) {
+    add_number(spec, target, limits);
 }
-void Command::option(const Spelling& spelling, std::optional<double>& target, const Limits<double>& limits) {
-    add_number(spelling, target, limits);
-}
-
-void Command::option(const Spelling& spelling, const std::function<void(const std::string&)>& take) {
-    finish(*app_->add_option_function<std::string>(spelling.names, take, spelling.help), spelling);
+void Command::option(const OptionSpec& spec, std::optional<double>& target, const Limits<double>& limits) {
+    add_number(spec, target, limits);
 }
 
-void Command::restrict_to(const std::vector<std::string>& words, Spelling& spelling) {
+void Command::option(const OptionSpec& spec, const std::function<void(const std::string&)>& take) {
+    finish(*app_->add_option_function<std::string>(spec.names, take, spec.help), spec);
+}
+
+void Command::restrict_to(const std::vector<std::string>& words, OptionSpec& spec) {
     for (const std::string& word : words) {
-        spelling.value += (spelling.value.empty() ? "" : "|") + word;
+        spec.value += (spec.value.empty() ? "" : "|") + word;
     }
-    spelling.check = [words, shown = spelling.value](const std::string& word) {
+    spec.check = [words, shown = spec.value](const std::string& word) {
         const bool known = std::ranges::find(words, word) != words.end();
         return known ? std::string() : "'" + word + "' is none of " + shown;
     };
 }
 
-void Command::choices(Spelling spelling, const std::vector<std::string>& words,
+void Command::choices(OptionSpec spec, const std::vector<std::string>& words,
                       std::vector<std::string>& target) {
-    restrict_to(words, spelling);
-    option(spelling, target);
+    restrict_to(words, spec);
+    option(spec, target);
 }
 
-void Command::flag(const Spelling& spelling, bool& target) {
-    finish(*app_->add_flag(spelling.names, target, spelling.help), spelling);
+void Command::flag(const OptionSpec& spec, bool& target) {
+    finish(*app_->add_flag(spec.names, target, spec.help), spec);
 }
 
-void Command::flag(const Spelling& spelling, std::function<void()> take) {
-    finish(*app_->add_flag_callback(spelling.names, std::move(take), spelling.help), spelling);
+void Command::flag(const OptionSpec& spec, std::function<void()> take) {
+    finish(*app_->add_flag_callback(spec.names, std::move(take), spec.help), spec);
 }
 
-void Command::worded_flag(const Spelling& spelling, const std::string& alone,
+void Command::worded_flag(const OptionSpec& spec, const std::string& alone,
                           std::function<bool(const std::string&)> take) {
     // CLI11 gives a flag the value "true" unless one is written after '='.
     const CLI::callback_t callback = [take = std::move(take), alone](const CLI::results_t& words) {
         return take(words.back() == "true" ? alone : words.back());
     };
-    CLI::Option* flag = app_->add_option(spelling.names, callback, spelling.help)
+    CLI::Option* flag = app_->add_option(spec.names, callback, spec.help)
                             ->expected(0)
                             ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    finish(*flag, spelling);
+    finish(*flag, spec);
 }
 
 int read_command_line(int argc, char** argv, const ProgramName& name,

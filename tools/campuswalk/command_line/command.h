@@ -18,7 +18,7 @@ namespace campuswalk::tools {
 using Chosen = std::function<int()>;
 
 /// How an option or a positional argument is spelled, explained and checked.
-struct Spelling {
+struct OptionSpec {
     std::string names;  ///< "-o,--output"; a word without dashes is a positional argument
     std::string help;
     std::string value = {};        ///< what is shown for its value: "FILE"; empty: nothing
@@ -38,7 +38,7 @@ struct Limits {
 
 /// An option, a flag or a positional argument as the user may type it.
 struct KnownOption {
-    std::vector<std::string> spellings;  ///< "-o", "--output"; one word without dashes: a positional argument
+    std::vector<std::string> names;  ///< "-o", "--output"; one word without dashes: a positional argument
     std::string help;
     std::string value;                 ///< what the help shows for its value; empty: a flag
     std::vector<std::string> choices;  ///< the words it takes; empty: anything
@@ -67,44 +67,44 @@ public:
     /// Everything that has been added to it so far.
     KnownCommand known() const;
 
-    void option(const Spelling& spelling, std::string& target);
-    void option(const Spelling& spelling, std::filesystem::path& target);
-    void option(const Spelling& spelling, std::optional<std::string>& target);
-    void option(const Spelling& spelling, std::optional<std::filesystem::path>& target);
-    void option(const Spelling& spelling, std::vector<std::string>& target);
-    void option(const Spelling& spelling, std::vector<std::filesystem::path>& target);
-    void option(const Spelling& spelling, int& target, const Limits<int>& limits);
-    void option(const Spelling& spelling, std::optional<int>& target, const Limits<int>& limits);
-    void option(const Spelling& spelling, double& target, const Limits<double>& limits);
-    void option(const Spelling& spelling, std::optional<double>& target, const Limits<double>& limits);
+    void option(const OptionSpec& spec, std::string& target);
+    void option(const OptionSpec& spec, std::filesystem::path& target);
+    void option(const OptionSpec& spec, std::optional<std::string>& target);
+    void option(const OptionSpec& spec, std::optional<std::filesystem::path>& target);
+    void option(const OptionSpec& spec, std::vector<std::string>& target);
+    void option(const OptionSpec& spec, std::vector<std::filesystem::path>& target);
+    void option(const OptionSpec& spec, int& target, const Limits<int>& limits);
+    void option(const OptionSpec& spec, std::optional<int>& target, const Limits<int>& limits);
+    void option(const OptionSpec& spec, double& target, const Limits<double>& limits);
+    void option(const OptionSpec& spec, std::optional<double>& target, const Limits<double>& limits);
     /// `take` is called with the value as it was written, once it has passed the check.
-    void option(const Spelling& spelling, const std::function<void(const std::string&)>& take);
-    void flag(const Spelling& spelling, bool& target);
-    void flag(const Spelling& spelling, std::function<void()> take);
+    void option(const OptionSpec& spec, const std::function<void(const std::string&)>& take);
+    void flag(const OptionSpec& spec, bool& target);
+    void flag(const OptionSpec& spec, std::function<void()> take);
 
     /// An option that takes one of a few words.
     template <typename Value>
-    void choice(Spelling spelling, const std::map<std::string, Value>& choices, Value& target) {
+    void choice(OptionSpec spec, const std::map<std::string, Value>& choices, Value& target) {
         std::vector<std::string> words;
         for (const auto& [word, value] : choices) {
             words.push_back(word);
         }
-        restrict_to(words, spelling);
-        option(spelling, [choices, &target](const std::string& word) { target = choices.at(word); });
+        restrict_to(words, spec);
+        option(spec, [choices, &target](const std::string& word) { target = choices.at(word); });
     }
 
     /// An option that takes one of a few words each time it is named.
-    void choices(Spelling spelling, const std::vector<std::string>& words, std::vector<std::string>& target);
+    void choices(OptionSpec spec, const std::vector<std::string>& words, std::vector<std::string>& target);
 
     /// A flag that takes one of a few words too, as in `--update=all`; `alone` is what it means without one.
     template <typename Value>
-    void choice_flag(Spelling spelling, const std::string& alone, const std::map<std::string, Value>& choices,
+    void choice_flag(OptionSpec spec, const std::string& alone, const std::map<std::string, Value>& choices,
                      std::optional<Value>& target) {
         for (const auto& [word, value] : choices) {
-            spelling.value += (spelling.value.empty() ? "[=" : "|") + word;
+            spec.value += (spec.value.empty() ? "[=" : "|") + word;
         }
-        spelling.value += "]";
-        worded_flag(spelling, alone, [choices, &target](const std::string& word) {
+        spec.value += "]";
+        worded_flag(spec, alone, [choices, &target](const std::string& word) {
             const auto found = choices.find(word);
             if (found != choices.end()) {
                 target = found->second;
@@ -115,15 +115,15 @@ public:
 
 private:
     /// The option takes these words and no other, and shows them as its value.
-    static void restrict_to(const std::vector<std::string>& words, Spelling& spelling);
+    static void restrict_to(const std::vector<std::string>& words, OptionSpec& spec);
     /// `take` says whether it knows the word.
-    void worded_flag(const Spelling& spelling, const std::string& alone,
+    void worded_flag(const OptionSpec& spec, const std::string& alone,
                      std::function<bool(const std::string&)> take);
     template <typename Value>
-    CLI::Option& add_option(const Spelling& spelling, Value& target);
+    CLI::Option& add_option(const OptionSpec& spec, Value& target);
     template <typename Value, typename Number>
-    void add_number(const Spelling& spelling, Value& target, const Limits<Number>& limits);
-    void finish(CLI::Option& option, const Spelling& spelling);
+    void add_number(const OptionSpec& spec, Value& target, const Limits<Number>& limits);
+    void finish(CLI::Option& option, const OptionSpec& spec);
 
     CLI::App* app_;
 };

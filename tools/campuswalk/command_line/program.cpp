@@ -10,8 +10,8 @@
 #include "collision/base/simd_target.h"
 #include "scene/base/diagnostic.h"
 #include "scene/import/helper/serve_import.h"
-#include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
 
 namespace campuswalk::tools {

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "scene/campus/campus_description.h"
-#include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/collide/parse_shape.h"
 #include "tools/campuswalk/collide/print_overlaps.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -40,7 +40,7 @@ int collide_bodies(const CollideOptions& options) {
     const Body a = read_body(options.a, options.frame, warnings);
     const Body b = read_body(options.b, options.frame, warnings);
     diagnose(warnings);
-    const Wanted wanted = options.told == Told::one ? Wanted::one : Wanted::all;
+    const SearchMode wanted = options.told == Told::one ? SearchMode::one : SearchMode::all;
     const Overlaps overlaps = find_overlaps(a, b, X_a_b, wanted);
     (options.json ? print_json : print_text)(a, b, overlaps, options.told);
     return overlaps.any ? kOverlapping : kPass;

@@ -12,7 +12,7 @@
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/walk_loader.h"

@@ -17,11 +17,11 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
-#include "tools/campuswalk/suggest/oddities_text.h"
+#include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
 
 namespace campuswalk::tools {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/run/cases/records.h"
@@ -97,31 +97,32 @@ std::vector<std::string> animation_names() {
 }
 
 /// Images at even times. What is to be made of them can be asked for alone.
-void add_sequence(Command& command, SequenceRequest& wish) {
+void add_sequence(Command& command, SequenceRequest& request) {
     command.option(
         {.names = "--every",
          .help = "Draw a frame each so many simulated seconds, to frames/ in the walk's folder below "
                  "--output",
          .value = "SECONDS"},
-        wish.every, kSeconds);
+        request.every, kSeconds);
     command.flag({.names = "--contact-sheet",
                   .help = "The frames on one picture, contact-sheet.png; like the others below it takes one "
                           "each 0.5 s unless --every says otherwise"},
-                 wish.contact_sheet);
+                 request.contact_sheet);
     command.choices({.names = "--animation",
                      .help = "The frames as animation.png or .gif, 640 pixels wide at most; several times"},
-                    animation_names(), wish.animations);
-    command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"}, wish.video);
+                    animation_names(), request.animations);
+    command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"},
+                 request.video);
     const std::map<std::string, std::optional<engine::View>> views = {
         {"first_person", engine::FirstPersonView{}},
         {"third_person", engine::ThirdPersonView{}},
         {"top", engine::TopView{}}};
     command.choice({.names = "--frame-view", .help = "How frames are taken [as the walk's camera is set]"},
-                   views, wish.view);
+                   views, request.view);
     command.option({.names = "--frame-width",
                     .help = "Their pixels across, the height in proportion [as the walk's camera is set]",
                     .value = "N"},
-                   wish.width, kFrameWidth);
+                   request.width, kFrameWidth);
 }
 
 std::vector<std::string> record_names() {

@@ -43,7 +43,7 @@ std::string words_case(const Place& place) {
     std::vector<std::string> words = plain_words(*place.command);
     for (const KnownOption& option : place.command->options) {
         if (!is_positional(option)) {
-            words.insert(words.end(), option.spellings.begin(), option.spellings.end());
+            words.insert(words.end(), option.names.begin(), option.names.end());
         }
     }
     return "        '" + place.path + "') words='" + joined(words, " ") + "'" +

@@ -47,8 +47,8 @@ std::string value_of(const KnownOption& option) {
 
 std::string option_line(const Place& place, const KnownOption& option) {
     std::string names;
-    for (const std::string& spelling : option.spellings) {
-        names += spelling.starts_with("--") ? " -l " + spelling.substr(2) : " -s " + spelling.substr(1);
+    for (const std::string& spec : option.names) {
+        names += spec.starts_with("--") ? " -l " + spec.substr(2) : " -s " + spec.substr(1);
     }
     return start_of(place) + names + value_of(option) + " -d " + quoted(option.help) + "\n";
 }

@@ -12,7 +12,7 @@ Offer offer_for(const KnownOption& option) {
 }
 
 bool is_positional(const KnownOption& option) {
-    return !option.spellings.empty() && !option.spellings.front().starts_with('-');
+    return !option.names.empty() && !option.names.front().starts_with('-');
 }
 
 namespace {
@@ -31,8 +31,8 @@ std::string value_cases(const Place& place, const std::function<std::string(cons
             continue;
         }
         std::vector<std::string> patterns;
-        for (const std::string& spelling : option.spellings) {
-            patterns.push_back("'" + place.path + " " + spelling + "'");
+        for (const std::string& spec : option.names) {
+            patterns.push_back("'" + place.path + " " + spec + "'");
         }
         text += "        (" + joined(patterns, "|") + ") " + reply(option);
     }

@@ -53,7 +53,7 @@ std::string words_case(const Place& place) {
     }
     std::string options;
     for (const KnownOption& option : place.command->options) {
-        for (const std::string& word : is_positional(option) ? option.choices : option.spellings) {
+        for (const std::string& word : is_positional(option) ? option.choices : option.names) {
             (is_positional(option) ? plain : options) += " " + quoted(word + ":" + option.help);
         }
     }

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "tools/campuswalk/images/compare_image_files.h"
-#include "tools/campuswalk/images/picture_verdicts.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/image_verdicts.h"
+#include "tools/campuswalk/images/images.h"
 
 namespace campuswalk::tools {
 
@@ -44,7 +44,7 @@ std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus&, const engine::Walk&,
                                                       const std::filesystem::path&, const SequenceRequest&,
-                                                      FrameSharing, engine::render::RendererStore&) {
+                                                      SequenceSharing, engine::render::RendererStore&) {
     assert(false);
     return nullptr;
 }

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 
 namespace campuswalk::tools {
 namespace {

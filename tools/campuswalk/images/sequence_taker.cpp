@@ -17,7 +17,7 @@
 #include "engine/render/sequence/frame_sharing.h"
 #include "engine/render/sequence/sequence_observer.h"
 #include "tools/campuswalk/images/ffmpeg_video.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 
 namespace campuswalk::tools {
 
@@ -26,15 +26,15 @@ namespace render = engine::render;
 
 namespace {
 
-engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceRequest& wish) {
+engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceRequest& request) {
     engine::CameraSettings camera = walk.camera;
-    if (wish.view) {
-        camera.view = walk.views[wish.view->index()];
+    if (request.view) {
+        camera.view = walk.views[request.view->index()];
     }
-    if (wish.width) {
-        camera.height = std::max(1, static_cast<int>(std::lround(static_cast<double>(*wish.width) *
+    if (request.width) {
+        camera.height = std::max(1, static_cast<int>(std::lround(static_cast<double>(*request.width) *
                                                                  camera.height / camera.width)));
-        camera.width = *wish.width;
+        camera.width = *request.width;
     }
     return camera;
 }
@@ -51,29 +51,29 @@ std::unique_ptr<render::FrameSink> animation(const std::string& name, const fs::
     return nullptr;
 }
 
-render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceRequest& wish,
-                                     const render::FrameShare& share) {
+render::SequenceSettings settings_of(const engine::Walk& walk, const SequenceRequest& request,
+                                     const render::SequenceShare& share) {
     render::SequenceSettings settings;
-    settings.every = interval_of(wish);
-    settings.camera = camera_for(walk, wish);
+    settings.every = interval_of(request);
+    settings.camera = camera_for(walk, request);
     settings.share = share;
     return settings;
 }
 
-std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceRequest& wish,
+std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceRequest& request,
                                                          const fs::path& folder) {
-    const double every = interval_of(wish);
+    const double every = interval_of(request);
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
-    if (wish.every) {
+    if (request.every) {
         sinks.push_back(std::make_unique<render::FrameFiles>(folder / kFramesFolder));
     }
-    if (wish.contact_sheet) {
+    if (request.contact_sheet) {
         sinks.push_back(std::make_unique<render::ContactSheet>(folder / kContactSheetFile));
     }
-    for (const std::string& name : wish.animations) {
+    for (const std::string& name : request.animations) {
         sinks.push_back(animation(name, folder, every));
     }
-    if (wish.video) {
+    if (request.video) {
         sinks.push_back(std::make_unique<FfmpegVideo>(folder / kVideoFile, every));
     }
     return sinks;
@@ -82,7 +82,7 @@ std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceRequest& 
 /// What the other parts hand over.
 class OtherParts final : public render::FrameSource {
 public:
-    explicit OtherParts(FrameSharing sharing) : sharing_(std::move(sharing)) {}
+    explicit OtherParts(SequenceSharing sharing) : sharing_(std::move(sharing)) {}
 
     render::Frame take(std::size_t number) override {
         render::Frame frame = render::deserialize_frame(sharing_.take(number % sharing_.parts));
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    FrameSharing sharing_;
+    SequenceSharing sharing_;
 };
 
 class HandedOver final : public render::FrameSink {
@@ -109,23 +109,23 @@ private:
 }  // namespace
 
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
-                                                      const fs::path& folder, const SequenceRequest& wish,
-                                                      FrameSharing sharing,
+                                                      const fs::path& folder, const SequenceRequest& request,
+                                                      SequenceSharing sharing,
                                                       render::RendererStore& renderers) {
     const std::size_t parts = sharing.parts;  // before it is moved from: arguments have no order
-    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {0, parts}), renderers,
-                                                      sinks_of(wish, folder),
+    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, request, {0, parts}),
+                                                      renderers, sinks_of(request, folder),
                                                       std::make_unique<OtherParts>(std::move(sharing)));
 }
 
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
-                                                       const SequenceRequest& wish, std::size_t part,
+                                                       const SequenceRequest& request, std::size_t part,
                                                        std::size_t parts,
                                                        std::function<void(std::string_view)> hand_over,
                                                        render::RendererStore& renderers) {
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
     sinks.push_back(std::make_unique<HandedOver>(std::move(hand_over)));
-    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, wish, {part, parts}),
+    return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, request, {part, parts}),
                                                       renderers, std::move(sinks));
 }
 

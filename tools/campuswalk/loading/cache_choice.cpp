@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
 

@@ -10,7 +10,7 @@
 #include "config/loader/load_run.h"
 #include "engine/script/walk.h"
 #include "scene/campus/campus.h"
-#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
 

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/last_run.h"

@@ -8,8 +8,8 @@
 
 #include "engine/report/result_json.h"
 #include "engine/script/planned_time.h"
-#include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
 #include "tools/campuswalk/run/results/verdict.h"
 #include "tools/campuswalk/run/workers/interrupt.h"

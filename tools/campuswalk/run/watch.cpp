@@ -21,8 +21,8 @@
 #include "scene/base/diagnostic.h"
 #include "scene/process/child_process.h"
 #include "scene/process/pipe.h"
-#include "tools/campuswalk/base/complaints.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/plan/dependencies.h"
 #include "tools/campuswalk/run/workers/interrupt.h"
 

@@ -96,8 +96,8 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
     std::string steps = "  - spawn: start\n";
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (std::size_t v = 0; v < visits; ++v) {
-        for (const Eigen::Vector3d& corner : campus.visits[v].corners) {
-            steps += "  - walk_to: " + list_of(corner) + "\n";
+        for (const Eigen::Vector3d& waypoint : campus.visits[v].waypoints) {
+            steps += "  - walk_to: " + list_of(waypoint) + "\n";
         }
         if (!campus.visits[v].building.empty()) {
             expect +=

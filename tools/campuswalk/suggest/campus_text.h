@@ -13,8 +13,8 @@ namespace campuswalk::tools {
 
 /// A way from where the last one ended into a building's trigger.
 struct SuggestedVisit {
-    std::string building;                  ///< its id; empty: to a place without one
-    std::vector<Eigen::Vector3d> corners;  ///< to walk to, one after the other
+    std::string building;                    ///< its id; empty: to a place without one
+    std::vector<Eigen::Vector3d> waypoints;  ///< to walk to, one after the other
 };
 
 /// What is to be written down.

@@ -15,10 +15,10 @@ constexpr double kInside = 0.3;  // metres: a shoulder's breadth
 constexpr double kWaist = 0.9;   // metres above the feet
 
 /// The spot nearest to `from` of those that can be reached and `wanted(foot)`.
-template <typename Wanted>
+template <typename Predicate>
 std::optional<std::uint32_t> nearest_spot(const WalkableGround& ground,
                                           const std::vector<std::uint32_t>& ways, const Vector3d& from,
-                                          const Wanted& wanted) {
+                                          const Predicate& wanted) {
     std::optional<std::uint32_t> best;
     double nearest = 1e300;
     for (std::uint32_t s = 0; s < ways.size(); ++s) {
@@ -40,9 +40,9 @@ std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const WalkableGroun
     std::uint32_t at = spawn;
     const auto visit = [&](const std::string& building, const std::vector<std::uint32_t>& ways,
                            std::uint32_t end) {
-        std::vector<Vector3d> corners = ground.waypoints(ways, end);
-        corners.erase(corners.begin());
-        visits.push_back({building, std::move(corners)});
+        std::vector<Vector3d> waypoints = ground.waypoints(ways, end);
+        waypoints.erase(waypoints.begin());
+        visits.push_back({building, std::move(waypoints)});
         at = end;
     };
     while (visits.size() < kMostVisits) {

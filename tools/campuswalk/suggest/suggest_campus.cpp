@@ -22,7 +22,7 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
-#include "tools/campuswalk/suggest/oddities_text.h"
+#include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/plan_visits.h"
 #include "tools/campuswalk/suggest/upright_model.h"
 

@@ -8,7 +8,7 @@
 
 #include "collision/mesh/mesh_query.h"
 #include "scene/procedural/generated_campus.h"
-#include "tools/campuswalk_bench/campus/judge.h"
+#include "tools/campuswalk_bench/campus/answer_check.h"
 #include "tools/campuswalk_bench/campus/poll.h"
 #include "tools/campuswalk_bench/campus/questions.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"

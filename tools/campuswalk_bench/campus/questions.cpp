@@ -31,7 +31,7 @@ std::vector<Segment> avatars(const collision::TriangleMesh& mesh, std::size_t co
     SplitMix chance(seed);
     std::vector<Segment> made;
     while (made.size() < count) {
-        const collision::Triangle near = corners(mesh, below(mesh.triangles.size(), chance));
+        const collision::Triangle near = vertices(mesh, below(mesh.triangles.size(), chance));
         const Vec3 foot = (near.a + near.b + near.c) / 3.0 + 0.5 * chance.direction();
         made.push_back({foot + Vec3(0, kAvatarRadius, 0), foot + Vec3(0, kAvatarHeight - kAvatarRadius, 0)});
     }

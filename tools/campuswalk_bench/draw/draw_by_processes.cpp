@@ -99,7 +99,7 @@ DrawTimes draw_look(const scene::Model& model, const Look& look, const std::vect
     times.engine = kOurProcesses;
     times.look = look.name;
     std::istringstream frames(wait_for(workers, kDraw));
-    DrawnFrame frame;
+    SequenceImage frame;
     while (frames >> frame.view >> frame.ms) {
         frame.ms /= static_cast<double>(drawing_processes());
         times.frames.push_back(frame);

@@ -58,7 +58,7 @@ std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& p
         std::istringstream words(line);
         std::string kind;
         std::string look;
-        DrawnFrame frame;
+        SequenceImage frame;
         if (!(words >> kind >> look >> frame.view >> frame.ms) || kind != "frame") {
             continue;
         }

@@ -8,7 +8,7 @@
 namespace campuswalk::tools::bench {
 
 /// One image of one view.
-struct DrawnFrame {
+struct SequenceImage {
     std::size_t view = 0;
     double ms = 0.0;  ///< wall clock, until the pixels are there
 };
@@ -22,7 +22,7 @@ inline constexpr const char* kOurProcesses = "processes";
 struct DrawTimes {
     std::string engine;
     std::string look;  ///< "no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4", "default"
-    std::vector<DrawnFrame> frames;
+    std::vector<SequenceImage> frames;
     std::optional<double> cpu_ms;  ///< a frame, of all threads; where it is known
 };
 

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "scene/model/weld.h"
-#include "tools/campuswalk_bench/draw/surface_pictures.h"
+#include "tools/campuswalk_bench/draw/procedural_textures.h"
 
 namespace campuswalk::tools::bench {
 
@@ -60,14 +60,14 @@ Vector2f image_place(const Vector3f& at, const Vector3f& normal) {
 
 /// A mesh under construction: corners that are alike are one.
 struct Piece {
-    scene::WeldTable<5> corners{1000};
+    scene::WeldTable<5> vertices{1000};
     scene::Mesh mesh;
 
-    std::uint32_t corner(std::uint32_t position, const Vector3f& at, const Vector3f& normal,
+    std::uint32_t vertex(std::uint32_t position, const Vector3f& at, const Vector3f& normal,
                          const Vector2f& uv) {
         const auto bits = scene::bits_of(normal);
         const std::uint32_t side = scene::bits_of(uv.x());
-        const std::uint32_t number = corners.number_of({position, bits[0], bits[1], bits[2], side});
+        const std::uint32_t number = vertices.number_of({position, bits[0], bits[1], bits[2], side});
         if (number == mesh.positions.size()) {
             mesh.positions.push_back(at);
             mesh.normals.push_back(normal);
@@ -83,8 +83,8 @@ public:
         : mesh_(mesh), runs_(runs), lot_(lot) {
         smooth_.assign(mesh.positions.size(), Vector3f::Zero());
         for (const auto& t : mesh.triangles) {
-            for (const std::uint32_t corner : t) {
-                smooth_[corner] += across(t);
+            for (const std::uint32_t vertex : t) {
+                smooth_[vertex] += across(t);
             }
         }
     }
@@ -138,14 +138,14 @@ private:
             return static_cast<int>(std::floor(coordinate / lot_ + 500.0));
         };
         Piece& piece = pieces_[{lot(middle.z()), lot(middle.x()), material_of(part, face)}];
-        Vertices corners{};
+        Vertices vertices{};
         for (std::size_t i = 0; i < 3; ++i) {
             const Vector3f normal = is_smooth(part) ? Vector3f(smooth_[triangle[i]].normalized()) : face;
             const Vector3f flat = part == CampusPart::terrain ? Vector3f::UnitY() : face;
-            corners[i] =
-                piece.corner(triangle[i], at(triangle[i]), normal, image_place(at(triangle[i]), flat));
+            vertices[i] =
+                piece.vertex(triangle[i], at(triangle[i]), normal, image_place(at(triangle[i]), flat));
         }
-        piece.mesh.triangles.push_back(corners);
+        piece.mesh.triangles.push_back(vertices);
     }
 
     const collision::TriangleMesh& mesh_;

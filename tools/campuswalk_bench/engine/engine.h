@@ -96,7 +96,7 @@ public:
     virtual void place(const collision::Vec3& foot) = 0;
 
     /// Walks for a tick: `wish` is the displacement asked for, level.
-    virtual void walk(const collision::Vec3& wish) = 0;
+    virtual void walk(const collision::Vec3& desired) = 0;
 
     virtual collision::Vec3 foot() const = 0;
 };

@@ -92,8 +92,8 @@ private:
         for (const Eigen::Vector3f& position : mesh.positions) {
             box.extend(position.cast<double>());
         }
-        for (const auto& [key, corner] : {std::pair("min", box.min), std::pair("max", box.max)}) {
-            json_["accessors"][positions][key] = {corner.x(), corner.y(), corner.z()};
+        for (const auto& [key, limit] : {std::pair("min", box.min), std::pair("max", box.max)}) {
+            json_["accessors"][positions][key] = {limit.x(), limit.y(), limit.z()};
         }
         json attributes = {{"POSITION", positions}};
         if (!mesh.normals.empty()) {

@@ -79,8 +79,8 @@ public:
                                   btBroadphaseProxy::StaticFilter | btBroadphaseProxy::DefaultFilter);
     }
 
-    void walk(const collision::Vec3& wish) override {
-        controller_->setWalkDirection(bullet(wish));
+    void walk(const collision::Vec3& desired) override {
+        controller_->setWalkDirection(bullet(desired));
         controller_->updateAction(&world_, static_cast<btScalar>(body_.tick));
     }
 

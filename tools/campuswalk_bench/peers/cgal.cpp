@@ -24,14 +24,14 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Triangles placed(const TriangleMesh& mesh, const Pose& X) {
-    const auto corner = [&](std::uint32_t k) {
+    const auto vertex = [&](std::uint32_t k) {
         const collision::Vec3 p = b_vertex_in_a(X, mesh.positions[k]);
         return Kernel::Point_3(p.x(), p.y(), p.z());
     };
     Triangles triangles;
     triangles.reserve(mesh.triangles.size());
     for (const auto& t : mesh.triangles) {
-        triangles.emplace_back(corner(t[0]), corner(t[1]), corner(t[2]));
+        triangles.emplace_back(vertex(t[0]), vertex(t[1]), vertex(t[2]));
     }
     return triangles;
 }

@@ -73,8 +73,8 @@ private:
     void place(const Pose& X) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
             const auto& t = mesh_.triangles[i];
-            const auto corner = [&](std::uint32_t k) { return b_vertex_in_a(X, mesh_.positions[k]); };
-            triangles_[i] = {corner(t[0]), corner(t[1]), corner(t[2])};
+            const auto vertex = [&](std::uint32_t k) { return b_vertex_in_a(X, mesh_.positions[k]); };
+            triangles_[i] = {vertex(t[0]), vertex(t[1]), vertex(t[2])};
         }
     }
 

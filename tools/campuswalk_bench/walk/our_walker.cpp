@@ -45,8 +45,8 @@ void OurWalker::place(const Vec3& foot) {
     mover_->place(state_, *free, 2.0 * kSearch);
 }
 
-void OurWalker::walk(const Vec3& wish) {
-    mover_->move(state_, wish, body_.tick, *trace_);
+void OurWalker::walk(const Vec3& desired) {
+    mover_->move(state_, desired, body_.tick, *trace_);
 }
 
 std::size_t OurWalker::weigh() {

@@ -16,7 +16,7 @@ public:
 
     /// Throws std::runtime_error if there is no free place up to half a metre above.
     void place(const collision::Vec3& foot) override;
-    void walk(const collision::Vec3& wish) override;
+    void walk(const collision::Vec3& desired) override;
     collision::Vec3 foot() const override { return state_.foot; }
 
     /// What the mover keeps for itself after all it has done, bytes. It is gone then. Only itself, without

@@ -29,16 +29,16 @@ bool is_at(const WalkGoal& goal, const Vec3& foot) {
     return Vec3(away.x(), 0.0, away.z()).norm() <= kArrived && std::abs(away.y()) <= kSameFloor;
 }
 
-Vec3 wish_for(const WalkGoal& goal, const Vec3& foot, const WalkBody& body) {
+Vec3 desired_for(const WalkGoal& goal, const Vec3& foot, const WalkBody& body) {
     const Vec3 way(goal.at.x() - foot.x(), 0.0, goal.at.z() - foot.z());
     const double length = way.norm();
     const double most = body.speed * body.tick;
     return length > most ? Vec3(most / length * way) : way;
 }
 
-double timed_walk(WalkEngine& engine, const Vec3& wish) {
+double timed_walk(WalkEngine& engine, const Vec3& desired) {
     const auto start = std::chrono::steady_clock::now();
-    engine.walk(wish);
+    engine.walk(desired);
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -67,7 +67,7 @@ void walk_path(WalkEngine& engine, const WalkPath& path, const WalkBody& body, W
     for (const WalkGoal& goal : path.goals) {
         bool arrived = false;
         for (std::size_t left = ticks_allowed(from, goal, body); left > 0 && !arrived; --left) {
-            const double us = timed_walk(engine, wish_for(goal, engine.foot(), body));
+            const double us = timed_walk(engine, desired_for(goal, engine.foot(), body));
             record.ticks.push_back({engine.foot(), us});
             arrived = is_at(goal, record.ticks.back().foot);
         }

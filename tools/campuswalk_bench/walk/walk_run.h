@@ -7,7 +7,7 @@
 
 #include "scene/procedural/walk_course.h"
 #include "tools/campuswalk_bench/engine/engine.h"
-#include "tools/campuswalk_bench/walk/walk_judge.h"
+#include "tools/campuswalk_bench/walk/walk_score.h"
 
 namespace campuswalk::tools::bench {
 

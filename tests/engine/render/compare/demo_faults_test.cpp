@@ -16,7 +16,7 @@
 #include "engine/render/image/read_png.h"
 #include "engine/render/renderer.h"
 #include "tests/engine/render/campus_view.h"
-#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/compare/synthetic_images.h"
 #include "tests/engine/render/scratch_folder.h"
 
 namespace campuswalk::engine::render::test {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/engine/render/color_names.h"
-#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/compare/synthetic_images.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -47,9 +47,9 @@ TEST(ColorDistance, MatchesThePapersMatrix) {
 
 TEST(ColorDistance, IsAtMostOne) {
     double farthest = 0.0;
-    for (unsigned corners = 0; corners < 64; ++corners) {
+    for (unsigned mask = 0; mask < 64; ++mask) {
         const auto channel = [&](unsigned bit) {
-            return static_cast<std::uint8_t>((corners >> bit) % 2 == 0 ? 0 : 255);
+            return static_cast<std::uint8_t>((mask >> bit) % 2 == 0 ? 0 : 255);
         };
         farthest = std::max(
             farthest, distance({channel(0), channel(1), channel(2)}, {channel(3), channel(4), channel(5)}));

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/engine/render/color_names.h"
-#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/compare/synthetic_images.h"
 
 namespace campuswalk::engine::render::test {
 namespace {

@@ -167,8 +167,8 @@ TEST(Camera, OrbitingABoxShowsAllOfItAndLittleElse) {
             const Viewpoint view = orbiting(box, aspect, yaw, -0.4, 1.0);
             double widest = 0.0;
             for (int i = 0; i < 8; ++i) {
-                const Vector3d corner((i & 1) != 0 ? 10 : -20, (i & 2) != 0 ? 6 : 0, (i & 4) != 0 ? 15 : 3);
-                const auto pixel = pixel_of(view, width, 400, corner);
+                const Vector3d vertex((i & 1) != 0 ? 10 : -20, (i & 2) != 0 ? 6 : 0, (i & 4) != 0 ? 15 : 3);
+                const auto pixel = pixel_of(view, width, 400, vertex);
                 ASSERT_TRUE(pixel);
                 widest =
                     std::max({widest, std::abs(pixel->x() / width - 0.5), std::abs(pixel->y() / 400 - 0.5)});

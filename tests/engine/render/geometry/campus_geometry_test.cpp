@@ -15,7 +15,7 @@ CampusGeometry baked(const scene::Model& model, double cell_size = 20.0) {
     return bake(std::span(&model, 1), cell_size);
 }
 
-Vector3d corner(const CampusGeometry& geometry, std::uint32_t index) {
+Vector3d vertex(const CampusGeometry& geometry, std::uint32_t index) {
     const auto& p = geometry.vertices[index].position;
     return geometry.origin + Vector3d(p[0], p[1], p[2]);
 }
@@ -24,9 +24,9 @@ Vector3d corner(const CampusGeometry& geometry, std::uint32_t index) {
 double flux(const CampusGeometry& geometry, const Vector3d& centre) {
     double sum = 0.0;
     for (std::size_t i = 0; i < geometry.indices.size(); i += 3) {
-        const Vector3d a = corner(geometry, geometry.indices[i]);
-        const Vector3d b = corner(geometry, geometry.indices[i + 1]);
-        const Vector3d c = corner(geometry, geometry.indices[i + 2]);
+        const Vector3d a = vertex(geometry, geometry.indices[i]);
+        const Vector3d b = vertex(geometry, geometry.indices[i + 1]);
+        const Vector3d c = vertex(geometry, geometry.indices[i + 2]);
         sum += (b - a).cross(c - a).dot(a - centre);
     }
     return sum;
@@ -41,7 +41,7 @@ TEST(CampusGeometry, PlacesEveryTriangleInTheWorld) {
     EXPECT_TRUE(geometry.bounds.max.isApprox(Vector3d(101, 6, -29)));
     EXPECT_TRUE(geometry.origin.isApprox(Vector3d(100, 4, -30)));
     for (const std::uint32_t index : geometry.indices) {
-        const Vector3d p = corner(geometry, index);
+        const Vector3d p = vertex(geometry, index);
         EXPECT_NEAR(std::abs(p.x() - 100.0), 1.0, 1e-5);
     }
 }

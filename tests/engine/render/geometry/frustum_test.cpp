@@ -29,9 +29,9 @@ TEST(Frustum, NeverCullsABoxWithAVisiblePoint) {
                                           : looking({any(random), any(random), any(random)}, any(random),
                                                     0.05 * any(random), 1.0);
         const Eigen::Matrix4d clip = clip_from_world(view, 1.5);
-        const Vector3d corner(any(random), any(random), any(random));
-        Eigen::AlignedBox3d box(corner);
-        box.extend(corner + Vector3d::Constant(0.2 * std::abs(any(random))));
+        const Vector3d vertex(any(random), any(random), any(random));
+        Eigen::AlignedBox3d box(vertex);
+        box.extend(vertex + Vector3d::Constant(0.2 * std::abs(any(random))));
         const bool may_intersect = Frustum(clip).may_intersect(box);
         for (int k = 0; k < 8; ++k) {
             if (shows(clip, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)))) {

@@ -19,7 +19,7 @@ struct Soup {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
 
-    std::array<std::array<float, 3>, 3> corners(std::size_t triangle) const {
+    std::array<std::array<float, 3>, 3> vertices(std::size_t triangle) const {
         std::array<std::array<float, 3>, 3> all{};
         for (std::size_t i = 0; i < 3; ++i) {
             all[i] = vertices[indices[3 * triangle + i]].position;
@@ -46,8 +46,8 @@ Soup random_soup(std::mt19937& random, int points, int triangles) {
 }
 
 bool reversed(const Soup& soup, std::size_t one, std::size_t other) {
-    const auto a = soup.corners(one);
-    auto b = soup.corners(other);
+    const auto a = soup.vertices(one);
+    auto b = soup.vertices(other);
     std::ranges::reverse(b);
     for (int turn = 0; turn < 3; ++turn) {
         if (a == b) {
@@ -67,8 +67,8 @@ TEST(ReversedDuplicates, MatchABruteForceSearch) {
             find_reversed_duplicates(soup.vertices, soup.indices, std::vector<std::uint32_t>(60, 0));
         ASSERT_EQ(found.size(), 60U);
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const auto corners = soup.corners(i);
-            if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+            const auto vertices = soup.vertices(i);
+            if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) {
                 continue;  // a line has no sides
             }
             bool any = false;
@@ -87,15 +87,15 @@ TEST(ReversedDuplicates, AcceptsNoTriangles) {
 }
 
 TEST(ReversedDuplicates, AreInTheSameGroup) {
-    const std::vector<Vertex> corners = {
+    const std::vector<Vertex> vertices = {
         make_vertex({0, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
         make_vertex({1, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
         make_vertex({0, 0, 1}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
     };
     const std::vector<std::uint32_t> double_sided = {0, 1, 2, 2, 1, 0};
-    EXPECT_EQ(find_reversed_duplicates(corners, double_sided, std::vector<std::uint32_t>{5, 5}),
+    EXPECT_EQ(find_reversed_duplicates(vertices, double_sided, std::vector<std::uint32_t>{5, 5}),
               (std::vector<bool>{true, true}));
-    EXPECT_EQ(find_reversed_duplicates(corners, double_sided, std::vector<std::uint32_t>{0, 5}),
+    EXPECT_EQ(find_reversed_duplicates(vertices, double_sided, std::vector<std::uint32_t>{0, 5}),
               (std::vector<bool>{false, false}));
 }
 

@@ -15,7 +15,7 @@
 #include "engine/render/image/png.h"
 #include "scene/base/diagnostic.h"
 #include "tests/engine/render/color_names.h"
-#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/compare/synthetic_images.h"
 #include "tests/engine/render/scratch_folder.h"
 
 namespace campuswalk::engine::render::test {

@@ -17,7 +17,7 @@
 #include "engine/render/sequence/contact_sheet.h"
 #include "engine/render/sequence/frame_files.h"
 #include "tests/engine/render/color_names.h"
-#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/compare/synthetic_images.h"
 #include "tests/engine/render/scratch_folder.h"
 #include "tests/support/full_disk.h"
 

@@ -38,7 +38,7 @@ private:
 
 /// The frames of a walk of so many ticks.
 std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, const Walk& walk = {},
-                             const FrameShare& share = {}, std::unique_ptr<FrameSource> others = nullptr) {
+                             const SequenceShare& share = {}, std::unique_ptr<FrameSource> others = nullptr) {
     const scene::Campus campus = campus_of(tower_scene());
     SequenceSettings settings;
     settings.every = every;

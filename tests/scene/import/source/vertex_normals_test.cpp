@@ -29,8 +29,8 @@ TEST(VertexNormals, AreSmoothAcrossAGentleEdge) {
     // At the shared edge both faces' corners agree, halfway between the two; away from it the face's own.
     const double half = 0.15;
     const Eigen::Vector3f between(static_cast<float>(std::sin(half)), static_cast<float>(std::cos(half)), 0);
-    for (const std::size_t corner : {0U, 2U, 3U, 4U}) {
-        EXPECT_LT((normals[corner].cwiseAbs() - between).norm(), 1e-5F) << corner << ": " << normals[corner];
+    for (const std::size_t vertex : {0U, 2U, 3U, 4U}) {
+        EXPECT_LT((normals[vertex].cwiseAbs() - between).norm(), 1e-5F) << vertex << ": " << normals[vertex];
     }
     EXPECT_LT((normals[1].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
 }
@@ -38,8 +38,8 @@ TEST(VertexNormals, AreSmoothAcrossAGentleEdge) {
 TEST(VertexNormals, KeepSharpEdges) {
     const Fold fold(-std::numbers::pi / 3);
     const auto normals = vertex_normals(fold.positions, fold.triangles, kCrease);
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        EXPECT_LT((normals[corner].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
+    for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+        EXPECT_LT((normals[vertex].cwiseAbs() - Eigen::Vector3f::UnitY()).norm(), 1e-6F);
     }
 }
 

@@ -10,9 +10,9 @@
 #include "engine/report/outcome.h"
 #include "engine/script/planned_time.h"
 #include "engine/simulation/run_walk.h"
-#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/cases/case_stream.h"
-#include "tools/campuswalk/run/cases/picture_watch.h"
+#include "tools/campuswalk/run/cases/image_watch.h"
 #include "tools/campuswalk/run/cases/records.h"
 #include "tools/campuswalk/run/workers/interrupt.h"
 

@@ -8,9 +8,9 @@
 
 #include "engine/report/walk_result.h"
 #include "engine/script/image_tolerance.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
-#include "tools/campuswalk/images/sequence_wish.h"
+#include "tools/campuswalk/images/sequence_request.h"
 #include "tools/campuswalk/logs/golden_log.h"
 #include "tools/campuswalk/run/cases/frame_helpers.h"
 #include "tools/campuswalk/run/plan/plan.h"

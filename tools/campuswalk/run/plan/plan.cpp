@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {

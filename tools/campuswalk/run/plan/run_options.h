@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/campuswalk/images/rendering_backend.h"
-#include "tools/campuswalk/images/sequence_wish.h"
+#include "tools/campuswalk/images/sequence_request.h"
 #include "tools/campuswalk/logs/golden_log.h"
 
 namespace campuswalk::tools {

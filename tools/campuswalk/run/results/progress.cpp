@@ -19,7 +19,7 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(bool wanted, std::size_t total) : wanted_(wanted), total_(total) {}
+Progress::Progress(bool wanted, std::size_t total) : mode_(wanted), total_(total) {}
 
 void Progress::count(bool good) {
     hide();
@@ -48,7 +48,7 @@ std::string Progress::line() const {
 }
 
 void Progress::show() {
-    if (!wanted_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
+    if (!mode_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
         return;
     }
     std::fputs(line().c_str(), stderr);

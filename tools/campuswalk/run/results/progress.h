@@ -27,7 +27,7 @@ public:
 private:
     std::string line() const;
 
-    bool wanted_;
+    bool mode_;
     std::size_t total_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;

@@ -18,7 +18,7 @@ enum class Topic : std::uint8_t {
     log,     ///< lines of the text log
     events,  ///< lines of the log as JSON
     place,   ///< the walk's time in seconds, for people to see
-    frame,   ///< what FrameSharing::take gives, from one that helps to draw
+    frame,   ///< what SequenceSharing::take gives, from one that helps to draw
     result,  ///< the last: engine::to_json_line, or of one that helps to draw what went wrong
 };
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures from the command line. `pictures_test.py PROGRAM [--without-rendering]`."""
+"""Pictures from the command line. `images_test.py PROGRAM [--without-rendering]`."""
 
 import json
 import os

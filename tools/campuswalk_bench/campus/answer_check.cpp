@@ -1,4 +1,4 @@
-#include "tools/campuswalk_bench/campus/judge.h"
+#include "tools/campuswalk_bench/campus/answer_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ Hit first_hit(const TriangleMesh& mesh, const Ray& ray) {
     const Vec3 direction = (ray.to - ray.from).normalized();
     Hit first;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle t = corners(mesh, i);
+        const Triangle t = vertices(mesh, i);
         if (const auto fraction = hit(ray, t); fraction && *fraction < first.fraction) {
             first = {*fraction, slant_of(t, direction)};
         }
@@ -65,7 +65,7 @@ bool is_first_hit(const TriangleMesh& mesh, const Ray& ray, std::optional<double
 bool is_touching_set(const TriangleMesh& mesh, const collision::Segment& segment, double radius,
                      const std::vector<std::uint32_t>& triangles) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const double gap = closest(segment, corners(mesh, i)).distance - radius;
+        const double gap = closest(segment, vertices(mesh, i)).distance - radius;
         const bool is_in = std::binary_search(triangles.begin(), triangles.end(), i);
         if (std::abs(gap) > kSameSurface && is_in != (gap < 0.0)) {
             return false;

@@ -6,7 +6,7 @@
 
 #include "engine/expect/failure.h"
 #include "engine/observers/snapshot_states.h"
-#include "engine/render/snapshot/snapshot_sight.h"
+#include "engine/render/snapshot/visibility_report.h"
 #include "engine/report/walk_result.h"
 #include "engine/script/image_tolerance.h"
 #include "engine/script/walk.h"

@@ -11,12 +11,12 @@
 
 #include "engine/expect/failure.h"
 #include "engine/record/observer.h"
-#include "engine/render/snapshot/snapshot_sight.h"
+#include "engine/render/snapshot/visibility_report.h"
 #include "engine/report/walk_result.h"
 #include "engine/script/walk.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/images/rendering_backend.h"
-#include "tools/campuswalk/images/sequence_wish.h"
+#include "tools/campuswalk/images/sequence_request.h"
 
 namespace campuswalk::engine::render {
 class RendererStore;
@@ -52,7 +52,7 @@ inline constexpr const char* kContactSheetFile = "contact-sheet.png";
 inline constexpr const char* kVideoFile = "video.mp4";
 
 /// A walk's frames drawn by several processes in turn, all of which play it.
-struct FrameSharing {
+struct SequenceSharing {
     std::size_t parts = 1;
     /// The next frame of a part other than 0, as that part handed it over; waits for it. Throws
     /// std::runtime_error when it will never come.
@@ -63,12 +63,12 @@ struct FrameSharing {
 /// `FOLDER/`. `campus` and `painters` must outlive it.
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const std::filesystem::path& folder,
-                                                      const SequenceRequest& wish, FrameSharing sharing,
+                                                      const SequenceRequest& request, SequenceSharing sharing,
                                                       engine::render::RendererStore& renderers);
 
 /// Takes those of one part, and hands them over, on a thread of its own.
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
-                                                       const SequenceRequest& wish, std::size_t part,
+                                                       const SequenceRequest& request, std::size_t part,
                                                        std::size_t parts,
                                                        std::function<void(std::string_view frame)> hand_over,
                                                        engine::render::RendererStore& renderers);

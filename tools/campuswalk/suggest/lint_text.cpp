@@ -1,4 +1,4 @@
-#include "tools/campuswalk/suggest/oddities_text.h"
+#include "tools/campuswalk/suggest/lint_text.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -6,8 +6,8 @@
 #include "engine/render/snapshot/channel_files.h"
 #include "engine/render/snapshot/renderer_store.h"
 #include "engine/render/snapshot/snapshot_observer.h"
-#include "tools/campuswalk/images/map_picture.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/images/map_image.h"
 
 namespace campuswalk::tools {
 

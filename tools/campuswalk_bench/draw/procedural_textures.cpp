@@ -1,4 +1,4 @@
-#include "tools/campuswalk_bench/draw/surface_pictures.h"
+#include "tools/campuswalk_bench/draw/procedural_textures.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ int chance_at(unsigned x, unsigned y, unsigned seed) {
 
 /// Between the corners of a grid that is `size` pixels wide, linear.
 int noise_at(int x, int y, int size, unsigned seed) {
-    const auto corner = [&](int cx, int cy) {
+    const auto lattice = [&](int cx, int cy) {
         const int mask = kSide / size - 1;
         return chance_at(static_cast<unsigned>(cx & mask), static_cast<unsigned>(cy & mask), seed);
     };
@@ -46,8 +46,8 @@ int noise_at(int x, int y, int size, unsigned seed) {
     const int cy = y / size;
     const int u = x % size;
     const int v = y % size;
-    const int above = corner(cx, cy) * (size - u) + corner(cx + 1, cy) * u;
-    const int below = corner(cx, cy + 1) * (size - u) + corner(cx + 1, cy + 1) * u;
+    const int above = lattice(cx, cy) * (size - u) + lattice(cx + 1, cy) * u;
+    const int below = lattice(cx, cy + 1) * (size - u) + lattice(cx + 1, cy + 1) * u;
     return (above * (size - v) + below * v) / (size * size);
 }
 

@@ -1,4 +1,4 @@
-#include "tests/scene/procedural/standing_flood.h"
+#include "tests/scene/procedural/placement_flood_fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ double level_distance(const Point& a, const Point& b) {
 StandingFlood::StandingFlood(const collision::TriangleMesh& mesh, const FloodBody& body, double cell)
     : body_(body), cell_(cell) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const collision::Triangle t = corners(mesh, i);
+        const collision::Triangle t = vertices(mesh, i);
         grid_.add(0, {t.a, t.b, t.c});
     }
     grid_.sort_into_columns();
@@ -121,12 +121,12 @@ std::vector<StandingFlood::Level>& StandingFlood::levels(const Cell& cell) {
     const Point low = center(cell, -1000.0);
     const Point high = center(cell, 1000.0);
     grid_.visit_near(low, high, [&](const support::TriangleGrid::Entry& e) {
-        const Point normal = (e.corners[1] - e.corners[0]).cross(e.corners[2] - e.corners[0]);
+        const Point normal = (e.vertices[1] - e.vertices[0]).cross(e.vertices[2] - e.vertices[0]);
         const double up = std::abs(normal.y()) / normal.norm();
-        if (up > 1e-3 && support::passes_through({low, high}, e.corners)) {
-            const double y = e.corners[0].y() - ((low.x() - e.corners[0].x()) * normal.x() +
-                                                 (low.z() - e.corners[0].z()) * normal.z()) /
-                                                    normal.y();
+        if (up > 1e-3 && support::passes_through({low, high}, e.vertices)) {
+            const double y = e.vertices[0].y() - ((low.x() - e.vertices[0].x()) * normal.x() +
+                                                  (low.z() - e.vertices[0].z()) * normal.z()) /
+                                                     normal.y();
             found.push_back({y, up >= body_.min_up, fits({low.x(), y, low.z()}), false});
         }
     });
@@ -140,7 +140,7 @@ bool StandingFlood::fits(const Point& foot) const {
     const Point grown = Point::Constant(body_.radius);
     bool free = true;
     grid_.visit_near(axis.from - grown, axis.to + grown, [&](const support::TriangleGrid::Entry& e) {
-        free = free && distance(axis, e.corners) >= body_.radius;
+        free = free && distance(axis, e.vertices) >= body_.radius;
     });
     return free;
 }

@@ -1,4 +1,4 @@
-#include "engine/render/snapshot/walk_shots.h"
+#include "engine/render/snapshot/walk_snapshots.h"
 
 namespace campuswalk::engine::render {
 

@@ -1,4 +1,4 @@
-#include "tools/campuswalk_bench/walk/walk_judge.h"
+#include "tools/campuswalk_bench/walk/walk_score.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +93,7 @@ WalkEvaluator::WalkEvaluator(const collision::TriangleMesh& mesh) : mesh_(mesh) 
     first_.assign(side_ * side_ + 1, 0);
     const auto each_column = [&](const auto& visit) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-            const Columns over = columns_of(bounds_of(corners(mesh, i)));
+            const Columns over = columns_of(bounds_of(vertices(mesh, i)));
             for (std::size_t z = over.low_z; z <= over.high_z; ++z) {
                 for (std::size_t x = over.low_x; x <= over.high_x; ++x) {
                     visit(z * side_ + x, i);
@@ -126,7 +126,7 @@ void WalkEvaluator::visit_near(const Aabb& box, const Visit& visit) const {
         for (std::size_t x = over.low_x; x <= over.high_x; ++x) {
             const std::size_t column = z * side_ + x;
             for (std::uint32_t i = first_[column]; i < first_[column + 1]; ++i) {
-                const Triangle t = corners(mesh_, triangles_[i]);
+                const Triangle t = vertices(mesh_, triangles_[i]);
                 if (box.overlaps(bounds_of(t))) {
                     visit(t);
                 }

@@ -1,4 +1,4 @@
-#include "tools/campuswalk/images/picture_verdicts.h"
+#include "tools/campuswalk/images/image_verdicts.h"
 
 #include <algorithm>
 #include <fstream>

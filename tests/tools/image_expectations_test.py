@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`expect: snapshot` and `visible`. `picture_expectations_test.py PROGRAM [--without-rendering]`."""
+"""`expect: snapshot` and `visible`. `image_expectations_test.py PROGRAM [--without-rendering]`."""
 
 import json
 import os

@@ -23,8 +23,8 @@ struct SequenceRequest {
 };
 
 /// Between two frames, simulated seconds.
-inline double interval_of(const SequenceRequest& wish) {
-    return wish.every.value_or(0.5);
+inline double interval_of(const SequenceRequest& desired) {
+    return desired.every.value_or(0.5);
 }
 
 struct AnimationKind {

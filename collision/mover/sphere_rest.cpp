@@ -1,4 +1,4 @@
-#include "collision/mover/ball_rest.h"
+#include "collision/mover/sphere_rest.h"
 
 #include <array>
 #include <cmath>
@@ -29,12 +29,12 @@ struct Highest {
     }
 };
 
-void rest_on_vertex(const Vec3& corner, double x, double z, double radius, Highest& highest) {
-    const double dx = x - corner.x();
-    const double dz = z - corner.z();
+void rest_on_vertex(const Vec3& vertex, double x, double z, double radius, Highest& highest) {
+    const double dx = x - vertex.x();
+    const double dz = z - vertex.z();
     const double left = radius * radius - (dx * dx + dz * dz);
     if (left >= 0.0) {
-        highest.offer(corner.y() + std::sqrt(left), corner);
+        highest.offer(vertex.y() + std::sqrt(left), vertex);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "tests/engine/render/compare/made_pictures.h"
+#include "tests/engine/render/compare/synthetic_images.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tools/campuswalk/base/complaints.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 #include <cstdio>
 

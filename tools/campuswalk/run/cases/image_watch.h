@@ -8,7 +8,7 @@
 #include "engine/observers/snapshot_states.h"
 #include "engine/record/observer.h"
 #include "engine/report/walk_result.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/run/cases/case_runner.h"
 #include "tools/campuswalk/run/plan/plan.h"
 

@@ -1,4 +1,4 @@
-#include "collision/mover/ball_rest.h"
+#include "collision/mover/sphere_rest.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include "engine/render/overlay/walk_trail.h"
 #include "engine/render/snapshot/renderer_store.h"
 #include "engine/simulation/simulation.h"
-#include "tools/campuswalk/images/map_picture.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/images/map_image.h"
 
 namespace campuswalk::tools {
 

@@ -1,4 +1,4 @@
-#include "tests/engine/expect/one_judge.h"
+#include "tests/engine/expect/single_evaluator.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "tools/campuswalk/images/map_picture.h"
+#include "tools/campuswalk/images/map_image.h"
 
 #include <algorithm>
 

@@ -10,8 +10,8 @@
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/campuswalk/images/map_picture.h"
-#include "tools/campuswalk/images/pictures.h"
+#include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/images/map_image.h"
 
 namespace campuswalk::tools {
 namespace {

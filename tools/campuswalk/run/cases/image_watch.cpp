@@ -1,12 +1,12 @@
-#include "tools/campuswalk/run/cases/picture_watch.h"
+#include "tools/campuswalk/run/cases/image_watch.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <utility>
 
-#include "tools/campuswalk/base/complaints.h"
-#include "tools/campuswalk/images/picture_verdicts.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/images/image_verdicts.h"
 
 namespace campuswalk::tools {
 
@@ -33,7 +33,7 @@ ImageWatch::ImageWatch(const Case& played, const PlaySettings& settings,
     const std::filesystem::path folder = settings.output / played.folder;
     taker_ = make_snapshot_taker(*loaded.campus, folder, renderers);
     if (settings.sequence.any()) {
-        FrameSharing sharing;
+        SequenceSharing sharing;
         if (helpers != nullptr) {
             sharing = {helpers->parts(), [helpers](std::size_t part) { return helpers->next_frame(part); }};
         }
@@ -84,20 +84,20 @@ std::vector<engine::Artifact> ImageWatch::snapshot_files() const {
 }
 
 std::vector<engine::Artifact> ImageWatch::sequence_files() const {
-    const SequenceRequest& wish = settings_.sequence;
+    const SequenceRequest& desired = settings_.sequence;
     std::vector<engine::Artifact> files;
     const auto add = [&](const std::string& name, const std::string& file, const std::string& media_type) {
         files.push_back({name, played_.folder + "/" + file, media_type});
     };
-    if (wish.contact_sheet) {
+    if (desired.contact_sheet) {
         add("contact sheet", kContactSheetFile, "image/png");
     }
     for (const AnimationKind& kind : kAnimationKinds) {
-        if (std::ranges::find(wish.animations, kind.name) != wish.animations.end()) {
+        if (std::ranges::find(desired.animations, kind.name) != desired.animations.end()) {
             add("animation", kind.file, kind.media_type);
         }
     }
-    if (wish.video) {
+    if (desired.video) {
         add("video", kVideoFile, "video/mp4");
     }
     return files;
