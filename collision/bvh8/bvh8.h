@@ -10,7 +10,7 @@
 
 namespace campuswalk::collision {
 
-/// The production layout: up to eight children a node and up to sixteen triangles a leaf, side by side so
+/// The default tree: up to eight children a node and up to sixteen triangles a leaf, side by side so
 /// that one vector instruction meets them all. Frames and boxes are float32 about float32 origins; queries
 /// cover with slack what that rounding can do.
 

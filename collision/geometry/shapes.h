@@ -69,10 +69,10 @@ struct Wheel {
     double half_width = 0.1;
 };
 
-/// The tree that a mesh is given. Queries of one mesh give the same answers with both.
-enum class Layout : std::uint8_t {
-    wide,   ///< eight children a node, sixteen triangles a leaf (bvh8.h): the fast one
-    paper,  ///< the paper's binary tree of spheres and oriented boxes (hybrid_tree.h): the one to read
+/// The kind of tree that a mesh gets. Queries return the same results with both.
+enum class TreeKind : std::uint8_t {
+    bvh8,    ///< eight children a node, sixteen triangles a leaf (bvh8.h): the fast one
+    hybrid,  ///< the paper's binary tree of spheres and oriented boxes (hybrid_tree.h): the one to read
 };
 
 /// The closed set of collider shapes. A mesh is shared because several objects may place the same one.

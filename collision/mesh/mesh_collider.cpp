@@ -28,8 +28,8 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
     return mesh;
 }
 
-std::variant<Bvh8, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
-    if (layout == Layout::paper) {
+std::variant<Bvh8, HybridTree> build(const TriangleMesh& mesh, TreeKind tree_kind) {
+    if (tree_kind == TreeKind::hybrid) {
         return build_hybrid_tree(mesh);
     }
     return build_bvh8(mesh);
@@ -37,8 +37,8 @@ std::variant<Bvh8, HybridTree> build(const TriangleMesh& mesh, Layout layout) {
 
 }  // namespace
 
-MeshCollider::MeshCollider(TriangleMesh mesh, Layout layout, Interior interior)
-    : mesh_(std::move(mesh)), tree_(build(checked(mesh_), layout)) {
+MeshCollider::MeshCollider(TriangleMesh mesh, TreeKind tree_kind, Interior interior)
+    : mesh_(std::move(mesh)), tree_(build(checked(mesh_), tree_kind)) {
     if (interior == Interior::found) {
         closed_.emplace(mesh_);
     }

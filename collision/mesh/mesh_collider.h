@@ -19,7 +19,7 @@ class MeshCollider {
 public:
     /// Throws std::invalid_argument for a mesh without triangles, an index out of range, or a position that
     /// is not finite or beyond kMaxCoordinate: callers check user input first.
-    explicit MeshCollider(TriangleMesh mesh, Layout layout = Layout::wide,
+    explicit MeshCollider(TriangleMesh mesh, TreeKind tree_kind = TreeKind::bvh8,
                           Interior interior = Interior::found);
     /// With the tree and the closed parts that were made of this mesh before, as from a file. Throws
     /// std::invalid_argument for a mesh as above, and for a tree whose parts don't fit together
@@ -27,9 +27,9 @@ public:
     MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed);
 
     const TriangleMesh& mesh() const { return mesh_; }
-    Layout layout() const { return tree_.index() == 0 ? Layout::wide : Layout::paper; }
+    TreeKind tree_kind() const { return tree_.index() == 0 ? TreeKind::bvh8 : TreeKind::hybrid; }
     const std::variant<Bvh8, HybridTree>& tree() const { return tree_; }
-    /// Throw std::bad_variant_access for a collider of the other layout.
+    /// Throw std::bad_variant_access for a collider with the other kind of tree.
     const Bvh8& bvh8() const { return std::get<Bvh8>(tree_); }
     const HybridTree& paper_tree() const { return std::get<HybridTree>(tree_); }
     /// Throws std::bad_optional_access for a collider of Interior::unknown.

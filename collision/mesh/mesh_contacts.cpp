@@ -48,11 +48,11 @@ void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& 
 void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, SearchMode wanted,
                    SimdTarget simd_target, std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     out.clear();
-    if (a.layout() != b.layout()) {
-        throw std::invalid_argument("two meshes aren't of one layout");
+    if (a.tree_kind() != b.tree_kind()) {
+        throw std::invalid_argument("the two meshes have different kinds of tree");
     }
     const double tilt = checked_tilt(X_a_b);
-    if (a.layout() == Layout::paper) {
+    if (a.tree_kind() == TreeKind::hybrid) {
         find_hybrid_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
                              statistics);
         return;

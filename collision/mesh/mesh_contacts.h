@@ -15,8 +15,8 @@ namespace campuswalk::collision {
 /// answer is exact: a pair is in it if and only if the triangles share a point, where a's corners are taken
 /// as they are (float32, exact in double) and b's are `b_vertex_in_a`.
 ///
-/// Both meshes are of one layout, or std::invalid_argument is thrown; on the paper's, pairs come in the order
-/// of hybrid_tree_contacts.h and `instructions` don't matter.
+/// Both meshes have the same kind of tree, or std::invalid_argument is thrown; with the paper's, pairs come
+/// in the order of hybrid_tree_contacts.h and `instructions` don't matter.
 ///
 /// X_a_b maps b's frame to a's. Throws std::invalid_argument if it isn't finite or its matrix is no rotation
 /// (farther from one than 1e-3, or a reflection). What a matrix lacks of a rotation makes the query slower,

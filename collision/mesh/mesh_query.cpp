@@ -31,7 +31,7 @@ template <typename Meet>
 void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryStatistics* statistics,
             SimdTarget simd_target) {
     const PathVolume path(ray);
-    if (mesh.layout() == Layout::paper || !fits_bvh8_rays(ray)) {
+    if (mesh.tree_kind() == TreeKind::hybrid || !fits_bvh8_rays(ray)) {
         const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
             return meet(t, vertices(mesh.mesh(), t), limit);
         };

@@ -35,7 +35,7 @@ std::string counts(const collision::QueryStatistics& cost) {
 void CostTrace::begin(const Walk& walk) {
     cost_so_far_ = 0.0;
     total_ = {};
-    hybrid_ = walk.sim.tree == collision::Layout::paper;
+    hybrid_ = walk.sim.tree == collision::TreeKind::hybrid;
     next_ = 0;
     began_ = last_ = clock_ ? clock_() : 0.0;
     sink_(R"({"displayTimeUnit":"ms","traceEvents":[)");

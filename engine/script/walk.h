@@ -174,7 +174,7 @@ struct SimSettings {
     /// before the eyes take one to ten ticks; what stays away for longer has been left.
     double gaze_hold = 0.2;
     /// What the campus' meshes are given to be queried by. It changes how long a walk takes, nothing else.
-    collision::Layout tree = collision::Layout::wide;
+    collision::TreeKind tree = collision::TreeKind::bvh8;
 };
 
 /// What is to be done with a walk, and what is to be thought of its end.

@@ -82,8 +82,8 @@ Origin move_to_origin(const CampusOrigin& wanted, std::vector<Model>& models) {
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
-    ColliderBuilder(Campus& campus, CachedMeshes& meshes, collision::Layout tree, DiagnosticList& diagnostics,
-                    std::vector<Diagnostic>& warnings)
+    ColliderBuilder(Campus& campus, CachedMeshes& meshes, collision::TreeKind tree,
+                    DiagnosticList& diagnostics, std::vector<Diagnostic>& warnings)
         : campus_(campus), meshes_(meshes), tree_(tree), diagnostics_(diagnostics), warnings_(warnings) {}
 
     void add(const ColliderDescription& collider);
@@ -96,7 +96,7 @@ private:
 
     Campus& campus_;
     CachedMeshes& meshes_;
-    collision::Layout tree_;
+    collision::TreeKind tree_;
     DiagnosticList& diagnostics_;
     std::vector<Diagnostic>& warnings_;
     std::map<std::string, SourceMark> ids_;
@@ -198,7 +198,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache,
-                   std::size_t imports_at_once, collision::Layout tree) {
+                   std::size_t imports_at_once, collision::TreeKind tree) {
     DiagnosticList diagnostics;
     if (description.layers.size() > kMostLayers) {
         diagnostics.error(description.mark, "too-many-layers",
@@ -215,8 +215,8 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);
     }
-    const bool known =
-        cache != nullptr && tree == collision::Layout::wide && scenes.contents.size() == campus.models.size();
+    const bool known = cache != nullptr && tree == collision::TreeKind::bvh8 &&
+                       scenes.contents.size() == campus.models.size();
     CachedMeshes meshes =
         known ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : CachedMeshes();
     ColliderBuilder builder(campus, meshes, tree, diagnostics, warnings);

@@ -63,6 +63,6 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings, const Importer& importer,
                    const CacheFolder* cache = nullptr, std::size_t imports_at_once = 1,
-                   collision::Layout tree = collision::Layout::wide);
+                   collision::TreeKind tree = collision::TreeKind::bvh8);
 
 }  // namespace campuswalk::scene

@@ -21,7 +21,7 @@ struct ShapeSource {
     collision::Pose frame;
     WorldGeometry geometry;
     bool has_nodes = false;
-    collision::Layout tree = collision::Layout::wide;  ///< of a mesh
+    collision::TreeKind tree = collision::TreeKind::bvh8;  ///< of a mesh
 };
 
 /// Whether a shape needs no node: every number is there.

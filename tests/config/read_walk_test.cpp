@@ -34,9 +34,9 @@ TEST_F(ReadWalk, ReadsTheSimulation) {
     EXPECT_EQ(settings.stay_every, 0.0);
     EXPECT_EQ(sim("{}").ticks_per_second, 60);
     EXPECT_EQ(sim("{stay_every: 2.5}").stay_every, 2.5);
-    EXPECT_EQ(sim("{}").tree, collision::Layout::wide);
-    EXPECT_EQ(sim("{tree: hybrid}").tree, collision::Layout::paper);
-    EXPECT_EQ(sim("{tree: bvh8}").tree, collision::Layout::wide);
+    EXPECT_EQ(sim("{}").tree, collision::TreeKind::bvh8);
+    EXPECT_EQ(sim("{tree: hybrid}").tree, collision::TreeKind::hybrid);
+    EXPECT_EQ(sim("{tree: bvh8}").tree, collision::TreeKind::bvh8);
     EXPECT_THAT(about_sim("{tree: oak}"), ElementsAre(::testing::AllOf(::testing::HasSubstr("bad-value"),
                                                                        ::testing::HasSubstr("'tree'"))));
 }

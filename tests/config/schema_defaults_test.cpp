@@ -79,7 +79,7 @@ std::multimap<std::string, json> walk_defaults() {
     const engine::Walk walk;
     const engine::CameraSettings& camera = walk.camera;
     const bool runs = walk.status.kind == engine::WalkStatus::Kind::run;
-    const bool descends_bvh8 = walk.sim.tree == collision::Layout::wide;
+    const bool descends_bvh8 = walk.sim.tree == collision::TreeKind::bvh8;
     const bool sees = std::holds_alternative<engine::FirstPersonView>(camera.view);
     return {{"walk/definitions/status_word", runs ? "run" : "another"},
             {"walk/definitions/sim/properties/ticks_per_second", walk.sim.ticks_per_second},

@@ -16,7 +16,7 @@ scene::Campus empty_campus() {
     return campus;
 }
 
-scene::Campus level_campus(double half_size, collision::Layout tree) {
+scene::Campus level_campus(double half_size, collision::TreeKind tree) {
     scene::Campus campus = empty_campus();
     collision::TriangleMesh floor;
     support::add_floor(floor, half_size);

@@ -20,7 +20,7 @@ scene::Campus empty_campus();
 
 /// A level floor at y = 0, called "ground": a solid mesh, a square with sides of 2 `half_size` about the
 /// origin.
-scene::Campus level_campus(double half_size = 50.0, collision::Layout tree = collision::Layout::wide);
+scene::Campus level_campus(double half_size = 50.0, collision::TreeKind tree = collision::TreeKind::bvh8);
 
 /// Appends a building with an information record.
 void add_building(scene::Campus& campus, const std::string& id, const std::string& title = "",

@@ -6,16 +6,16 @@
 
 namespace campuswalk::support {
 
-/// A mesh that can be asked what is inside it. Both layouts are, and must agree.
+/// A mesh that can be asked what is inside it. Both trees answer, and must agree.
 class SolidMesh {
 public:
     explicit SolidMesh(const collision::TriangleMesh& mesh)
-        : wide_(mesh, collision::Layout::wide), paper_(mesh, collision::Layout::paper) {}
+        : wide_(mesh, collision::TreeKind::bvh8), paper_(mesh, collision::TreeKind::hybrid) {}
 
     bool contains(const collision::Vec3& point) const {
         const bool inside = collision::is_inside(wide_, point);
         if (collision::is_inside(paper_, point) != inside) {
-            throw std::logic_error("the layouts disagree about what is inside");
+            throw std::logic_error("the trees disagree about what is inside");
         }
         return inside;
     }

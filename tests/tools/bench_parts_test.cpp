@@ -4,13 +4,13 @@
 
 #include "collision/mesh/mesh_contacts.h"
 #include "collision/mesh/mesh_query.h"
-#include "scene/procedural/table1_scene.h"
 #include "tools/campuswalk_bench/campus/answer_check.h"
 #include "tools/campuswalk_bench/campus/differ.h"
 #include "tools/campuswalk_bench/campus/survey.h"
 #include "tools/campuswalk_bench/measure/heap.h"
 #include "tools/campuswalk_bench/measure/targets.h"
 #include "tools/campuswalk_bench/pairs/pair_scenes.h"
+#include "tools/campuswalk_bench/procedural/table1_scene.h"
 #include "tools/campuswalk_bench/trees/our_builders.h"
 
 namespace campuswalk::tools::bench {
@@ -219,14 +219,14 @@ TEST(OurBuilders, TheDataAndItsRoomAreWhatTheHeapHolds) {
         GTEST_SKIP() << "a sanitizer's allocator counts nothing";
     }
     const TriangleMesh mesh = table1_scene().a;
-    for (const auto layout : {collision::Layout::wide, collision::Layout::paper}) {
-        const auto builder = make_our_builder(mesh, layout);
+    for (const auto tree_kind : {collision::TreeKind::bvh8, collision::TreeKind::hybrid}) {
+        const auto builder = make_our_builder(mesh, tree_kind);
         const std::size_t before = heap_in_use();
         builder->build();
         const auto held = static_cast<double>(heap_in_use() - before);
         builder->discard();
         EXPECT_NEAR(static_cast<double>(heap_in_use()), static_cast<double>(before), 0.01 * held);
-        const MeshCollider collider(mesh, layout);
+        const MeshCollider collider(mesh, tree_kind);
         const std::size_t room =
             std::visit([](const auto& tree) { return room_to_spare(tree); }, collider.tree());
         const auto data = static_cast<double>(bytes_of_mesh(mesh) + bytes_of_tree(collider) + room);

@@ -103,7 +103,7 @@ TEST(DrawCsv, HasALineACampusEngineAndLook) {
               "hills,500000,vtk,no-aa,48.00,48.00,36.00,,2.000\n");
 }
 
-void expect_whole(const collision::TriangleMesh& of, std::span<const scene::CampusRun> runs, double lot) {
+void expect_whole(const collision::TriangleMesh& of, std::span<const CampusRun> runs, double lot) {
     const scene::Model model = drawn_campus(of, runs, lot);
     EXPECT_EQ(scene::count_triangles(model), of.triangles.size());
     const scene::Bounds box = scene::world_bounds(model);
@@ -125,25 +125,25 @@ void expect_whole(const collision::TriangleMesh& of, std::span<const scene::Camp
 }
 
 TEST(DrawnCampus, IsTheWholeCampus) {
-    const scene::WalkableCampus hills = scene::walkable_campus(1);
+    const WalkableCampus hills = walkable_campus(1);
     expect_whole(hills.mesh, hills.runs, scene::kWalkableLot);
-    const scene::GeneratedCampus houses = scene::generated_campus(1);
+    const GeneratedCampus houses = generated_campus(1);
     expect_whole(houses.mesh, houses.runs, scene::kGeneratedLot);
 }
 
 TEST(DrawnCampus, IsSeenFromAPersonsEyes) {
-    const auto views = views_over_hills(scene::walkable_campus(1));
+    const auto views = views_over_hills(walkable_campus(1));
     ASSERT_EQ(views.size(), 3U);
     for (const DrawnView& view : views) {
         EXPECT_LT(std::abs(view.eye.y()), 8.0);
         EXPECT_GT((view.target - view.eye).norm(), 1.0);
     }
-    EXPECT_EQ(views_over_hills(scene::walkable_campus(3)).size(), 24U);
+    EXPECT_EQ(views_over_hills(walkable_campus(3)).size(), 24U);
 }
 
 TEST(DrawnCampus, IsWalkedThroughBetweenTheHouses) {
     for (const int lots : {2, 3}) {
-        const scene::GeneratedCampus campus = scene::generated_campus(lots);
+        const GeneratedCampus campus = generated_campus(lots);
         const collision::MeshCollider mesh(campus.mesh);
         const double half = 0.5 * lots * scene::kGeneratedLot;
         const auto views = views_among_houses(campus, lots);

@@ -9,13 +9,13 @@
 #include <memory>
 #include <sstream>
 
-#include "scene/procedural/walkable_campus.h"
 #include "tests/collision/allocation_count.h"
 #include "tests/support/dice.h"
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/penetration_oracle.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/campuswalk_bench/measure/heap.h"
+#include "tools/campuswalk_bench/procedural/walkable_campus.h"
 #include "tools/campuswalk_bench/walk/our_walker.h"
 #include "tools/campuswalk_bench/walk/walk_csv.h"
 #include "tools/campuswalk_bench/walk/walk_paths.h"
@@ -28,7 +28,6 @@ namespace {
 
 using collision::TriangleMesh;
 using collision::Vec3;
-using scene::WalkPath;
 
 /// Moves as a function says.
 class MadeUpWalker final : public WalkEngine {
@@ -162,7 +161,7 @@ TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
 }
 
 TEST(WalkEvaluator, AgreesWithTheTestsOwnOracle) {
-    const scene::WalkableCampus campus = scene::walkable_campus(1);
+    const WalkableCampus campus = walkable_campus(1);
     const WalkEvaluator evaluator(campus.mesh);
     collision::World world(std::make_unique<collision::LinearBroadPhase>());
     support::add_object(world, campus.mesh);
@@ -225,7 +224,7 @@ private:
 };
 
 TEST(OurWalker, GetsEverywhereOnASmallCampusAndAllocatesNothingWarm) {
-    const scene::WalkableCampus campus = scene::walkable_campus(1);
+    const WalkableCampus campus = walkable_campus(1);
     const WalkBody body;
     OurWalker ours(campus.mesh, body);
     CountingWalker counted(ours);
@@ -239,7 +238,7 @@ TEST(OurWalker, GetsEverywhereOnASmallCampusAndAllocatesNothingWarm) {
 }
 
 TEST(OurWalker, WeighsWhatItsMoverKeeps) {
-    const scene::WalkableCampus campus = scene::walkable_campus(1);
+    const WalkableCampus campus = walkable_campus(1);
     OurWalker ours(campus.mesh, {});
     ours.place(campus.paths[0].start);
     ours.walk({0.02, 0.0, 0.0});

@@ -22,7 +22,7 @@ namespace campuswalk::engine {
 namespace {
 
 namespace fs = std::filesystem;
-using collision::Layout;
+using collision::TreeKind;
 
 struct Walked {
     std::string log;  ///< as text, then as JSON lines
@@ -32,7 +32,7 @@ struct Walked {
 /// Builds each campus once with each tree.
 class Walker {
 public:
-    Walked walk(const config::Run& run, Layout tree) {
+    Walked walk(const config::Run& run, TreeKind tree) {
         Walk walk = run.walk;
         walk.sim.tree = tree;
         Walked walked;
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    const scene::Campus& campus_of(const scene::CampusDescription& description, Layout tree) {
+    const scene::Campus& campus_of(const scene::CampusDescription& description, TreeKind tree) {
         std::unique_ptr<scene::Campus>& campus = campuses_[{description.name, tree}];
         if (!campus) {
             std::vector<scene::Diagnostic> warnings;
@@ -56,7 +56,7 @@ private:
         return *campus;
     }
 
-    std::map<std::pair<std::string, Layout>, std::unique_ptr<scene::Campus>> campuses_;
+    std::map<std::pair<std::string, TreeKind>, std::unique_ptr<scene::Campus>> campuses_;
 };
 
 std::vector<fs::path> walk_files() {
@@ -78,8 +78,8 @@ TEST(TreeChoice, EveryWalkIsTheSameToTheByteOnEitherTree) {
     collision::QueryStatistics on_hybrid;
     for (const fs::path& file : walk_files()) {
         const config::Run run = config::load_run(file, {});
-        const Walked bvh8 = walker.walk(run, Layout::wide);
-        const Walked hybrid = walker.walk(run, Layout::paper);
+        const Walked bvh8 = walker.walk(run, TreeKind::bvh8);
+        const Walked hybrid = walker.walk(run, TreeKind::hybrid);
         EXPECT_EQ(bvh8.log, hybrid.log) << file;
         EXPECT_EQ(bvh8.summary.hash, hybrid.summary.hash) << file;
         EXPECT_EQ(bvh8.summary.failures.size(), hybrid.summary.failures.size()) << file;

@@ -16,8 +16,8 @@ namespace {
 
 engine::SimSettings read_sim(const CheckedNode& node) {
     constexpr int kMostTicks = 10'000;  // a second
-    constexpr std::array kTrees = {Choice<collision::Layout>{"bvh8", collision::Layout::wide},
-                                   Choice<collision::Layout>{"hybrid", collision::Layout::paper}};
+    constexpr std::array kTrees = {Choice<collision::TreeKind>{"bvh8", collision::TreeKind::bvh8},
+                                   Choice<collision::TreeKind>{"hybrid", collision::TreeKind::hybrid}};
     constexpr Range kSeed{0.0, 18446744073709551615.0, false, ""};
     engine::SimSettings sim;
     CheckedMap map(node, "'sim'");

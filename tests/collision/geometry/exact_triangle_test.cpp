@@ -110,7 +110,7 @@ TEST(ExactTriangle, TheTreeFindsExactlyWhatMeets) {
             triangles.push_back(Pair(dice).triangle);
             support::add_triangle(mesh, triangles.back().a, triangles.back().b, triangles.back().c);
         }
-        const MeshCollider collider(mesh, m % 2 == 0 ? Layout::wide : Layout::paper);
+        const MeshCollider collider(mesh, m % 2 == 0 ? TreeKind::bvh8 : TreeKind::hybrid);
         for (int i = 0; i < 20; ++i) {
             const Segment segment = Pair(dice).segment;
             std::vector<std::uint32_t> expected;

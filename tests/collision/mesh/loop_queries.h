@@ -6,7 +6,7 @@
 #include "collision/mesh/mesh_query.h"
 #include "tests/support/dice.h"
 
-/// The queries of mesh_query.h as loops over all triangles, and meshes to ask on both layouts.
+/// The queries of mesh_query.h as loops over all triangles, and meshes to ask with both trees.
 namespace campuswalk::collision {
 
 std::vector<std::uint32_t> loop_near(const TriangleMesh& mesh, const Segment& segment, double radius);
@@ -19,12 +19,12 @@ std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segme
 /// Those that this machine has, the least first.
 std::vector<SimdTarget> supported_simd_targets();
 
-/// One mesh on both layouts.
-struct BothLayouts {
+/// One mesh with both trees.
+struct BothTrees {
     MeshCollider wide;
     MeshCollider paper;
 
-    explicit BothLayouts(const TriangleMesh& mesh) : wide(mesh), paper(mesh, Layout::paper) {}
+    explicit BothTrees(const TriangleMesh& mesh) : wide(mesh), paper(mesh, TreeKind::hybrid) {}
     const TriangleMesh& mesh() const { return wide.mesh(); }
     std::array<const MeshCollider*, 2> each() const { return {&wide, &paper}; }
 };

@@ -19,12 +19,12 @@ TriangleMesh box() {
 
 TEST(MeshCollider, HoldsTheMeshAndOneTree) {
     const MeshCollider wide(box());
-    EXPECT_EQ(wide.layout(), Layout::wide);
+    EXPECT_EQ(wide.tree_kind(), TreeKind::bvh8);
     EXPECT_EQ(wide.mesh().triangles.size(), 12U);
     EXPECT_FALSE(wide.bvh8().leaves.empty());
     EXPECT_THROW(wide.paper_tree(), std::bad_variant_access);
-    const MeshCollider paper(box(), Layout::paper);
-    EXPECT_EQ(paper.layout(), Layout::paper);
+    const MeshCollider paper(box(), TreeKind::hybrid);
+    EXPECT_EQ(paper.tree_kind(), TreeKind::hybrid);
     EXPECT_EQ(paper.mesh().triangles.size(), 12U);
     EXPECT_EQ(paper.paper_tree().order.size(), 12U);
     EXPECT_THROW(paper.bvh8(), std::bad_variant_access);
@@ -33,7 +33,7 @@ TEST(MeshCollider, HoldsTheMeshAndOneTree) {
 TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
     const MeshCollider built(box());
     const MeshCollider taken(box(), built.bvh8(), built.closed_parts());
-    EXPECT_EQ(taken.layout(), Layout::wide);
+    EXPECT_EQ(taken.tree_kind(), TreeKind::bvh8);
     EXPECT_EQ(taken.bvh8().leaves.size(), built.bvh8().leaves.size());
     Bvh8 foreign = built.bvh8();
     foreign.leaves[0].triangle[3] = 12;
@@ -44,9 +44,10 @@ TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
 }
 
 TEST(MeshCollider, KnowsItsClosedPartsUnlessToldNotToLookForThem) {
-    for (const Layout layout : {Layout::wide, Layout::paper}) {
-        EXPECT_TRUE(MeshCollider(box(), layout).closed_parts().has(0));
-        EXPECT_THROW(MeshCollider(box(), layout, Interior::unknown).closed_parts(), std::bad_optional_access);
+    for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
+        EXPECT_TRUE(MeshCollider(box(), tree_kind).closed_parts().has(0));
+        EXPECT_THROW(MeshCollider(box(), tree_kind, Interior::unknown).closed_parts(),
+                     std::bad_optional_access);
     }
 }
 

@@ -37,7 +37,7 @@ TEST(TrianglesNear, AreThoseOfTheLoop) {
     std::size_t found = 0;
     for (int m = 0; m < repeats(80); ++m) {
         const bool hard = m % 2 == 1;
-        const BothLayouts both(hard ? hard_mesh(dice) : mesh_of_some_kind(dice));
+        const BothTrees both(hard ? hard_mesh(dice) : mesh_of_some_kind(dice));
         for (int i = 0; i < 40; ++i) {
             const Segment segment = hard ? segment_around(both.mesh(), dice) : random_segment(dice);
             const double radius = dice.chance(0.1) ? 0.0 : dice.between(0.0, 1.5);
@@ -58,7 +58,7 @@ TEST(TrianglesNear, AreThoseOfTheLoop) {
 TEST(TrianglesNear, AreThoseThePlainFormulaFinds) {
     Dice dice(41);
     for (int m = 0; m < repeats(40); ++m) {
-        const BothLayouts both(mesh_of_some_kind(dice));
+        const BothTrees both(mesh_of_some_kind(dice));
         for (int i = 0; i < 20; ++i) {
             const Segment segment = random_segment(dice);
             const double radius = dice.between(0.0, 1.5);
@@ -78,7 +78,7 @@ TEST(TrianglesNear, AreThoseThePlainFormulaFinds) {
 TEST(TrianglesNear, TouchingExactlyCounts) {
     TriangleMesh floor;
     support::add_floor(floor, 4.0, 0.0, 1.0);
-    const BothLayouts both(floor);
+    const BothTrees both(floor);
     for (const MeshCollider* mesh : both.each()) {
         std::vector<std::uint32_t> near;
         triangles_near(*mesh, {{0.3, 0.5, 0.6}, {0.3, 2.0, 0.6}}, 0.5, near);
@@ -103,8 +103,8 @@ QueryStatistics expect_hits(const MeshCollider& mesh, const Ray& ray, const std:
     return counters;
 }
 
-/// On both layouts, with every instruction set; returns how many triangles are on the ray.
-std::size_t expect_hits_of_the_loop(const BothLayouts& both, const Ray& ray) {
+/// With both trees, with every instruction set; returns how many triangles are on the ray.
+std::size_t expect_hits_of_the_loop(const BothTrees& both, const Ray& ray) {
     const std::vector<MeshHit> expected = loop_all_on_ray(both.mesh(), ray);
     {
         SCOPED_TRACE("paper");
@@ -125,7 +125,7 @@ TEST(OnRay, AreThoseOfTheLoop) {
     Dice dice(42);
     std::size_t hits = 0;
     for (int m = 0; m < repeats(100); ++m) {
-        const BothLayouts both(mesh_of_some_kind(dice));
+        const BothTrees both(mesh_of_some_kind(dice));
         for (int i = 0; i < 60; ++i) {
             SCOPED_TRACE(m * 100 + i);
             hits += expect_hits_of_the_loop(both, {dice.in_cube(6.0), dice.in_cube(6.0)});
@@ -138,7 +138,7 @@ TEST(OnRay, OfHardMeshesAreThoseOfTheLoop) {
     Dice dice(46);
     std::size_t hits = 0;
     for (int m = 0; m < repeats(80); ++m) {
-        const BothLayouts both(hard_mesh(dice));
+        const BothTrees both(hard_mesh(dice));
         for (int i = 0; i < 40; ++i) {
             SCOPED_TRACE(m * 100 + i);
             const Vec3 from = point_around(both.mesh(), dice, 5.0);
@@ -156,7 +156,7 @@ TEST(OnRay, AlongALatticeAreThoseOfTheLoop) {
     std::size_t hits = 0;
     for (int m = 0; m < repeats(60); ++m) {
         const Vec3 at = m % 2 == 0 ? Vec3(0, 0, 0) : Vec3(450000, 60, -448000);
-        const BothLayouts both(support::lattice_soup(dice, 120, at));
+        const BothTrees both(support::lattice_soup(dice, 120, at));
         for (int i = 0; i < 30; ++i) {
             SCOPED_TRACE(m * 100 + i);
             Ray ray;
@@ -173,7 +173,7 @@ TEST(OnRay, AlongALatticeAreThoseOfTheLoop) {
 TEST(OnRay, IsWhereThePlainFormulaSays) {
     Dice dice(43);
     for (int m = 0; m < repeats(60); ++m) {
-        const BothLayouts both(support::random_mesh(dice, 150, 3.0));
+        const BothTrees both(support::random_mesh(dice, 150, 3.0));
         for (int i = 0; i < 40; ++i) {
             const Ray ray{dice.in_cube(6.0), dice.in_cube(6.0)};
             double plain = 2.0;
@@ -193,7 +193,7 @@ TEST(OnRay, OfSeveralAtOnePlaceTheLowestIndexIsFirst) {
     for (int i = 0; i < 30; ++i) {
         support::add_triangle(stack, {-1, 0, -1}, {0, 0, 2}, {1, 0, -1});
     }
-    const BothLayouts both(stack);
+    const BothTrees both(stack);
     for (const MeshCollider* mesh : both.each()) {
         const auto found = first_on_ray(*mesh, {{0, 1, 0}, {0, -1, 0}});
         EXPECT_EQ(found, (MeshHit{0.5, 0}));
@@ -209,13 +209,13 @@ TEST(OnRay, OfSeveralAtOnePlaceTheLowestIndexIsFirst) {
 TEST(OnRay, ThatGoesNowhereIsNothing) {
     TriangleMesh floor;
     support::add_floor(floor, 4.0, 0.0, 1.0);
-    EXPECT_EQ(expect_hits_of_the_loop(BothLayouts(floor), {{0.3, 0, 0.6}, {0.3, 0, 0.6}}), 0U);
+    EXPECT_EQ(expect_hits_of_the_loop(BothTrees(floor), {{0.3, 0, 0.6}, {0.3, 0, 0.6}}), 0U);
 }
 
 TEST(OnRay, FromFarAwayStillMeetsWhatIsSmall) {
     TriangleMesh small;
     support::add_box(small, {-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01});
-    const BothLayouts both(small);
+    const BothTrees both(small);
     Dice dice(48);
     for (int i = 0; i < 200; ++i) {
         const Vec3 from = dice.in_cube(1e7);
@@ -233,7 +233,7 @@ TEST(OnRay, OfWhateverSizeAreThoseOfTheLoop) {
         for (Eigen::Vector3f& p : mesh.positions) {
             p *= static_cast<float>(scale);
         }
-        const BothLayouts both(mesh);
+        const BothTrees both(mesh);
         for (int i = 0; i < 40; ++i) {
             SCOPED_TRACE(m * 100 + i);
             const Vec3 from = scale * dice.in_cube(6.0);
@@ -249,7 +249,7 @@ TEST(OnRay, OfWhateverSizeAreThoseOfTheLoop) {
 TEST(OnRay, WithoutAnEndAreThoseOfTheLoop) {
     Dice dice(55);
     std::size_t hits = 0;
-    const BothLayouts both(support::random_mesh(dice, 200, 4.0));
+    const BothTrees both(support::random_mesh(dice, 200, 4.0));
     for (int i = 0; i < repeats(200); ++i) {
         SCOPED_TRACE(i);
         const Vec3 from = dice.in_cube(6.0);
@@ -268,7 +268,7 @@ TEST(OnRay, OfABallAreThoseOfTheLoop) {
     for (Eigen::Vector3f& p : ball.positions) {
         p = (turn * p.cast<double>()).cast<float>();
     }
-    const BothLayouts both(ball);
+    const BothTrees both(ball);
     const auto& nodes = both.wide.bvh8().nodes;
     EXPECT_GT(std::count_if(nodes.begin(), nodes.end(), [](const Bvh8Node& n) { return n.turned; }), 10);
     std::size_t hits = 0;
@@ -287,7 +287,7 @@ TEST(OnRay, OfABallAreThoseOfTheLoop) {
 TEST(ClosestPoint, IsThatOfTheLoop) {
     Dice dice(49);
     for (int m = 0; m < repeats(120); ++m) {
-        const BothLayouts both(m % 2 == 1 ? hard_mesh(dice) : mesh_of_some_kind(dice));
+        const BothTrees both(m % 2 == 1 ? hard_mesh(dice) : mesh_of_some_kind(dice));
         for (int i = 0; i < 40; ++i) {
             const Vec3 point = point_around(both.mesh(), dice, dice.chance(0.2) ? 100.0 : 2.0);
             const MeshPoint expected = loop_closest_point(both.mesh(), point);
@@ -304,7 +304,7 @@ TEST(ClosestPoint, IsThatOfTheLoop) {
 TEST(ClosestPoint, OfTheLatticeIsTheLowestIndexOfThoseThatShareIt) {
     Dice dice(51);
     for (int m = 0; m < repeats(60); ++m) {
-        const BothLayouts both(support::lattice_soup(dice, 120, Vec3::Zero()));
+        const BothTrees both(support::lattice_soup(dice, 120, Vec3::Zero()));
         for (int i = 0; i < 30; ++i) {
             const Vec3 point(dice.below(9) - 1, dice.below(9) - 1, dice.below(9) - 1);
             const MeshPoint expected = loop_closest_point(both.mesh(), point);
@@ -319,7 +319,7 @@ TEST(TrianglesInBox, AreThoseOfTheLoop) {
     Dice dice(53);
     std::size_t found = 0;
     for (int m = 0; m < repeats(80); ++m) {
-        const BothLayouts both(m % 2 == 1 ? hard_mesh(dice) : mesh_of_some_kind(dice));
+        const BothTrees both(m % 2 == 1 ? hard_mesh(dice) : mesh_of_some_kind(dice));
         for (int i = 0; i < 30; ++i) {
             const Box box{Vec3(dice.between(0.0, 2.0), dice.between(0.0, 1.0), dice.between(0.0, 1.0))};
             Pose X = support::random_pose(dice, 0.0);
@@ -341,7 +341,7 @@ TEST(SweepOfAMesh, IsThatOfTheLoop) {
     int contacts = 0;
     for (int m = 0; m < repeats(80); ++m) {
         const bool hard = m % 2 == 1;
-        const BothLayouts both(hard ? hard_mesh(dice) : mesh_of_some_kind(dice));
+        const BothTrees both(hard ? hard_mesh(dice) : mesh_of_some_kind(dice));
         for (int i = 0; i < 20; ++i) {
             const Segment segment = hard ? segment_around(both.mesh(), dice) : random_segment(dice);
             const Vec3 move = dice.in_cube(4.0);

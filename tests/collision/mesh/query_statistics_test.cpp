@@ -94,8 +94,8 @@ TEST(QueryStatistics, AddUp) {
 }
 
 TEST(QueryStatistics, FarAwayOnlyTheRootIsTested) {
-    for (const Layout layout : {Layout::wide, Layout::paper}) {
-        const MeshCollider mesh(tiled_floor(), layout);
+    for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
+        const MeshCollider mesh(tiled_floor(), tree_kind);
         const QueryStatistics counters = count_near(mesh, {{900, 0, 0}, {900, 2, 0}}, 0.3);
         EXPECT_EQ(counters.volume_tests, 1U);
         EXPECT_EQ(counters.primitive_tests, 0U);
@@ -104,7 +104,7 @@ TEST(QueryStatistics, FarAwayOnlyTheRootIsTested) {
 }
 
 TEST(QueryStatistics, WithinReachOfAllEveryNodeAndTriangleIsTested) {
-    const MeshCollider paper(tiled_floor(), Layout::paper);
+    const MeshCollider paper(tiled_floor(), TreeKind::hybrid);
     const QueryStatistics on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
     EXPECT_EQ(on_paper.volume_tests, paper.paper_tree().nodes.size());
     EXPECT_EQ(on_paper.primitive_tests, paper.mesh().triangles.size());
@@ -127,7 +127,7 @@ TEST(QueryStatistics, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
     std::uint64_t by_spheres = 0;
     for (int m = 0; m < 10; ++m) {
         const MeshCollider mesh(m % 2 == 0 ? support::random_mesh(dice, 400, 6.0) : tiled_floor(),
-                                Layout::paper);
+                                TreeKind::hybrid);
         for (int i = 0; i < 20; ++i) {
             const Vec3 a = dice.in_cube(6.0);
             const Segment segment{a, a + Vec3(0, 1.2, 0)};
@@ -145,8 +145,8 @@ TEST(QueryStatistics, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
 }
 
 TEST(QueryStatistics, ASmallQueryInALargeMeshTestsLittleOfIt) {
-    for (const Layout layout : {Layout::wide, Layout::paper}) {
-        const MeshCollider mesh(tiled_floor(), layout);  // 8192 triangles
+    for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
+        const MeshCollider mesh(tiled_floor(), tree_kind);  // 8192 triangles
         const QueryStatistics counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);
         EXPECT_LT(counters.volume_tests, 200U);
         EXPECT_LT(counters.primitive_tests, 100U);
@@ -155,8 +155,8 @@ TEST(QueryStatistics, ASmallQueryInALargeMeshTestsLittleOfIt) {
 }
 
 TEST(QueryStatistics, OfARayThatMissesStaySmall) {
-    for (const Layout layout : {Layout::wide, Layout::paper}) {
-        const MeshCollider mesh(tiled_floor(), layout);
+    for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
+        const MeshCollider mesh(tiled_floor(), tree_kind);
         QueryStatistics counters;
         EXPECT_FALSE(first_on_ray(mesh, {{3, 0.01, 3}, {4, 5.0, 3}}, &counters));
         EXPECT_LT(counters.volume_tests, 200U);

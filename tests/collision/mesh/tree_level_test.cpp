@@ -26,8 +26,8 @@ double largest(const std::vector<PosedBox>& boxes) {
 
 TEST(TreeLevel, EveryLevelOfEitherTreeHoldsTheWholeMesh) {
     Dice dice(3);
-    for (const Layout layout : {Layout::wide, Layout::paper}) {
-        const MeshCollider mesh(support::random_mesh(dice, 600, 5.0), layout, Interior::unknown);
+    for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
+        const MeshCollider mesh(support::random_mesh(dice, 600, 5.0), tree_kind, Interior::unknown);
         for (const int level : {0, 1, 2, 4, 40}) {
             const auto boxes = boxes_at_level(mesh, level);
             for (std::size_t t = 0; t < mesh.mesh().triangles.size(); ++t) {
@@ -46,8 +46,8 @@ TEST(TreeLevel, EveryLevelOfEitherTreeHoldsTheWholeMesh) {
 TEST(TreeLevel, LevelsAreThoseOfTheTreeThatTheMeshHas) {
     Dice dice(3);
     const TriangleMesh mesh = support::random_mesh(dice, 600, 5.0);
-    const MeshCollider bvh8(mesh, Layout::wide, Interior::unknown);
-    const MeshCollider hybrid(mesh, Layout::paper, Interior::unknown);
+    const MeshCollider bvh8(mesh, TreeKind::bvh8, Interior::unknown);
+    const MeshCollider hybrid(mesh, TreeKind::hybrid, Interior::unknown);
     EXPECT_EQ(boxes_at_level(bvh8, 0).size(), 1U);
     EXPECT_EQ(boxes_at_level(bvh8, 1).size(), bvh8.bvh8().nodes[0].count);
     EXPECT_EQ(boxes_at_level(bvh8, 100).size(), bvh8.bvh8().leaves.size());

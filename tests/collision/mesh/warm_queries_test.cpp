@@ -56,7 +56,7 @@ Pose crossing_pose() {
     return X;
 }
 
-class WarmQueries : public ::testing::TestWithParam<Layout> {
+class WarmQueries : public ::testing::TestWithParam<TreeKind> {
 protected:
     const MeshCollider mesh_{crowded_mesh(1), GetParam()};
     QueryStatistics counters_;
@@ -115,11 +115,11 @@ TEST_P(WarmQueries, OfANewThread) {
     EXPECT_EQ(taken, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothLayouts, WarmQueries, ::testing::Values(Layout::wide, Layout::paper),
-                         [](const auto& each) { return each.param == Layout::wide ? "wide" : "paper"; });
+INSTANTIATE_TEST_SUITE_P(BothTrees, WarmQueries, ::testing::Values(TreeKind::bvh8, TreeKind::hybrid),
+                         [](const auto& each) { return each.param == TreeKind::bvh8 ? "wide" : "paper"; });
 
 struct ContactKind {
-    Layout layout = Layout::wide;
+    TreeKind tree_kind = TreeKind::bvh8;
     SimdTarget simd_target = SimdTarget::sse42;
     const char* name = "";
 };
@@ -132,8 +132,8 @@ protected:
         }
     }
 
-    const MeshCollider a_{crowded_mesh(2), GetParam().layout};
-    const MeshCollider b_{crowded_mesh(3), GetParam().layout};
+    const MeshCollider a_{crowded_mesh(2), GetParam().tree_kind};
+    const MeshCollider b_{crowded_mesh(3), GetParam().tree_kind};
     QueryStatistics counters_;
 };
 
@@ -166,10 +166,10 @@ TEST_P(WarmContacts, OfABodyThatMoves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryKernel, WarmContacts,
-                         ::testing::Values(ContactKind{Layout::wide, SimdTarget::sse42, "sse42"},
-                                           ContactKind{Layout::wide, SimdTarget::avx2, "avx2"},
-                                           ContactKind{Layout::wide, SimdTarget::avx512, "avx512"},
-                                           ContactKind{Layout::paper, SimdTarget::sse42, "paper"}),
+                         ::testing::Values(ContactKind{TreeKind::bvh8, SimdTarget::sse42, "sse42"},
+                                           ContactKind{TreeKind::bvh8, SimdTarget::avx2, "avx2"},
+                                           ContactKind{TreeKind::bvh8, SimdTarget::avx512, "avx512"},
+                                           ContactKind{TreeKind::hybrid, SimdTarget::sse42, "paper"}),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

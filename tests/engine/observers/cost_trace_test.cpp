@@ -20,7 +20,7 @@ struct Traced {
     WalkSummary summary;
 };
 
-Traced traced(CostTrace::Clock clock = {}, collision::Layout tree = collision::Layout::wide) {
+Traced traced(CostTrace::Clock clock = {}, collision::TreeKind tree = collision::TreeKind::bvh8) {
     scene::Campus campus = level_campus(50.0, tree);
     add_box(campus, "gate \"north\"", {-1, 0, -4}, {1, 2, -3}, {collision::Detection::trigger, "", true, ""});
     Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0.0, -6.0)});
@@ -43,7 +43,7 @@ std::vector<Json> slices(const Json& trace, const std::string& name, int track) 
 }
 
 TEST(CostTrace, CountsWhatTheWalkCounted) {
-    for (const collision::Layout tree : {collision::Layout::wide, collision::Layout::paper}) {
+    for (const collision::TreeKind tree : {collision::TreeKind::bvh8, collision::TreeKind::hybrid}) {
         const Traced all = traced({}, tree);
         const Json trace = Json::parse(all.text);
         const collision::QueryStatistics& counted = all.summary.statistics;
@@ -65,7 +65,7 @@ TEST(CostTrace, CountsWhatTheWalkCounted) {
 }
 
 TEST(CostTrace, EndsWithTheTermsOfEquation4AndWhatEquation1Decided) {
-    const Traced hybrid = traced({}, collision::Layout::paper);
+    const Traced hybrid = traced({}, collision::TreeKind::hybrid);
     const Json terms = Json::parse(hybrid.text).at("otherData");
     const collision::QueryStatistics& counted = hybrid.summary.statistics;
     EXPECT_EQ(terms.at("tree"), "hybrid");

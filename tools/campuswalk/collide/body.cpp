@@ -98,7 +98,7 @@ Body read_body(const std::string& word, const scene::SceneFile& frame,
         scene::bake_every_triangle(scene::gather_geometry(models, {roots_of(models[0]), {}}));
     check_size(baked.mesh, file.mark);
     body.shape = std::make_shared<const collision::MeshCollider>(
-        std::move(baked.mesh), collision::Layout::wide, collision::Interior::unknown);
+        std::move(baked.mesh), collision::TreeKind::bvh8, collision::Interior::unknown);
     body.p_body_mesh = baked.p_world_origin;
     body.nodes = nodes_of(models[0]);
     return body;

@@ -33,7 +33,7 @@ void add_file_frame(Command command, scene::SceneFile& file, const std::string& 
 /// `--rendering-backend`, for a command that draws.
 void add_rendering_backend(Command command, Backend& backend);
 /// `--tree`: what the walks' campuses are queried by.
-void add_tree(Command command, std::optional<collision::Layout>& tree);
+void add_tree(Command command, std::optional<collision::TreeKind>& tree);
 /// `--color`, for a command that prints reports.
 void add_color(Command command, ColorChoice& color);
 

@@ -35,8 +35,8 @@ struct ReplayOptions {
     /// The walks.config.yaml with the walks' projects; otherwise the one that a report names or, for a log,
     /// the one here or above.
     std::optional<std::filesystem::path> config;
-    std::optional<collision::Layout> tree;  ///< in the place of that which a walk says
-    bool verify = false;                    ///< compare hashes; otherwise the event log is printed
+    std::optional<collision::TreeKind> tree;  ///< in the place of that which a walk says
+    bool verify = false;                      ///< compare hashes; otherwise the event log is printed
 };
 
 std::string title_of(const RecordedWalk& walk) {

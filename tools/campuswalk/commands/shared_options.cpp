@@ -24,9 +24,9 @@ void add_rendering_backend(Command command, Backend& backend) {
                    backends, backend);
 }
 
-void add_tree(Command command, std::optional<collision::Layout>& tree) {
-    const std::map<std::string, std::optional<collision::Layout>> trees = {
-        {"bvh8", collision::Layout::wide}, {"hybrid", collision::Layout::paper}};
+void add_tree(Command command, std::optional<collision::TreeKind>& tree) {
+    const std::map<std::string, std::optional<collision::TreeKind>> trees = {
+        {"bvh8", collision::TreeKind::bvh8}, {"hybrid", collision::TreeKind::hybrid}};
     command.choice({.names = "--tree",
                     .help = "What finds a mesh's triangles: the wide BVH, or the paper's tree of spheres and "
                             "oriented boxes; the log is the same [as the walk says, else bvh8]"},

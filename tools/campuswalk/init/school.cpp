@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/procedural/mesh_parts.h"
+#include "scene/model/mesh_parts.h"
 
 namespace campuswalk::tools::init {
 

@@ -61,7 +61,7 @@ std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& cam
 
 std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
                                                        const scene::CampusDescription& description,
-                                                       collision::Layout tree,
+                                                       collision::TreeKind tree,
                                                        std::vector<scene::Diagnostic>& warnings) {
     std::error_code none;
     const fs::path key = fs::weakly_canonical(file, none);

@@ -42,12 +42,12 @@ public:
 private:
     std::shared_ptr<const scene::Campus> build(const std::filesystem::path& file,
                                                const scene::CampusDescription& description,
-                                               collision::Layout tree,
+                                               collision::TreeKind tree,
                                                std::vector<scene::Diagnostic>& warnings);
 
     Told warn_;
     config::RunLoader loader_;
-    std::map<std::pair<std::filesystem::path, collision::Layout>, std::shared_ptr<const scene::Campus>>
+    std::map<std::pair<std::filesystem::path, collision::TreeKind>, std::shared_ptr<const scene::Campus>>
         campuses_;
     std::map<std::filesystem::path, scene::InputError> broken_;  ///< what was wrong with campuses
 };

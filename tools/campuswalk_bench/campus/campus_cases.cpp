@@ -7,19 +7,19 @@
 #include <utility>
 
 #include "collision/mesh/mesh_query.h"
-#include "scene/procedural/generated_campus.h"
 #include "tools/campuswalk_bench/campus/answer_check.h"
 #include "tools/campuswalk_bench/campus/poll.h"
 #include "tools/campuswalk_bench/campus/questions.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
+#include "tools/campuswalk_bench/procedural/generated_campus.h"
 
 namespace campuswalk::tools::bench {
 
-using collision::Layout;
 using collision::MeshCollider;
 using collision::QueryStatistics;
 using collision::Ray;
 using collision::Segment;
+using collision::TreeKind;
 using collision::Vec3;
 
 namespace {
@@ -30,11 +30,11 @@ using Triangles = std::vector<std::uint32_t>;
 /// One mesh in everybody's tree.
 struct Campus {
     explicit Campus(int lots)
-        : generated(scene::generated_campus(lots)),
-          wide(generated.mesh, Layout::wide, collision::Interior::unknown),
-          paper(generated.mesh, Layout::paper, collision::Interior::unknown) {}
+        : generated(generated_campus(lots)),
+          wide(generated.mesh, TreeKind::bvh8, collision::Interior::unknown),
+          paper(generated.mesh, TreeKind::hybrid, collision::Interior::unknown) {}
 
-    scene::GeneratedCampus generated;
+    GeneratedCampus generated;
     MeshCollider wide;
     MeshCollider paper;
     std::shared_ptr<RayEngine> embree;
@@ -51,9 +51,9 @@ void load(std::shared_ptr<Engine>& engine, const char* peer, const char* functio
     }
 }
 
-/// Both layouts, asked by `ask(collider, question, answer, counters)`.
+/// Both trees, asked by `ask(collider, question, answer, counters)`.
 template <typename Question, typename Answer, typename Ask>
-std::vector<Respondent<Question, Answer>> both_layouts(const Campus& campus, const Ask& ask) {
+std::vector<Respondent<Question, Answer>> both_trees(const Campus& campus, const Ask& ask) {
     std::vector<Respondent<Question, Answer>> made;
     for (const auto& [name, collider] :
          {std::pair("wide", &campus.wide), std::pair("paper", &campus.paper)}) {
@@ -71,7 +71,7 @@ Poll<Ray, Fraction> first_hits(const Campus& campus, const char* case_name, std:
     poll.case_name = case_name;
     poll.query = "first_hit";
     poll.questions = std::move(rays);
-    poll.respondents = both_layouts<Ray, Fraction>(
+    poll.respondents = both_trees<Ray, Fraction>(
         campus, [](const MeshCollider& mesh, const Ray& ray, Fraction& answer, QueryStatistics& counters) {
             const auto hit = first_on_ray(mesh, ray, &counters);
             answer = hit ? Fraction(hit->fraction) : std::nullopt;
@@ -97,7 +97,7 @@ Poll<Ray, char> any_hits(const Campus& campus, std::vector<Ray> rays) {
     poll.case_name = "rays";
     poll.query = "any_hit";
     poll.questions = std::move(rays);
-    poll.respondents = both_layouts<Ray, char>(
+    poll.respondents = both_trees<Ray, char>(
         campus, [](const MeshCollider& mesh, const Ray& ray, char& answer, QueryStatistics& counters) {
             answer = any_on_ray(mesh, ray, &counters) ? 1 : 0;
         });
@@ -109,7 +109,7 @@ Poll<Segment, Triangles> touches(const Campus& campus, std::vector<Segment> segm
     poll.case_name = "avatars";
     poll.query = "touching";
     poll.questions = std::move(segments);
-    poll.respondents = both_layouts<Segment, Triangles>(
+    poll.respondents = both_trees<Segment, Triangles>(
         campus,
         [](const MeshCollider& mesh, const Segment& segment, Triangles& answer, QueryStatistics& counters) {
             triangles_near(mesh, segment, kAvatarRadius, answer, &counters);
@@ -135,7 +135,7 @@ Poll<Vec3, double> distances(const Campus& campus, const std::vector<Segment>& s
     for (const Segment& segment : segments) {
         poll.questions.push_back(segment.b);
     }
-    poll.respondents = both_layouts<Vec3, double>(
+    poll.respondents = both_trees<Vec3, double>(
         campus, [](const MeshCollider& mesh, const Vec3& point, double& answer, QueryStatistics& counters) {
             answer = closest_point(mesh, point, &counters).distance;
         });

@@ -13,7 +13,7 @@ struct CampusSize {
     std::size_t avatars = 2000;
 };
 
-/// What visitors of a campus ask of one mesh, by both layouts and other people's engines; cases and queries:
+/// What visitors of a campus ask of one mesh, by both trees and other people's engines; cases and queries:
 /// `rays` (200 m) first_hit and any_hit, `probes` (rays of 5 m) first_hit, `avatars` touching, `points`
 /// closest.
 CaseResult run_campus_cases(const CampusSize& size, int rounds);

@@ -1,13 +1,12 @@
 #include "tools/campuswalk_bench/campus/questions.h"
 
-#include "scene/procedural/split_mix.h"
+#include "tools/campuswalk_bench/procedural/split_mix.h"
 
 namespace campuswalk::tools::bench {
 
 using collision::Ray;
 using collision::Segment;
 using collision::Vec3;
-using scene::SplitMix;
 
 namespace {
 

@@ -29,13 +29,13 @@ struct Subject {
 };
 
 Subject hills(int lots) {
-    const scene::WalkableCampus campus = scene::walkable_campus(lots);
+    const WalkableCampus campus = walkable_campus(lots);
     return {
         "hills", drawn_campus(campus.mesh, campus.runs, scene::kWalkableLot), views_over_hills(campus), {}};
 }
 
 Subject houses(int lots) {
-    const scene::GeneratedCampus campus = scene::generated_campus(lots);
+    const GeneratedCampus campus = generated_campus(lots);
     return {"houses",
             drawn_campus(campus.mesh, campus.runs, scene::kGeneratedLot),
             views_among_houses(campus, lots),

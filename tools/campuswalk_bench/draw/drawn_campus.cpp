@@ -79,7 +79,7 @@ struct Piece {
 
 class Modeller {
 public:
-    Modeller(const collision::TriangleMesh& mesh, std::span<const scene::CampusRun> runs, double lot)
+    Modeller(const collision::TriangleMesh& mesh, std::span<const CampusRun> runs, double lot)
         : mesh_(mesh), runs_(runs), lot_(lot) {
         smooth_.assign(mesh.positions.size(), Vector3f::Zero());
         for (const auto& t : mesh.triangles) {
@@ -149,7 +149,7 @@ private:
     }
 
     const collision::TriangleMesh& mesh_;
-    std::span<const scene::CampusRun> runs_;
+    std::span<const CampusRun> runs_;
     double lot_;
     std::vector<Vector3f> smooth_;  ///< of each position: the sum over its triangles, by their area
     std::map<std::tuple<int, int, std::size_t>, Piece> pieces_;
@@ -162,15 +162,14 @@ Eigen::Vector3d foot_near(const std::vector<Eigen::Vector3d>& feet, double x, do
 
 }  // namespace
 
-scene::Model drawn_campus(const collision::TriangleMesh& mesh, std::span<const scene::CampusRun> runs,
-                          double lot) {
+scene::Model drawn_campus(const collision::TriangleMesh& mesh, std::span<const CampusRun> runs, double lot) {
     return Modeller(mesh, runs, lot).finish();
 }
 
-std::vector<DrawnView> views_over_hills(const scene::WalkableCampus& campus) {
+std::vector<DrawnView> views_over_hills(const WalkableCampus& campus) {
     const Eigen::Vector3d eyes(0.0, kEyes, 0.0);
     std::vector<DrawnView> views;
-    for (const scene::WalkPath& path : campus.paths) {
+    for (const WalkPath& path : campus.paths) {
         if (path.name != "hill") {
             continue;
         }
@@ -186,7 +185,7 @@ std::vector<DrawnView> views_over_hills(const scene::WalkableCampus& campus) {
     return views;
 }
 
-std::vector<DrawnView> views_among_houses(const scene::GeneratedCampus& campus, int lots) {
+std::vector<DrawnView> views_among_houses(const GeneratedCampus& campus, int lots) {
     const Eigen::Vector3d eyes(0.0, kEyes, 0.0);
     const double side = scene::kGeneratedLot * lots;
     const int half_of_them = lots / 2;

@@ -55,8 +55,8 @@ private:
 class WideEngine final : public Engine {
 public:
     WideEngine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
-        : a_(a, collision::Layout::wide, collision::Interior::unknown),
-          b_(b, collision::Layout::wide, collision::Interior::unknown),
+        : a_(a, collision::TreeKind::bvh8, collision::Interior::unknown),
+          b_(b, collision::TreeKind::bvh8, collision::Interior::unknown),
           simd_target_(simd_target) {}
 
     void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }

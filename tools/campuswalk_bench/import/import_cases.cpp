@@ -13,12 +13,12 @@
 
 #include "scene/campus/campus_description.h"
 #include "scene/model/model.h"
-#include "scene/procedural/walkable_campus.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/files/scratch_folder.h"
 #include "tools/campuswalk_bench/files/write_glb.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
+#include "tools/campuswalk_bench/procedural/walkable_campus.h"
 
 namespace campuswalk::tools::bench {
 
@@ -128,7 +128,7 @@ CaseResult run_import_cases(int lots, int rounds, const std::vector<fs::path>& m
         found.push_back(import_by_helper(file));
     }
     const ScratchFolder folder;
-    const collision::TriangleMesh mesh = scene::walkable_campus(lots).mesh;
+    const collision::TriangleMesh mesh = walkable_campus(lots).mesh;
     const std::size_t triangles = mesh.triangles.size();
     std::printf("GLB files of %zu triangles, into a model of ours and into assimp's scene; times of %d.\n",
                 triangles, rounds);

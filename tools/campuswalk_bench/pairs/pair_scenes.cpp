@@ -1,19 +1,19 @@
 #include "tools/campuswalk_bench/pairs/pair_scenes.h"
 
 #include "collision/geometry/trigonometry.h"
-#include "scene/procedural/cylinder.h"
-#include "scene/procedural/table1_scene.h"
-#include "scene/procedural/teapot.h"
+#include "tools/campuswalk_bench/procedural/cylinder.h"
+#include "tools/campuswalk_bench/procedural/table1_scene.h"
+#include "tools/campuswalk_bench/procedural/teapot.h"
 
 namespace campuswalk::tools::bench {
 
 PairScene table1_scene() {
-    const scene::Table1Scene table = scene::table1_scene();
+    const Table1Scene table = table1_scene();
     PairScene made;
     made.name = "table1";
     made.a = table.cylinder;
     made.b = table.teapot;
-    for (const scene::Table1Placement& placement : table.placements) {
+    for (const Table1Placement& placement : table.placements) {
         made.placements.push_back({placement.X_cylinder_teapot, placement.pairs});
     }
     return made;
@@ -26,9 +26,9 @@ PairScene finer_scene(int fineness) {
     shape.stacks *= fineness;
     PairScene made;
     made.name = "million";
-    made.a = scene::cylinder(shape);
-    made.b = scene::teapot(fineness);
-    for (const scene::Table1Placement& placement : scene::table1_scene().placements) {
+    made.a = cylinder(shape);
+    made.b = teapot(fineness);
+    for (const Table1Placement& placement : table1_scene().placements) {
         if (placement.pairs == kPairs) {
             made.placements.push_back({placement.X_cylinder_teapot, std::nullopt});
         }
@@ -47,7 +47,7 @@ PairScene nested_scene() {
     PairPlacement placement;
     placement.X_a_b.rotation << cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0;
     placement.pairs = 0;
-    return {"nested", scene::cylinder(outer), scene::cylinder(inner), {placement}};
+    return {"nested", cylinder(outer), cylinder(inner), {placement}};
 }
 
 }  // namespace campuswalk::tools::bench

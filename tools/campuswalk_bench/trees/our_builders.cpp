@@ -7,24 +7,24 @@ namespace campuswalk::tools::bench {
 
 using collision::Bvh8;
 using collision::HybridTree;
-using collision::Layout;
 using collision::MeshCollider;
+using collision::TreeKind;
 using collision::TriangleMesh;
 
 namespace {
 
 class OurBuilder final : public TreeBuilder {
 public:
-    OurBuilder(const TriangleMesh& mesh, Layout layout) : mesh_(mesh), layout_(layout) {}
+    OurBuilder(const TriangleMesh& mesh, TreeKind tree_kind) : mesh_(mesh), tree_kind_(tree_kind) {}
 
     void build() override {
-        made_ = std::make_unique<MeshCollider>(mesh_, layout_, collision::Interior::unknown);
+        made_ = std::make_unique<MeshCollider>(mesh_, tree_kind_, collision::Interior::unknown);
     }
     void discard() override { made_.reset(); }
 
 private:
     const TriangleMesh& mesh_;
-    Layout layout_;
+    TreeKind tree_kind_;
     std::unique_ptr<MeshCollider> made_;
 };
 
@@ -43,8 +43,8 @@ std::size_t bytes_of(const HybridTree& tree) {
 
 }  // namespace
 
-std::unique_ptr<TreeBuilder> make_our_builder(const TriangleMesh& mesh, Layout layout) {
-    return std::make_unique<OurBuilder>(mesh, layout);
+std::unique_ptr<TreeBuilder> make_our_builder(const TriangleMesh& mesh, TreeKind tree_kind) {
+    return std::make_unique<OurBuilder>(mesh, tree_kind);
 }
 
 std::size_t bytes_of_mesh(const TriangleMesh& mesh) {

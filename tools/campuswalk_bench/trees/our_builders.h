@@ -9,7 +9,8 @@
 namespace campuswalk::tools::bench {
 
 /// Makes a MeshCollider: the mesh is copied and checked, its tree built. `mesh` must outlive it.
-std::unique_ptr<TreeBuilder> make_our_builder(const collision::TriangleMesh& mesh, collision::Layout layout);
+std::unique_ptr<TreeBuilder> make_our_builder(const collision::TriangleMesh& mesh,
+                                              collision::TreeKind tree_kind);
 
 // What the data takes, bytes: the arrays as long as they are filled.
 

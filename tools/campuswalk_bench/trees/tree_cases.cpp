@@ -16,8 +16,8 @@
 
 namespace campuswalk::tools::bench {
 
-using collision::Layout;
 using collision::MeshCollider;
+using collision::TreeKind;
 using collision::TriangleMesh;
 
 namespace {
@@ -44,8 +44,8 @@ std::vector<Builders> make_builders(const PairScene& scene) {
     const auto add = [&](const char* name, const auto& make) {
         made.push_back({name, {make(scene.a), make(scene.b)}});
     };
-    add("wide", [](const TriangleMesh& mesh) { return make_our_builder(mesh, Layout::wide); });
-    add("paper", [](const TriangleMesh& mesh) { return make_our_builder(mesh, Layout::paper); });
+    add("wide", [](const TriangleMesh& mesh) { return make_our_builder(mesh, TreeKind::bvh8); });
+    add("paper", [](const TriangleMesh& mesh) { return make_our_builder(mesh, TreeKind::hybrid); });
     try {
         add("fcl_obb", [](const TriangleMesh& mesh) {
             return make_peer<MakeTreeBuilder>("fcl_obb", kMakeTreeBuilder, mesh);
@@ -102,11 +102,12 @@ void weigh_heaps(const std::vector<Builders>& builders, double triangles, std::v
 }
 
 void weigh_data(const PairScene& scene, double triangles, std::vector<Row>& rows) {
-    for (const auto& [name, layout] : {std::pair("wide", Layout::wide), std::pair("paper", Layout::paper)}) {
+    for (const auto& [name, tree_kind] :
+         {std::pair("wide", TreeKind::bvh8), std::pair("paper", TreeKind::hybrid)}) {
         double meshes = 0.0;
         double trees = 0.0;
         for (const TriangleMesh* mesh : {&scene.a, &scene.b}) {
-            const MeshCollider collider(*mesh, layout, collision::Interior::unknown);
+            const MeshCollider collider(*mesh, tree_kind, collision::Interior::unknown);
             meshes += static_cast<double>(bytes_of_mesh(collider.mesh()));
             trees += static_cast<double>(bytes_of_tree(collider));
         }

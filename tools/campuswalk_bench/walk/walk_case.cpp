@@ -5,8 +5,8 @@
 #include <exception>
 #include <memory>
 
-#include "scene/procedural/walkable_campus.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
+#include "tools/campuswalk_bench/procedural/walkable_campus.h"
 #include "tools/campuswalk_bench/walk/our_walker.h"
 
 namespace campuswalk::tools::bench {
@@ -59,7 +59,7 @@ const WalkScore& better(const WalkScore& a, const WalkScore& b) {
 }
 
 WalkedCampus walk_campus(int lots, int rounds) {
-    const scene::WalkableCampus campus = scene::walkable_campus(lots);
+    const WalkableCampus campus = walkable_campus(lots);
     const WalkBody body;
     WalkedCampus walked;
     walked.triangles = campus.mesh.triangles.size();

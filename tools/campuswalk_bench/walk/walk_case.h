@@ -18,8 +18,8 @@ struct WalkedCampus {
     std::optional<double> fastest_peer;  ///< microseconds a tick
 };
 
-/// A campus of `lots` a side (scene/procedural/walkable_campus.h): ours and Bullet's controller, as its
-/// defaults have it and tuned, on the same triangles and paths. Prints a line each.
+/// A campus of `lots` a side (tools/campuswalk_bench/procedural/walkable_campus.h): ours and Bullet's
+/// controller, as its defaults have it and tuned, on the same triangles and paths. Prints a line each.
 WalkedCampus walk_campus(int lots, int rounds);
 
 /// Of two ways to set the same controller up: more goals right, then less time.

@@ -9,8 +9,6 @@
 namespace campuswalk::tools::bench {
 
 using collision::Vec3;
-using scene::WalkGoal;
-using scene::WalkPath;
 
 namespace {
 

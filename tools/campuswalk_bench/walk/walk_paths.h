@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "scene/procedural/walk_course.h"
 #include "tools/campuswalk_bench/engine/engine.h"
+#include "tools/campuswalk_bench/procedural/walk_course.h"
 
 namespace campuswalk::tools::bench {
 
@@ -23,10 +23,10 @@ struct WalkRecord {
 };
 
 /// The record of no walk along this path takes more memory than this has.
-WalkRecord empty_record(const scene::WalkPath& path, const WalkBody& body);
+WalkRecord empty_record(const WalkPath& path, const WalkBody& body);
 
 /// Heads for one goal after the other and says which it got to, to 0.2 m. Each has its time, whoever walks: a
 /// good half more than the way takes straight ahead, or, if it is forbidden, three seconds more to try.
-void walk_path(WalkEngine& engine, const scene::WalkPath& path, const WalkBody& body, WalkRecord& record);
+void walk_path(WalkEngine& engine, const WalkPath& path, const WalkBody& body, WalkRecord& record);
 
 }  // namespace campuswalk::tools::bench

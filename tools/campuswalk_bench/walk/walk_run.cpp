@@ -8,7 +8,6 @@
 namespace campuswalk::tools::bench {
 
 using collision::Vec3;
-using scene::WalkPath;
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/procedural/walk_course.h"
 #include "tools/campuswalk_bench/engine/engine.h"
+#include "tools/campuswalk_bench/procedural/walk_course.h"
 #include "tools/campuswalk_bench/walk/walk_score.h"
 
 namespace campuswalk::tools::bench {
@@ -42,8 +42,7 @@ struct WalkScore {
 /// finds in the caches what the ticks before it left there: replaying a tick by itself would find all it
 /// needs, and hide what a new neighbourhood costs. Where a walk isn't the same each time it is the first that
 /// counts, and its times.
-std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers,
-                                 const std::vector<scene::WalkPath>& paths, const WalkBody& body,
-                                 const WalkEvaluator& evaluator, int rounds);
+std::vector<WalkScore> run_walks(const std::vector<Walker>& walkers, const std::vector<WalkPath>& paths,
+                                 const WalkBody& body, const WalkEvaluator& evaluator, int rounds);
 
 }  // namespace campuswalk::tools::bench

@@ -33,7 +33,7 @@ struct PlanOptions {
     Selector selector;
     std::optional<std::set<std::string>> ids;  ///< only these cases
     int repeat_each = 1;
-    std::optional<collision::Layout> tree;
+    std::optional<collision::TreeKind> tree;
 };
 
 /// Which walks a project plays. Throws scene::InputError (bad-regex).

@@ -37,7 +37,7 @@ struct RunOptions {
     std::optional<int> max_failures;
     int repeat_each = 1;
     bool require_identical = false;
-    std::optional<collision::Layout> tree;
+    std::optional<collision::TreeKind> tree;
     std::optional<double> timeout;     ///< simulated seconds
     std::optional<double> kill_after;  ///< seconds of wall clock
     bool resume = false;
