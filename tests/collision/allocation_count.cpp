@@ -31,8 +31,8 @@ std::size_t campuswalk::collision::allocation_count() {
     return count;
 }
 
-// All of them, also those that the library would pass on to others: sanitizers bring some of their own, and
-// what one takes the other mustn't give back.
+// All of them, even those that the library would forward to others: sanitizers replace some as well, and
+// memory that one allocates the other mustn't free.
 
 void* operator new(std::size_t size) {
     return or_throw(take(size));

@@ -4,8 +4,8 @@
 
 namespace campuswalk::collision {
 
-/// How often this program's operators new have been called so far, whichever of them and by whom. Their
-/// replacements come with this file's definition: a program has them all or none.
+/// How often any operator new of this program has been called so far. Linking the definition replaces all of
+/// them.
 std::size_t allocation_count();
 
 }  // namespace campuswalk::collision

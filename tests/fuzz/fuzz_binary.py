@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Damaged and forged binary files by the thousand: the cache's, and what the import's helper answers.
+"""Damaged and forged binary files by the thousand: those of the cache, and answers of the import helper.
 
 `fuzz_binary.py PROGRAM SEAL_ANEW TAKE_ANSWERS [--mutants N] [--targets cache,answers] [--workers N]`: N mutants of each.
-Half of them get a right checksum, and most keep their size. A cache file without one must change nothing: the walk's log is that of a run without
-a cache. What is forged may be believed where it makes sense; it must never crash, hang or use up the memory.
+Half of them get a correct checksum, and most keep their size. A cache file with a wrong one must change nothing: the walk's
+log is that of a run without a cache. A forged file may be accepted where it makes sense; it must never crash, hang or exhaust
+the memory.
 """
 
 import argparse
@@ -25,7 +26,7 @@ TGA = bytes([0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 32, 0]) + bytes(ran
 
 
 def run(command, cwd, limited, **environment):
-    """The exit code (or what went wrong), standard output and error."""
+    """Returns the exit code (or what went wrong), standard output and error."""
     if limited:
         command = ["/bin/sh", "-c", "ulimit -v %d; exec \"$@\"" % MEMORY, "sh", *command]
     try:
@@ -47,14 +48,14 @@ class School:
             sys.exit("init: " + errors)
         with open(os.path.join(self.place, "school.mtl"), "a", encoding="utf-8") as materials:
             materials.write("map_Kd small.tga\n")
-        with open(os.path.join(self.place, "small.tga"), "wb") as picture:
-            picture.write(TGA)
+        with open(os.path.join(self.place, "small.tga"), "wb") as image:
+            image.write(TGA)
         self.cache = os.path.join(folder, "whole-cache")
         self.log = self.walk(None, "--no-cache")[1]
         self.walk(self.cache)
         self.files = sorted(glob.glob(os.path.join(self.cache, "*.campuswalk")))
         if len(self.files) != 3 or self.walk(self.cache)[1] != self.log:
-            sys.exit("the cache of the school isn't whole")
+            sys.exit("the cache of the school isn't complete")
 
     def walk(self, cache, *options):
         return run([self.program, "run", "walks/visit.walk.yaml", *options], self.place, self.limited,
@@ -62,22 +63,22 @@ class School:
 
 
 def write_mutants(folder, count, seal_anew, files, label):
-    """Paths of mutants of the files in turn, every second one sealed anew, with whether it was."""
+    """Mutants of the files in turn, as (path, is_forged, is_unchanged); every second one gets a correct checksum."""
     made = []
     for i in range(count):
         with open(files[i // 2 % len(files)], "rb") as whole:
             data = whole.read()
-        sealed = i % 2 == 1
-        # A header's change is told by the header; what lies behind the checksum needs the forger.
+        is_forged = i % 2 == 1
+        # A changed header is detected by itself; what the checksum protects needs the forger.
         change = mutant if i % 8 < 2 else same_size_mutant
-        changed = (data[:64] if sealed else b"") + change("%s %d" % (label, i), data[64 if sealed else 0:])
+        changed = (data[:64] if is_forged else b"") + change("%s %d" % (label, i), data[64 if is_forged else 0:])
         place = os.path.join(folder, "m%d" % i)
         os.mkdir(place)
         path = os.path.join(place, os.path.basename(files[i // 2 % len(files)]))
         with open(path, "wb") as file:
             file.write(changed)
-        made.append((path, sealed, changed == data))
-    forged = [path for path, sealed, _ in made if sealed]
+        made.append((path, is_forged, changed == data))
+    forged = [path for path, is_forged, _ in made if is_forged]
     for at in range(0, len(forged), 500):
         subprocess.run([seal_anew, *forged[at:at + 500]], check=True)
     return made
@@ -86,8 +87,8 @@ def write_mutants(folder, count, seal_anew, files, label):
 def fuzz_cache(options, folder, school):
     mutants = write_mutants(folder, options.mutants, options.seal_anew, school.files, "cache")
 
-    def judge(made):
-        path, sealed, _ = made
+    def check(made):
+        path, is_forged, _ = made
         place = os.path.dirname(path)
         for whole in school.files:
             if os.path.basename(whole) != os.path.basename(path):
@@ -96,12 +97,12 @@ def fuzz_cache(options, folder, school):
         code, log, errors = school.walk(place)
         took = time.monotonic() - start
         shutil.rmtree(place) if code in (0, 1, 2) else None
-        if code not in (0, 1, 2) or (not sealed and (code, log) != (0, school.log)):
-            return "%s%s: exit code %s: %s" % (path, " (forged)" if sealed else "", code, errors[:300]), took, False
+        if code not in (0, 1, 2) or (not is_forged and (code, log) != (0, school.log)):
+            return "%s%s: exit code %s: %s" % (path, " (forged)" if is_forged else "", code, errors[:300]), took, False
         return None, took, log == school.log
 
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
-        outcomes = list(pool.map(judge, mutants))
+        outcomes = list(pool.map(check, mutants))
     print("cache    %5d mutants: %5d walked the same, %4d forged ones another way; slowest %.1f s"
           % (len(mutants), sum(same for _, _, same in outcomes), sum(not same for _, _, same in outcomes),
              max(took for _, took, _ in outcomes)), flush=True)
@@ -113,24 +114,24 @@ def fuzz_answers(options, folder, school):
     mutants = write_mutants(folder, options.mutants, options.seal_anew, models, "answers")
     paths = [path for path, _, _ in mutants]
 
-    def judge(batch):
-        code, told, errors = run([options.take_answers, *batch], folder, options.limited)
-        lines = told.decode("utf-8", "replace").splitlines()
+    def check(batch):
+        code, output, errors = run([options.take_answers, *batch], folder, options.limited)
+        lines = output.decode("utf-8", "replace").splitlines()
         if code != 0 or len(lines) != len(batch):
             return "%s: %s: %s" % (batch[min(len(lines), len(batch) - 1)], code, errors[:600]), lines
         return None, lines
 
     batches = [paths[at:at + BATCH] for at in range(0, len(paths), BATCH)]
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
-        outcomes = list(pool.map(judge, batches))
-    lines = [line for _, told in outcomes for line in told]
+        outcomes = list(pool.map(check, batches))
+    lines = [line for _, output in outcomes for line in output]
     print("answers  %5d mutants: %5d taken, %5d refused"
           % (len(mutants), sum(line.startswith("taken") for line in lines),
              sum(line.startswith("refused") for line in lines)), flush=True)
-    honest = [line for (_, sealed, same), line in zip(mutants, lines) if not sealed and not same]
-    believed = [line for line in honest if not line.startswith("refused")]
+    damaged = [line for (_, is_forged, same), line in zip(mutants, lines) if not is_forged and not same]
+    accepted = [line for line in damaged if not line.startswith("refused")]
     failures = [failure for failure, _ in outcomes if failure]
-    return failures + (["%d damaged answers were believed" % len(believed)] if believed and not failures else [])
+    return failures + (["%d damaged answers were accepted" % len(accepted)] if accepted and not failures else [])
 
 
 def main():

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Damaged models by the thousand: each loads or ends in a message, in bounded time, and never takes the program along.
+"""Damaged models by the thousand: each loads or is refused with a message, in bounded time, and none crashes the program.
 
 `fuzz_models.py PROGRAM [--mutants N] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each format
-through `campuswalk info`. FOLDER has further whole files to start from, such as test_packed_models writes.
-A crash of the import's helper is a message of ours, counted and no failure.
+through `campuswalk info`. FOLDER has further intact files to start from, as written by write_packed_models.
+A crash of the import helper is reported in a message: it is counted, but no failure.
 """
 
 import argparse
@@ -16,7 +16,7 @@ import tempfile
 import time
 
 from mutants import glb_mutant, mutant
-from seed_models import BESIDE, seeds
+from seed_models import COMPANIONS, seeds
 
 SECONDS = 160  # the helper's 20 s of CPU, and what it may wait; see ImportLimits
 
@@ -29,10 +29,10 @@ class Tally:
 
     def add(self, name, code, errors, seconds):
         self.slowest = max(self.slowest, seconds)
-        told = [line for line in errors.splitlines() if re.search(r": error [a-z-]+: ", line)]
+        reported = [line for line in errors.splitlines() if re.search(r": error [a-z-]+: ", line)]
         if code == 0:
             self.loaded += 1
-        elif code == 2 and told:
+        elif code == 2 and reported:
             self.refused += 1
             self.crashed += "crashed (signal" in errors
         else:
@@ -40,7 +40,7 @@ class Tally:
 
 
 def starting_points(formats, packed):
-    """By format: the extension and the whole files' bytes."""
+    """Per format, the extensions and bytes of the intact files."""
     points = {name: [(os.path.splitext(file)[1], data) for file, data in files.items()]
               for name, files in seeds().items()}
     for file in sorted(os.listdir(packed)) if packed else []:
@@ -68,13 +68,13 @@ def one(program, folder, name, extension, data):
 def fuzz(program, name, points, count, workers, keep):
     tally = Tally()
     with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as folder:
-        for beside, data in BESIDE.items():
-            with open(os.path.join(folder, beside), "wb") as file:
+        for companion, data in COMPANIONS.items():
+            with open(os.path.join(folder, companion), "wb") as file:
                 file.write(data)
         for extension, data in points:
             whole = one(program, folder, "whole", extension, data)
             if whole[1] != 0:
-                tally.failures.append("%s: the whole file doesn't load: %s" % (whole[0], whole[2]))
+                tally.failures.append("%s: the intact file doesn't load: %s" % (whole[0], whole[2]))
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
             def run(i):
                 extension, data = points[i % len(points)]

@@ -55,7 +55,7 @@ def move(dice, data):
 
 
 def number(dice, data):
-    """Another value for a number that is written in digits."""
+    """Replaces a number that is written in digits."""
     window = dice.randrange(len(data))
     found = NUMBER.search(data, window) or NUMBER.search(data)
     if found:
@@ -76,7 +76,7 @@ def mutant(seed, data):
 
 
 def same_size_mutant(seed, data):
-    """Whatever is found by counting stays where it is: what a forger changes who knows the format."""
+    """Keeps all offsets valid: the changes of a forger who knows the format."""
     dice = random.Random("same size " + seed)
     changed = bytearray(data)
     for _ in range(dice.choice([1, 1, 1, 2, 3])):
@@ -85,8 +85,8 @@ def same_size_mutant(seed, data):
 
 
 def glb_mutant(seed, data):
-    """One of a GLB's two chunks changed and the lengths right again, or the file as it comes: else hardly a mutant would
-    get past the header."""
+    """Changes one of a GLB's two chunks and corrects the lengths, or changes the file as a whole. Otherwise hardly any mutant
+    would get past the header."""
     dice = random.Random("glb " + seed)
     length = struct.unpack_from("<I", data, 12)[0]
     chunks = [data[20:20 + length], data[28 + length:]]

@@ -1,4 +1,4 @@
-// Makes the length and the checksum of damaged files right again, as who forges one would: `seal_anew FILE…`.
+// Corrects the length and the checksum of damaged files, as a forger would: `seal_anew FILE…`.
 
 #include <cstring>
 #include <fstream>

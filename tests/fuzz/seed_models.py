@@ -1,10 +1,10 @@
-"""Small whole models, one or more of each format that the program reads."""
+"""Small intact models, one or more of each format that the program reads."""
 
 import base64
 import json
 import struct
 
-CORNERS = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+VERTICES = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
 FACES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
          (1, 5, 7), (1, 7, 3)]
 PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8DwHwAFBQIAX8jx0gAAAABJRU5ErkJggg==")
@@ -12,8 +12,8 @@ PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR4
 
 def gltf_parts():
     """A textured box, an instanced and a sparse one, as JSON and its buffer."""
-    positions = b"".join(struct.pack("<3f", *c) for c in CORNERS)
-    uvs = b"".join(struct.pack("<2f", c[0], c[2]) for c in CORNERS)
+    positions = b"".join(struct.pack("<3f", *c) for c in VERTICES)
+    uvs = b"".join(struct.pack("<2f", c[0], c[2]) for c in VERTICES)
     indices = b"".join(struct.pack("<3H", *f) for f in FACES)
     places = struct.pack("<6f", 5, 0, 0, 10, 0, 0)
     sparse = struct.pack("<H2x3f", 7, 2, 2, 2)
@@ -70,13 +70,13 @@ def gltf():
 
 def obj():
     lines = ["mtllib box.mtl", "o box", "usemtl wall"]
-    lines += ["v %d %d %d" % c for c in CORNERS] + ["vt %d %d" % (c[0], c[2]) for c in CORNERS] + ["vn 0 1 0"]
+    lines += ["v %d %d %d" % c for c in VERTICES] + ["vt %d %d" % (c[0], c[2]) for c in VERTICES] + ["vn 0 1 0"]
     lines += ["f " + " ".join("%d/%d/1" % (i + 1, i + 1) for i in face) for face in FACES]
     return "\n".join(lines + ["g more", "s 1", "f -8 -7 -5 -6", "l 1 2 3", "p 1", ""]).encode()
 
 
 def off():
-    return ("OFF\n8 12 0\n" + "".join("%d %d %d\n" % c for c in CORNERS)
+    return ("OFF\n8 12 0\n" + "".join("%d %d %d\n" % c for c in VERTICES)
             + "".join("3 %d %d %d\n" % f for f in FACES)).encode()
 
 
@@ -85,22 +85,22 @@ def ply(binary):
             "element face 12\nproperty list uchar int vertex_indices\nend_header\n"
             % ("binary_little_endian" if binary else "ascii")).encode()
     if binary:
-        return (head + b"".join(struct.pack("<3f", *c) for c in CORNERS)
+        return (head + b"".join(struct.pack("<3f", *c) for c in VERTICES)
                 + b"".join(struct.pack("<B3i", 3, *f) for f in FACES))
-    return head + ("".join("%d %d %d\n" % c for c in CORNERS) + "".join("3 %d %d %d\n" % f for f in FACES)).encode()
+    return head + ("".join("%d %d %d\n" % c for c in VERTICES) + "".join("3 %d %d %d\n" % f for f in FACES)).encode()
 
 
 def stl(binary):
     if binary:
         return b"box".ljust(80) + struct.pack("<I", len(FACES)) + b"".join(
-            struct.pack("<12fH", 0, 1, 0, *(x for i in f for x in CORNERS[i]), 0) for f in FACES)
+            struct.pack("<12fH", 0, 1, 0, *(x for i in f for x in VERTICES[i]), 0) for f in FACES)
     facets = "".join("facet normal 0 1 0\nouter loop\n%sendloop\nendfacet\n"
-                     % "".join("vertex %d %d %d\n" % CORNERS[i] for i in f) for f in FACES)
+                     % "".join("vertex %d %d %d\n" % VERTICES[i] for i in f) for f in FACES)
     return ("solid box\n" + facets + "endsolid box\n").encode()
 
 
 def dae():
-    numbers = " ".join(str(x) for c in CORNERS for x in c)
+    numbers = " ".join(str(x) for c in VERTICES for x in c)
     indices = " ".join(str(i) for f in FACES for i in f)
     return """<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -126,7 +126,7 @@ def dae():
 
 def fbx():
     """FBX 7.3 as text."""
-    vertices = ",".join(str(100 * x) for c in CORNERS for x in c)
+    vertices = ",".join(str(100 * x) for c in VERTICES for x in c)
     indices = ",".join("%d,%d,%d" % (a, b, -c - 1) for a, b, c in FACES)
     axes = "".join('  P: "%s", "int", "Integer", "",%d\n' % pair for pair in
                    [("UpAxis", 1), ("UpAxisSign", 1), ("FrontAxis", 2), ("FrontAxisSign", 1), ("CoordAxis", 0),
@@ -147,7 +147,7 @@ def chunk_3ds(number, *parts):
 
 
 def three_ds():
-    vertices = struct.pack("<H", len(CORNERS)) + b"".join(struct.pack("<3f", *c) for c in CORNERS)
+    vertices = struct.pack("<H", len(VERTICES)) + b"".join(struct.pack("<3f", *c) for c in VERTICES)
     faces = struct.pack("<H", len(FACES)) + b"".join(struct.pack("<4H", *f, 7) for f in FACES)
     mesh = chunk_3ds(0x4100, chunk_3ds(0x4110, vertices), chunk_3ds(0x4120, faces))
     return chunk_3ds(0x4D4D, chunk_3ds(0x0002, struct.pack("<I", 3)),
@@ -155,7 +155,7 @@ def three_ds():
 
 
 def seeds():
-    """By format: files by name. The extension is the format's but for what lies beside."""
+    """Per format, the files by name."""
     return {
         "glb": {"box.glb": glb()},
         "gltf": {"box.gltf": gltf()},
@@ -169,4 +169,4 @@ def seeds():
     }
 
 
-BESIDE = {"box.mtl": b"newmtl wall\nKd 0.5 0.5 0.5\nmap_Kd wall.png\nd 0.5\n", "wall.png": PNG}
+COMPANIONS = {"box.mtl": b"newmtl wall\nKd 0.5 0.5 0.5\nmap_Kd wall.png\nd 0.5\n", "wall.png": PNG}

@@ -1,5 +1,5 @@
-// Takes files for what the import's helper answers, and does with the models what a campus does:
-// `take_answers FILE…` prints a line each, "taken" or the message of the refusal.
+// Reads files as answers of the import helper, and uses the models as a campus does: `take_answers FILE…`
+// prints one line per file, "taken" or why it was refused.
 
 #include <cstdio>
 #include <filesystem>
@@ -41,16 +41,17 @@ void use(const std::vector<scene::Model>& models) {
 }
 
 void take(const char* file) {
-    scene::SceneFile asked;
-    asked.file = "answer.glb";
-    asked.path = file;
+    scene::SceneFile request;
+    request.file = "answer.glb";
+    request.path = file;
     try {
         const scene::Importer importer = scene::import_in_process({"/bin/cat", {file}});
-        use({importer(asked, scene::EmptyModel::accept).model});
+        use({importer(request, scene::EmptyModel::accept).model});
     } catch (const scene::InputError& error) {
         std::printf("refused: %s\n", error.what());
     } catch (const std::invalid_argument& error) {
-        std::printf("refused: %s\n", error.what());  // too far away for a collider, which a campus tells too
+        // Too far away for a collider, which a campus reports, too.
+        std::printf("refused: %s\n", error.what());
     }
 }
 

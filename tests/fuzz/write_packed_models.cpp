@@ -1,4 +1,4 @@
-// Writes whole files for fuzz_models.py to damage that need an encoder: `write_packed_models FOLDER`.
+// Writes intact files that need an encoder, for fuzz_models.py to damage: `write_packed_models FOLDER`.
 
 #include <filesystem>
 

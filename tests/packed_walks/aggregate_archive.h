@@ -19,16 +19,16 @@
 #include "scene/base/binary_archive.h"
 #include "scene/campus/campus_description.h"
 
-// Puts plain data into a binary archive and takes it out again, whatever structs it is made of: members are
-// found by the compiler, so a new step or expectation needs no line here. A struct with more members than
-// `members_of` knows, or of a kind that isn't here, doesn't compile.
+// Writes plain data into a binary archive and reads it back, whatever structs it consists of: the compiler
+// finds the members, so a new step or expectation needs no line here. A struct with more members than
+// `members_of` supports, or a type that isn't handled here, doesn't compile.
 
 namespace campuswalk::packed {
 
 using scene::ArchiveReader;
 using scene::ArchiveWriter;
 
-/// Stands for a member of any type, where members are counted.
+/// Converts to a member of any type, for counting members.
 struct AnyMember {
     template <typename T>
     operator T() const;
@@ -43,31 +43,31 @@ constexpr bool has_members(std::index_sequence<I...>) {
 
 inline constexpr std::size_t kMostMembers = 18;
 
-/// How many members a struct has that can't be counted, since Eigen takes anything for an optional vector's
-/// value. A wrong number doesn't compile.
+/// The number of members of a struct whose members can't be counted, because Eigen accepts anything as an
+/// optional vector's value. A wrong number doesn't compile.
 template <typename T>
-inline constexpr std::size_t kMembersTold = 0;
+inline constexpr std::size_t kStatedMemberCount = 0;
 template <>
-inline constexpr std::size_t kMembersTold<scene::BoxShape> = 3;
+inline constexpr std::size_t kStatedMemberCount<scene::BoxShape> = 3;
 template <>
-inline constexpr std::size_t kMembersTold<scene::SphereShape> = 2;
+inline constexpr std::size_t kStatedMemberCount<scene::SphereShape> = 2;
 template <>
-inline constexpr std::size_t kMembersTold<scene::CapsuleShape> = 3;
+inline constexpr std::size_t kStatedMemberCount<scene::CapsuleShape> = 3;
 template <>
-inline constexpr std::size_t kMembersTold<scene::WheelShape> = 4;
+inline constexpr std::size_t kStatedMemberCount<scene::WheelShape> = 4;
 template <>
-inline constexpr std::size_t kMembersTold<engine::CameraSettings> = 4;
+inline constexpr std::size_t kStatedMemberCount<engine::CameraSettings> = 4;
 template <>
-inline constexpr std::size_t kMembersTold<engine::FixedView> = 4;
+inline constexpr std::size_t kStatedMemberCount<engine::FixedView> = 4;
 template <>
-inline constexpr std::size_t kMembersTold<engine::Views> = 5;
+inline constexpr std::size_t kStatedMemberCount<engine::Views> = 5;
 template <>
-inline constexpr std::size_t kMembersTold<engine::LightSettings> = 14;
+inline constexpr std::size_t kStatedMemberCount<engine::LightSettings> = 14;
 
 template <typename T, std::size_t N = kMostMembers + 1>
 constexpr std::size_t member_count() {
-    if constexpr (kMembersTold < T >> 0) {
-        return kMembersTold<T>;
+    if constexpr (kStatedMemberCount<T> != 0) {
+        return kStatedMemberCount<T>;
     } else if constexpr (has_members<T>(std::make_index_sequence<N>())) {
         return N;
     } else {
@@ -110,8 +110,8 @@ inline constexpr bool is_a<Template<Arguments...>, Template> = true;
 template <typename T>
 concept EigenMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
 
-/// Trees aren't packed: whoever takes the mesh builds its own.
-using InstancedMesh = std::shared_ptr<const collision::MeshCollider>;
+/// Trees aren't packed: they are rebuilt on reading.
+using MeshPtr = std::shared_ptr<const collision::MeshCollider>;
 
 template <typename T>
 void put(ArchiveWriter& out, const T& value) {
@@ -142,7 +142,7 @@ void put(ArchiveWriter& out, const T& value) {
     } else if constexpr (is_a<T, std::variant>) {
         out.put(static_cast<std::uint32_t>(value.index()));
         std::visit([&](const auto& alternative) { put(out, alternative); }, value);
-    } else if constexpr (std::is_same_v<T, InstancedMesh>) {
+    } else if constexpr (std::is_same_v<T, MeshPtr>) {
         const collision::TriangleMesh& mesh = value->mesh();
         out.put(static_cast<std::uint64_t>(mesh.positions.size()));
         out.put_all(std::span(mesh.positions.data(), mesh.positions.size()));
@@ -187,7 +187,7 @@ void take(ArchiveReader& in, T& value) {
         }
     } else if constexpr (is_a<T, std::variant>) {
         take_alternative(in, value, std::make_index_sequence<std::variant_size_v<T>>());
-    } else if constexpr (std::is_same_v<T, InstancedMesh>) {
+    } else if constexpr (std::is_same_v<T, MeshPtr>) {
         collision::TriangleMesh mesh;
         mesh.positions = in.take_all<Eigen::Vector3f>(in.take_count(sizeof(Eigen::Vector3f)));
         using Indices = std::array<std::uint32_t, 3>;

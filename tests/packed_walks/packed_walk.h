@@ -18,7 +18,7 @@ struct PackedWalk {
     engine::Walk walk;
 };
 
-/// Builds every mesh's tree anew, with a linear broad phase. Throws scene::DamagedFile.
+/// Rebuilds every mesh's tree; the broad phase is linear. Throws scene::DamagedFile.
 PackedWalk unpack_walk(std::span<const std::byte> bytes);
 
 }  // namespace campuswalk::packed

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Walks of config/walks, packed into files and played by the core alone, end with the hashes of tests/golden.
 
-`packed_walks_test.py WRITER PLAYER…`: the programs write_packed_walk, and play_packed_walk with what runs it, such as an
-emulator of another processor.
+`packed_walks_test.py WRITER PLAYER…`: the program write_packed_walk, and play_packed_walk, perhaps after a command that
+runs it, such as an emulator of another processor.
 """
 
 import glob
@@ -29,7 +29,7 @@ class PackedWalks(unittest.TestCase):
             subprocess.run([self.writer, walk, packed], check=True, cwd=ROOT)
             return subprocess.run([*self.player, packed], check=True, cwd=ROOT, stdout=subprocess.PIPE).stdout
 
-    def test_every_walk_ends_as_elsewhere(self):
+    def test_every_walk_ends_with_its_golden_hash(self):
         walks = sorted(glob.glob(os.path.join(ROOT, "config", "walks", "*.walk.yaml")))
         logs = {os.path.basename(walk): self.play(os.path.relpath(walk, ROOT)) for walk in walks}
         ends = b"".join(log.splitlines(keepends=True)[-1] for log in logs.values())

@@ -1,5 +1,5 @@
-// `play_packed_walk FILE`: plays what write_packed_walk wrote and prints its log. Made of the core alone, so
-// that it can be built for processors that nothing else here is built for.
+// `play_packed_walk FILE`: plays what write_packed_walk wrote and prints its log. Needs only the core, so
+// that it can be built for processors that the rest isn't built for.
 #include <array>
 #include <cstdio>
 #include <exception>

@@ -1,4 +1,4 @@
-// `write_packed_walk WALK FILE`: the walk of a YAML file with its campus, for play_packed_walk on any
+// `write_packed_walk WALK FILE`: packs the walk of a YAML file with its campus, for play_packed_walk on any
 // machine.
 #include <cstdio>
 #include <exception>

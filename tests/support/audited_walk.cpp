@@ -19,8 +19,8 @@ void mix(std::uint64_t& digest, double value) {
     digest ^= digest >> 29U;
 }
 
-void show(const PenetrationOracle& oracle, const WalkSettings& settings, const MoverState& state,
-          const MoveTrace& trace, WalkAudit& audit) {
+void audit_tick(const PenetrationOracle& oracle, const WalkSettings& settings, const MoverState& state,
+                const MoveTrace& trace, WalkAudit& audit) {
     audit.finite = audit.finite && state.foot.allFinite() && std::isfinite(state.vertical_speed);
     if (!audit.finite) {
         return;
@@ -61,7 +61,7 @@ WalkAudit audit_random_walk(const PenetrationOracle& oracle, const MoveBody& mov
             until_turn = static_cast<int>(dice.between(20.0, 150.0));
         }
         move(state, velocity * seconds, seconds, trace);
-        show(oracle, settings, state, trace, audit);
+        audit_tick(oracle, settings, state, trace, audit);
     }
     audit.end = state;
     return audit;

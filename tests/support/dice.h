@@ -7,8 +7,8 @@
 
 namespace campuswalk::support {
 
-/// Random numbers from the engine's own bits: the standard distributions differ between libraries, and a
-/// seed in a failure's message must mean the same everywhere.
+/// Random numbers from the engine's own bits: the standard distributions differ between libraries, and a seed
+/// in a failure message must mean the same everywhere.
 class Dice {
 public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}

@@ -14,7 +14,7 @@ constexpr bool kSanitized = false;
 constexpr bool kSanitized = false;
 #endif
 
-/// How often a random test repeats: sanitizers make each turn about ten times slower.
+/// How often a random test repeats: sanitizers make each repetition about ten times slower.
 constexpr int repeats(int plain) {
     return kSanitized ? plain / 8 + 1 : plain;
 }

@@ -6,11 +6,11 @@
 
 namespace campuswalk::test {
 
-/// As long as it lives no file of this process grows beyond so many bytes, as if the disk were full.
+/// While it exists, no file of this process grows beyond `bytes`, as if the disk were full.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes)
-        : handler_(std::signal(SIGXFSZ, SIG_IGN)) {  // an error is wanted, and no death
+        : handler_(std::signal(SIGXFSZ, SIG_IGN)) {  // a write must fail, not kill the process
         getrlimit(RLIMIT_FSIZE, &before_);
         const rlimit limit = {bytes, before_.rlim_max};
         setrlimit(RLIMIT_FSIZE, &limit);

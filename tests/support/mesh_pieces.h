@@ -5,7 +5,7 @@
 #include "collision/mesh/mesh_collider.h"
 #include "collision/world/world.h"
 
-/// Pieces that test scenes are put together from, metres, +Y up.
+/// Building blocks of test scenes, metres, +Y up.
 namespace campuswalk::support {
 
 using collision::TriangleMesh;
@@ -37,7 +37,7 @@ collision::ObjectId add_object(collision::World& world, TriangleMesh mesh,
 collision::ObjectId add_object(collision::World& world, const collision::Shape& shape,
                                const Vector3d& position);
 
-/// A turn about an axis that isn't zero, radians, right-handed.
+/// A right-handed rotation about a non-zero axis, radians.
 collision::Mat3 turn(const Vector3d& axis, double angle);
 
 }  // namespace campuswalk::support

@@ -36,7 +36,7 @@ void deepen(Penetration& worst, std::size_t object, double depth) {
     }
 }
 
-/// Do the triangle and the parallelogram that the line sweeps over have a point in common?
+/// Whether the triangle and the parallelogram that the line sweeps over have a point in common.
 bool sweeps_through(const Line& start, const Line& end, const Vertices& triangle) {
     const Line edges[] = {start, end, {start.from, end.from}, {start.to, end.to}};
     if (std::any_of(std::begin(edges), std::end(edges),
@@ -59,9 +59,9 @@ bool sweeps_through(const Line& start, const Line& end, const Vertices& triangle
 PenetrationOracle::PenetrationOracle(const collision::World& world, const collision::QueryFilter& filter) {
     for (std::size_t i = 0; i < world.size(); ++i) {
         const collision::Object& object = world.object(static_cast<collision::ObjectId>(i));
-        const auto asked = static_cast<unsigned>(filter.detection);
+        const auto wanted_bits = static_cast<unsigned>(filter.detection);
         const bool ignored = (filter.ignored_layers >> object.layer & 1U) != 0;
-        if ((static_cast<unsigned>(object.detection) & asked) == 0 || ignored) {
+        if ((static_cast<unsigned>(object.detection) & wanted_bits) == 0 || ignored) {
             continue;
         }
         if (std::holds_alternative<MeshPtr>(object.shape)) {
@@ -127,9 +127,9 @@ std::optional<std::size_t> PenetrationOracle::crossed(const Point& from, const P
                          }
                      });
     for (const Solid& solid : solids_) {
-        const Line way{0.5 * (start.from + start.to), 0.5 * (end.from + end.to)};
+        const Line path{0.5 * (start.from + start.to), 0.5 * (end.from + end.to)};
         const double far = solid.reach + 0.5 * height;
-        if (distance(solid.shape->X_world_shape.translation, way) > far) {
+        if (distance(solid.shape->X_world_shape.translation, path) > far) {
             continue;
         }
         const double least = least_on_unit_interval([&](double t) {

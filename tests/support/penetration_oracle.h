@@ -10,7 +10,7 @@
 
 namespace campuswalk::support {
 
-/// How deep the avatar is in what it is in deepest.
+/// The avatar's deepest penetration.
 struct Penetration {
     /// Metres, positive when they overlap; negative is the gap, cut at PenetrationOracle::kClear.
     double depth = 0.0;
@@ -18,22 +18,22 @@ struct Penetration {
 };
 
 /// Says whether an upright capsule is inside the solid objects of a world, by brute force over all of them.
-/// It reads the world's vertices and numbers and nothing else of collision/. A mesh is its surface: whoever
-/// starts outside a closed mesh can't get in without `crossed` seeing it. Convex solids are filled.
+/// It uses the world's vertices and numbers and nothing else of collision/. A mesh is its surface: a body
+/// that starts outside a closed mesh can't get in without `crossed` noticing. Convex solids are filled.
 class PenetrationOracle {
 public:
-    static constexpr double kClear = 0.05;  ///< gaps are told up to this, metres
+    static constexpr double kClear = 0.05;  ///< gaps are measured up to this, metres
 
     explicit PenetrationOracle(const collision::World& world, const collision::QueryFilter& filter = {});
 
     /// `foot` is the capsule's lowest point, `height` its total height.
     Penetration worst_penetration(const Point& foot, double radius, double height) const;
-    /// The same by a loop over everything: for testing the oracle.
+    /// The same by a loop over everything, for testing the oracle.
     Penetration worst_penetration_without_grid(const Point& foot, double radius, double height) const;
 
     /// The object that the capsule's axis passes through while the foot goes straight from `from` to `to`:
-    /// what a body jumps that is beyond a wall after a tick. For moves longer than the radius, ask for each
-    /// straight part.
+    /// what a body tunnels through if it is beyond a wall after a tick. For moves longer than the radius,
+    /// call it for each straight segment.
     std::optional<std::size_t> crossed(const Point& from, const Point& to, double radius,
                                        double height) const;
 

@@ -54,7 +54,7 @@ TEST(PenetrationOracle, AxisThroughAWallIsARadiusDeep) {
     EXPECT_DOUBLE_EQ(depth_at(world, {0, 2.0, 0}), kRadius);
 }
 
-TEST(PenetrationOracle, DeepInASolidTheDepthIsThatOfItsSurface) {
+TEST(PenetrationOracle, DeepInASolidTheDepthIsMeasuredToItsSurface) {
     World world = empty_world();
     add_object(world, collision::Box{{5, 5, 5}}, {0, 0, 0});
     EXPECT_NEAR(depth_at(world, {0, -0.9, 0}), 5.0 + kRadius, 1e-12);
@@ -62,7 +62,7 @@ TEST(PenetrationOracle, DeepInASolidTheDepthIsThatOfItsSurface) {
     EXPECT_NEAR(depth_at(world, {5.25, -0.9, 0}), 0.05, 1e-12);
 }
 
-TEST(PenetrationOracle, RoundSolidsByTheirCentres) {
+TEST(PenetrationOracle, RoundSolidsAreMeasuredExactly) {
     World world = empty_world();
     add_object(world, collision::Sphere{1.0}, {0, 1, 0});
     add_object(world, collision::Capsule{0.5, 1.0}, {10, 1.5, 0});
@@ -77,7 +77,7 @@ TEST(PenetrationOracle, RoundSolidsByTheirCentres) {
     EXPECT_EQ(PenetrationOracle(world).worst_penetration({20.4, 0.1, 0}, kRadius, kHeight).object, 2U);
 }
 
-TEST(PenetrationOracle, SeesWhatTheFilterSees) {
+TEST(PenetrationOracle, RespectsTheFilter) {
     World world = empty_world();
     collision::Object ball;
     ball.shape = collision::Sphere{1.0};
@@ -126,7 +126,7 @@ TEST(PenetrationOracle, SeesAFallThroughAFloor) {
     EXPECT_EQ(oracle.crossed({1, 1, 1}, {1, 0.1, 1}, kRadius, kHeight), std::nullopt);
 }
 
-TEST(PenetrationOracle, GridAgreesWithThePlainLoop) {
+TEST(PenetrationOracle, GridAgreesWithALoopOverEverything) {
     const auto village = make_village();
     const PenetrationOracle oracle(*village);
     std::mt19937 random(11);
@@ -179,15 +179,15 @@ protected:
     PenetrationOracle oracle_{*village_};
 };
 
-TEST_F(MoverUnderAudit, TheRealMoverIsClean) {
+TEST_F(MoverUnderAudit, TheRealMoverPasses) {
     const WalkAudit audit = walks(real_mover({}));
     EXPECT_TRUE(audit.clean()) << audit.ticks_inside << " ticks inside, " << audit.crossings
                                << " crossings, deepest " << audit.deepest.depth << " m in object "
                                << audit.deepest.object.value_or(999);
-    EXPECT_GT(audit.distance, kSanitized ? 20.0 : 100.0) << "it walked somewhere";
+    EXPECT_GT(audit.distance, kSanitized ? 20.0 : 100.0) << "the body moved";
 }
 
-TEST_F(MoverUnderAudit, ARadiusFiveCentimetresShortIsFound) {
+TEST_F(MoverUnderAudit, ARadiusFiveCentimetresTooSmallIsDetected) {
     MoverSettings thin;
     thin.radius = 0.25;
     const WalkAudit audit = walks(real_mover(thin));
@@ -195,7 +195,7 @@ TEST_F(MoverUnderAudit, ARadiusFiveCentimetresShortIsFound) {
     EXPECT_GT(audit.deepest.depth, 0.025);
 }
 
-TEST_F(MoverUnderAudit, GoingStraightWithoutLookingIsFound) {
+TEST_F(MoverUnderAudit, IgnoringAllObstaclesIsDetected) {
     const WalkAudit audit = walks([](MoverState& state, const Vec3& desired, double, MoveTrace& trace) {
         trace.path.assign(1, state.foot);
         state.foot += desired;
@@ -205,7 +205,7 @@ TEST_F(MoverUnderAudit, GoingStraightWithoutLookingIsFound) {
     EXPECT_GT(audit.crossings, kSanitized ? 0 : 5);
 }
 
-TEST_F(MoverUnderAudit, StandingACentimetreInTheWallIsFound) {
+TEST_F(MoverUnderAudit, EndingACentimetreInsideAWallIsDetected) {
     const MoveBody real = real_mover({});
     const WalkAudit audit =
         walks([&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {

@@ -14,8 +14,8 @@ double volume(const Point& p, const Point& q, const Point& r, const Point& s) {
     return (q - p).dot((r - p).cross(s - p));
 }
 
-/// Is the foot of the perpendicular from `point` on the triangle's plane inside the triangle?
-bool stands_over(const Point& point, const Vertices& t, const Point& normal) {
+/// Whether the projection of `point` onto the triangle's plane is inside the triangle.
+bool projects_inside(const Point& point, const Vertices& t, const Point& normal) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Point& vertex = t[i];
         const Point edge = t[(i + 1) % 3] - vertex;
@@ -36,7 +36,7 @@ double distance(const Point& point, const Line& line) {
 }
 
 double distance(const Line& a, const Line& b) {
-    // The least distance is at an end of one line, or inside both where the common perpendicular stands.
+    // The least distance is at an end of one line, or inside both at the feet of the common perpendicular.
     double least = std::min({distance(a.from, b), distance(a.to, b), distance(b.from, a), distance(b.to, a)});
     const Point u = a.to - a.from;
     const Point v = b.to - b.from;
@@ -75,7 +75,7 @@ double distance(const Line& line, const Vertices& t) {
     const double length = normal.norm();
     if (length > 0.0) {
         for (const Point& end : {line.from, line.to}) {
-            if (stands_over(end, t, normal)) {
+            if (projects_inside(end, t, normal)) {
                 least = std::min(least, std::abs(normal.dot(end - t[0])) / length);
             }
         }

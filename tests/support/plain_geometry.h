@@ -11,7 +11,7 @@ namespace campuswalk::support {
 using Point = Eigen::Vector3d;
 using Vertices = std::array<Point, 3>;
 
-/// A straight piece from `from` to `to`.
+/// A line segment.
 struct Line {
     Point from = Point::Zero();
     Point to = Point::Zero();
@@ -24,7 +24,7 @@ double distance(const Line& a, const Line& b);
 /// 0 where they intersect. Triangles without area are their edges.
 double distance(const Line& line, const Vertices& triangle);
 
-/// Does the line pass through the triangle (or end on it)? A line in the triangle's own plane doesn't.
+/// Whether the line passes through the triangle or ends on it; false for a line in the triangle's plane.
 bool passes_through(const Line& line, const Vertices& triangle);
 
 // Signed distances from the surface, negative inside, in the solid's own frame.
@@ -33,7 +33,7 @@ double signed_distance_to_box(const Point& point, const Point& half_extents);
 /// About the X axis.
 double signed_distance_to_cylinder(const Point& point, double radius, double half_width);
 
-/// The least value of a convex function on [0, 1], by thirds.
+/// The least value of a convex function on [0, 1], by ternary search.
 template <typename Convex>
 double least_on_unit_interval(const Convex& f) {
     double low = 0.0;

@@ -11,19 +11,19 @@ namespace {
 
 const Vertices kTriangle{Point(0, 0, 0), Point(4, 0, 0), Point(0, 0, 3)};
 
-TEST(PlainGeometry, LineOverTheTrianglesInsideIsAsFarAsItsLowerEnd) {
+TEST(PlainGeometry, DistanceOverATriangleIsThatOfTheNearerEnd) {
     EXPECT_DOUBLE_EQ(distance(Line{{1, 0.25, 1}, {1, 2, 1}}, kTriangle), 0.25);
     EXPECT_DOUBLE_EQ(distance(Line{{1, -2, 1}, {1, -0.5, 1}}, kTriangle), 0.5);
 }
 
-TEST(PlainGeometry, LineThroughTheTriangleIsAtNoDistance) {
+TEST(PlainGeometry, DistanceThroughATriangleIsZero) {
     EXPECT_EQ(distance(Line{{1, -1, 1}, {1, 1, 1}}, kTriangle), 0.0);
     EXPECT_TRUE(passes_through({{1, -1, 1}, {1, 1, 1}}, kTriangle));
     EXPECT_FALSE(passes_through({{5, -1, 1}, {5, 1, 1}}, kTriangle));
     EXPECT_FALSE(passes_through({{1, 0.1, 1}, {1, 1, 1}}, kTriangle));
 }
 
-TEST(PlainGeometry, LineBesideTheTriangleIsAsFarAsTheEdgeOrCorner) {
+TEST(PlainGeometry, DistanceBesideATriangleIsToItsEdgeOrVertex) {
     EXPECT_DOUBLE_EQ(distance(Line{{-0.5, -1, 1}, {-0.5, 1, 1}}, kTriangle), 0.5);
     EXPECT_DOUBLE_EQ(distance(Line{{-0.3, -1, -0.4}, {-0.3, 1, -0.4}}, kTriangle), 0.5);
     // Beyond the long side 3x + 4z = 12, at (4, y, 3): the distance is 12 / 5.
@@ -31,14 +31,14 @@ TEST(PlainGeometry, LineBesideTheTriangleIsAsFarAsTheEdgeOrCorner) {
     EXPECT_DOUBLE_EQ(distance(Line{{-3, 4, 0}, {-3, 5, 0}}, kTriangle), 5.0);
 }
 
-TEST(PlainGeometry, TriangleWithoutAreaIsItsEdges) {
+TEST(PlainGeometry, DistanceToATriangleWithoutAreaIsToItsEdges) {
     const Vertices needle{Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0)};
     EXPECT_DOUBLE_EQ(distance(Line{{1.5, 1, -1}, {1.5, 1, 1}}, needle), 1.0);
     const Vertices dot{Point(0, 0, 0), Point(0, 0, 0), Point(0, 0, 0)};
     EXPECT_DOUBLE_EQ(distance(Line{{3, 4, 0}, {3, 9, 0}}, dot), 5.0);
 }
 
-TEST(PlainGeometry, LinesAreAsFarAsTheirPerpendicularOrTheirEnds) {
+TEST(PlainGeometry, DistanceOfLinesIsAtTheirPerpendicularOrAnEnd) {
     EXPECT_DOUBLE_EQ(distance(Line{{-1, 0, 0}, {1, 0, 0}}, Line{{0, 2, -1}, {0, 2, 1}}), 2.0);
     EXPECT_DOUBLE_EQ(distance(Line{{0, 0, 0}, {1, 0, 0}}, Line{{4, 4, 0}, {9, 4, 0}}), 5.0);
     EXPECT_DOUBLE_EQ(distance(Line{{0, 0, 0}, {5, 0, 0}}, Line{{1, 3, 0}, {2, 3, 0}}), 3.0);
@@ -67,7 +67,7 @@ TEST(PlainGeometry, DistanceToATriangleIsTheLeastOfADenseSampling) {
     }
 }
 
-TEST(PlainGeometry, SignedDistancesOfSolids) {
+TEST(PlainGeometry, SignedDistancesOfSolidsAreNegativeInside) {
     const Point half(1, 2, 3);
     EXPECT_DOUBLE_EQ(signed_distance_to_box({0, 0, 0}, half), -1.0);
     EXPECT_DOUBLE_EQ(signed_distance_to_box({0.5, 0, 2.75}, half), -0.25);
@@ -77,7 +77,7 @@ TEST(PlainGeometry, SignedDistancesOfSolids) {
     EXPECT_DOUBLE_EQ(signed_distance_to_cylinder({3.5, 3, 4}, 1.0, 0.5), 5.0);
 }
 
-TEST(PlainGeometry, LeastOfAConvexFunction) {
+TEST(PlainGeometry, FindsTheLeastValueOfAConvexFunction) {
     EXPECT_NEAR(least_on_unit_interval([](double t) { return (t - 0.3) * (t - 0.3) + 2.0; }), 2.0, 1e-15);
     EXPECT_DOUBLE_EQ(least_on_unit_interval([](double t) { return 1.0 + t; }), 1.0);
     EXPECT_DOUBLE_EQ(least_on_unit_interval([](double t) { return 1.0 - t; }), 0.0);

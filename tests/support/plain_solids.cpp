@@ -37,7 +37,7 @@ Vertices vertices_of(const collision::Triangle& triangle) {
     return {triangle.a, triangle.b, triangle.c};
 }
 
-std::optional<double> first_meeting(const Line& line, const Vertices& t) {
+std::optional<double> first_intersection(const Line& line, const Vertices& t) {
     if (!passes_through(line, t)) {
         return std::nullopt;
     }
@@ -47,7 +47,7 @@ std::optional<double> first_meeting(const Line& line, const Vertices& t) {
     return from / (from - to);
 }
 
-std::optional<double> first_meeting(const Line& line, const collision::Shape& solid) {
+std::optional<double> first_intersection(const Line& line, const collision::Shape& solid) {
     return first_not_above_zero([&](double t) { return signed_distance(solid, line.at(t)); });
 }
 

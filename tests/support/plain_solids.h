@@ -8,20 +8,20 @@
 
 namespace campuswalk::support {
 
-/// Of the solid's surface in its own frame, negative inside. Not for meshes.
+/// To the solid's surface, in the solid's own frame, negative inside. Not for meshes.
 double signed_distance(const collision::Shape& solid, const Point& point);
 
-/// The same for the point of a line (world coordinates) where it is least, and the placed solid.
+/// The least signed distance between the points of a line in world coordinates and the placed solid.
 double signed_distance(const collision::Object& solid, const Line& world_line);
 
-/// The corners of a mesh's triangle.
+/// The vertices of a mesh's triangle.
 Vertices vertices_of(const collision::Triangle& triangle);
 
-/// Where the line first meets the triangle; none for a line in the triangle's own plane.
-std::optional<double> first_meeting(const Line& line, const Vertices& triangle);
+/// Where the line first intersects the triangle; none for a line in the triangle's own plane.
+std::optional<double> first_intersection(const Line& line, const Vertices& triangle);
 
-/// Where the line first meets the filled solid in the solid's own frame, to about 1e-12.
-std::optional<double> first_meeting(const Line& line, const collision::Shape& solid);
+/// Where the line first intersects the filled solid, in the solid's own frame, to about 1e-12.
+std::optional<double> first_intersection(const Line& line, const collision::Shape& solid);
 
 /// The first argument in [0, 1] at which a convex function is at most 0; none if it nowhere is.
 template <typename Convex>
@@ -29,7 +29,7 @@ std::optional<double> first_not_above_zero(const Convex& f) {
     if (f(0.0) <= 0.0) {
         return 0.0;
     }
-    // By thirds towards the least value, until any argument is found where the function isn't positive.
+    // Ternary search towards the least value, until the function isn't positive at some argument.
     std::optional<double> found;
     if (f(1.0) <= 0.0) {
         found = 1.0;

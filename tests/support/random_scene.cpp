@@ -184,8 +184,8 @@ Vec3 random_free_place(const World& world, Dice& dice, double half) {
     const double radius = 0.3;
     const double height = 1.8;
     while (true) {
-        const Vec3 tried = somewhere(dice, half - 1.0, 0.0);
-        if (const auto free = free_place(world, {}, tried, radius, height, 8.0)) {
+        const Vec3 candidate = somewhere(dice, half - 1.0, 0.0);
+        if (const auto free = free_place(world, {}, candidate, radius, height, 8.0)) {
             return *free;
         }
     }

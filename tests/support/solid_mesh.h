@@ -6,7 +6,7 @@
 
 namespace campuswalk::support {
 
-/// A mesh that can be asked what is inside it. Both trees answer, and must agree.
+/// A mesh with an inside test, by both trees, which must agree.
 class SolidMesh {
 public:
     explicit SolidMesh(const collision::TriangleMesh& mesh)

@@ -23,7 +23,7 @@ TemporaryFolder::~TemporaryFolder() {
 void TemporaryFolder::write(const std::string& name, std::string_view bytes) const {
     const fs::path file = path_ / name;
     fs::create_directories(file.parent_path());
-    fs::remove(file);  // ext4 waits for the disk when a file is cut to nothing and written anew
+    fs::remove(file);  // ext4 waits for the disk when a file is truncated and rewritten
     std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 

@@ -6,7 +6,7 @@
 
 namespace campuswalk::support {
 
-/// An empty folder that is gone after the test.
+/// An empty folder that is deleted after the test.
 class TemporaryFolder {
 public:
     TemporaryFolder();

@@ -23,8 +23,8 @@ public:
 
     const std::vector<Entry>& entries() const { return entries_; }
 
-    /// Calls `visit(entry)` for every triangle whose bounds meet the box from `min` to `max`; for one that
-    /// spans several columns perhaps more than once.
+    /// Calls `visit(entry)` for every triangle whose bounds overlap the box from `min` to `max`, possibly
+    /// more than once for one that spans several columns.
     template <typename Visit>
     void visit_near(const Point& min, const Point& max, const Visit& visit) const {
         if (columns_.empty()) {
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// A side; enough for a campus of half a kilometre in columns of a metre.
+    /// Per side; enough for a campus of half a kilometre in columns of a metre.
     static constexpr std::size_t kColumns = 512;
 
     std::size_t column_of(double coordinate, int axis) const;

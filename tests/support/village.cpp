@@ -11,7 +11,7 @@ namespace {
 using collision::Object;
 using collision::World;
 
-/// Bumps of up to 0.4 m in cells of a metre, by a small mixing function instead of a random stream.
+/// Bumps of up to 0.4 m in cells of a metre, by a small hash function instead of random numbers.
 double relief(int i, int j) {
     const int mixed = (i * 73 + j * 151 + i * j * 17) % 41;
     return i * i + j * j < 16 ? 0.0 : 0.01 * (mixed < 0 ? mixed + 41 : mixed);

@@ -12,13 +12,13 @@ namespace {
 
 using Numbers = Storage<int>;
 
-/// Looks at memory that is told of its end.
+/// Memory elsewhere, which a view keeps alive.
 struct Elsewhere {
     std::shared_ptr<std::vector<int>> owner = std::make_shared<std::vector<int>>(std::vector{4, 5, 6});
-    Numbers look() const { return {std::span<const int>(*owner), owner}; }
+    Numbers view() const { return {std::span<const int>(*owner), owner}; }
 };
 
-TEST(Storage, IsAVector) {
+TEST(Storage, BehavesLikeAVector) {
     Numbers numbers = {1, 2};
     numbers.push_back(3);
     numbers.emplace_back() = 4;
@@ -36,13 +36,13 @@ TEST(Storage, IsAVector) {
     EXPECT_EQ(numbers, (Numbers{5, 5}));
 }
 
-TEST(Storage, KeepsWhatItLooksAtAlive) {
+TEST(Storage, KeepsViewedMemoryAlive) {
     Numbers numbers;
     std::weak_ptr<std::vector<int>> owner;
     {
         const Elsewhere there;
         owner = there.owner;
-        numbers = there.look();
+        numbers = there.view();
         EXPECT_EQ(std::as_const(numbers).data(), there.owner->data());
     }
     const Numbers copy = numbers;
@@ -52,16 +52,16 @@ TEST(Storage, KeepsWhatItLooksAtAlive) {
     EXPECT_FALSE(owner.expired());
 }
 
-TEST(Storage, ChangesACopyOfWhatIsElsewhere) {
+TEST(Storage, CopiesViewedMemoryBeforeChangingIt) {
     const Elsewhere there;
-    Numbers numbers = there.look();
+    Numbers numbers = there.view();
     numbers[1] = 0;
     EXPECT_FALSE(numbers.is_elsewhere());
     EXPECT_EQ(numbers, (Numbers{4, 0, 6}));
-    Numbers grown = there.look();
+    Numbers grown = there.view();
     grown.push_back(7);
     EXPECT_EQ(grown, (Numbers{4, 5, 6, 7}));
-    Numbers iterated = there.look();
+    Numbers iterated = there.view();
     for (int& number : iterated) {
         ++number;
     }
@@ -71,7 +71,7 @@ TEST(Storage, ChangesACopyOfWhatIsElsewhere) {
 
 TEST(Storage, IsEmptyWhenMovedFrom) {
     const Elsewhere there;
-    for (Numbers from : {Numbers{1, 2, 3}, there.look()}) {
+    for (Numbers from : {Numbers{1, 2, 3}, there.view()}) {
         const Numbers to = std::move(from);
         EXPECT_EQ(to.size(), 3U);
         EXPECT_TRUE(from.empty());  // NOLINT(bugprone-use-after-move)

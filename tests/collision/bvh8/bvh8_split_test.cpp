@@ -38,15 +38,15 @@ std::size_t split(std::vector<SplitItem>& items, SimdTarget simd_target) {
 }
 
 std::vector<std::uint32_t> triangles(const std::vector<SplitItem>& items) {
-    std::vector<std::uint32_t> made;
+    std::vector<std::uint32_t> numbers;
     for (const SplitItem& one : items) {
-        made.push_back(one.triangle());
+        numbers.push_back(one.triangle());
     }
-    return made;
+    return numbers;
 }
 
-/// All of them are still there, ascending on both sides, of which neither is empty.
-void expect_parted(const std::vector<SplitItem>& items, std::size_t left) {
+/// All items are still there, in ascending order on each side, and neither side is empty.
+void expect_split(const std::vector<SplitItem>& items, std::size_t left) {
     ASSERT_GE(left, 1U);
     ASSERT_LT(left, items.size());
     std::vector<std::uint32_t> all = triangles(items);
@@ -59,14 +59,14 @@ void expect_parted(const std::vector<SplitItem>& items, std::size_t left) {
     }
 }
 
-TEST(Bvh8Split, IsTheSameWithAllInstructions) {
+TEST(Bvh8Split, IsTheSameForAllSimdTargets) {
     Dice dice(450);
     for (int i = 0; i < 300; ++i) {
         SCOPED_TRACE(i);
         const std::vector<SplitItem> items = crowd(dice, 2 + dice.below(i < 250 ? 60 : 3000));
         std::vector<SplitItem> expected = items;
         const std::size_t left = split(expected, SimdTarget::sse42);
-        expect_parted(expected, left);
+        expect_split(expected, left);
         for (const SimdTarget simd_target : {SimdTarget::avx2, SimdTarget::avx512}) {
             if (!can_run(simd_target)) {
                 continue;
@@ -78,28 +78,28 @@ TEST(Bvh8Split, IsTheSameWithAllInstructions) {
     }
 }
 
-TEST(Bvh8Split, PartsWhatLiesApart) {
+TEST(Bvh8Split, SeparatesTwoClusters) {
     std::vector<SplitItem> items;
     for (std::uint32_t i = 0; i < 40; ++i) {
         items.push_back(item(i, Vec3(0.1 * i, i % 3 == 0 ? 5.0 : -5.0, 0.0), Vec3(0.1, 0.1, 0.1)));
     }
     const std::size_t left = split(items, default_simd_target());
     EXPECT_EQ(left, 26U);
-    expect_parted(items, left);
+    expect_split(items, left);
     EXPECT_LT(items[left - 1].center(1), 0.0F);
     EXPECT_GT(items[left].center(1), 0.0F);
 }
 
-TEST(Bvh8Split, HalvesWhatLiesAtOnePlace) {
+TEST(Bvh8Split, HalvesCoincidentTriangles) {
     std::vector<SplitItem> items;
     for (std::uint32_t i = 0; i < 101; ++i) {
         items.push_back(item(i, Vec3(1, 2, 3), Vec3(1, 1, 1)));
     }
     EXPECT_EQ(split(items, default_simd_target()), 50U);
-    expect_parted(items, 50);
+    expect_split(items, 50);
 }
 
-TEST(Bvh8Split, HalvesWhereFewLieFarAway) {
+TEST(Bvh8Split, HalvesIfOnlyAFewLieFarAway) {
     std::vector<SplitItem> items;
     for (std::uint32_t i = 0; i < 100; ++i) {
         const double x = i == 40 ? 1e6 : 0.01 * (i * 37 % 100);
@@ -107,7 +107,7 @@ TEST(Bvh8Split, HalvesWhereFewLieFarAway) {
     }
     const std::size_t left = split(items, default_simd_target());
     EXPECT_EQ(left, 50U) << "one in a hundred is less than a sixteenth";
-    expect_parted(items, left);
+    expect_split(items, left);
     float most = items[0].center(0);
     float least = items[left].center(0);
     for (std::size_t i = 0; i < items.size(); ++i) {

@@ -86,7 +86,7 @@ private:
             }
         }
         for (std::size_t slot = leaf.triangles; slot < kLeafTriangles; ++slot) {
-            EXPECT_LT(leaf.plane[3][slot], -1e29F) << "everything is above no triangle";
+            EXPECT_LT(leaf.plane[3][slot], -1e29F) << "everything lies above the plane of an unused slot";
         }
         return all;
     }
@@ -125,14 +125,14 @@ TEST(Bvh8, HoldsEveryTriangleOnce) {
     }
 }
 
-TEST(Bvh8, IsFullWhereTrianglesShareCorners) {
+TEST(Bvh8, FillsLeavesIfTrianglesShareVertices) {
     const TriangleMesh mesh = support::ball(60);
     const Bvh8 tree = build_bvh8(mesh);
     EXPECT_GT(mesh.triangles.size(), 9 * tree.leaves.size());
     EXPECT_LT(tree.nodes.size(), tree.leaves.size() / 3);
 }
 
-TEST(Bvh8, StaysShallowWhereTrianglesCannotBeParted) {
+TEST(Bvh8, StaysShallowIfTrianglesCannotBeSeparated) {
     TriangleMesh same;
     same.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     same.triangles.assign(20000, {0, 1, 2});
@@ -142,7 +142,7 @@ TEST(Bvh8, StaysShallowWhereTrianglesCannotBeParted) {
     EXPECT_LE(inspector.deepest(), 8U);
 }
 
-TEST(Bvh8, IsTheSameEachTime) {
+TEST(Bvh8, IsDeterministic) {
     Dice dice(431);
     const TriangleMesh mesh = support::random_mesh(dice, 500, 5.0);
     const Bvh8 one = build_bvh8(mesh);

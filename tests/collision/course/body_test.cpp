@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kGravity = 9.81;
 
-/// A mover by itself, because its height changes: the oracle is asked with the height of the moment.
+/// Uses a mover directly, because its height changes: the oracle is passed the current height.
 class CourseBody : public ::testing::Test {
 protected:
     void start(const World& world, const Vec3& foot) {
@@ -47,7 +47,7 @@ TEST_F(CourseBody, JumpsOnTheParabolaAtEveryTickRate) {
     for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
         for (const double speed : {2.0, 4.5}) {
             SCOPED_TRACE(testing::Message() << rate << " Hz, " << speed << " m/s");
-            start(*world, {0, 0.01, 0});  // put down, it rests where it lands later
+            start(*world, {0, 0.01, 0});  // placed, it rests where it will land
             const double ground = state_.foot.y();
             ASSERT_TRUE(mover_->jump(state_, speed));
             ASSERT_FALSE(mover_->jump(state_, speed)) << "not again in the air";
@@ -66,8 +66,8 @@ TEST_F(CourseBody, JumpsOnTheParabolaAtEveryTickRate) {
     }
 }
 
-/// What is too high to step on may be low enough to jump on.
-TEST_F(CourseBody, JumpsOntoWhatItCannotClimb) {
+/// A block too high to step on may be low enough to jump on.
+TEST_F(CourseBody, JumpsOntoABlockItCannotClimb) {
     const auto world = floor_and([](TriangleMesh& mesh) { support::add_box(mesh, {1, 0, -3}, {5, 0.6, 3}); });
     start(*world, {0, 0, 0});
     ASSERT_NO_FATAL_FAILURE(walk(kEast, 1.0));
@@ -78,7 +78,7 @@ TEST_F(CourseBody, JumpsOntoWhatItCannotClimb) {
     EXPECT_TRUE(state_.grounded);
 }
 
-TEST_F(CourseBody, AJumpUnderACeilingComesDownAtOnce) {
+TEST_F(CourseBody, AJumpEndsAtTheCeilingAndFallsImmediately) {
     const auto world = floor_and([](TriangleMesh& mesh) {
         support::add_box(mesh, {-3, 2, -3}, {3, 2.2, 3});
     });
@@ -107,12 +107,12 @@ TEST_F(CourseBody, CrouchesUnderALowDoorAndStandsUpBehindIt) {
     EXPECT_EQ(state_.foot, foot);
     ASSERT_NO_FATAL_FAILURE(walk(kEast, 1.0));
     EXPECT_NEAR(state_.foot.x(), foot.x() + kPace, 1e-3);
-    EXPECT_FALSE(mover_->resize(state_, 1.8)) << "no head room";
+    EXPECT_FALSE(mover_->resize(state_, 1.8)) << "no headroom";
     EXPECT_EQ(mover_->height(), 1.2);
     ASSERT_NO_FATAL_FAILURE(walk(kEast, 1.5));
     ASSERT_TRUE(mover_->resize(state_, 1.8));
     ASSERT_NO_FATAL_FAILURE(walk(-kEast, 2.0));
-    EXPECT_GT(state_.foot.x(), 3.0) << "and doesn't fit back";
+    EXPECT_GT(state_.foot.x(), 3.0) << "it doesn't fit on the way back";
 }
 
 }  // namespace

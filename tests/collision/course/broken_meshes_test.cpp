@@ -13,8 +13,8 @@
 #include "tests/support/dice.h"
 #include "tests/support/effort.h"
 
-/// The course's meshes as they come: flipped, doubled, split by slivers and T-junctions, in any order, far
-/// from the origin. Each way of breaking leaves the surface where it is, so the walk must be the same.
+/// The course's meshes as they occur in practice: flipped, doubled, split by slivers and T-junctions, in any
+/// order, far from the origin. No damage moves the surface, so the walk must be the same.
 namespace campuswalk::collision::course {
 namespace {
 
@@ -60,8 +60,8 @@ void double_some(TriangleMesh& mesh, Dice& dice) {
     }
 }
 
-/// Cuts `share` of the triangles in two from their first corner, at `part` of the opposite edge. The
-/// neighbour across that edge keeps it whole: a T-junction, and with a small part a sliver. The new corner is
+/// Cuts `share` of the triangles in two from their first vertex, at `part` of the opposite edge. The
+/// neighbour across that edge keeps it whole: a T-junction, and with a small part a sliver. The new vertex is
 /// rounded to float32, so the halves are up to a micrometre out of plane, and slivers noticeably turned.
 void cut(TriangleMesh& mesh, Dice& dice, double share, double part) {
     const auto once = mesh.triangles;
@@ -89,14 +89,14 @@ struct Leg {
 constexpr std::array kLegs = {Leg{0.0, 5.0},   Leg{60.0, 2.0},  Leg{30.0, 2.0}, Leg{170.0, 4.0},
                               Leg{250.0, 5.0}, Leg{190.0, 4.0}, Leg{100.0, 3.0}};
 
-/// Where the yard is, and how the time passes there.
+/// Where the yard is, and the tick rate.
 struct Setting {
     Vec3 mesh_at = Vec3::Zero();
     Vec3 yard_in_mesh = Vec3::Zero();  ///< of the yard's origin
     double rate = 60.0;
 };
 
-/// Where the body is at the end of each leg, seen from the yard's origin.
+/// Where the body is at the end of each leg, relative to the yard's origin.
 std::vector<Vec3> walk_the_yard(const TriangleMesh& mesh, const Setting& setting = {}) {
     auto world = empty_world();
     support::add_object(*world, mesh, Detection::solid, {Mat3::Identity(), setting.mesh_at});
@@ -123,7 +123,7 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 struct Damage {
     const char* name = "";
     void (*inflict)(TriangleMesh& mesh, Dice& dice) = nullptr;
-    double allowed = 0.0;  ///< metres; 0 where the walk is the same to the bit
+    double allowed = 0.0;  ///< metres; 0 if the walk must be bit-identical
 };
 
 void PrintTo(const Damage& damage, std::ostream* out) {
@@ -132,7 +132,7 @@ void PrintTo(const Damage& damage, std::ostream* out) {
 
 class CourseBrokenMeshes : public ::testing::TestWithParam<Damage> {};
 
-TEST_P(CourseBrokenMeshes, AreWalkedLikeWholeOnes) {
+TEST_P(CourseBrokenMeshes, AreWalkedLikeIntactOnes) {
     const auto whole = walk_the_yard(yard());
     ASSERT_GT(whole[0].x(), 5.0) << "the walk gets over the stairs";
     const auto turns = static_cast<std::uint32_t>(support::repeats(4));
@@ -165,14 +165,14 @@ INSTANTIATE_TEST_SUITE_P(Damages, CourseBrokenMeshes,
                                                   1e-3}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// Five kilometres away a double still tells 1e-12 m: the walk is the same.
+/// Five kilometres away a double still resolves 1e-12 m: the walk is the same.
 TEST(CoursePlaces, FarFromTheOriginTheWalkIsTheSame) {
     const auto here = walk_the_yard(yard());
     EXPECT_LE(farthest(walk_the_yard(yard(), {.mesh_at = {5000, 300, -5000}}), here), 1e-6);
 }
 
 /// Vertices of float32 at 5 km are on a grid of half a millimetre; the walk is about the same on it.
-TEST(CoursePlaces, VerticesFarFromTheirOriginAreWalkedAsTheyAre) {
+TEST(CoursePlaces, VerticesFarFromTheirOriginHardlyChangeTheWalk) {
     const auto here = walk_the_yard(yard());
     TriangleMesh far = yard();
     const Eigen::Vector3f offset(5000, 0, -5000);
@@ -182,20 +182,20 @@ TEST(CoursePlaces, VerticesFarFromTheirOriginAreWalkedAsTheyAre) {
     EXPECT_LE(farthest(walk_the_yard(far, {.yard_in_mesh = offset.cast<double>()}), here), 0.02);
 }
 
-/// What a tick does depends on its arguments alone, whatever a mover keeps from earlier ones.
+/// A tick depends only on its arguments, whatever a mover has cached in earlier ones.
 TEST(CoursePlaces, AFreshMoverEveryTickWalksTheSame) {
     auto world = empty_world();
     support::add_object(*world, yard());
-    CapsuleMover kept(*world, {}, {});
+    CapsuleMover reused(*world, {}, {});
     MoverState state;
-    kept.place(state, {0, 0.01, 0.2}, 0.5);
+    reused.place(state, {0, 0.01, 0.2}, 0.5);
     MoveTrace trace;
     for (const Leg& leg : kLegs) {
         for (int i = 0; i < 60.0 * leg.seconds; ++i) {
             const Vec3 desired = kPace / 60.0 * towards(leg.degrees);
             MoverState other = state;
             CapsuleMover(*world, {}, {}).move(other, desired, 1.0 / 60.0, trace);
-            kept.move(state, desired, 1.0 / 60.0, trace);
+            reused.move(state, desired, 1.0 / 60.0, trace);
             ASSERT_EQ(other.foot, state.foot);
             ASSERT_EQ(other.vertical_speed, state.vertical_speed);
             ASSERT_EQ(other.grounded, state.grounded);
@@ -203,20 +203,20 @@ TEST(CoursePlaces, AFreshMoverEveryTickWalksTheSame) {
     }
 }
 
-/// Seconds count, not ticks.
+/// The walk depends on the time, not on the number of ticks.
 TEST(CoursePlaces, TheTickRateDoesNotChangeTheWalk) {
     const auto usual = walk_the_yard(yard());
     for (const double rate : {30.0, 120.0, 240.0}) {
         const auto other = walk_the_yard(yard(), {.rate = rate});
         for (std::size_t i = 0; i < usual.size(); ++i) {
             EXPECT_LE((other[i] - usual[i]).norm(), 0.05)
-                << rate << " Hz, leg " << i << ": " << other[i].transpose() << " and not "
+                << rate << " Hz, leg " << i << ": " << other[i].transpose() << " instead of "
                 << usual[i].transpose();
         }
     }
 }
 
-/// A random walk to the bit, whatever the triangles' order.
+/// A random walk is bit-identical for any order of the triangles.
 TEST(CoursePlaces, RandomWalksDoNotDependOnTheTrianglesOrder) {
     const auto digest_of = [](const TriangleMesh& mesh, std::uint32_t seed) {
         auto world = empty_world();

@@ -42,13 +42,13 @@ double jitter(AuditedBody& body, const Vec3& velocity, double seconds) {
 bool reach(AuditedBody& body, const Vec3& goal, double speed, double seconds) {
     const int ticks = static_cast<int>(std::lround(seconds * body.ticks_per_second));
     for (int i = 0; i < ticks && !::testing::Test::HasFatalFailure(); ++i) {
-        Vec3 way = goal - body.foot();
-        way.y() = 0.0;
-        const double far = way.norm();
+        Vec3 to_goal = goal - body.foot();
+        to_goal.y() = 0.0;
+        const double far = to_goal.norm();
         if (far <= 0.05) {
             return true;
         }
-        body.tick(std::min(speed, far * body.ticks_per_second) / far * way);
+        body.tick(std::min(speed, far * body.ticks_per_second) / far * to_goal);
     }
     return false;
 }

@@ -33,7 +33,7 @@ TEST(CourseFalls, FollowTheParabolaAtEveryTickRate) {
 }
 
 /// Off a ledge: where it leaves the ground and where it lands don't depend on the tick rate.
-TEST(CourseFalls, OffALedgeItLandsInTheSamePlaceAtEveryTickRate) {
+TEST(CourseFalls, OffALedgeLandInTheSamePlaceAtEveryTickRate) {
     const auto world = floor_and([](TriangleMesh& mesh) { support::add_box(mesh, {-6, 0, -3}, {0, 3, 3}); });
     AuditedBody body(*world);
     for (const double speed : {1.4, 5.0}) {
@@ -49,18 +49,18 @@ TEST(CourseFalls, OffALedgeItLandsInTheSamePlaceAtEveryTickRate) {
             }
             ASSERT_TRUE(body.trace().landed);
             EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
-            EXPECT_NEAR(body.trace().fall_height, 3.0, 0.3) << "rolled off the edge before";
+            EXPECT_NEAR(body.trace().fall_height, 3.0, 0.3) << "it rolls off the edge first";
             if (rate == 240.0) {
                 usual = body.foot().x();
             }
-            // The landing is seen at the end of its tick, and the take-off at the start of one.
+            // The landing counts at the end of its tick, the take-off at the start of one.
             EXPECT_NEAR(body.foot().x(), usual, 2.0 * speed / rate + 0.05);
         }
     }
 }
 
-/// Down onto a slope, an edge, a ball: wherever it lands, it isn't inside, and comes to rest.
-TEST(CourseFalls, WhateverIsBelowItIsLandedOn) {
+/// Down onto a slope, an edge, a ball: wherever it lands, it isn't inside anything and comes to rest.
+TEST(CourseFalls, EndAtRestOnAnythingBelow) {
     struct Below {
         const char* name = "";
         void (*put)(World& world) = nullptr;

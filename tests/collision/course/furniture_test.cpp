@@ -12,7 +12,7 @@ namespace {
 using support::add_box;
 using support::add_quad;
 
-/// A pole of triangles, as modellers make round ones.
+/// A pole of triangles, as modellers approximate round ones.
 void add_prism(TriangleMesh& mesh, const Vec3& at, double radius, double high, int sides) {
     const auto vertex = [&](int i) { return Vec3(at + radius * towards(360.0 * i / sides)); };
     for (int i = 0; i < sides; ++i) {
@@ -47,8 +47,8 @@ void PrintTo(const Thing& thing, std::ostream* out) {
 
 class CourseFurniture : public ::testing::TestWithParam<Thing> {};
 
-/// Metres that the body moves to and fro within `seconds`, besides what it gets anywhere by.
-double tremble(AuditedBody& body, const Vec3& velocity, double seconds) {
+/// How much longer the body's path within `seconds` is than the distance it covers, metres.
+double excess_motion(AuditedBody& body, const Vec3& velocity, double seconds) {
     const Vec3 start = body.foot();
     double path = 0.0;
     for (int i = 0; i < seconds * body.ticks_per_second && !::testing::Test::HasFatalFailure(); ++i) {
@@ -67,9 +67,9 @@ bool gets_past(AuditedBody& body, const Vec3& velocity, double seconds) {
     return body.foot().x() >= 3.5;
 }
 
-/// Hit in its middle it holds the body still, or lets it slip around; then, as when hit off its middle, a
-/// little to one side is enough.
-TEST_P(CourseFurniture, IsWalkedAroundWithoutTremble) {
+/// Hit in the middle, it may hold the body still or let it slip around. If it holds the body, walking to one
+/// side gets past it.
+TEST_P(CourseFurniture, IsWalkedAroundWithoutJitter) {
     const auto world = floor_world();
     GetParam().put(*world, {3, 0, 0});
     AuditedBody body(*world);
@@ -79,7 +79,7 @@ TEST_P(CourseFurniture, IsWalkedAroundWithoutTremble) {
             body.stand({1, 0, part * (GetParam().half_width + kRadius)});
             const Vec3 ahead(speed, 0, 0);
             if (!gets_past(body, ahead, 8.0 / speed + 1.0)) {
-                EXPECT_LE(tremble(body, ahead, 1.0), 5e-4);
+                EXPECT_LE(excess_motion(body, ahead, 1.0), 5e-4);
                 EXPECT_TRUE(gets_past(body, {speed, 0, part < 0.0 ? -speed : speed}, 8.0)) << "it sticks";
             }
             EXPECT_NEAR(body.foot().y(), 0.0, 1e-3) << "never on top of it";

@@ -6,7 +6,7 @@
 #include "tests/collision/course/course_scene.h"
 #include "tests/support/course/profile.h"
 
-/// The course's ground: the foot follows it like a ball that is rolled over it, at full horizontal speed.
+/// The course's ground: the foot follows it like a ball rolling over it, at full horizontal speed.
 namespace campuswalk::collision::course {
 namespace {
 
@@ -32,7 +32,7 @@ std::unique_ptr<World> world_of(const Profile& profile) {
     return world;
 }
 
-/// One way over the ground, straight or aslant; x is where the body should be to the tick.
+/// Once across the ground, straight or at an angle; x must be right at every tick.
 void cross(AuditedBody& body, const Ground& ground, double from, double to, double aside) {
     const double heading = to > from ? 1.0 : -1.0;
     const Vec3 velocity(heading * ground.speed, 0, aside * ground.speed);
@@ -56,7 +56,7 @@ void PrintTo(const Ground& ground, std::ostream* out) {
 
 class CourseGround : public ::testing::TestWithParam<Ground> {};
 
-TEST_P(CourseGround, IsFollowedBothWaysAtFullSpeed) {
+TEST_P(CourseGround, IsFollowedInBothDirectionsAtFullSpeed) {
     const Ground& ground = GetParam();
     const auto world = world_of(ground.profile);
     AuditedBody body(*world);
@@ -96,8 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Ground{"hills_running", support::waves(4.0, 0.8, 1, 40), -0.5, 4.5, 4.0}),
     [](const auto& test) { return std::string(test.param.name); });
 
-/// Spheres to walk over: the body's lower ball rolls over them at the sum of the radii.
-TEST(CourseGrounds, SpheresAreWalkedOverInTheirRoundShape) {
+/// The body's lower sphere rolls over the ball with its centre at the sum of the radii.
+TEST(CourseGrounds, SpheresAreFollowedInTheirRoundShape) {
     for (const double ball : {1.0, 5.0, 60.0}) {
         SCOPED_TRACE(ball);
         const double top = std::min(0.25, 0.2 * ball);
@@ -119,8 +119,8 @@ TEST(CourseGrounds, SpheresAreWalkedOverInTheirRoundShape) {
     }
 }
 
-/// On any slope that is walkable, after walking too, a body that is told nothing stays to the bit.
-TEST(CourseGrounds, StandingStillCreepsNowhere) {
+/// On any walkable slope, even after walking, a body at rest keeps its position bit for bit.
+TEST(CourseGrounds, ABodyAtRestDoesNotCreep) {
     for (const double degrees : {5.0, 20.0, 35.0, 45.0, 49.5}) {
         const auto world = world_of(support::ramp(0.0, degrees, 3.0));
         AuditedBody body(*world);
@@ -138,8 +138,8 @@ TEST(CourseGrounds, StandingStillCreepsNowhere) {
     }
 }
 
-/// Beyond the limit a ramp is a wall from below.
-TEST(CourseGrounds, BeyondTheSlopeLimitNothingIsClimbed) {
+/// From below, a ramp beyond the limit is a wall.
+TEST(CourseGrounds, SlopesBeyondTheLimitAreNotClimbed) {
     for (const double degrees : {51.0, 55.0, 60.0, 75.0}) {
         SCOPED_TRACE(degrees);
         const auto world = world_of(support::ramp(0.0, degrees, 2.0));
@@ -156,8 +156,8 @@ TEST(CourseGrounds, BeyondTheSlopeLimitNothingIsClimbed) {
     }
 }
 
-/// From above it is a slide: as fast as without friction at the most, and never slower than half of that.
-TEST(CourseGrounds, BeyondTheSlopeLimitItSlidesDown) {
+/// From above it is a slide, at most as fast as without friction and at least half as fast.
+TEST(CourseGrounds, SlopesBeyondTheLimitAreSlidDown) {
     for (const double degrees : {51.0, 55.0, 60.0, 75.0}) {
         const double run = 6.0 / std::tan(radians(degrees));
         const auto world = world_of(support::ramp(0.0, degrees, run));

@@ -5,15 +5,16 @@
 #include "tests/collision/course/course_scene.h"
 #include "tests/support/course/walls.h"
 
-/// The course's narrow places: what is wide and high enough is passed, what isn't stops the body quietly.
+/// The course's narrow places: the body passes where there is room, and stops without jitter where there
+/// isn't.
 namespace campuswalk::collision::course {
 namespace {
 
 using support::add_quad;
 
 /// Doors of 0.7 to 1 m in walls of any thickness: at full speed through the middle, past the posts from
-/// aside.
-TEST(CoursePassages, DoorwaysArePassed) {
+/// off-centre.
+TEST(CoursePassages, WideEnoughDoorwaysArePassed) {
     for (const double width : {0.7, 0.8, 0.9, 1.0}) {
         for (const double thickness : {0.0, 0.2, 1.5}) {
             SCOPED_TRACE(testing::Message() << width << " m wide, " << thickness << " m thick");
@@ -35,7 +36,7 @@ TEST(CoursePassages, DoorwaysArePassed) {
     }
 }
 
-TEST(CoursePassages, DoorwaysLowerOrNarrowerThanTheBodyAreClosed) {
+TEST(CoursePassages, DoorwaysTooLowOrTooNarrowStopTheBody) {
     struct Opening {
         double width = 0.0;
         double high = 0.0;
@@ -60,15 +61,15 @@ TEST(CoursePassages, DoorwaysLowerOrNarrowerThanTheBodyAreClosed) {
     }
 }
 
-/// Two walls that come together, to less than the body's width or just not.
-TEST(CoursePassages, NarrowingCorridorsStopItWhereItFitsNoMore) {
+/// Two converging walls that end just wide enough for the body or narrower.
+TEST(CoursePassages, NarrowingCorridorsStopTheBodyWhereItNoLongerFits) {
     for (const double end_width : {0.3, 0.5, 0.68}) {
-        for (const double long_way : {2.0, 6.0}) {
-            SCOPED_TRACE(testing::Message() << "to " << end_width << " m in " << long_way << " m");
+        for (const double length : {2.0, 6.0}) {
+            SCOPED_TRACE(testing::Message() << "to " << end_width << " m in " << length << " m");
             const auto world = floor_and([&](TriangleMesh& mesh) {
                 for (const double side : {-1.0, 1.0}) {
                     const Vec3 a(1, 0, side * 1.0);
-                    const Vec3 b(1 + long_way, 0, side * 0.5 * end_width);
+                    const Vec3 b(1 + length, 0, side * 0.5 * end_width);
                     const Vec3 up(0, 2.5, 0);
                     add_quad(mesh, a, b, b + up, a + up);
                     add_quad(mesh, b, b + Vec3(1, 0, 0), b + Vec3(1, 0, 0) + up, b + up);
@@ -78,11 +79,11 @@ TEST(CoursePassages, NarrowingCorridorsStopItWhereItFitsNoMore) {
             body.stand({0, 0, 0.1});
             ASSERT_NO_FATAL_FAILURE(body.walk(2.0 * kEast, 6.0));
             if (end_width > 2.0 * (kRadius + kSkin)) {
-                EXPECT_GT(body.foot().x(), 2.0 + long_way);
+                EXPECT_GT(body.foot().x(), 2.0 + length);
                 continue;
             }
             // The walls' distance across is shorter than along z by the cosine of their slant.
-            const double narrows = (1.0 - 0.5 * end_width) / long_way;
+            const double narrows = (1.0 - 0.5 * end_width) / length;
             const double fits = (kRadius + kSkin) * std::sqrt(1.0 + narrows * narrows);
             EXPECT_NEAR(body.foot().x(), 1.0 + (1.0 - fits) / narrows, 0.02);
             EXPECT_LE(jitter(body, 2.0 * kEast, 2.0), 5e-4);
@@ -92,8 +93,8 @@ TEST(CoursePassages, NarrowingCorridorsStopItWhereItFitsNoMore) {
     }
 }
 
-/// A level or falling ceiling: the body goes on as long as it fits, and stands still where it doesn't.
-TEST(CoursePassages, CeilingsAreKeptUnder) {
+/// A level or sloping ceiling: the body walks on as long as it fits, and stands still where it doesn't.
+TEST(CoursePassages, CeilingsStopTheBodyWhereItNoLongerFits) {
     for (const double degrees : {0.0, 5.0, 20.0, 45.0, 70.0}) {
         for (const double low : {1.2, 1.75, 1.85}) {
             SCOPED_TRACE(testing::Message() << "from 2.6 m down to " << low << " m at " << degrees);
@@ -118,8 +119,8 @@ TEST(CoursePassages, CeilingsAreKeptUnder) {
     }
 }
 
-/// It falls as far and as long as in the open, whatever wall it presses against.
-TEST(CoursePassages, ALiftShaftIsFallenDownUnhindered) {
+/// A fall is as deep and as long as in the open, whatever wall the body presses against.
+TEST(CoursePassages, LiftShaftWallsDoNotSlowAFall) {
     for (const double width : {0.7, 1.0, 1.6}) {
         const auto world = floor_and([&](TriangleMesh& mesh) {
             for (const double side : {-0.5 * width, 0.5 * width}) {
@@ -132,7 +133,7 @@ TEST(CoursePassages, ALiftShaftIsFallenDownUnhindered) {
         });
         AuditedBody body(*world);
         for (const double degrees : {0.0, 30.0, 45.0, 200.0}) {
-            SCOPED_TRACE(testing::Message() << width << " m wide, wish at " << degrees);
+            SCOPED_TRACE(testing::Message() << width << " m wide, walking at " << degrees);
             body.stand({0, 12.0, 0}, 0.1);
             for (int tick = 1; tick <= 90; ++tick) {  // 11 m
                 ASSERT_NO_FATAL_FAILURE(body.tick(kPace * towards(degrees)));

@@ -5,14 +5,14 @@
 #include "tests/support/effort.h"
 #include "tests/support/village.h"
 
-/// The course's speeds: from a stroll to 100 m/s, at 30 to 240 ticks a second, among everything that a
-/// village has, no tick ends inside anything and none has passed through it.
+/// The course's speeds: from a stroll to 100 m/s, at 30 to 240 ticks per second, among everything in a
+/// village, no tick ends inside anything or passes through it.
 namespace campuswalk::collision::course {
 namespace {
 
 class CourseSpeeds : public ::testing::TestWithParam<double> {};
 
-TEST_P(CourseSpeeds, NothingIsEnteredOrPassed) {
+TEST_P(CourseSpeeds, NothingIsEnteredOrPassedThrough) {
     const auto world = support::make_village();
     const support::PenetrationOracle oracle(*world);
     CapsuleMover mover(*world, {}, {});

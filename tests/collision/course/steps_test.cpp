@@ -8,13 +8,13 @@
 #include "tests/support/effort.h"
 
 /// The course's risers: one 5 mm or more above the step height is never climbed, one 5 mm or more below it
-/// always, whoever comes from wherever.
+/// always, by any body from any direction.
 namespace campuswalk::collision::course {
 namespace {
 
 using support::add_box;
 
-constexpr double kDoubt = 5e-3;
+constexpr double kTolerance = 5e-3;
 
 struct StepBody {
     double radius = 0.0;
@@ -23,7 +23,7 @@ struct StepBody {
 
 constexpr double kTread = 0.25;
 
-/// Steps up from a level floor at x = 1, the last one deep: boxes of a mesh, or convex ones.
+/// Steps up from a level floor at x = 1, the last one deep: boxes as meshes or as convex solids.
 struct Steps {
     double high = 0.0;
     int count = 1;
@@ -57,7 +57,7 @@ void approach(const StepBody& limits, const Steps& steps, bool climbed) {
         for (const double degrees : {0.0, 20.0, 45.0}) {
             for (const double speed : {0.4, 1.4, 4.0}) {
                 if ((support::kSanitized || steps.solid) && (rate != 60.0 || speed != 1.4)) {
-                    continue;  // the convex boxes' nearest points are searched for, which takes long
+                    continue;  // the search for a convex box's nearest point is slow
                 }
                 SCOPED_TRACE(testing::Message() << steps.count << " of " << steps.high << " m, " << rate
                                                 << " Hz, at " << degrees << ", " << speed << " m/s");
@@ -83,23 +83,23 @@ void PrintTo(const StepBody& limits, std::ostream* out) {
 
 class CourseRisers : public ::testing::TestWithParam<StepBody> {};
 
-TEST_P(CourseRisers, AreClimbedUpToTheStepHeightAndNoFurther) {
+TEST_P(CourseRisers, AreClimbedUpToTheStepHeightAndNoHigher) {
     const double limit = GetParam().step_height;
     for (const double high :
-         {0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40, 0.45, limit - kDoubt, limit + kDoubt}) {
-        if (std::abs(high - limit) > 0.9 * kDoubt) {
+         {0.10, 0.15, 0.20, 0.25, 0.30, 0.35, 0.40, 0.45, limit - kTolerance, limit + kTolerance}) {
+        if (std::abs(high - limit) > 0.9 * kTolerance) {
             ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {high, 1, false}, high < limit));
         }
     }
-    ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {limit - kDoubt, 1, true}, true));
-    ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {limit + kDoubt, 1, true}, false));
+    ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {limit - kTolerance, 1, true}, true));
+    ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {limit + kTolerance, 1, true}, false));
 }
 
 /// On the edge of a tread the round body stands a little lower than on the tread: that doesn't make the next
 /// riser higher.
 TEST_P(CourseRisers, AreClimbedOneAfterTheOther) {
     for (const bool solid : {false, true}) {
-        const double high = GetParam().step_height - kDoubt;
+        const double high = GetParam().step_height - kTolerance;
         ASSERT_NO_FATAL_FAILURE(approach(GetParam(), {high, 3, solid}, true));
     }
 }
@@ -112,8 +112,8 @@ INSTANTIATE_TEST_SUITE_P(Bodies, CourseRisers,
                                     std::to_string(std::lround(100 * test.param.step_height));
                          });
 
-/// Twenty risers, up and down, take as long as the level way, to 3 %, and no tick jumps.
-TEST(CourseSteps, TwentyRisersTakeTheFlatTime) {
+/// Twenty risers, up and down, take at most 3 % longer than level ground, and no tick jumps.
+TEST(CourseSteps, TwentyRisersTakeAsLongAsLevelGround) {
     struct Flight {
         double riser = 0.0;
         double tread = 0.0;
@@ -144,18 +144,18 @@ TEST(CourseSteps, TwentyRisersTakeTheFlatTime) {
                 }
                 EXPECT_LE(ticks, 1.03 * flat_ticks + 1) << (up ? "up" : "down");
                 EXPECT_EQ(body.ticks_in_air(), 0);
-                // A ball that meets an edge at its own height rises by sqrt(2 r d) over the first d.
-                EXPECT_LE(steepest, std::sqrt(2.0 * kRadius * kPace / rate) + 1e-3) << "popped";
+                // A ball that hits an edge at its own height rises by sqrt(2 r d) over the first d.
+                EXPECT_LE(steepest, std::sqrt(2.0 * kRadius * kPace / rate) + 1e-3) << "the height jumps";
             }
         }
     }
 }
 
 /// A riser that it could climb, under a slab that leaves no room for it there.
-TEST(CourseSteps, WithoutHeadRoomARiserIsAWall) {
+TEST(CourseSteps, ARiserWithoutHeadroomIsAWall) {
     for (const double riser : {0.1, 0.25}) {
         for (const double room : {-0.05, 0.03}) {
-            SCOPED_TRACE(testing::Message() << riser << " m, head room " << room << " m");
+            SCOPED_TRACE(testing::Message() << riser << " m, headroom " << room << " m");
             const auto world = floor_and([&](TriangleMesh& mesh) {
                 add_box(mesh, {1, 0, -3}, {4, riser, 3});
                 const double slab = riser + kHeight + room;

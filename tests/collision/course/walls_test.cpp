@@ -9,18 +9,18 @@
 #include "tests/collision/course/course_scene.h"
 #include "tests/support/effort.h"
 
-/// The course's walls: nothing is passed at any speed, and nothing but the angle takes speed away.
+/// The course's walls: none is passed through at any speed, and only the angle costs speed.
 namespace campuswalk::collision::course {
 namespace {
 
-/// How a wall is put together.
-struct WallMake {
+/// How a wall is built.
+struct WallKind {
     const char* name = "";
     void (*add)(World& world, double length, const Pose& X_world_wall) = nullptr;
 };
 
-/// 0.5 to 100 m/s at 30 to 240 ticks a second, straight and aslant.
-TEST(CourseWalls, HeadOnNothingIsPassed) {
+/// 0.5 to 100 m/s at 30 to 240 ticks per second, straight and at an angle.
+TEST(CourseWalls, NoneIsPassedThrough) {
     for (const double thickness : {0.2, 0.02, 0.0}) {
         const auto world = floor_and(
             [&](TriangleMesh& mesh) { support::add_barrier(mesh, 1.0, thickness, 15.0, 0.0, 3.0); });
@@ -42,15 +42,16 @@ TEST(CourseWalls, HeadOnNothingIsPassed) {
     }
 }
 
-void PrintTo(const WallMake& make, std::ostream* out) {
-    *out << make.name;
+void PrintTo(const WallKind& kind, std::ostream* out) {
+    *out << kind.name;
 }
 
-class CourseAlongWalls : public ::testing::TestWithParam<WallMake> {};
+class CourseAlongWalls : public ::testing::TestWithParam<WallKind> {};
 
-/// A wish at an angle to the wall keeps cos of it, whatever the wall's heading, seams or none.
-TEST_P(CourseAlongWalls, SlidingCostsTheAngleOnly) {
-    // The convex boxes' nearest points are searched for, which takes long.
+/// A desired displacement at an angle to the wall keeps its cosine, whatever the wall's heading, with or
+/// without seams.
+TEST_P(CourseAlongWalls, SlidingKeepsTheCosineOfTheSpeed) {
+    // The search for a convex box's nearest point is slow.
     const double every = support::kSanitized                            ? 20.0
                          : GetParam().add == support::add_wall_of_boxes ? 10.0
                                                                         : 5.0;
@@ -61,7 +62,7 @@ TEST_P(CourseAlongWalls, SlidingCostsTheAngleOnly) {
         const Vec3 along = towards(heading);
         const Vec3 out = towards(heading - 90.0);
         for (double degrees = 5.0; degrees < 90.0; degrees += every) {
-            SCOPED_TRACE(testing::Message() << "wall at " << heading << ", wish at " << degrees);
+            SCOPED_TRACE(testing::Message() << "wall at " << heading << ", walking at " << degrees);
             body.stand(-3.0 * along + (kRadius + kSkin + 0.01) * out);
             const Vec3 desired = 3.0 * towards(heading + degrees);
             ASSERT_NO_FATAL_FAILURE(body.walk(desired, 0.2));
@@ -70,30 +71,30 @@ TEST_P(CourseAlongWalls, SlidingCostsTheAngleOnly) {
             ASSERT_NO_FATAL_FAILURE(body.walk(desired, seconds));
             const double free = 3.0 * seconds * std::cos(radians(degrees));
             EXPECT_NEAR((body.foot() - start).dot(along), free, 0.01 * free);
-            EXPECT_LE(body.foot().dot(out), kRadius + kSkin + 1e-3) << "it lost the wall";
+            EXPECT_LE(body.foot().dot(out), kRadius + kSkin + 1e-3) << "it left the wall";
             EXPECT_EQ(body.ticks_in_air(), 0);
         }
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Makes, CourseAlongWalls,
-                         ::testing::Values(WallMake{"plain", support::add_plain_wall},
-                                           WallMake{"butted", support::add_butted_wall},
-                                           WallMake{"tessellated", support::add_tessellated_wall},
-                                           WallMake{"sheets", support::add_wall_of_sheets},
-                                           WallMake{"boxes", support::add_wall_of_boxes}),
+                         ::testing::Values(WallKind{"plain", support::add_plain_wall},
+                                           WallKind{"butted", support::add_butted_wall},
+                                           WallKind{"tessellated", support::add_tessellated_wall},
+                                           WallKind{"sheets", support::add_wall_of_sheets},
+                                           WallKind{"boxes", support::add_wall_of_boxes}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// However the walk leads into a corner, there the body is at rest, and comes out again at once.
-TEST(CourseWalls, AcuteCornersHoldTheBodyStill) {
+/// However a walk leads into a wedge, the body comes to rest there and leaves again without delay.
+TEST(CourseWalls, AcuteWedgesHoldTheBodyStill) {
     for (const double degrees : {15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
-        const auto world = floor_and([&](TriangleMesh& mesh) { support::add_corner(mesh, degrees); });
+        const auto world = floor_and([&](TriangleMesh& mesh) { support::add_wedge(mesh, degrees); });
         AuditedBody body(*world);
         for (const double rate : {30.0, 60.0, 240.0}) {
-            // At an angle of less than half the corner's, no wall can be slid along away from it.
+            // Within half the wedge's angle, the body can't slide out along either wall.
             for (const double part : {0.0, 0.3, -0.6}) {
-                SCOPED_TRACE(testing::Message()
-                             << degrees << " degrees, " << rate << " Hz, wish at " << part << " of the half");
+                SCOPED_TRACE(testing::Message() << degrees << " degrees, " << rate << " Hz, walking at "
+                                                << part << " of the half");
                 body.ticks_per_second = rate;
                 const double there = (kRadius + kSkin) / std::sin(radians(0.5 * degrees));
                 body.stand({-there - 0.8, 0, 0});

@@ -41,14 +41,14 @@ Segment random_segment(Dice& dice) {
     return s;
 }
 
-/// The distance is that of its own two points, and those lie on the shapes they name.
+/// The distance is that of the two points, and each of them lies on its shape.
 void expect_consistent(const Closest& c, const Segment& segment, double off_shape) {
     EXPECT_NEAR((c.on_segment - c.on_shape).norm(), c.distance, kRounding);
     EXPECT_LT(support::distance(c.on_segment, line_of(segment)), kRounding);
     EXPECT_LT(off_shape, kRounding);
 }
 
-TEST(ClosestOnSegment, IsThePerpendicularsFootOrAnEnd) {
+TEST(ClosestOnSegment, IsTheFootOfThePerpendicularOrAnEnd) {
     const Segment s{{0, 0, 0}, {4, 0, 0}};
     EXPECT_EQ(closest_on_segment(s, {1, 5, 2}), Vec3(1, 0, 0));
     EXPECT_EQ(closest_on_segment(s, {-3, 5, 2}), Vec3(0, 0, 0));
@@ -56,14 +56,14 @@ TEST(ClosestOnSegment, IsThePerpendicularsFootOrAnEnd) {
     EXPECT_EQ(closest_on_segment({{1, 1, 1}, {1, 1, 1}}, {9, 5, 2}), Vec3(1, 1, 1));
 }
 
-TEST(ClosestOnSegment, AddsComponentsInTheOrderThatEveryProcessorHas) {
+TEST(ClosestOnSegment, AddsComponentsInTheSameOrderOnEveryProcessor) {
     // x + (y + z) is 1 + 2^-52; Eigen's packets of two would make it (x + y) + z, which is 1.
     const Vec3 nearest = closest_on_segment({Vec3::Zero(), Vec3::Ones()}, Vec3(1.0, 0x1p-53, 0x1p-53));
 
     EXPECT_EQ(nearest.x(), (1.0 + 0x1p-52) / 3.0);
 }
 
-TEST(ClosestOnTriangle, IsAsNearAsThePlainFormulaSays) {
+TEST(ClosestOnTriangle, AgreesWithThePlainFormula) {
     Dice dice(20);
     for (int i = 0; i < 20000; ++i) {
         const Triangle t = support::random_triangle(dice, dice.in_cube(1.0));
@@ -76,7 +76,7 @@ TEST(ClosestOnTriangle, IsAsNearAsThePlainFormulaSays) {
     }
 }
 
-TEST(ClosestOnTriangle, SaysFaceOnlyOverTheInside) {
+TEST(ClosestOnTriangle, ReportsAFaceOnlyOverTheInterior) {
     const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 0, 3}};
     const auto feature_at = [&](const Vec3& p) {
         Feature feature{};
@@ -90,7 +90,7 @@ TEST(ClosestOnTriangle, SaysFaceOnlyOverTheInside) {
     EXPECT_EQ(feature_at({3, 0, 3}), Feature::edge);
 }
 
-TEST(ClosestSegments, AreAsNearAsThePlainFormulaSays) {
+TEST(ClosestSegments, AgreeWithThePlainFormula) {
     Dice dice(21);
     for (int i = 0; i < 20000; ++i) {
         const Segment s = random_segment(dice);
@@ -101,7 +101,7 @@ TEST(ClosestSegments, AreAsNearAsThePlainFormulaSays) {
     }
 }
 
-TEST(ClosestSegments, ThatAreParallel) {
+TEST(ClosestSegments, AgreeWithThePlainFormulaWhenParallel) {
     Dice dice(22);
     for (int i = 0; i < 2000; ++i) {
         const Segment s{dice.in_cube(1.0), dice.in_cube(1.0)};
@@ -113,7 +113,7 @@ TEST(ClosestSegments, ThatAreParallel) {
     }
 }
 
-TEST(ClosestSegmentAndTriangle, AreAsNearAsThePlainFormulaSays) {
+TEST(ClosestSegmentAndTriangle, AgreeWithThePlainFormula) {
     Dice dice(23);
     int piercing = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -127,7 +127,7 @@ TEST(ClosestSegmentAndTriangle, AreAsNearAsThePlainFormulaSays) {
     EXPECT_GT(piercing, 200);
 }
 
-TEST(ClosestSegmentAndTriangle, OverAFaceTheGapIsAlongItsNormal) {
+TEST(ClosestSegmentAndTriangle, OverAFaceAreApartAlongItsNormal) {
     Dice dice(24);
     int faces = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -144,8 +144,9 @@ TEST(ClosestSegmentAndTriangle, OverAFaceTheGapIsAlongItsNormal) {
     EXPECT_GT(faces, 100);
 }
 
-/// Upright beside an upright wall every point is as near: rounding must not make an edge of it.
-TEST(ClosestSegmentAndTriangle, ParallelToAFaceTheFaceIsNamed) {
+/// Beside an upright wall every point of an upright segment is equally near: rounding must not turn the face
+/// into an edge.
+TEST(ClosestSegmentAndTriangle, ParallelToAFaceReportTheFace) {
     Dice dice(28);
     for (int i = 0; i < 2000; ++i) {
         const Vec3 along = Vec3(dice.between(-1, 1), 0, dice.between(0.1, 1)).normalized();
@@ -175,7 +176,7 @@ Closest closest_to(const Segment& segment, const Object& object) {
         object.shape);
 }
 
-TEST_P(ClosestToSolid, IsAsNearAsThePlainFormulaSays) {
+TEST_P(ClosestToSolid, AgreesWithThePlainFormula) {
     Dice dice(GetParam());
     int apart = 0;
     for (int i = 0; i < support::repeats(2000); ++i) {
@@ -185,7 +186,7 @@ TEST_P(ClosestToSolid, IsAsNearAsThePlainFormulaSays) {
         const Segment s = random_segment(dice);
         const Closest c = closest_to(s, object);
         const double exact = support::signed_distance(object, line_of(s));
-        // Where they touch, a search along the segment knows the place to 1e-10 only.
+        // Where they touch, a search along the segment finds the place to 1e-10 only.
         ASSERT_NEAR(c.distance, std::max(0.0, exact), 1e-8) << i;
         const double off = support::signed_distance(object, Line{c.on_shape, c.on_shape});
         expect_consistent(c, s, std::max(0.0, off));
@@ -196,7 +197,7 @@ TEST_P(ClosestToSolid, IsAsNearAsThePlainFormulaSays) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ClosestToSolid, ::testing::Values(25U, 26U, 27U));
 
-TEST(ClosestToBox, TellsFacesFromEdges) {
+TEST(ClosestToBox, DistinguishesFacesFromEdges) {
     const Box box{{1, 1, 1}};
     const auto feature_at = [&](const Vec3& p) { return closest(Segment{p, p}, box, Pose{}).feature; };
     EXPECT_EQ(feature_at({3, 0.5, 0.5}), Feature::face);
@@ -204,7 +205,7 @@ TEST(ClosestToBox, TellsFacesFromEdges) {
     EXPECT_EQ(feature_at({3, 3, 3}), Feature::edge);
 }
 
-TEST(ClosestToWheel, TellsFacesFromItsRim) {
+TEST(ClosestToWheel, DistinguishesFacesFromTheRim) {
     const Wheel wheel{1.0, 0.2};
     const auto feature_at = [&](const Vec3& p) { return closest(Segment{p, p}, wheel, Pose{}).feature; };
     EXPECT_EQ(feature_at({3, 0.5, 0.5}), Feature::face);
@@ -212,7 +213,7 @@ TEST(ClosestToWheel, TellsFacesFromItsRim) {
     EXPECT_EQ(feature_at({3, 3, 0}), Feature::edge);
 }
 
-TEST(MinimiseConvex, FindsTheLowestArgument) {
+TEST(MinimiseConvex, FindsTheMinimum) {
     EXPECT_NEAR(minimise_convex([](double t) { return (t - 0.3) * (t - 0.3); }), 0.3, 1e-7);
     EXPECT_EQ(minimise_convex([](double t) { return t; }), 0.0);
     EXPECT_EQ(minimise_convex([](double t) { return -t; }), 1.0);

@@ -58,8 +58,8 @@ Object random_edged_object(Dice& dice, double reach) {
     return object;
 }
 
-// The oracle: signed distances of single lines by the plain formulas, and a search among the lines that fill
-// a body. They are a convex function of the line's place.
+// The oracle: the plain formulas' signed distances of single lines, and a search among the lines that fill a
+// body. The distance is a convex function of the line's place.
 
 template <typename Convex>
 double least_between(double low, double high, const Convex& f) {
@@ -99,10 +99,10 @@ double searched_distance(const Triangle& t, const Object& other) {
     });
 }
 
-TEST(DistanceBetweenSolids, OfBoxesAndWheelsIsThatOfASearch) {
+TEST(DistanceBetweenSolids, OfBoxesAndWheelsAgreesWithASearch) {
     Dice dice(90);
     int apart = 0;
-    int meeting = 0;
+    int overlapping = 0;
     for (int i = 0; i < support::repeats(60); ++i) {
         const Object a = random_edged_object(dice, 1.0);
         const Object b = random_object(dice, 1.0);
@@ -110,13 +110,13 @@ TEST(DistanceBetweenSolids, OfBoxesAndWheelsIsThatOfASearch) {
         ASSERT_NEAR(distance_of(a, b), std::max(0.0, searched), 1e-6) << i;
         ASSERT_NEAR(distance_of(b, a), distance_of(a, b), 1e-12) << i;
         apart += searched > 1e-3 ? 1 : 0;
-        meeting += searched < -1e-3 ? 1 : 0;
+        overlapping += searched < -1e-3 ? 1 : 0;
     }
     EXPECT_GT(apart, support::repeats(60) / 8);
-    EXPECT_GT(meeting, support::repeats(60) / 8);
+    EXPECT_GT(overlapping, support::repeats(60) / 8);
 }
 
-TEST(DistanceBetweenSolids, OfSpheresAndCapsulesIsThatOfTheirSegments) {
+TEST(DistanceBetweenSolids, OfSpheresAndCapsulesFollowsFromTheirSegments) {
     Dice dice(91);
     int apart = 0;
     for (int i = 0; i < support::repeats(4000); ++i) {
@@ -158,7 +158,7 @@ double widest_gap(const Box& a, const Pose& A, const Box& b, const Pose& B) {
     return widest;
 }
 
-TEST(DistanceBetweenSolids, OfBoxesIsZeroWhereNoAxisPartsThem) {
+TEST(DistanceBetweenSolids, OfBoxesIsZeroIfNoAxisSeparatesThem) {
     Dice dice(92);
     int apart = 0;
     const int rounds = support::repeats(20000);
@@ -179,7 +179,7 @@ TEST(DistanceBetweenSolids, OfBoxesIsZeroWhereNoAxisPartsThem) {
     EXPECT_LT(apart, rounds - rounds / 10);
 }
 
-TEST(DistanceBetweenSolids, OfParallelOnes) {
+TEST(DistanceBetweenSolids, IsExactForParallelSolids) {
     const Box box{{0.5, 1.0, 1.5}};
     const Wheel wheel{0.3, 0.1};
     EXPECT_DOUBLE_EQ(distance_of(placed(box, {0, 0, 0}), placed(box, {1.25, 0.5, 1})), 0.25);
@@ -190,7 +190,7 @@ TEST(DistanceBetweenSolids, OfParallelOnes) {
     EXPECT_NEAR(distance_of(placed(Sphere{0.5}, {0, 0, 0}), placed(Sphere{0.25}, {3, 0, 4})), 4.25, 1e-14);
 }
 
-TEST(DistanceBetweenSolids, InsideOfEachOtherIsZero) {
+TEST(DistanceBetweenSolids, IsZeroForNestedSolids) {
     const Object box = placed(Box{{5, 5, 5}}, {0, 0, 0});
     for (const Vec3& at : {Vec3(0, 0, 0), Vec3(1, 2, 3), Vec3(4.9, -4.9, 0)}) {
         for (const Shape& shape : {Shape(Box{{0.1, 0.2, 0.3}}), Shape(Sphere{0.05}), Shape(Capsule{0.1, 0.2}),
@@ -202,7 +202,7 @@ TEST(DistanceBetweenSolids, InsideOfEachOtherIsZero) {
 }
 
 /// Touching, and a nanometre more or less, here and far from the world's origin.
-TEST(DistanceBetweenSolids, TouchingIsContactAndAGapIsNone) {
+TEST(DistanceBetweenSolids, IsZeroUpToTouchingAndPositiveBeyond) {
     struct Case {
         Shape a;
         Shape b;
@@ -229,12 +229,12 @@ TEST(DistanceBetweenSolids, TouchingIsContactAndAGapIsNone) {
     }
 }
 
-/// On a plate that lies anyhow, at any place of the rim. Points of the rim whose heights differ by less than
-/// what rounding does, h, look alike: those within sqrt(2 r h) of the nearest one. A search that ends there
-/// makes a gap g longer by r h / g.
-TEST(DistanceBetweenSolids, OfAWheelThatRollsOnAPlate) {
+/// A plate at any pose, under any point of the rim. Points of the rim whose heights differ by less than the
+/// rounding error h can't be told apart: those within sqrt(2 r h) of the nearest one. A search that ends
+/// there overestimates a gap g by r h / g.
+TEST(DistanceBetweenSolids, OfAWheelAboveAPlateIsTheGap) {
     Dice dice(93);
-    const double rounding = 16.0 * 4.0 * 0x1p-52;  // sixteen of them, among coordinates of 4 m and more
+    const double rounding = 16.0 * 4.0 * 0x1p-52;  // sixteen roundings of coordinates of 4 m and more
     for (int i = 0; i < support::repeats(2000); ++i) {
         const Pose plate = support::random_pose(dice, 2.0);
         const Wheel wheel{dice.between(0.1, 1.0), dice.between(0.01, 0.5)};
@@ -250,41 +250,41 @@ TEST(DistanceBetweenSolids, OfAWheelThatRollsOnAPlate) {
     }
 }
 
-TEST(DistanceToTriangle, IsThatOfASearch) {
+TEST(DistanceToTriangle, AgreesWithASearch) {
     Dice dice(94);
     int apart = 0;
-    int meeting = 0;
+    int overlapping = 0;
     for (int i = 0; i < support::repeats(1500); ++i) {
         const Object solid = random_object(dice, 1.0);
         const Triangle t = support::random_triangle(dice, dice.in_cube(1.0));
         const double searched = searched_distance(t, solid);
         ASSERT_NEAR(distance_between(solid_of(solid), t), std::max(0.0, searched), 1e-6) << i;
         apart += searched > 1e-3 ? 1 : 0;
-        meeting += searched < -1e-3 ? 1 : 0;
+        overlapping += searched < -1e-3 ? 1 : 0;
     }
     EXPECT_GT(apart, support::repeats(1500) / 15);
-    EXPECT_GT(meeting, support::repeats(1500) / 15);
+    EXPECT_GT(overlapping, support::repeats(1500) / 15);
 }
 
 /// The part of a polygon where `side * x <= most`.
 std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, double side, double most) {
-    std::vector<Vec3> kept;
+    std::vector<Vec3> inside;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec3& p = polygon[i];
         const Vec3& q = polygon[(i + 1) % polygon.size()];
         const double beyond_p = side * p.x() - most;
         const double beyond_q = side * q.x() - most;
         if (beyond_p <= 0.0) {
-            kept.push_back(p);
+            inside.push_back(p);
         }
         if ((beyond_p < 0.0 && beyond_q > 0.0) || (beyond_p > 0.0 && beyond_q < 0.0)) {
-            kept.push_back(p + beyond_p / (beyond_p - beyond_q) * (q - p));
+            inside.push_back(p + beyond_p / (beyond_p - beyond_q) * (q - p));
         }
     }
-    return kept;
+    return inside;
 }
 
-/// How near the polygon comes to the x axis.
+/// The polygon's distance to the x axis.
 double least_axis_distance(const std::vector<Vec3>& polygon) {
     double least = 1e300;
     int above = 0;
@@ -303,10 +303,10 @@ double least_axis_distance(const std::vector<Vec3>& polygon) {
     return around_the_axis ? 0.0 : least;
 }
 
-/// A closed form: what of the triangle lies between the wheel's flat sides, and how near that is to the axle.
-TEST(DistanceToTriangle, OfAWheelIsZeroWhereClippingFindsAPart) {
+/// In closed form: the part of the triangle between the wheel's flat sides, and its distance to the axle.
+TEST(DistanceToTriangle, OfAWheelIsZeroWhereClippingLeavesAPart) {
     Dice dice(95);
-    int meeting = 0;
+    int overlapping = 0;
     const int rounds = support::repeats(20000);
     for (int i = 0; i < rounds; ++i) {
         const Wheel wheel{dice.between(0.05, 0.6), dice.between(0.02, 0.5)};
@@ -318,14 +318,14 @@ TEST(DistanceToTriangle, OfAWheelIsZeroWhereClippingFindsAPart) {
             const std::vector<Vec3> part = clipped(clipped(whole, 1.0, most), -1.0, most);
             return !part.empty() && least_axis_distance(part) <= wheel.radius + slack;
         };
-        const bool meets = distance_between(convex_solid(wheel, X), t) <= 0.0;
+        const bool overlaps = distance_between(convex_solid(wheel, X), t) <= 0.0;
         if (reaches(1e-9) == reaches(-1e-9)) {
-            ASSERT_EQ(meets, reaches(0.0)) << i;
+            ASSERT_EQ(overlaps, reaches(0.0)) << i;
         }
-        meeting += meets ? 1 : 0;
+        overlapping += overlaps ? 1 : 0;
     }
-    EXPECT_GT(meeting, rounds / 10);
-    EXPECT_LT(meeting, rounds - rounds / 10);
+    EXPECT_GT(overlapping, rounds / 10);
+    EXPECT_LT(overlapping, rounds - rounds / 10);
 }
 
 }  // namespace

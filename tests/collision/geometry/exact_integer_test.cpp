@@ -26,7 +26,7 @@ Exact_integer value(const ExactInteger<kDigits>& x) {
     return sum;
 }
 
-/// Many digits without a bit or full of them, where carries run far.
+/// Many digits are all zeros or all ones, so that carries propagate far.
 template <std::size_t kDigits>
 ExactInteger<kDigits> random_number(Dice& dice) {
     ExactInteger<kDigits> x;
@@ -38,7 +38,7 @@ ExactInteger<kDigits> random_number(Dice& dice) {
 }
 
 template <std::size_t kX, std::size_t kY>
-void multiply_all_kinds(Dice& dice) {
+void expect_exact_products(Dice& dice) {
     for (int i = 0; i < support::repeats(2000); ++i) {
         const auto x = random_number<kX>(dice);
         const auto y = random_number<kY>(dice);
@@ -48,11 +48,11 @@ void multiply_all_kinds(Dice& dice) {
 
 TEST(ExactInteger, ProductsAreExact) {
     Dice dice(1);
-    multiply_all_kinds<1, 1>(dice);
-    multiply_all_kinds<2, 2>(dice);
-    multiply_all_kinds<2, 4>(dice);
-    multiply_all_kinds<4, 2>(dice);
-    multiply_all_kinds<5, 7>(dice);
+    expect_exact_products<1, 1>(dice);
+    expect_exact_products<2, 2>(dice);
+    expect_exact_products<2, 4>(dice);
+    expect_exact_products<4, 2>(dice);
+    expect_exact_products<5, 7>(dice);
 }
 
 TEST(ExactInteger, DifferencesThatFitAreExact) {
@@ -71,7 +71,7 @@ TEST(ExactInteger, DifferencesThatFitAreExact) {
     EXPECT_GT(fitting, support::repeats(2000));
 }
 
-TEST(ExactInteger, SignsAreThoseOfTheValue) {
+TEST(ExactInteger, SignMatchesTheValue) {
     Dice dice(3);
     for (int i = 0; i < support::repeats(2000); ++i) {
         const auto x = random_number<3>(dice);
@@ -81,7 +81,7 @@ TEST(ExactInteger, SignsAreThoseOfTheValue) {
     EXPECT_EQ(sign(ExactInteger<3>()), 0);
 }
 
-TEST(ExactInteger, ShiftsBy0To200) {
+TEST(ExactInteger, ShiftsByUpTo200BitsAreExact) {
     for (int shift = 0; shift <= 200; ++shift) {
         for (const std::uint64_t magnitude : {std::uint64_t{1}, (std::uint64_t{1} << 53) - 1}) {
             const Exact_integer exact = power_of_two(static_cast<std::size_t>(shift)) * magnitude;

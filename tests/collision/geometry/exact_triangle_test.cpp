@@ -8,15 +8,15 @@
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
-/// Segments and triangles on a small integer grid meet in every degenerate way: through corners, along edges,
-/// within planes. CGAL's exact predicates know which of them do.
+/// Segments and triangles on a small integer grid intersect in every degenerate way: at vertices, along
+/// edges, within planes. CGAL's exact predicates decide which of them do.
 namespace campuswalk::collision {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using support::Dice;
 
-/// Far above rounding and far below the least gap between things on the grid that don't meet.
+/// Far above rounding and far below the smallest gap between disjoint things on the grid.
 constexpr double kNanometre = 1e-9;
 constexpr int kGrid = 4;
 
@@ -38,7 +38,7 @@ Kernel::Segment_3 exact(const Segment& s) {
     return {exact(s.a), exact(s.b)};
 }
 
-/// A pair that CGAL's predicates accept: neither without size.
+/// A pair that CGAL's predicates accept: neither is degenerate.
 struct Pair {
     Segment segment;
     Triangle triangle;
@@ -49,7 +49,7 @@ struct Pair {
             triangle = {grid_point(dice), grid_point(dice), grid_point(dice)};
         } while (exact(segment).is_degenerate() || exact(triangle).is_degenerate());
     }
-    bool meet() const { return CGAL::do_intersect(exact(segment), exact(triangle)); }
+    bool intersect() const { return CGAL::do_intersect(exact(segment), exact(triangle)); }
     /// The segment passes from one side to the other, through the inside.
     bool cross() const {
         const auto side = [&](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
@@ -65,26 +65,26 @@ struct Pair {
     }
 };
 
-TEST(ExactTriangle, DistanceIsZeroWhereTheyMeetOnly) {
+TEST(ExactTriangle, DistanceIsZeroOnlyWhereTheyIntersect) {
     Dice dice(120);
-    int meeting = 0;
+    int intersecting = 0;
     int touching = 0;
     for (int i = 0; i < support::repeats(40000); ++i) {
         const Pair pair(dice);
         const double distance = closest(pair.segment, pair.triangle).distance;
-        if (pair.meet()) {
+        if (pair.intersect()) {
             ASSERT_LT(distance, kNanometre) << i;
-            ++meeting;
+            ++intersecting;
             touching += pair.cross() ? 0 : 1;
         } else {
             ASSERT_GT(distance, 1e-4) << i;
         }
     }
-    EXPECT_GT(meeting, support::repeats(1000));
-    EXPECT_GT(touching, support::repeats(200)) << "degenerate meetings are among them";
+    EXPECT_GT(intersecting, support::repeats(1000));
+    EXPECT_GT(touching, support::repeats(200)) << "degenerate intersections are among them";
 }
 
-TEST(ExactTriangle, RaysHitWhatTheyCrossAndNothingTheyPass) {
+TEST(ExactTriangle, RaysHitWhatTheyCrossAndNothingTheyMiss) {
     Dice dice(121);
     int crossing = 0;
     for (int i = 0; i < support::repeats(40000); ++i) {
@@ -93,14 +93,14 @@ TEST(ExactTriangle, RaysHitWhatTheyCrossAndNothingTheyPass) {
         if (pair.cross()) {
             ASSERT_TRUE(found) << i;
             ++crossing;
-        } else if (!pair.meet()) {
+        } else if (!pair.intersect()) {
             ASSERT_FALSE(found) << i;
         }
     }
     EXPECT_GT(crossing, support::repeats(400));
 }
 
-TEST(ExactTriangle, TheTreeFindsExactlyWhatMeets) {
+TEST(ExactTriangle, TheTreeFindsExactlyTheIntersectingTriangles) {
     Dice dice(122);
     std::size_t found = 0;
     for (int m = 0; m < support::repeats(40); ++m) {

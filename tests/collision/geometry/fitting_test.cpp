@@ -24,12 +24,12 @@ double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
     return (b - a).cross(p - a).norm() / (b - a).norm();
 }
 
-TEST(Incentre, OfTheThreeFourFiveTriangle) {
+TEST(Incentre, IsKnownForTheThreeFourFiveTriangle) {
     const Vec3 center = incentre({Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 3, 0)});
     EXPECT_LT((center - Vec3(1, 1, 0)).norm(), 1e-15);
 }
 
-TEST(Incentre, IsInsideAndAsFarFromEveryEdge) {
+TEST(Incentre, IsInsideAndEquidistantFromTheEdges) {
     support::Dice dice(12);
     for (int i = 0; i < 1000; ++i) {
         const Triangle t{dice.in_cube(1.0), dice.in_cube(1.0), dice.in_cube(1.0)};
@@ -49,9 +49,9 @@ TEST(Incentre, OfATriangleWithoutAreaIsOnIt) {
     const Vec3 a(1, 2, 3);
     EXPECT_EQ(incentre({a, a, a}), a);
     const Vec3 p = incentre({a, a, a + Vec3(1, 0, 0)});
-    EXPECT_LT((p - a).norm(), 1e-15) << "between the two edges that are long";
+    EXPECT_LT((p - a).norm(), 1e-15) << "between the two long edges";
     const Vec3 q = incentre({a, a + Vec3(1, 0, 0), a + Vec3(3, 0, 0)});
-    EXPECT_LT((q - (a + Vec3(1, 0, 0))).norm(), 1e-15) << "at the corner that lies between the others";
+    EXPECT_LT((q - (a + Vec3(1, 0, 0))).norm(), 1e-15) << "at the vertex between the others";
 }
 
 TEST(Fitting, FollowsThePaperOnRandomMeshes) {
@@ -65,7 +65,7 @@ TEST(Fitting, FollowsThePaperOnRandomMeshes) {
     }
 }
 
-TEST(Fitting, LooksAtTheTrianglesItIsGivenOnly) {
+TEST(Fitting, ConsidersOnlyTheGivenTriangles) {
     support::Dice dice(14);
     const TriangleMesh mesh = support::random_mesh(dice, 50, 5.0);
     const std::vector<std::uint32_t> some{3, 17, 18, 40};
@@ -75,7 +75,7 @@ TEST(Fitting, LooksAtTheTrianglesItIsGivenOnly) {
     EXPECT_FALSE(is_inner_box(fit_inner_box(mesh, some), mesh, all_of(mesh)));
 }
 
-TEST(Fitting, ABeamFarAwayKeepsItsOwnAxis) {
+TEST(Fitting, ADistantBeamKeepsItsOwnAxis) {
     // With products about the origin instead of the mean the first axis would point at (100, 40, -70).
     const Vec3 along = Vec3(1, 2, 2) / 3.0;
     const Vec3 at(100, 40, -70);
@@ -89,7 +89,7 @@ TEST(Fitting, ABeamFarAwayKeepsItsOwnAxis) {
     EXPECT_GT(std::abs(box.axes.col(longest).dot(along)), 0.99);
 }
 
-TEST(Fitting, AxesAreOrthonormalToATenthOfWhatBoundsAreGrownBy) {
+TEST(Fitting, AxesAreOrthonormalToATenthOfTheOutwardMargin) {
     support::Dice dice(17);
     for (int i = 0; i < 2000; ++i) {
         const Vec3 at = dice.chance(0.3) ? Vec3(450000, 60, -448000) : Vec3(0, 0, 0);
@@ -104,7 +104,7 @@ TEST(Fitting, AxesAreOrthonormalToATenthOfWhatBoundsAreGrownBy) {
     }
 }
 
-TEST(Fitting, ASinglePointHasVolumesOfNoSize) {
+TEST(Fitting, ASinglePointHasVolumesOfZeroSize) {
     TriangleMesh dot;
     support::add_triangle(dot, {1, 2, 3}, {1, 2, 3}, {1, 2, 3});
     const auto triangles = all_of(dot);

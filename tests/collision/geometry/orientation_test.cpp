@@ -20,7 +20,7 @@ using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using support::Dice;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// CGAL's sign is that of the other handedness.
+/// CGAL's sign assumes the opposite handedness.
 int oracle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const auto exact = [](const Vec3& p) { return Exact::Point_3(p.x(), p.y(), p.z()); };
     return -CGAL::orientation(exact(a), exact(b), exact(c), exact(d));
@@ -85,7 +85,7 @@ TEST(Orientation, IsPositiveForCounterClockwiseTurnsInThePlane) {
 
 /// Points in a common plane, at scales and places where the coordinates need all their bits, then moved by a
 /// few units in the last place or not at all.
-TEST(Orientation, IsExactBesideAPlane) {
+TEST(Orientation, IsExactNearAPlane) {
     Dice dice(1);
     Tally tally;
     for (int i = 0; i < support::repeats(25000); ++i) {
@@ -106,7 +106,7 @@ TEST(Orientation, IsExactBesideAPlane) {
     tally.expect_at_least(support::repeats(1000));
 }
 
-TEST(Orientation, IsExactBesideALine) {
+TEST(Orientation, IsExactNearALine) {
     Dice dice(2);
     Tally tally;
     for (int i = 0; i < support::repeats(30000); ++i) {
@@ -157,7 +157,7 @@ double any_double(Dice& dice, int middle, int spread) {
     return dice.chance(0.5) ? size : -size;
 }
 
-/// A few values an axis, so that points often share coordinates and determinants often vanish.
+/// A few values per axis, so that points often share coordinates and determinants often vanish.
 class Pool {
 public:
     explicit Pool(Dice& dice) : dice_(dice) {
@@ -177,9 +177,9 @@ private:
     std::array<std::array<double, 4>, 3> values_{};
 };
 
-/// The sign doesn't change with the scale of an axis, down to the least double and up to the greatest; half
-/// of the time where products of two are about to underflow.
-TEST(Orientation, DoesNotMindTheAxesScales) {
+/// The sign doesn't change with the scale of an axis, down to the smallest double and up to the largest;
+/// often products are about to underflow.
+TEST(Orientation, IsIndependentOfTheAxesScales) {
     Dice dice(4);
     Tally tally;
     Tally tally_in_plane;
@@ -243,8 +243,8 @@ TEST(Orientation, IsExactForCoordinatesOfAnySize) {
 }
 
 /// Beside the plane (or the line) by 2^-k, and by one unit in the last place of a point whose own size is
-/// about 2^-k; for all k up to where the last way to count has taken over.
-TEST(Orientation, SeesStepsDownToTheLeastDouble) {
+/// about 2^-k; for all k until the last fallback has taken over.
+TEST(Orientation, ResolvesStepsDownToTheSmallestDouble) {
     // Both planes and the line pass through the origin, where the points' sum is.
     const std::array<Vec3, 3> p = {Vec3(3, 0, 0.75), Vec3(0, 5, 1.25), Vec3(-3, -5, -2)};
     const std::array<Vec3, 3> q = {Vec3(7, -7, 7), Vec3(-7, 7, 0), Vec3(0, 0, -7)};

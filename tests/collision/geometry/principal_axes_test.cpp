@@ -21,13 +21,13 @@ void expect_principal(const Mat3& symmetric) {
     EXPECT_LE(eigenvalues[1], eigenvalues[2] + 1e-9 * size);
 }
 
-TEST(PrincipalAxes, AreARotationThatLeavesADiagonal) {
+TEST(PrincipalAxes, AreARotationThatDiagonalizes) {
     support::Dice dice(440);
     for (int i = 0; i < 3000; ++i) {
         SCOPED_TRACE(i);
         Mat3 points;
         points << dice.in_cube(1.0), dice.in_cube(1.0), dice.in_cube(1.0);
-        // From as good as a plane to as good as a line, and back.
+        // From nearly a plane to nearly a line.
         points.row(0) *= dice.between(0.0, 1e-3);
         points.row(1) *= dice.between(0.0, 1.0);
         const double scale = i % 3 == 0 ? 1.0 : (i % 3 == 1 ? 1e22 : 1e-80);
@@ -35,7 +35,7 @@ TEST(PrincipalAxes, AreARotationThatLeavesADiagonal) {
     }
 }
 
-TEST(PrincipalAxes, OfWhatHasNone) {
+TEST(PrincipalAxes, ExistForIsotropicAndDiagonalMatrices) {
     EXPECT_EQ(principal_axes(Mat3::Zero()), Mat3::Identity());
     EXPECT_EQ(principal_axes(3.0 * Mat3::Identity()), Mat3::Identity());
     expect_principal(Mat3::Constant(1.0));

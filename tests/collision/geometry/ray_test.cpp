@@ -30,14 +30,14 @@ std::optional<double> hit_any(const Ray& ray, const Shape& shape) {
         shape);
 }
 
-TEST(RayOnTriangle, HitsWhereThePlainFormulaSays) {
+TEST(RayOnTriangle, AgreesWithThePlainFormula) {
     Dice dice(30);
     int hits = 0;
     for (int i = 0; i < 50000; ++i) {
         const Triangle t{dice.in_cube(1.0), dice.in_cube(1.0), dice.in_cube(1.0)};
         const Ray ray{dice.in_cube(2.0), dice.in_cube(2.0)};
         const auto ours = hit(ray, t);
-        const auto plain = support::first_meeting(Line{ray.from, ray.to}, vertices_of(t));
+        const auto plain = support::first_intersection(Line{ray.from, ray.to}, vertices_of(t));
         ASSERT_EQ(ours.has_value(), plain.has_value()) << i;
         if (ours) {
             ASSERT_NEAR(*ours, *plain, 1e-9) << i;
@@ -57,7 +57,7 @@ TEST(RayOnTriangle, HitsBothSides) {
     EXPECT_EQ(hit({{0.7, 0.7, 1}, {0.7, 0.7, -1}}, t), std::nullopt);
 }
 
-TEST(RayOnTriangle, PassesWhatHasNoArea) {
+TEST(RayOnTriangle, MissesDegenerateAndParallelTriangles) {
     const Ray ray{{0.5, 0.5, 1}, {0.5, 0.5, -1}};
     EXPECT_EQ(hit(ray, Triangle{{0.5, 0.5, 0}, {0.5, 0.5, 0}, {0.5, 0.5, 0}}), std::nullopt);
     EXPECT_EQ(hit(ray, Triangle{{0, 0, 0}, {1, 1, 0}, {0.5, 0.5, 0}}), std::nullopt);
@@ -66,8 +66,8 @@ TEST(RayOnTriangle, PassesWhatHasNoArea) {
         << "in its own plane";
 }
 
-/// Rays at the edges and corners of a bumpy closed surface must never slip through.
-TEST(RayOnTriangle, NeverSlipsBetweenNeighbours) {
+/// Rays at the shared edges of a bumpy fan of triangles must never slip through.
+TEST(RayOnTriangle, NeverSlipsBetweenAdjacentTriangles) {
     Dice dice(31);
     constexpr int kRing = 12;
     std::vector<Vec3> rim;
@@ -90,7 +90,7 @@ TEST(RayOnTriangle, NeverSlipsBetweenNeighbours) {
     }
 }
 
-TEST(RayOnSolid, HitsWhereThePlainFormulaSays) {
+TEST(RayOnSolid, AgreesWithThePlainFormula) {
     Dice dice(32);
     int hits = 0;
     const int rays = support::repeats(8000);
@@ -99,19 +99,19 @@ TEST(RayOnSolid, HitsWhereThePlainFormulaSays) {
         const Ray ray{dice.in_cube(2.0), dice.in_cube(dice.chance(0.5) ? 0.5 : 2.0)};
         const Line line{ray.from, ray.to};
         const auto ours = hit_any(ray, solid);
-        const auto plain = support::first_meeting(line, solid);
+        const auto plain = support::first_intersection(line, solid);
         if (ours && plain) {
             ASSERT_NEAR(*ours, *plain, 1e-7) << i;
             ++hits;
         } else if (ours || plain) {
             const double graze = support::signed_distance(solid, line.at(ours ? *ours : *plain));
-            ASSERT_NEAR(graze, 0.0, 1e-9) << i << ": only grazing rays may be told apart";
+            ASSERT_NEAR(graze, 0.0, 1e-9) << i << ": the two may differ only for grazing rays";
         }
     }
     EXPECT_GT(hits, rays / 10);
 }
 
-TEST(RayOnSolid, StartingInsideHitsAtOnce) {
+TEST(RayOnSolid, HitsImmediatelyFromInside) {
     const Ray ray{{0.01, 0.02, 0.01}, {9, 0, 0}};
     EXPECT_EQ(hit(ray, Box{}), 0.0);
     EXPECT_EQ(hit(ray, Sphere{}), 0.0);
@@ -119,7 +119,7 @@ TEST(RayOnSolid, StartingInsideHitsAtOnce) {
     EXPECT_EQ(hit(ray, Wheel{}), 0.0);
 }
 
-TEST(RayOnSolid, AlongTheAxesAndFacesOfThings) {
+TEST(RayOnSolid, IsExactAlongAxesAndFaces) {
     EXPECT_EQ(hit({{-2, 0, 0}, {2, 0, 0}}, Box{{1, 1, 1}}), 0.25);
     EXPECT_EQ(hit({{-2, 1, 0}, {2, 1, 0}}, Box{{1, 1, 1}}), 0.25) << "within a face";
     EXPECT_EQ(hit({{-2, 1.001, 0}, {2, 1.001, 0}}, Box{{1, 1, 1}}), std::nullopt);
@@ -132,7 +132,7 @@ TEST(RayOnSolid, AlongTheAxesAndFacesOfThings) {
     EXPECT_EQ(hit({{0, 0, 3}, {0, 0, 3}}, Sphere{1.0}), std::nullopt) << "a ray of no length, outside";
 }
 
-TEST(Ray, AtAFraction) {
+TEST(Ray, AtInterpolatesBetweenTheEnds) {
     const Ray ray{{1, 2, 3}, {3, 2, 1}};
     EXPECT_EQ(ray.at(0.0), ray.from);
     EXPECT_EQ(ray.at(0.5), Vec3(2, 2, 2));

@@ -7,7 +7,7 @@
 namespace campuswalk::collision {
 namespace {
 
-TEST(Pose, TurnsThenMoves) {
+TEST(Pose, RotatesThenTranslates) {
     Pose quarter;
     quarter.rotation << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // by 90 degrees about +Y: -Z goes to -X
     quarter.translation = {10, 20, 30};
@@ -17,7 +17,7 @@ TEST(Pose, TurnsThenMoves) {
     EXPECT_EQ(quarter.inverse_apply(Vec3(9, 20, 30)), Vec3(0, 0, -1));
 }
 
-TEST(Pose, InverseUndoes) {
+TEST(Pose, InverseUndoesThePose) {
     support::Dice dice(1);
     for (int i = 0; i < 100; ++i) {
         const Pose X = support::random_pose(dice, 100.0);

@@ -25,8 +25,8 @@ namespace {
 
 using support::Dice;
 
-// The oracle. CGAL asks for triangles with area: others are handed to it as segments and points, in
-// rationals, because what it does with those isn't exact in doubles.
+// The oracle. CGAL requires triangles with area: others are passed to it as segments and points, in
+// rationals, because its predicates for those aren't exact in doubles.
 
 using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Rational = CGAL::Simple_cartesian<CGAL::Exact_rational>;
@@ -62,7 +62,7 @@ bool share_a_point(const Triangle& s, const Triangle& t) {
                       extent(t));
 }
 
-// Random things.
+// Random triangles.
 
 Vec3 grid_point(Dice& dice) {
     const double x = dice.below(5) - 2;
@@ -90,17 +90,17 @@ Triangle moved(const Triangle& t, const Move& move) {
     return {move(t.a), move(t.b), move(t.c)};
 }
 
-/// Compares with the oracle and counts; the answer may depend neither on the order of the corners nor on that
-/// of the triangles.
+/// Compares with the oracle and counts; the result must depend neither on the order of the vertices nor on
+/// that of the triangles.
 struct Comparison {
-    int meeting = 0;
+    int overlapping = 0;
     int apart = 0;
 
     [[nodiscard]] bool agrees(const Triangle& s, const Triangle& t, Dice& dice) {
         return agrees(s, t, share_a_point(s, t), dice);
     }
     [[nodiscard]] bool agrees(const Triangle& s, const Triangle& t, bool expected, Dice& dice) {
-        ++(expected ? meeting : apart);
+        ++(expected ? overlapping : apart);
         const bool same = overlap(s, t) == expected && overlap(t, s) == expected &&
                           overlap(shuffled(s, dice), shuffled(t, dice)) == expected;
         if (!same) {
@@ -112,7 +112,7 @@ struct Comparison {
         return same;
     }
     void expect_at_least(int each) const {
-        EXPECT_GE(meeting, each);
+        EXPECT_GE(overlapping, each);
         EXPECT_GE(apart, each);
     }
 };
@@ -140,7 +140,7 @@ Vec3 jittered(const Vec3& p, Dice& dice) {
     return {x, y, beside(p.z(), dice.below(3) - 1)};
 }
 
-/// On the grid's quarters, a corner of t lies on s: on a corner, an edge's middle, or inside.
+/// On the grid's quarters, a vertex of t lies on s: on a vertex, the middle of an edge, or inside.
 std::pair<Triangle, Triangle> touching(Dice& dice) {
     const Triangle s = grid_triangle(dice);
     Triangle t = grid_triangle(dice);
@@ -181,7 +181,7 @@ TEST(TriangleOverlap, TouchingIsOverlap) {
     EXPECT_TRUE(overlap(kFloor, {{1, 1, -1}, {1, 1, 1}, {9, 9, 0}})) << "through the face";
 }
 
-TEST(TriangleOverlap, AnyGapIsNone) {
+TEST(TriangleOverlap, AnyGapIsNoOverlap) {
     constexpr double kLeast = std::numeric_limits<double>::denorm_min();
     const auto above = [&](const Vec3& p) { return Triangle{p, p + Vec3(1, 0, 1), p + Vec3(0, 1, 2)}; };
     const double beyond = std::nextafter(2.0, 3.0);
@@ -219,7 +219,7 @@ TEST(TriangleOverlap, TrianglesWithoutAreaAreSegmentsAndPoints) {
     EXPECT_FALSE(overlap(point({1, 2, 3}), point({1, 2, 4})));
 }
 
-TEST(TriangleOverlap, SeesANanometreFarFromTheOrigin) {
+TEST(TriangleOverlap, ResolvesANanometreFarFromTheOrigin) {
     for (const double far : {0.0, 1000.0, 450000.125}) {
         const Vec3 origin(far, 2.0 * far, -far);
         const auto placed = [&](const Triangle& t) {
@@ -252,8 +252,8 @@ TEST(TriangleOverlap, EqualsTheOracleInGeneralPosition) {
     comparison.expect_at_least(support::repeats(5000));
 }
 
-/// All degenerate ways at once; then the same again where scale and place leave the coordinates exact, from
-/// the least double to the greatest.
+/// All degenerate cases at once; then again at scales and places that leave the coordinates exact, from the
+/// smallest double to the largest.
 TEST(TriangleOverlap, EqualsTheOracleOnATinyGridAtEveryScale) {
     Dice dice(2);
     Comparison comparison;
@@ -324,7 +324,7 @@ TEST(TriangleOverlap, EqualsTheOracleWhereTouchingTrianglesAreRotatedAndRounded)
     comparison.expect_at_least(support::repeats(2000));
 }
 
-/// Few values an axis, so that they often touch.
+/// Few values per axis, so that they often touch.
 TEST(TriangleOverlap, EqualsTheOracleForCoordinatesOfAnySize) {
     Dice dice(5);
     Comparison comparison;
@@ -358,8 +358,8 @@ TEST(TriangleOverlap, EqualsTheOracleForCoordinatesOfAnySize) {
     comparison.expect_at_least(support::repeats(30));
 }
 
-/// A terrain's triangles lie above disjoint triangles of a map: those meet that share a corner.
-TEST(TriangleOverlap, NeighboursInATerrainMeetAndNoOthers) {
+/// Seen from above, a terrain's triangles are disjoint but for shared vertices and edges.
+TEST(TriangleOverlap, OnlyNeighboursOverlapInATerrain) {
     constexpr int kSide = 6;
     Dice dice(6);
     std::array<std::array<double, kSide + 1>, kSide + 1> height{};

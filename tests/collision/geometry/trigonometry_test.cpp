@@ -11,16 +11,16 @@ namespace campuswalk::collision {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kPromised = 1e-15;
+constexpr double kTolerance = 1e-15;
 
 void expect_like_libm(double angle) {
     const SinCos ours = sin_cos(angle);
     const auto exact = static_cast<long double>(angle);
-    EXPECT_NEAR(ours.sin, static_cast<double>(std::sin(exact)), kPromised) << angle;
-    EXPECT_NEAR(ours.cos, static_cast<double>(std::cos(exact)), kPromised) << angle;
+    EXPECT_NEAR(ours.sin, static_cast<double>(std::sin(exact)), kTolerance) << angle;
+    EXPECT_NEAR(ours.cos, static_cast<double>(std::cos(exact)), kTolerance) << angle;
 }
 
-TEST(Trigonometry, SineAndCosineAreLibmsWithinRounding) {
+TEST(Trigonometry, SineAndCosineMatchLibmWithinRounding) {
     support::Dice dice(4);
     for (int i = 0; i < 20000; ++i) {
         expect_like_libm(dice.between(-2.0 * kPi, 2.0 * kPi));
@@ -29,14 +29,14 @@ TEST(Trigonometry, SineAndCosineAreLibmsWithinRounding) {
     }
 }
 
-TEST(Trigonometry, SineAndCosineHoldForThousandsOfTurns) {
+TEST(Trigonometry, SineAndCosineMatchLibmForThousandsOfTurns) {
     support::Dice dice(5);
     for (int i = 0; i < 20000; ++i) {
         expect_like_libm(dice.between(-2000.0 * 2.0 * kPi, 2000.0 * 2.0 * kPi));
     }
 }
 
-TEST(Trigonometry, SineAndCosineAtTheQuadrantsEdges) {
+TEST(Trigonometry, SineAndCosineMatchLibmAtQuadrantBoundaries) {
     for (int eighth = -64; eighth <= 64; ++eighth) {
         const double angle = eighth * kPi / 4.0;
         expect_like_libm(angle);
@@ -47,7 +47,7 @@ TEST(Trigonometry, SineAndCosineAtTheQuadrantsEdges) {
     EXPECT_EQ(sin_cos(0.0).cos, 1.0);
 }
 
-TEST(Trigonometry, AngleOfADirectionIsAtan2) {
+TEST(Trigonometry, AngleOfADirectionMatchesAtan2) {
     support::Dice dice(6);
     for (int i = 0; i < 20000; ++i) {
         const double size = std::pow(10.0, dice.between(-9.0, 9.0));
@@ -57,7 +57,7 @@ TEST(Trigonometry, AngleOfADirectionIsAtan2) {
     }
 }
 
-TEST(Trigonometry, AngleOfAxesAndDiagonals) {
+TEST(Trigonometry, AngleOfAxesAndDiagonalsMatchesAtan2) {
     for (const double y : {-1.0, 0.0, 1.0}) {
         for (const double x : {-1.0, 0.0, 1.0}) {
             EXPECT_NEAR(angle_of(y, x), std::atan2(y, x), 1e-15) << y << ' ' << x;
@@ -75,7 +75,7 @@ TEST(Trigonometry, AngleStaysInItsHalfOpenRangeAcrossTheSeam) {
     }
 }
 
-TEST(Trigonometry, WrappedAngleIsTheSameDirection) {
+TEST(Trigonometry, WrappedAngleHasTheSameDirection) {
     support::Dice dice(7);
     for (int i = 0; i < 20000; ++i) {
         const double angle = dice.between(-1000.0, 1000.0);

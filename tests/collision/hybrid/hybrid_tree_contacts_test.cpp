@@ -24,7 +24,7 @@ using support::repeats;
 
 constexpr std::array kNodeTests = {NodeTest::hybrid, NodeTest::box, NodeTest::sphere, NodeTest::mixed};
 
-/// What `repeats` leaves of a number of finds.
+/// A minimum number of contacts, scaled like `repeats`.
 std::size_t at_least(int plain) {
     return static_cast<std::size_t>(repeats(plain));
 }
@@ -82,7 +82,7 @@ HybridContactStatistics count(const Body& a, const Body& b, const Pose& X_a_b, N
     return counters;
 }
 
-/// Triangles with whole coordinates: they touch in corners, along edges and in planes, some are points.
+/// Triangles with integer coordinates: they touch at vertices, along edges and in planes; some have no area.
 TriangleMesh lattice_soup(Dice& dice, int triangles, const Vec3& at) {
     const auto vertex = [&] {
         const double x = dice.below(7);
@@ -98,7 +98,7 @@ TriangleMesh lattice_soup(Dice& dice, int triangles, const Vec3& at) {
     return mesh;
 }
 
-/// One of the turns that map the axes onto each other.
+/// One of the rotations that map the axes onto each other.
 Mat3 lattice_turn(Dice& dice) {
     Mat3 turn = Mat3::Zero();
     const int first = dice.below(3);
@@ -127,7 +127,7 @@ TriangleMesh ball(int n) {
     return mesh;
 }
 
-TEST(HybridContacts, AreThoseOfTheLoop) {
+TEST(HybridContacts, AgreeWithALoopOverAllPairs) {
     Dice dice(310);
     std::size_t found = 0;
     for (int i = 0; i < repeats(150); ++i) {
@@ -140,7 +140,7 @@ TEST(HybridContacts, AreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(HybridContacts, OfSmoothSurfacesAreThoseOfTheLoop) {
+TEST(HybridContacts, OfSmoothSurfacesAgreeWithTheLoop) {
     Dice dice(311);
     const Body a(ball(24));
     const Body b(ball(17));
@@ -153,7 +153,7 @@ TEST(HybridContacts, OfSmoothSurfacesAreThoseOfTheLoop) {
     }
 }
 
-TEST(HybridContacts, OnALatticeAreThoseOfTheLoop) {
+TEST(HybridContacts, OnALatticeAgreeWithTheLoop) {
     Dice dice(312);
     std::size_t found = 0;
     for (int i = 0; i < repeats(120); ++i) {
@@ -174,12 +174,12 @@ TEST(HybridContacts, OfAMeshWithItselfIncludeEveryTriangle) {
         const TriangleMesh mesh = support::random_mesh(dice, 80, 2.0);
         const Body a(mesh);
         EXPECT_GE(expect_exact(a, a, {}), mesh.triangles.size());
-        const Body other(mesh, 5);  // the same surfaces under another tree
+        const Body other(mesh, 5);  // the same triangles in another tree
         EXPECT_GE(expect_exact(a, other, {}), mesh.triangles.size());
     }
 }
 
-TEST(HybridContacts, CoplanarFloorsMeetAndTheLeastGapPartsThem) {
+TEST(HybridContacts, OfCoplanarFloorsVanishWithTheSmallestGap) {
     TriangleMesh coarse;
     TriangleMesh fine;
     support::add_floor(coarse, 4.0, 0.0, 1.0);
@@ -199,7 +199,7 @@ TEST(HybridContacts, CoplanarFloorsMeetAndTheLeastGapPartsThem) {
     }
 }
 
-/// Needles of a kilometre and more, as thin as float32 allows, across each other or nearly along each other.
+/// Needles of a metre to ten kilometres, as thin as float32 allows, crossing or nearly parallel.
 TriangleMesh needles(Dice& dice, int count) {
     TriangleMesh mesh;
     const Vec3 common = dice.in_cube(1.0).normalized();
@@ -213,7 +213,7 @@ TriangleMesh needles(Dice& dice, int count) {
     return mesh;
 }
 
-TEST(HybridContacts, OfNeedlesAreThoseOfTheLoop) {
+TEST(HybridContacts, OfNeedlesAgreeWithTheLoop) {
     Dice dice(314);
     std::size_t found = 0;
     for (int i = 0; i < repeats(50); ++i) {
@@ -227,7 +227,7 @@ TEST(HybridContacts, OfNeedlesAreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(300));
 }
 
-TEST(HybridContacts, OfTrianglesWithoutAreaAreThoseOfTheLoop) {
+TEST(HybridContacts, OfTrianglesWithoutAreaAgreeWithTheLoop) {
     Dice dice(315);
     std::size_t found = 0;
     for (int i = 0; i < repeats(25); ++i) {
@@ -247,7 +247,7 @@ TEST(HybridContacts, OfTrianglesWithoutAreaAreThoseOfTheLoop) {
 /// How far UTM coordinates are from their origin, metres; float32 has steps of 3 cm there.
 const Vec3 kFar(450000.0, 60.0, -448000.0);
 
-TEST(HybridContacts, FarFromOneOfTheOriginsAreThoseOfTheLoop) {
+TEST(HybridContacts, FarFromAnOriginAgreeWithTheLoop) {
     Dice dice(316);
     std::size_t found = 0;
     for (int i = 0; i < repeats(60); ++i) {
@@ -263,9 +263,9 @@ TEST(HybridContacts, FarFromOneOfTheOriginsAreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(HybridContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
-    // The corners of b are rounded to steps of 6e-11 on their way, and no two nodes alike: what touches after
-    // that must not be lost in bounds that were rounded otherwise.
+TEST(HybridContacts, IncludeTouchingTrianglesFarFromAnOriginDespiteRounding) {
+    // The transform rounds b's vertices to steps of 6e-11 m, differently in every node: what touches after
+    // that must not be lost to bounds that were rounded differently.
     Dice dice(317);
     std::size_t found = 0;
     for (int i = 0; i < repeats(300); ++i) {
@@ -273,7 +273,7 @@ TEST(HybridContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
         const Mat3 turn = support::random_pose(dice, 0.0).rotation;
         const Pose X{turn, kFar + dice.in_cube(100.0)};
         const Body b(support::random_mesh(dice, 20, 2.0));
-        TriangleMesh touching;  // each with a corner at a corner of b, as far as float32 allows
+        TriangleMesh touching;  // each has a vertex at a vertex of b, as far as float32 allows
         for (const auto& p : b.mesh.positions) {
             const Vec3 at = b_vertex_in_a(X, p);
             support::add_triangle(touching, at, at + dice.in_cube(1.0), at + dice.in_cube(1.0));
@@ -283,7 +283,7 @@ TEST(HybridContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(HybridContacts, FollowThePoseAsItIsEvenIfItIsNoRotation) {
+TEST(HybridContacts, AgreeWithTheLoopForAPoseThatIsNoRotation) {
     Dice dice(318);
     std::size_t found = 0;
     for (int i = 0; i < repeats(60); ++i) {
@@ -309,7 +309,7 @@ TEST(HybridContacts, FollowThePoseAsItIsEvenIfItIsNoRotation) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(HybridContacts, ThereAreNoneApartOrOfNothing) {
+TEST(HybridContacts, AreNoneForSeparateOrEmptyMeshes) {
     Dice dice(319);
     const Body mesh(support::random_mesh(dice, 20, 3.0));
     const Body nothing(TriangleMesh{});
@@ -320,7 +320,7 @@ TEST(HybridContacts, ThereAreNoneApartOrOfNothing) {
     EXPECT_EQ(expect_exact(nothing, nothing, {}), 0U);
 }
 
-TEST(HybridContacts, NestedSurfacesDoNotMeet) {
+TEST(HybridContacts, AreNoneBetweenNestedSurfaces) {
     TriangleMesh inner = ball(16);
     for (auto& p : inner.positions) {
         p *= 0.9F;
@@ -354,7 +354,7 @@ TEST(HybridContactStatistics, FarAwayOnlyTheRootsAreTested) {
     }
 }
 
-TEST(HybridContactStatistics, EveryPairThatIsNotPartedIsDescendedFromOrTested) {
+TEST(HybridContactStatistics, CountEveryOverlappingPairAsDescendedOrTested) {
     Dice dice(321);
     for (int i = 0; i < repeats(20); ++i) {
         const Body a(support::random_mesh(dice, 150, 2.0), 1);
@@ -362,17 +362,17 @@ TEST(HybridContactStatistics, EveryPairThatIsNotPartedIsDescendedFromOrTested) {
         const Pose X = support::random_pose(dice, 2.0);
         for (const NodeTest test : kNodeTests) {
             const HybridContactStatistics c = count(a, b, X, test);
-            const std::uint64_t met = c.volume_tests - c.outer - c.inner - c.box;
-            // Leaves of one triangle: np pairs of leaves met. Each other pair has two children that are
-            // tested.
-            EXPECT_EQ(c.volume_tests, 1 + 2 * (met - c.primitive_tests));
+            const std::uint64_t overlapping = c.volume_tests - c.outer - c.inner - c.box;
+            // With one triangle per leaf, primitive_tests counts the overlapping pairs of leaves. Every other
+            // overlapping pair has two children that are tested.
+            EXPECT_EQ(c.volume_tests, 1 + 2 * (overlapping - c.primitive_tests));
             EXPECT_LE(c.transform_updates, c.volume_tests);
             EXPECT_EQ(c.transform_updates % 2, 1U) << "the root and both children of some nodes of b";
         }
     }
 }
 
-TEST(HybridContactStatistics, MoreLayersPartMore) {
+TEST(HybridContactStatistics, AreLowerWithMoreLayers) {
     Dice dice(322);
     HybridContactStatistics all;
     for (int i = 0; i < repeats(20); ++i) {
@@ -402,7 +402,7 @@ TEST(HybridContactStatistics, MoreLayersPartMore) {
     EXPECT_LT(all.outer + all.inner + all.box, all.volume_tests);
 }
 
-TEST(HybridContactStatistics, AddToWhatIsThereAndStopAtTheFirstContact) {
+TEST(HybridContactStatistics, AccumulateAndStopAtTheFirstContact) {
     const Body a(ball(20));
     const Pose X{Mat3::Identity(), Vec3(1, 0, 0)};
     const HybridContactStatistics once = count(a, a, X, NodeTest::hybrid);

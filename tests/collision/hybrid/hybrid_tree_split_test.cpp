@@ -29,7 +29,7 @@ Sides sides_of(const TriangleMesh& mesh) {
     return sides;
 }
 
-TEST(Split, KeepsEveryTriangleAndLeavesEnoughOnBothSides) {
+TEST(HybridTreeSplit, KeepsEveryTriangleAndLeavesEnoughOnBothSides) {
     support::Dice dice(330);
     for (int i = 0; i < 300; ++i) {
         const int count = 2 + dice.below(200);
@@ -46,7 +46,7 @@ TEST(Split, KeepsEveryTriangleAndLeavesEnoughOnBothSides) {
     }
 }
 
-TEST(Split, DoesNotPeelAFewOffHoweverFarAwayTheyAre) {
+TEST(HybridTreeSplit, DoesNotSplitOffAFewDistantTriangles) {
     for (const double far : {-1000.0, 1000.0}) {
         TriangleMesh mesh;
         for (int i = 0; i < 64; ++i) {
@@ -59,7 +59,7 @@ TEST(Split, DoesNotPeelAFewOffHoweverFarAwayTheyAre) {
     }
 }
 
-TEST(Split, CutsInTheGapBetweenTwoClusters) {
+TEST(HybridTreeSplit, CutsInTheGapBetweenTwoClusters) {
     TriangleMesh mesh;
     for (int i = 0; i < 20; ++i) {
         const double x = i < 7 ? 0.1 * i : 50.0 + 0.1 * i;
@@ -71,7 +71,7 @@ TEST(Split, CutsInTheGapBetweenTwoClusters) {
     EXPECT_EQ(std::max(sides.left.front(), sides.right.front()), 7U);
 }
 
-TEST(Split, CutsAcrossAShorterAxisWhereThatParts) {
+TEST(HybridTreeSplit, CutsAcrossAShorterAxisIfThatSeparates) {
     // Two long plates, one above the other: across their length both sides would be as high as both plates.
     TriangleMesh mesh;
     for (int i = 0; i < 8; ++i) {
@@ -84,7 +84,7 @@ TEST(Split, CutsAcrossAShorterAxisWhereThatParts) {
     EXPECT_TRUE(sides.left.back() == 3U || sides.right.back() == 3U);
 }
 
-TEST(Split, HalvesWhereNoCutGainsAnything) {
+TEST(HybridTreeSplit, HalvesIfNoCutHelps) {
     TriangleMesh line;
     for (int i = 0; i < 10; ++i) {
         support::add_triangle(line, {1.0 * i, 0, 0}, {i + 1.0, 0, 0}, {i + 0.5, 0, 0});

@@ -28,13 +28,13 @@ public:
         const Subtree whole = check(0, leaf_triangles, 0);
         EXPECT_EQ(whole.begin, 0U);
         EXPECT_EQ(whole.end, mesh_.triangles.size());
-        EXPECT_EQ(visited_, tree_.nodes.size()) << "every node hangs below the root, once";
+        EXPECT_EQ(visited_, tree_.nodes.size()) << "every node is reached from the root once";
         std::vector<std::uint32_t> order = tree_.order;
         std::sort(order.begin(), order.end());
         for (std::size_t i = 0; i < order.size(); ++i) {
             ASSERT_EQ(order[i], i) << "every triangle is in one leaf";
         }
-        // 15/16 a level is what the build promises.
+        // The builder guarantees at most 15/16 of the triangles on the next level.
         const double levels = std::log(static_cast<double>(mesh_.triangles.size())) / std::log(16.0 / 15.0);
         EXPECT_LE(whole.depth, levels + 2.0);
     }
@@ -50,7 +50,7 @@ private:
             const Subtree left = check(node.first, leaf_triangles, depth + 1);
             const Subtree right = check(node.first + 1, leaf_triangles, depth + 1);
             EXPECT_EQ(left.end, right.begin) << "the children's triangles lie side by side";
-            EXPECT_GT(right.end - left.begin, leaf_triangles) << "nothing is split without need";
+            EXPECT_GT(right.end - left.begin, leaf_triangles) << "nothing is split needlessly";
             here = {left.begin, right.end, std::max(left.depth, right.depth)};
         }
         EXPECT_LT(here.begin, here.end);
@@ -90,7 +90,7 @@ TEST(HybridTree, FollowsThePaperOnRegularMeshes) {
     expect_well_built(stairs);
 }
 
-TEST(HybridTree, TrianglesInOnePlaceAreHalvedByCount) {
+TEST(HybridTree, HalvesCoincidentTrianglesByCount) {
     TriangleMesh mesh;
     for (int i = 0; i < 100; ++i) {
         support::add_triangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -99,8 +99,8 @@ TEST(HybridTree, TrianglesInOnePlaceAreHalvedByCount) {
 }
 
 TEST(HybridTree, StaysShallowWhereSizesGrowGeometrically) {
-    TriangleMesh
-        mesh;  // each triangle twice as far out: splitting at the mean alone would peel one at a time
+    // Each triangle is twice as far out: splitting at the mean alone would split off one at a time.
+    TriangleMesh mesh;
     for (int i = 0; i < 100; ++i) {
         const double at = std::ldexp(1.0, i - 50);
         support::add_triangle(mesh, {at, 0, 0}, {1.5 * at, 0, 0}, {at, at, 0});
@@ -108,13 +108,13 @@ TEST(HybridTree, StaysShallowWhereSizesGrowGeometrically) {
     expect_well_built(mesh);
 }
 
-TEST(HybridTree, OfNothingIsEmpty) {
+TEST(HybridTree, OfAnEmptyMeshIsEmpty) {
     const HybridTree tree = build_hybrid_tree(TriangleMesh{});
     EXPECT_TRUE(tree.nodes.empty());
     EXPECT_TRUE(tree.order.empty());
 }
 
-TEST(HybridTree, IsTheSameEachTime) {
+TEST(HybridTree, IsDeterministic) {
     support::Dice dice(16);
     const TriangleMesh mesh = support::random_mesh(dice, 500, 5.0);
     const HybridTree one = build_hybrid_tree(mesh);

@@ -14,7 +14,7 @@ using Real = long double;
 using Vec3l = Eigen::Matrix<Real, 3, 1>;
 using Mat3l = Eigen::Matrix<Real, 3, 3>;
 
-/// Rounding's worth, as a part of the coordinates' size.
+/// Allowance for rounding, relative to the size of the coordinates.
 constexpr Real kSlack = 1e-10L;
 
 std::vector<Vec3l> vertices_in(const TriangleMesh& mesh, Triangles triangles) {

@@ -7,8 +7,8 @@
 
 #include "collision/geometry/fitting.h"
 
-/// The paper's definitions of a node's volumes (III.A), worked out from the vertices in extended precision by
-/// other routes than fitting.cpp, and compared with what the tree holds.
+/// The paper's definitions of a node's volumes (III.A), computed from the vertices in extended precision by
+/// other methods than fitting.cpp uses, and compared with the tree's.
 namespace campuswalk::collision {
 
 using Triangles = std::span<const std::uint32_t>;

@@ -59,7 +59,7 @@ TriangleMesh ring() {
     return mesh;
 }
 
-void expect_the_solid_angles_verdict(const TriangleMesh& mesh, double reach, std::uint32_t seed) {
+void expect_agreement_with_solid_angles(const TriangleMesh& mesh, double reach, std::uint32_t seed) {
     const support::SolidMesh parts(mesh);
     support::Dice dice(seed);
     int inside = 0;
@@ -72,7 +72,7 @@ void expect_the_solid_angles_verdict(const TriangleMesh& mesh, double reach, std
     EXPECT_GT(inside, support::repeats(3000) / 60);
 }
 
-TEST(ClosedParts, OfABoxContainItsInside) {
+TEST(ClosedParts, OfABoxContainItsInterior) {
     EXPECT_FALSE(ClosedParts(unit_box()).empty());
     const support::SolidMesh parts(unit_box());
     EXPECT_TRUE(parts.contains({0.5, 0.5, 0.5}));
@@ -83,16 +83,16 @@ TEST(ClosedParts, OfABoxContainItsInside) {
 }
 
 TEST(ClosedParts, AgreeWithSolidAngles) {
-    expect_the_solid_angles_verdict(unit_box(), 1.5, 70);
-    expect_the_solid_angles_verdict(ring(), 4.5, 71);
+    expect_agreement_with_solid_angles(unit_box(), 1.5, 70);
+    expect_agreement_with_solid_angles(ring(), 4.5, 71);
     TriangleMesh overlapping = ring();
     TriangleMesh box;
     add_box(box, {2, -0.5, -0.5}, {6, 0.5, 0.5});
     append(overlapping, box);
-    expect_the_solid_angles_verdict(overlapping, 4.5, 72);
+    expect_agreement_with_solid_angles(overlapping, 4.5, 72);
 }
 
-/// On a grid, where rays meet edges and corners of the box's like.
+/// On a grid, where rays hit edges and vertices of the boxes.
 TEST(ClosedParts, AgreeWithSolidAnglesOnAGrid) {
     TriangleMesh mesh;
     add_box(mesh, {-2, -2, -2}, {2, 2, 2});
@@ -107,12 +107,12 @@ TEST(ClosedParts, AgreeWithSolidAnglesOnAGrid) {
         const int k = i / 289;
         const Vec3 p(0.37 * (i % 17) - 2.96, 0.37 * j - 2.96, 0.37 * k - 2.96);
         const double farthest = p.cwiseAbs().maxCoeff();
-        // The hollow faces inward, so it is no part: its inside belongs to the box.
+        // The hollow faces inward, so it is not a closed part: its interior belongs to the box.
         ASSERT_EQ(parts.contains(p), farthest < 2.0) << p.transpose();
     }
 }
 
-TEST(ClosedParts, LeaveOutWhatHasAnOpenEdge) {
+TEST(ClosedParts, LeaveOutPartsWithAnOpenEdge) {
     TriangleMesh mesh = unit_box();
     mesh.triangles.pop_back();
     EXPECT_TRUE(ClosedParts(mesh).empty());
@@ -122,17 +122,17 @@ TEST(ClosedParts, LeaveOutWhatHasAnOpenEdge) {
     EXPECT_TRUE(ClosedParts(floor).empty());
 }
 
-TEST(ClosedParts, LeaveOutWhatFacesInward) {
+TEST(ClosedParts, LeaveOutPartsThatFaceInward) {
     EXPECT_TRUE(ClosedParts(flipped(unit_box())).empty());
 }
 
-TEST(ClosedParts, LeaveOutWhatHasAFlippedTriangle) {
+TEST(ClosedParts, LeaveOutPartsWithAFlippedTriangle) {
     TriangleMesh mesh = unit_box();
     std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
     EXPECT_TRUE(ClosedParts(mesh).empty());
 }
 
-TEST(ClosedParts, KeepTheClosedOnesOfSeveral) {
+TEST(ClosedParts, AreOnlyTheClosedOnesOfSeveralParts) {
     TriangleMesh mesh = unit_box();
     TriangleMesh open;
     add_box(open, {5, 0, 0}, {6, 1, 1});
@@ -147,11 +147,11 @@ TEST(ClosedParts, KeepTheClosedOnesOfSeveral) {
     EXPECT_FALSE(support::SolidMesh(mesh).contains({5.5, 0.5, 0.5}));
 }
 
-TEST(ClosedParts, OfNothingAreEmpty) {
+TEST(ClosedParts, OfAnEmptyMeshAreEmpty) {
     EXPECT_TRUE(ClosedParts(TriangleMesh{}).empty());
 }
 
-TEST(ClosedParts, AreTakenBackAsTheyWere) {
+TEST(ClosedParts, AreRestoredFromTheirMembersAndBounds) {
     TriangleMesh mesh = unit_box();
     add_quad(mesh, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0});
     const ClosedParts found(mesh);
@@ -166,10 +166,10 @@ TEST(ClosedParts, AreTakenBackAsTheyWere) {
                  std::invalid_argument);
 }
 
-/// Vertices at -0 and 0 are at the same place.
-TEST(ClosedParts, JoinZeros) {
+/// Vertices at -0 and 0 are in the same place.
+TEST(ClosedParts, TreatNegativeZeroAsZero) {
     TriangleMesh mesh = unit_box();
-    TriangleMesh own;  // each corner by itself, every second one with its zeros negative
+    TriangleMesh own;  // no shared vertices, every second one with its zeros negative
     for (const auto& t : mesh.triangles) {
         const auto first = static_cast<std::uint32_t>(own.positions.size());
         for (const std::uint32_t v : t) {

@@ -12,7 +12,7 @@ namespace {
 
 using support::Dice;
 
-TEST(MeshContacts, OnThePapersLayoutAreThoseOnTheWide) {
+TEST(MeshContacts, AreTheSameWithTheHybridTreeAsWithTheBvh8) {
     Dice dice(440);
     std::size_t found = 0;
     for (int i = 0; i < support::repeats(40); ++i) {
@@ -38,7 +38,7 @@ TEST(MeshContacts, OnThePapersLayoutAreThoseOnTheWide) {
     EXPECT_GT(found, static_cast<std::size_t>(support::repeats(1000)));
 }
 
-TEST(MeshContacts, OfTwoLayoutsAreRefused) {
+TEST(MeshContacts, BetweenDifferentKindsOfTreesAreRefused) {
     Dice dice(441);
     const MeshCollider wide(support::random_mesh(dice, 5, 1.0));
     const MeshCollider paper(wide.mesh(), TreeKind::hybrid);
@@ -47,7 +47,7 @@ TEST(MeshContacts, OfTwoLayoutsAreRefused) {
     EXPECT_THROW(first_contact(paper, wide, {}), std::invalid_argument);
 }
 
-TEST(MeshContacts, OnThePapersLayoutRefuseWhatIsNoPoseToo) {
+TEST(MeshContacts, WithHybridTreesRefuseAMirroredPose) {
     Dice dice(442);
     const MeshCollider paper(support::random_mesh(dice, 5, 1.0), TreeKind::hybrid);
     Pose mirror;

@@ -36,16 +36,16 @@ std::vector<MeshHit> loop_all_on_ray(const TriangleMesh& mesh, const Ray& ray) {
 }
 
 std::vector<std::uint32_t> loop_in_box(const TriangleMesh& mesh, const Box& box, const Pose& X_mesh_box) {
-    std::vector<std::uint32_t> met;
+    std::vector<std::uint32_t> inside;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const Triangle c = vertices(mesh, t);
         const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
                              X_mesh_box.inverse_apply(c.c)};
         if (overlap(local, box)) {
-            met.push_back(t);
+            inside.push_back(t);
         }
     }
-    return met;
+    return inside;
 }
 
 MeshPoint loop_closest_point(const TriangleMesh& mesh, const Vec3& point) {
@@ -75,13 +75,13 @@ std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segme
 }
 
 std::vector<SimdTarget> supported_simd_targets() {
-    std::vector<SimdTarget> here;
+    std::vector<SimdTarget> supported;
     for (const SimdTarget i : {SimdTarget::sse42, SimdTarget::avx2, SimdTarget::avx512}) {
         if (can_run(i)) {
-            here.push_back(i);
+            supported.push_back(i);
         }
     }
-    return here;
+    return supported;
 }
 
 TriangleMesh mesh_of_some_kind(Dice& dice) {

@@ -6,7 +6,7 @@
 #include "collision/mesh/mesh_query.h"
 #include "tests/support/dice.h"
 
-/// The queries of mesh_query.h as loops over all triangles, and meshes to ask with both trees.
+/// The queries of mesh_query.h as loops over all triangles, and meshes for testing both trees.
 namespace campuswalk::collision {
 
 std::vector<std::uint32_t> loop_near(const TriangleMesh& mesh, const Segment& segment, double radius);
@@ -16,7 +16,7 @@ MeshPoint loop_closest_point(const TriangleMesh& mesh, const Vec3& point);
 std::optional<MeshHit> loop_sweep(const TriangleMesh& mesh, const Segment& segment, double radius,
                                   const Vec3& move);
 
-/// Those that this machine has, the least first.
+/// Those that this machine supports, the smallest first.
 std::vector<SimdTarget> supported_simd_targets();
 
 /// One mesh with both trees.
@@ -29,12 +29,11 @@ struct BothTrees {
     std::array<const MeshCollider*, 2> each() const { return {&wide, &paper}; }
 };
 
-/// Meshes that trees find easy and hard: scattered, regular, in one place, of one triangle.
+/// A mesh that is easy or hard for a tree: scattered, regular, all in one place or a single triangle.
 TriangleMesh mesh_of_some_kind(support::Dice& dice);
-/// Lattices, here and 450 km from the mesh's origin; needles; triangles without area; each triangle many
-/// times.
+/// A lattice, at the mesh's origin or 450 km from it; needles; or triangles without area, each several times.
 TriangleMesh hard_mesh(support::Dice& dice);
-/// Within `reach` of a point of the mesh along each axis.
+/// A point within `reach` of one of the mesh, along each axis.
 Vec3 point_around(const TriangleMesh& mesh, support::Dice& dice, double reach);
 
 }  // namespace campuswalk::collision

@@ -30,7 +30,7 @@ TEST(MeshCollider, HoldsTheMeshAndOneTree) {
     EXPECT_THROW(paper.bvh8(), std::bad_variant_access);
 }
 
-TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
+TEST(MeshCollider, AcceptsATreeBuiltEarlier) {
     const MeshCollider built(box());
     const MeshCollider taken(box(), built.bvh8(), built.closed_parts());
     EXPECT_EQ(taken.tree_kind(), TreeKind::bvh8);
@@ -38,12 +38,12 @@ TEST(MeshCollider, TakesATreeThatWasBuiltBefore) {
     Bvh8 foreign = built.bvh8();
     foreign.leaves[0].triangle[3] = 12;
     EXPECT_THROW(MeshCollider(box(), foreign, built.closed_parts()), std::invalid_argument);
-    TriangleMesh spoilt = box();
-    spoilt.triangles[7][1] = static_cast<std::uint32_t>(spoilt.positions.size());
-    EXPECT_THROW(MeshCollider(spoilt, built.bvh8(), built.closed_parts()), std::invalid_argument);
+    TriangleMesh damaged = box();
+    damaged.triangles[7][1] = static_cast<std::uint32_t>(damaged.positions.size());
+    EXPECT_THROW(MeshCollider(damaged, built.bvh8(), built.closed_parts()), std::invalid_argument);
 }
 
-TEST(MeshCollider, KnowsItsClosedPartsUnlessToldNotToLookForThem) {
+TEST(MeshCollider, HasItsClosedPartsUnlessTheInteriorIsUnknown) {
     for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
         EXPECT_TRUE(MeshCollider(box(), tree_kind).closed_parts().has(0));
         EXPECT_THROW(MeshCollider(box(), tree_kind, Interior::unknown).closed_parts(),

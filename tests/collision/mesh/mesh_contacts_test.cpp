@@ -20,12 +20,12 @@ namespace {
 using support::Dice;
 using support::repeats;
 
-/// What `repeats` leaves of a number of finds.
+/// A minimum number of contacts, scaled like `repeats`.
 std::size_t at_least(int plain) {
     return static_cast<std::size_t>(repeats(plain));
 }
 
-/// Checks both queries with every instruction set against the loop over all pairs; returns how many overlap.
+/// Checks both queries with every SIMD target against the loop over all pairs; returns how many overlap.
 std::size_t expect_exact(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b) {
     const std::vector<TrianglePair> expected = support::loop_contacts(a.mesh(), b.mesh(), X_a_b);
     std::vector<TrianglePair> in_order;
@@ -50,10 +50,10 @@ std::size_t expect_exact(const MeshCollider& a, const MeshCollider& b, const Pos
     return expected.size();
 }
 
-/// All triangles about their mesh's origin, so far from it that float32 has steps of 3 cm.
+/// So far from a mesh's origin that float32 has steps of 3 cm.
 const Vec3 kFar(450000.0, 60.0, -448000.0);
 
-TEST(MeshContacts, AreThoseOfTheLoop) {
+TEST(MeshContacts, AgreeWithALoopOverAllPairs) {
     Dice dice(410);
     std::size_t found = 0;
     for (int i = 0; i < repeats(150); ++i) {
@@ -65,7 +65,7 @@ TEST(MeshContacts, AreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(MeshContacts, OfSurfacesThatShareCornersAreThoseOfTheLoop) {
+TEST(MeshContacts, OfSurfacesWithSharedVerticesAgreeWithTheLoop) {
     Dice dice(411);
     const MeshCollider a(support::ball(26));
     const MeshCollider b(support::ball(19));
@@ -78,7 +78,7 @@ TEST(MeshContacts, OfSurfacesThatShareCornersAreThoseOfTheLoop) {
     }
 }
 
-TEST(MeshContacts, OnALatticeAreThoseOfTheLoop) {
+TEST(MeshContacts, OnALatticeAgreeWithTheLoop) {
     Dice dice(412);
     std::size_t found = 0;
     for (int i = 0; i < repeats(120); ++i) {
@@ -103,7 +103,7 @@ TEST(MeshContacts, OfAMeshWithItselfIncludeEveryTriangle) {
     EXPECT_GE(expect_exact(ball, ball, {}), ball.mesh().triangles.size());
 }
 
-TEST(MeshContacts, CoplanarFloorsMeetAndTheLeastGapPartsThem) {
+TEST(MeshContacts, OfCoplanarFloorsVanishWithTheSmallestGap) {
     TriangleMesh coarse;
     TriangleMesh fine;
     support::add_floor(coarse, 4.0, 0.0, 1.0);
@@ -119,7 +119,7 @@ TEST(MeshContacts, CoplanarFloorsMeetAndTheLeastGapPartsThem) {
     }
 }
 
-TEST(MeshContacts, OfNeedlesAreThoseOfTheLoop) {
+TEST(MeshContacts, OfNeedlesAgreeWithTheLoop) {
     Dice dice(414);
     std::size_t found = 0;
     for (int i = 0; i < repeats(50); ++i) {
@@ -132,7 +132,7 @@ TEST(MeshContacts, OfNeedlesAreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(300));
 }
 
-TEST(MeshContacts, OfTrianglesWithoutAreaAreThoseOfTheLoop) {
+TEST(MeshContacts, OfTrianglesWithoutAreaAgreeWithTheLoop) {
     Dice dice(415);
     std::size_t found = 0;
     for (int i = 0; i < repeats(25); ++i) {
@@ -149,7 +149,7 @@ TEST(MeshContacts, OfTrianglesWithoutAreaAreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(MeshContacts, FarFromOneOfTheOriginsAreThoseOfTheLoop) {
+TEST(MeshContacts, FarFromAnOriginAgreeWithTheLoop) {
     Dice dice(416);
     std::size_t found = 0;
     for (int i = 0; i < repeats(60); ++i) {
@@ -166,16 +166,16 @@ TEST(MeshContacts, FarFromOneOfTheOriginsAreThoseOfTheLoop) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(MeshContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
-    // b's corners are rounded to steps of 6e-11 m on their way, and points have no size that slack could be
-    // in proportion to.
+TEST(MeshContacts, IncludeTouchingTrianglesFarFromAnOriginDespiteRounding) {
+    // The transform rounds b's vertices to steps of 6e-11 m, and points have no size that a slack could be
+    // proportional to.
     Dice dice(417);
     std::size_t found = 0;
     for (int i = 0; i < repeats(300); ++i) {
         SCOPED_TRACE(i);
         const Pose X{support::random_pose(dice, 0.0).rotation, kFar + dice.in_cube(100.0)};
         const MeshCollider b(support::random_mesh(dice, 20, 2.0));
-        TriangleMesh touching;  // each with a corner, or nothing but a corner, at a corner of b's
+        TriangleMesh touching;  // each has a vertex, or all three, at a vertex of b
         for (const auto& p : b.mesh().positions) {
             const Vec3 at = b_vertex_in_a(X, p);
             const double size = dice.chance(0.3) ? 0.0 : 1.0;
@@ -186,11 +186,11 @@ TEST(MeshContacts, TouchingFarFromTheOriginsIsSeenThroughTheRounding) {
     EXPECT_GT(found, at_least(1000));
 }
 
-TEST(MeshContacts, OfPointsOnPointsAreSeen) {
+TEST(MeshContacts, IncludeCoincidentPoints) {
     Dice dice(418);
     for (int i = 0; i < repeats(200); ++i) {
         SCOPED_TRACE(i);
-        // Whole coordinates and a turn of the axes: no rounding, the points meet exactly.
+        // Integer coordinates and a permutation of the axes: nothing is rounded, the points coincide exactly.
         const Mat3 turn = support::lattice_turn(dice);
         const Vec3 at(dice.below(1000), dice.below(1000), dice.below(1000));
         const Vec3 shift(dice.below(1000), dice.below(1000), dice.below(1000));
@@ -203,9 +203,9 @@ TEST(MeshContacts, OfPointsOnPointsAreSeen) {
     }
 }
 
-TEST(MeshContacts, OfPointsThatRoundingBringsTogetherAreSeen) {
-    // Nothing has a size here, only the coordinates do; and the way that boxes are brought together rounds
-    // otherwise than the corners' own.
+TEST(MeshContacts, IncludePointsThatCoincideAfterRounding) {
+    // Nothing here has a size, only the coordinates are large; and the transform of boxes rounds differently
+    // from that of vertices.
     Dice dice(423);
     std::size_t found = 0;
     for (int i = 0; i < repeats(400); ++i) {
@@ -224,7 +224,7 @@ TEST(MeshContacts, OfPointsThatRoundingBringsTogetherAreSeen) {
     EXPECT_GT(found, at_least(100));
 }
 
-TEST(MeshContacts, OfEdgesThatJustPassEachOtherAreThoseOfTheLoop) {
+TEST(MeshContacts, OfEdgesThatAlmostTouchAgreeWithTheLoop) {
     Dice dice(424);
     std::size_t found = 0;
     std::size_t apart = 0;
@@ -250,7 +250,7 @@ TEST(MeshContacts, OfEdgesThatJustPassEachOtherAreThoseOfTheLoop) {
     EXPECT_GT(apart, at_least(500));
 }
 
-TEST(MeshContacts, OfAnyScaleAreThoseOfTheLoop) {
+TEST(MeshContacts, AtAnyScaleAgreeWithTheLoop) {
     Dice dice(419);
     for (const double scale : {1e-38, 1e-30, 1e-12, 1e-6, 1e6, 1e10}) {
         SCOPED_TRACE(scale);
@@ -271,7 +271,7 @@ TEST(MeshContacts, OfAnyScaleAreThoseOfTheLoop) {
     }
 }
 
-TEST(MeshContacts, FollowAPoseThatIsOnlyNearlyARotation) {
+TEST(MeshContacts, AgreeWithTheLoopForAPoseThatIsNearlyARotation) {
     Dice dice(420);
     std::size_t found = 0;
     for (int i = 0; i < repeats(60); ++i) {
@@ -288,7 +288,7 @@ TEST(MeshContacts, FollowAPoseThatIsOnlyNearlyARotation) {
     EXPECT_GT(found, at_least(500));
 }
 
-TEST(MeshContacts, ThereAreNoneApart) {
+TEST(MeshContacts, AreNoneBetweenSeparateMeshes) {
     Dice dice(421);
     const MeshCollider mesh(support::random_mesh(dice, 20, 3.0));
     EXPECT_EQ(expect_exact(mesh, mesh, {Mat3::Identity(), Vec3(100, 0, 0)}), 0U);
@@ -300,7 +300,7 @@ TEST(MeshContacts, ThereAreNoneApart) {
     EXPECT_EQ(expect_exact(MeshCollider(support::ball(20)), MeshCollider(inner), {}), 0U);
 }
 
-TEST(MeshContacts, RefuseAPoseThatIsNone) {
+TEST(MeshContacts, RefuseAnInvalidPose) {
     Dice dice(422);
     const MeshCollider mesh(support::random_mesh(dice, 5, 1.0));
     std::vector<TrianglePair> pairs;
@@ -308,11 +308,11 @@ TEST(MeshContacts, RefuseAPoseThatIsNone) {
     mirrored.rotation(0, 0) = -1.0;
     Pose stretched;
     stretched.rotation *= 1.01;
-    Pose nowhere;
-    nowhere.translation.y() = std::numeric_limits<double>::quiet_NaN();
-    Pose endless;
-    endless.translation.x() = std::numeric_limits<double>::infinity();
-    for (const Pose& X : {mirrored, stretched, nowhere, endless}) {
+    Pose not_a_number;
+    not_a_number.translation.y() = std::numeric_limits<double>::quiet_NaN();
+    Pose infinite;
+    infinite.translation.x() = std::numeric_limits<double>::infinity();
+    for (const Pose& X : {mirrored, stretched, not_a_number, infinite}) {
         EXPECT_THROW(all_contacts(mesh, mesh, X, pairs), std::invalid_argument);
         EXPECT_THROW(first_contact(mesh, mesh, X), std::invalid_argument);
     }
@@ -323,17 +323,17 @@ TEST(MeshContacts, CountTheirWork) {
     std::vector<TrianglePair> pairs;
     QueryStatistics apart;
     all_contacts(a, a, {Mat3::Identity(), Vec3(2.5, 0, 0)}, pairs, &apart);
-    EXPECT_EQ(apart.volume_tests, 1U) << "the outer spheres alone";
+    EXPECT_EQ(apart.volume_tests, 1U) << "only the outer spheres";
     EXPECT_EQ(apart.primitive_tests, 0U);
     QueryStatistics all;
     all_contacts(a, a, {Mat3::Identity(), Vec3(1.0, 0.1, 0.2)}, pairs, &all);
     EXPECT_GE(all.primitive_tests, pairs.size());
-    EXPECT_LT(all.primitive_tests, 20 * pairs.size()) << "boxes and planes leave few";
+    EXPECT_LT(all.primitive_tests, 20 * pairs.size()) << "boxes and planes reject most pairs";
     EXPECT_LT(all.volume_tests, a.mesh().triangles.size() * 10);
     QueryStatistics first;
     EXPECT_TRUE(first_contact(a, a, {Mat3::Identity(), Vec3(1.0, 0.1, 0.2)}, &first));
     EXPECT_LT(first.volume_tests, all.volume_tests / 10);
-    EXPECT_LE(first.transform_updates, 12U) << "hardly more than the way straight down";
+    EXPECT_LE(first.transform_updates, 12U) << "hardly more than one straight descent";
 }
 
 }  // namespace

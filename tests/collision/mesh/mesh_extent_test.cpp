@@ -23,7 +23,7 @@ std::vector<Eigen::Vector3f> scattered(std::size_t count) {
     return positions;
 }
 
-TEST(MeshExtent, IsThatOfEveryPosition) {
+TEST(MeshExtent, AgreesWithALoopOverThePositions) {
     for (const std::size_t count : {1U, 2U, 15U, 16U, 17U, 48U, 50U, 333U}) {
         const std::vector<Eigen::Vector3f> positions = scattered(count);
         Aabb box;
@@ -40,7 +40,7 @@ TEST(MeshExtent, IsThatOfEveryPosition) {
     EXPECT_EQ(largest_coordinate({}), 0.0F);
 }
 
-TEST(MeshExtent, IsInfiniteWhereOneCoordinateIsNoNumber) {
+TEST(MeshExtent, IsInfiniteIfACoordinateIsNotFinite) {
     for (const float bad : {kInfinity, -kInfinity, std::nanf(""), -std::nanf("")}) {
         for (std::size_t at = 0; at < 60; ++at) {
             std::vector<Eigen::Vector3f> positions = scattered(20);
@@ -50,7 +50,7 @@ TEST(MeshExtent, IsInfiniteWhereOneCoordinateIsNoNumber) {
     }
 }
 
-TEST(MeshExtent, FindsTheHighestVertex) {
+TEST(MeshExtent, FindsTheHighestVertexIndex) {
     std::vector<std::array<std::uint32_t, 3>> triangles(7, {1, 2, 3});
     EXPECT_EQ(highest_vertex(triangles), 3U);
     triangles[5][0] = 0xFFFFFFFE;

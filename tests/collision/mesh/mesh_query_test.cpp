@@ -32,7 +32,7 @@ Segment segment_around(const TriangleMesh& mesh, Dice& dice) {
     return {a, dice.chance(0.2) ? a : Vec3(a + dice.in_cube(2.0))};
 }
 
-TEST(TrianglesNear, AreThoseOfTheLoop) {
+TEST(TrianglesNear, AgreeWithALoopOverAllTriangles) {
     Dice dice(40);
     std::size_t found = 0;
     for (int m = 0; m < repeats(80); ++m) {
@@ -55,7 +55,7 @@ TEST(TrianglesNear, AreThoseOfTheLoop) {
     EXPECT_GT(found, static_cast<std::size_t>(repeats(2000)));
 }
 
-TEST(TrianglesNear, AreThoseThePlainFormulaFinds) {
+TEST(TrianglesNear, AgreeWithThePlainFormula) {
     Dice dice(41);
     for (int m = 0; m < repeats(40); ++m) {
         const BothTrees both(mesh_of_some_kind(dice));
@@ -75,7 +75,7 @@ TEST(TrianglesNear, AreThoseThePlainFormulaFinds) {
     }
 }
 
-TEST(TrianglesNear, TouchingExactlyCounts) {
+TEST(TrianglesNear, IncludeExactTouching) {
     TriangleMesh floor;
     support::add_floor(floor, 4.0, 0.0, 1.0);
     const BothTrees both(floor);
@@ -89,7 +89,7 @@ TEST(TrianglesNear, TouchingExactlyCounts) {
     }
 }
 
-/// All three queries of a ray; answers their work.
+/// Checks all three ray queries; returns their statistics.
 QueryStatistics expect_hits(const MeshCollider& mesh, const Ray& ray, const std::vector<MeshHit>& expected,
                             SimdTarget simd_target) {
     QueryStatistics counters;
@@ -103,8 +103,8 @@ QueryStatistics expect_hits(const MeshCollider& mesh, const Ray& ray, const std:
     return counters;
 }
 
-/// With both trees, with every instruction set; returns how many triangles are on the ray.
-std::size_t expect_hits_of_the_loop(const BothTrees& both, const Ray& ray) {
+/// With both trees and every SIMD target; returns how many triangles the ray hits.
+std::size_t expect_hits_of_loop(const BothTrees& both, const Ray& ray) {
     const std::vector<MeshHit> expected = loop_all_on_ray(both.mesh(), ray);
     {
         SCOPED_TRACE("paper");
@@ -121,20 +121,20 @@ std::size_t expect_hits_of_the_loop(const BothTrees& both, const Ray& ray) {
     return expected.size();
 }
 
-TEST(OnRay, AreThoseOfTheLoop) {
+TEST(RayHits, AgreeWithALoopOverAllTriangles) {
     Dice dice(42);
     std::size_t hits = 0;
     for (int m = 0; m < repeats(100); ++m) {
         const BothTrees both(mesh_of_some_kind(dice));
         for (int i = 0; i < 60; ++i) {
             SCOPED_TRACE(m * 100 + i);
-            hits += expect_hits_of_the_loop(both, {dice.in_cube(6.0), dice.in_cube(6.0)});
+            hits += expect_hits_of_loop(both, {dice.in_cube(6.0), dice.in_cube(6.0)});
         }
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(400)));
 }
 
-TEST(OnRay, OfHardMeshesAreThoseOfTheLoop) {
+TEST(RayHits, OfHardMeshesAgreeWithTheLoop) {
     Dice dice(46);
     std::size_t hits = 0;
     for (int m = 0; m < repeats(80); ++m) {
@@ -143,15 +143,15 @@ TEST(OnRay, OfHardMeshesAreThoseOfTheLoop) {
             SCOPED_TRACE(m * 100 + i);
             const Vec3 from = point_around(both.mesh(), dice, 5.0);
             const Vec3 through = point_around(both.mesh(), dice, dice.chance(0.5) ? 0.0 : 0.5);
-            hits += expect_hits_of_the_loop(both, {from, from + dice.between(0.5, 3.0) * (through - from)});
+            hits += expect_hits_of_loop(both, {from, from + dice.between(0.5, 3.0) * (through - from)});
         }
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(1500)));
 }
 
-/// Rays along the lattice's lines pass through corners, along edges and within planes; rounding has no part
-/// in it, because all products are whole.
-TEST(OnRay, AlongALatticeAreThoseOfTheLoop) {
+/// Rays along the lattice's lines pass through vertices, along edges and within planes; nothing is rounded,
+/// because all products are integers.
+TEST(RayHits, AlongALatticeAgreeWithTheLoop) {
     Dice dice(47);
     std::size_t hits = 0;
     for (int m = 0; m < repeats(60); ++m) {
@@ -164,13 +164,13 @@ TEST(OnRay, AlongALatticeAreThoseOfTheLoop) {
             ray.to = ray.from;
             ray.from[i % 3] -= 4.0;
             ray.to[i % 3] += 4.0;
-            hits += expect_hits_of_the_loop(both, dice.chance(0.5) ? ray : Ray{ray.to, ray.from});
+            hits += expect_hits_of_loop(both, dice.chance(0.5) ? ray : Ray{ray.to, ray.from});
         }
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(1000)));
 }
 
-TEST(OnRay, IsWhereThePlainFormulaSays) {
+TEST(RayHits, AgreeWithThePlainFormula) {
     Dice dice(43);
     for (int m = 0; m < repeats(60); ++m) {
         const BothTrees both(support::random_mesh(dice, 150, 3.0));
@@ -178,8 +178,8 @@ TEST(OnRay, IsWhereThePlainFormulaSays) {
             const Ray ray{dice.in_cube(6.0), dice.in_cube(6.0)};
             double plain = 2.0;
             for (std::size_t t = 0; t < both.mesh().triangles.size(); ++t) {
-                const auto f =
-                    support::first_meeting(Line{ray.from, ray.to}, vertices_of(vertices(both.mesh(), t)));
+                const auto f = support::first_intersection(Line{ray.from, ray.to},
+                                                           vertices_of(vertices(both.mesh(), t)));
                 plain = std::min(plain, f.value_or(2.0));
             }
             const auto ours = first_on_ray(*both.each()[static_cast<std::size_t>(i % 2)], ray);
@@ -188,7 +188,7 @@ TEST(OnRay, IsWhereThePlainFormulaSays) {
     }
 }
 
-TEST(OnRay, OfSeveralAtOnePlaceTheLowestIndexIsFirst) {
+TEST(RayHits, InTheSamePlaceAreOrderedByIndex) {
     TriangleMesh stack;
     for (int i = 0; i < 30; ++i) {
         support::add_triangle(stack, {-1, 0, -1}, {0, 0, 2}, {1, 0, -1});
@@ -206,25 +206,25 @@ TEST(OnRay, OfSeveralAtOnePlaceTheLowestIndexIsFirst) {
     }
 }
 
-TEST(OnRay, ThatGoesNowhereIsNothing) {
+TEST(RayHits, AreNoneForARayOfNoLength) {
     TriangleMesh floor;
     support::add_floor(floor, 4.0, 0.0, 1.0);
-    EXPECT_EQ(expect_hits_of_the_loop(BothTrees(floor), {{0.3, 0, 0.6}, {0.3, 0, 0.6}}), 0U);
+    EXPECT_EQ(expect_hits_of_loop(BothTrees(floor), {{0.3, 0, 0.6}, {0.3, 0, 0.6}}), 0U);
 }
 
-TEST(OnRay, FromFarAwayStillMeetsWhatIsSmall) {
+TEST(RayHits, FromFarAwayIncludeASmallMesh) {
     TriangleMesh small;
     support::add_box(small, {-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01});
     const BothTrees both(small);
     Dice dice(48);
     for (int i = 0; i < 200; ++i) {
         const Vec3 from = dice.in_cube(1e7);
-        EXPECT_GE(expect_hits_of_the_loop(both, {from, Vec3(-from)}), 1U) << i;
+        EXPECT_GE(expect_hits_of_loop(both, {from, Vec3(-from)}), 1U) << i;
     }
 }
 
-/// From the size of a molecule to that of the solar system, with rays of all lengths.
-TEST(OnRay, OfWhateverSizeAreThoseOfTheLoop) {
+/// From 1e-25 to 1e10 metres, with rays of all lengths.
+TEST(RayHits, AtAnyScaleAgreeWithTheLoop) {
     Dice dice(54);
     std::size_t hits = 0;
     for (int m = 0; m < repeats(60); ++m) {
@@ -239,14 +239,14 @@ TEST(OnRay, OfWhateverSizeAreThoseOfTheLoop) {
             const Vec3 from = scale * dice.in_cube(6.0);
             const Vec3 along = point_around(both.mesh(), dice, 0.1 * scale) - from;
             const double length = std::array{0.9, 1.1, 1e3, 1e9, 1e30}[static_cast<std::size_t>(i % 5)];
-            hits += expect_hits_of_the_loop(both, {from, from + length * along});
+            hits += expect_hits_of_loop(both, {from, from + length * along});
         }
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(1000)));
 }
 
-/// Longer than float32 can tell.
-TEST(OnRay, WithoutAnEndAreThoseOfTheLoop) {
+/// Longer than float32 can represent.
+TEST(RayHits, OfVeryLongRaysAgreeWithTheLoop) {
     Dice dice(55);
     std::size_t hits = 0;
     const BothTrees both(support::random_mesh(dice, 200, 4.0));
@@ -254,14 +254,14 @@ TEST(OnRay, WithoutAnEndAreThoseOfTheLoop) {
         SCOPED_TRACE(i);
         const Vec3 from = dice.in_cube(6.0);
         const Vec3 along = point_around(both.mesh(), dice, 0.1) - from;
-        hits += expect_hits_of_the_loop(both, {from, from + 1e60 * along});
-        hits += expect_hits_of_the_loop(both, {from - 1e60 * along, from});
+        hits += expect_hits_of_loop(both, {from, from + 1e60 * along});
+        hits += expect_hits_of_loop(both, {from - 1e60 * along, from});
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(100)));
 }
 
-/// Many nodes, most of them with a frame of their own, and little to test for each ray.
-TEST(OnRay, OfABallAreThoseOfTheLoop) {
+/// Many nodes, many of them with their own coordinate frame, and few triangles to test per ray.
+TEST(RayHits, OfASphereAgreeWithTheLoop) {
     Dice dice(56);
     TriangleMesh ball = support::ball(30);
     const Mat3 turn = support::random_pose(dice, 0.0).rotation;
@@ -276,15 +276,15 @@ TEST(OnRay, OfABallAreThoseOfTheLoop) {
     for (int i = 0; i < repeats(300); ++i) {
         SCOPED_TRACE(i);
         const Ray ray{dice.in_cube(1.5), dice.in_cube(1.5)};
-        hits += expect_hits_of_the_loop(both, ray);
+        hits += expect_hits_of_loop(both, ray);
         std::vector<MeshHit> all;
         all_on_ray(both.wide, ray, all, &work);
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(200)));
-    EXPECT_LE(work.primitive_tests, 2 * hits) << "float32 tells nearly all that are missed";
+    EXPECT_LE(work.primitive_tests, 2 * hits) << "the float32 test rejects nearly all misses";
 }
 
-TEST(ClosestPoint, IsThatOfTheLoop) {
+TEST(ClosestPoint, AgreesWithALoopOverAllTriangles) {
     Dice dice(49);
     for (int m = 0; m < repeats(120); ++m) {
         const BothTrees both(m % 2 == 1 ? hard_mesh(dice) : mesh_of_some_kind(dice));
@@ -301,7 +301,7 @@ TEST(ClosestPoint, IsThatOfTheLoop) {
     }
 }
 
-TEST(ClosestPoint, OfTheLatticeIsTheLowestIndexOfThoseThatShareIt) {
+TEST(ClosestPoint, OnALatticeIsOnTheTriangleWithTheLowestIndex) {
     Dice dice(51);
     for (int m = 0; m < repeats(60); ++m) {
         const BothTrees both(support::lattice_soup(dice, 120, Vec3::Zero()));
@@ -315,7 +315,7 @@ TEST(ClosestPoint, OfTheLatticeIsTheLowestIndexOfThoseThatShareIt) {
     }
 }
 
-TEST(TrianglesInBox, AreThoseOfTheLoop) {
+TEST(TrianglesInBox, AgreeWithALoopOverAllTriangles) {
     Dice dice(53);
     std::size_t found = 0;
     for (int m = 0; m < repeats(80); ++m) {
@@ -326,9 +326,9 @@ TEST(TrianglesInBox, AreThoseOfTheLoop) {
             X.translation = point_around(both.mesh(), dice, 2.0);
             const std::vector<std::uint32_t> expected = loop_in_box(both.mesh(), box, X);
             for (const MeshCollider* mesh : both.each()) {
-                std::vector<std::uint32_t> met{12345};
-                triangles_in_box(*mesh, box, X, met);
-                ASSERT_EQ(met, expected) << m << ' ' << i;
+                std::vector<std::uint32_t> inside{12345};
+                triangles_in_box(*mesh, box, X, inside);
+                ASSERT_EQ(inside, expected) << m << ' ' << i;
             }
             found += expected.size();
         }
@@ -336,7 +336,7 @@ TEST(TrianglesInBox, AreThoseOfTheLoop) {
     EXPECT_GT(found, static_cast<std::size_t>(repeats(2000)));
 }
 
-TEST(SweepOfAMesh, IsThatOfTheLoop) {
+TEST(SweepOfAMesh, AgreesWithALoopOverAllTriangles) {
     Dice dice(52);
     int contacts = 0;
     for (int m = 0; m < repeats(80); ++m) {

@@ -27,8 +27,8 @@ QueryStatistics count_near(const MeshCollider& mesh, const Segment& segment, dou
     return counters;
 }
 
-/// The nodes that a query cannot do without: the root, and both children of every node that has a triangle
-/// in reach, or whose outer sphere alone lets the query's sphere through.
+/// The nodes that a query must test: the root and both children of every node that has a triangle in reach;
+/// and those it would test by the outer spheres alone.
 struct NodeCounts {
     std::uint64_t needed = 0;
     std::uint64_t by_spheres_alone = 0;
@@ -103,7 +103,7 @@ TEST(QueryStatistics, FarAwayOnlyTheRootIsTested) {
     }
 }
 
-TEST(QueryStatistics, WithinReachOfAllEveryNodeAndTriangleIsTested) {
+TEST(QueryStatistics, WithEverythingInReachEveryNodeAndTriangleIsTested) {
     const MeshCollider paper(tiled_floor(), TreeKind::hybrid);
     const QueryStatistics on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
     EXPECT_EQ(on_paper.volume_tests, paper.paper_tree().nodes.size());
@@ -111,7 +111,7 @@ TEST(QueryStatistics, WithinReachOfAllEveryNodeAndTriangleIsTested) {
     EXPECT_EQ(on_paper.transform_updates, 1U);
 
     const MeshCollider wide(tiled_floor());
-    std::size_t boxes = 1;  // and the sphere of all
+    std::size_t boxes = 1;  // the outer sphere
     for (const Bvh8Node& node : wide.bvh8().nodes) {
         boxes += node.count;
     }
@@ -121,7 +121,7 @@ TEST(QueryStatistics, WithinReachOfAllEveryNodeAndTriangleIsTested) {
     EXPECT_EQ(on_wide.transform_updates, 1U);
 }
 
-TEST(QueryStatistics, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
+TEST(QueryStatistics, LieBetweenTheNecessaryTestsAndThoseOfSpheresAlone) {
     Dice dice(50);
     std::uint64_t tested = 0;
     std::uint64_t by_spheres = 0;
@@ -141,10 +141,10 @@ TEST(QueryStatistics, LieBetweenWhatIsNeededAndWhatTheSpheresAloneWouldTest) {
             by_spheres += counts.by_spheres_alone;
         }
     }
-    EXPECT_LT(tested, by_spheres) << "the inner layer rejects what the spheres let through";
+    EXPECT_LT(tested, by_spheres) << "the inner layer rejects nodes that the spheres accept";
 }
 
-TEST(QueryStatistics, ASmallQueryInALargeMeshTestsLittleOfIt) {
+TEST(QueryStatistics, OfASmallQueryInALargeMeshStaySmall) {
     for (const TreeKind tree_kind : {TreeKind::bvh8, TreeKind::hybrid}) {
         const MeshCollider mesh(tiled_floor(), tree_kind);  // 8192 triangles
         const QueryStatistics counters = count_near(mesh, {{3.3, 0.2, 4.1}, {3.3, 1.5, 4.1}}, 0.3);

@@ -43,7 +43,7 @@ TEST(TreeLevel, EveryLevelOfEitherTreeHoldsTheWholeMesh) {
     }
 }
 
-TEST(TreeLevel, LevelsAreThoseOfTheTreeThatTheMeshHas) {
+TEST(TreeLevel, LevelsMatchTheCollidersTree) {
     Dice dice(3);
     const TriangleMesh mesh = support::random_mesh(dice, 600, 5.0);
     const MeshCollider bvh8(mesh, TreeKind::bvh8, Interior::unknown);

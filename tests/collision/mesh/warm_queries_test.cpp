@@ -10,7 +10,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
-/// A query that is asked again with the same vector takes nothing from the heap.
+/// Repeating a query with the same vector allocates nothing.
 namespace campuswalk::collision {
 namespace {
 
@@ -22,7 +22,7 @@ std::size_t allocations_of(const Query& query) {
 }
 
 template <typename Query>
-void expect_nothing_when_warm(const Query& query) {
+void expect_no_allocation_when_warm(const Query& query) {
     query();
     EXPECT_EQ(allocations_of(query), 0U);
 }
@@ -33,8 +33,8 @@ TEST(AllocationCount, SeesAVectorGrow) {
     EXPECT_EQ(allocations_of([&] { numbers[0] = 2; }), 0U);
 }
 
-/// Two spheres of some hundred or thousand triangles that cross, with needles and a lattice thrown in: every
-/// stage of a query has something to do.
+/// A sphere of some hundred or thousand triangles with needles and a lattice thrown in: every stage of a
+/// query has something to do.
 TriangleMesh crowded_mesh(std::uint32_t seed) {
     TriangleMesh mesh = support::ball(support::kSanitized ? 16 : 40);
     support::Dice dice(seed);
@@ -62,13 +62,17 @@ protected:
     QueryStatistics counters_;
 };
 
-TEST_P(WarmQueries, OfWhatIsNear) {
+TEST_P(WarmQueries, ForNearTrianglesAllocateNothing) {
     std::vector<std::uint32_t> out;
-    expect_nothing_when_warm([&] { triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, &counters_); });
+    expect_no_allocation_when_warm([&] {
+        triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, &counters_);
+    });
     EXPECT_GT(out.size(), 20U);
-    expect_nothing_when_warm([&] { triangles_near(mesh_, {{1, 0, 0}, {1, 0, 0}}, 0.3, out, &counters_); });
+    expect_no_allocation_when_warm([&] {
+        triangles_near(mesh_, {{1, 0, 0}, {1, 0, 0}}, 0.3, out, &counters_);
+    });
     EXPECT_FALSE(out.empty());
-    expect_nothing_when_warm([&] {
+    expect_no_allocation_when_warm([&] {
         triangles_in_box(mesh_, Box{{1, 0.5, 0.2}}, crossing_pose(), out, &counters_);
     });
     EXPECT_GT(out.size(), 20U);
@@ -79,31 +83,31 @@ TEST_P(WarmQueries, OfWhatIsNear) {
               0U);
 }
 
-TEST_P(WarmQueries, OfARay) {
+TEST_P(WarmQueries, ForRayHitsAllocateNothing) {
     const Ray ray{{-4, 0.1, 0.2}, {4, 0.2, -0.1}};
     std::vector<MeshHit> out;
-    expect_nothing_when_warm([&] { all_on_ray(mesh_, ray, out, &counters_); });
+    expect_no_allocation_when_warm([&] { all_on_ray(mesh_, ray, out, &counters_); });
     EXPECT_GT(out.size(), 2U);
-    expect_nothing_when_warm([&] { EXPECT_TRUE(first_on_ray(mesh_, ray, &counters_)); });
-    expect_nothing_when_warm([&] { EXPECT_TRUE(any_on_ray(mesh_, ray, &counters_)); });
+    expect_no_allocation_when_warm([&] { EXPECT_TRUE(first_on_ray(mesh_, ray, &counters_)); });
+    expect_no_allocation_when_warm([&] { EXPECT_TRUE(any_on_ray(mesh_, ray, &counters_)); });
 }
 
-TEST_P(WarmQueries, OfTheClosestPoint) {
-    expect_nothing_when_warm([&] {
+TEST_P(WarmQueries, ForTheClosestPointAllocateNothing) {
+    expect_no_allocation_when_warm([&] {
         EXPECT_GT(closest_point(mesh_, {0.1, 0.2, 0.3}, &counters_).distance, 0.0);
     });
 }
 
-TEST_P(WarmQueries, OfASweep) {
-    const auto ask = [&] {
+TEST_P(WarmQueries, ForASweepAllocateNothing) {
+    const auto sweep_both = [&] {
         EXPECT_TRUE(sweep(mesh_, {{-8, 0, 0}, {-8, 1, 0}}, 0.3, {8, 0, 0}, &counters_));
         EXPECT_TRUE(sweep(mesh_, {{-8, 0, 0}, {-8, 0, 0}}, 0.3, {8, 0, 0}, &counters_));
     };
-    expect_nothing_when_warm(ask);
+    expect_no_allocation_when_warm(sweep_both);
 }
 
-/// They keep nothing in the thread: a new one's first query needs no more than the vector it is given.
-TEST_P(WarmQueries, OfANewThread) {
+/// Nothing is cached per thread: the first query of a new one needs only the vector it is passed.
+TEST_P(WarmQueries, OnANewThreadAllocateNothing) {
     std::vector<std::uint32_t> out;
     triangles_near(mesh_, {{-1, 0, 0}, {1, 0.5, 0}}, 0.3, out, &counters_);
     std::size_t taken = 1;
@@ -137,23 +141,23 @@ protected:
     QueryStatistics counters_;
 };
 
-TEST_P(WarmContacts, All) {
+TEST_P(WarmContacts, OfAllPairsAllocateNothing) {
     std::vector<TrianglePair> out;
     const Pose X = crossing_pose();
-    expect_nothing_when_warm([&] { all_contacts(a_, b_, X, out, &counters_, GetParam().simd_target); });
+    expect_no_allocation_when_warm([&] { all_contacts(a_, b_, X, out, &counters_, GetParam().simd_target); });
     EXPECT_GT(out.size(), 200U);
     std::vector<TrianglePair> fresh;
     EXPECT_GT(allocations_of([&] { all_contacts(a_, b_, X, fresh, &counters_, GetParam().simd_target); }),
               0U);
 }
 
-TEST_P(WarmContacts, First) {
-    expect_nothing_when_warm(
+TEST_P(WarmContacts, OfTheFirstPairAllocateNothing) {
+    expect_no_allocation_when_warm(
         [&] { EXPECT_TRUE(first_contact(a_, b_, crossing_pose(), &counters_, GetParam().simd_target)); });
 }
 
-/// A body that goes through another, and once more.
-TEST_P(WarmContacts, OfABodyThatMoves) {
+/// A body that passes through another, twice.
+TEST_P(WarmContacts, OfAMovingBodyAllocateNothing) {
     std::vector<TrianglePair> out;
     const auto pass = [&] {
         Pose X = crossing_pose();
@@ -162,7 +166,7 @@ TEST_P(WarmContacts, OfABodyThatMoves) {
             all_contacts(a_, b_, X, out, &counters_, GetParam().simd_target);
         }
     };
-    expect_nothing_when_warm(pass);
+    expect_no_allocation_when_warm(pass);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryKernel, WarmContacts,

@@ -37,8 +37,8 @@ void AuditedBody::walk(const Vec3& velocity, double seconds) {
 }
 
 void AuditedBody::fall_down() {
-    const auto most = static_cast<int>(10.0 * ticks_per_second);
-    for (int i = 0; i < most && !state_.grounded; ++i) {
+    const auto limit = static_cast<int>(10.0 * ticks_per_second);
+    for (int i = 0; i < limit && !state_.grounded; ++i) {
         tick(Vec3::Zero());
     }
     ASSERT_TRUE(state_.grounded) << "still falling at " << state_.foot.transpose();
@@ -56,7 +56,7 @@ void AuditedBody::audit() const {
         << "inside object " << now.object.value_or(999) << " at " << state_.foot.transpose();
     for (std::size_t i = 1; i < trace_.path.size(); ++i) {
         ASSERT_FALSE(oracle_.crossed(trace_.path[i - 1], trace_.path[i], settings_.radius, settings_.height))
-            << "passed through something on the way to " << state_.foot.transpose();
+            << "passed through something while moving to " << state_.foot.transpose();
     }
 }
 

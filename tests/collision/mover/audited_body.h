@@ -5,16 +5,16 @@
 
 namespace campuswalk::collision {
 
-/// A body for stories about the mover: every tick's end and every straight part of it is shown to the
-/// penetration oracle, and a tick that ends inside something fails the test.
+/// A body that fails the test if the mover fails: the penetration oracle checks the end of every tick and
+/// every straight segment of its motion.
 class AuditedBody {
 public:
     explicit AuditedBody(const World& world, const MoverSettings& settings = {},
                          const QueryFilter& filter = {});
 
-    /// Puts the body on what is below `foot`, or in the air.
+    /// Puts the body on the ground up to `search` metres below `foot`, otherwise in the air at `foot`.
     void stand(const Vec3& foot, double search = 0.5);
-    /// One tick with this horizontal velocity, metres a second.
+    /// One tick with this horizontal velocity, metres per second.
     void tick(const Vec3& velocity);
     void walk(const Vec3& velocity, double seconds);
     /// Ticks until the body stands on something; fails after ten seconds.

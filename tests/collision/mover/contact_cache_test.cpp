@@ -15,9 +15,9 @@ namespace campuswalk::collision {
 namespace {
 
 using support::Dice;
-using Name = std::pair<ObjectId, std::uint32_t>;
+using PieceId = std::pair<ObjectId, std::uint32_t>;
 
-/// A look around a random place, shown to a loop over all that has been gathered.
+/// A survey around a random place.
 struct Look {
     Vec3 foot;
     double sideways = 0.0;
@@ -43,9 +43,9 @@ struct Look {
     }
 };
 
-TEST(ContactCache, ASurveyMissesNothingThatMayBeMet) {
+TEST(ContactCache, ASurveyMissesNothingWithinReach) {
     const MoverSettings body;
-    int met = 0;
+    int in_reach = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(20)); ++seed) {
         Dice dice(seed);
         const auto world = support::make_soup(dice);
@@ -61,16 +61,16 @@ TEST(ContactCache, ASurveyMissesNothingThatMayBeMet) {
                 const double distance = closest(body.core(place), o).distance;
                 if (distance <= body.radius + look.reach) {
                     ASSERT_TRUE(near.contains(k)) << "seed " << seed << ", look " << i;
-                    ++met;
+                    ++in_reach;
                 }
                 ASSERT_GE(distance, around.measure(k, look.foot).bound(place) - 1e-9);
             }
         }
     }
-    EXPECT_GT(met, support::repeats(1000));
+    EXPECT_GT(in_reach, support::repeats(1000));
 }
 
-TEST(ContactCache, ItHoldsEveryTriangleOfWhatItCovers) {
+TEST(ContactCache, HoldsEveryTriangleOfTheCoveredBox) {
     const MoverSettings body;
     Dice dice(7);
     const auto world = support::make_random_village(dice);
@@ -79,7 +79,7 @@ TEST(ContactCache, ItHoldsEveryTriangleOfWhatItCovers) {
         const Look look(dice);
         const Aabb box = look.box(body);
         around.cover(box);
-        std::set<Name> held;
+        std::set<PieceId> held;
         for (const ContactCache::Piece& piece : around.pieces()) {
             held.emplace(piece.obstacle.object, piece.obstacle.triangle);
         }
@@ -92,10 +92,10 @@ TEST(ContactCache, ItHoldsEveryTriangleOfWhatItCovers) {
     }
 }
 
-/// What lies beyond is added to what is there already: nothing is lost by that, and nothing twice there.
-TEST(ContactCache, ItHoldsEveryTriangleOnceOnALongWay) {
+/// Covering a further box neither loses triangles nor adds them twice.
+TEST(ContactCache, HoldsEveryTriangleOnceOnALongWalk) {
     const MoverSettings body;
-    int held_in_all = 0;
+    int held_in_total = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
@@ -110,7 +110,7 @@ TEST(ContactCache, ItHoldsEveryTriangleOnceOnALongWay) {
             }
             foot += step;
             around.cover({foot - Vec3(0.5, 0.3, 0.5), foot + Vec3(0.5, 2.1, 0.5)});
-            std::set<Name> held;
+            std::set<PieceId> held;
             for (const ContactCache::Piece& piece : around.pieces()) {
                 ASSERT_TRUE(held.emplace(piece.obstacle.object, piece.obstacle.triangle).second)
                     << "seed " << seed << ", step " << i;
@@ -121,15 +121,15 @@ TEST(ContactCache, ItHoldsEveryTriangleOnceOnALongWay) {
                 const bool is_box = o.solid != nullptr && std::holds_alternative<Box>(o.solid->shape);
                 ASSERT_TRUE(is_box || held.contains({o.object, o.triangle}))
                     << "seed " << seed << ", step " << i;
-                ++held_in_all;
+                ++held_in_total;
             }
         }
     }
-    EXPECT_GT(held_in_all, support::repeats(1000));
+    EXPECT_GT(held_in_total, support::repeats(1000));
 }
 
-/// A mover that has just been made knows nothing from earlier ticks.
-TEST(ContactCache, WhatIsKeptNeverChangesAMove) {
+/// Compares with a mover that is created anew for every tick and so has nothing cached.
+TEST(ContactCache, CachedObstaclesNeverChangeAMove) {
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);

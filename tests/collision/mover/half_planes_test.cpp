@@ -24,18 +24,18 @@ std::vector<HalfPlane> random_planes(Dice& dice, int count) {
 
 using Planes = std::vector<HalfPlane>;
 
-TEST(HalfPlanes, WithoutWallsTheWishIsGranted) {
+TEST(HalfPlanes, LeaveAnAllowedDisplacementUnchanged) {
     EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, {}), Vec3(0.3, 0, -0.1));
     EXPECT_EQ(nearest_allowed({0.3, 0, -0.1}, Planes{{1, 0, 0.0}}), Vec3(0.3, 0, -0.1));
 }
 
-TEST(HalfPlanes, AWallLeavesWhatGoesAlongIt) {
+TEST(HalfPlanes, LeaveTheComponentAlongAWall) {
     EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, Planes{{1, 0, 0.0}}).isApprox(Vec3(0, 0, 0.2)));
     EXPECT_TRUE(nearest_allowed({-0.3, 0, 0.2}, Planes{{1, 0, 0.1}}).isApprox(Vec3(-0.1, 0, 0.2)));
 }
 
-/// No allowed point of a fine grid is nearer to the wish.
-TEST(HalfPlanes, NothingAllowedIsNearer) {
+/// Compares with the allowed points of a fine grid.
+TEST(HalfPlanes, NoAllowedPointIsNearerThanTheResult) {
     Dice dice(5);
     for (int i = 0; i < support::repeats(500); ++i) {
         const auto planes = random_planes(dice, 1 + i % 6);
@@ -67,7 +67,7 @@ TEST(HalfPlanes, TheirOrderDoesNotMatter) {
         const Vec3 other = nearest_allowed(desired, planes);
         ASSERT_LT((found - other).norm(), 1e-12) << i;
     }
-    // Two ways as long as each other.
+    // Two equally near results.
     const std::vector<HalfPlane> gate{{0.6, 0.8, 0.0}, {0.6, -0.8, 0.0}};
     const std::vector<HalfPlane> turned{gate[1], gate[0]};
     EXPECT_EQ(nearest_allowed({-0.1, 0, 0}, gate), nearest_allowed({-0.1, 0, 0}, turned));

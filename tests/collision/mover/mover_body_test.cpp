@@ -6,7 +6,7 @@
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/penetration_oracle.h"
 
-/// Stories about jumping, crouching and a world whose objects come and go.
+/// Jumping, crouching, and a world whose objects come and go.
 namespace campuswalk::collision {
 namespace {
 
@@ -16,7 +16,7 @@ using support::PenetrationOracle;
 
 constexpr double kGravity = 9.81;
 
-/// A floor with what is added to it, and a body in its middle.
+/// A body in the middle of a floor to which each test adds obstacles.
 class MoverBody : public ::testing::Test {
 protected:
     template <typename Add>
@@ -59,7 +59,7 @@ TEST_F(MoverBody, AJumpIsAParabolaAtAnyRate) {
     }
 }
 
-TEST_F(MoverBody, InTheAirItDoesNotJumpAgain) {
+TEST_F(MoverBody, CannotJumpAgainInTheAir) {
     build([](TriangleMesh&) {});
     ASSERT_TRUE(mover_.jump(state_, 4.0));
     tick(Vec3::Zero());
@@ -69,7 +69,7 @@ TEST_F(MoverBody, InTheAirItDoesNotJumpAgain) {
     EXPECT_EQ(state_.foot, before.foot);
 }
 
-TEST_F(MoverBody, AJumpReachesWhatAStepDoesNot) {
+TEST_F(MoverBody, JumpsOntoABlockTooHighToStepOn) {
     build([](TriangleMesh& mesh) { add_box(mesh, {1, 0, -5}, {9, 0.6, 5}); });
     for (int i = 0; i < 120; ++i) {
         tick({1.4, 0, 0});
@@ -85,7 +85,7 @@ TEST_F(MoverBody, AJumpReachesWhatAStepDoesNot) {
     EXPECT_TRUE(state_.grounded);
 }
 
-TEST_F(MoverBody, CrouchedItPassesUnderWhatStopsIt) {
+TEST_F(MoverBody, PassesCrouchedUnderABeamThatStopsItUpright) {
     build([](TriangleMesh& mesh) { add_box(mesh, {1, 1.3, -5}, {3, 2.0, 5}); });
     for (int i = 0; i < 180; ++i) {
         tick({1.4, 0, 0});
@@ -99,7 +99,7 @@ TEST_F(MoverBody, CrouchedItPassesUnderWhatStopsIt) {
     }
     EXPECT_NEAR(state_.foot.x(), 2.1, 0.02);
     const Vec3 foot = state_.foot;
-    EXPECT_FALSE(mover_.resize(state_, 1.8)) << "no head room";
+    EXPECT_FALSE(mover_.resize(state_, 1.8)) << "no headroom";
     EXPECT_EQ(mover_.height(), 1.2);
     EXPECT_EQ(state_.foot, foot);
     for (int i = 0; i < 90; ++i) {
@@ -110,19 +110,19 @@ TEST_F(MoverBody, CrouchedItPassesUnderWhatStopsIt) {
     EXPECT_LT(depth(), 1e-6);
 }
 
-TEST_F(MoverBody, HeadRoomIsExact) {
+TEST_F(MoverBody, StandsUpOnlyWithEnoughHeadroom) {
     build([](TriangleMesh& mesh) { add_box(mesh, {1, 1.6, -5}, {3, 2.0, 5}); });
     ASSERT_TRUE(mover_.resize(state_, 1.0));
     for (int i = 0; i < 90; ++i) {
         tick({1.4, 0, 0});
     }
     EXPECT_FALSE(mover_.resize(state_, 1.7));
-    EXPECT_FALSE(mover_.resize(state_, 1.6)) << "it stands a tenth of a millimetre high";
+    EXPECT_FALSE(mover_.resize(state_, 1.6)) << "it floats a tenth of a millimetre above the floor";
     EXPECT_TRUE(mover_.resize(state_, 1.599));
     EXPECT_LT(depth(), 1e-6);
 }
 
-TEST_F(MoverBody, WhatTheFilterHidesIsGoneOnceItForgets) {
+TEST_F(MoverBody, CollidesWithAnObjectAddedBeforeForget) {
     Object wall;
     wall.shape = Box{{0.1, 1.0, 5.0}};
     wall.X_world_shape.translation = {1.5, 1.0, 0};

@@ -18,7 +18,7 @@ struct Place {
     const char* name = "";
     std::unique_ptr<World> (*make)(Dice&) = nullptr;
     double half = 0.0;
-    double fastest = 0.0;  ///< metres a second; at 40 a tick is longer than the body is wide
+    double fastest = 0.0;  ///< metres per second; at 40 one tick's motion is longer than the body is wide
     int walks = 0;
 };
 
@@ -54,7 +54,7 @@ TEST_P(MoverFuzz, NeverEndsATickInsideAnything) {
     EXPECT_GT(walked / walks, 1.5) << "the bodies are not stuck where they start";
 }
 
-TEST_P(MoverFuzz, RepeatsItselfToTheBit) {
+TEST_P(MoverFuzz, IsBitIdenticalWhenRepeated) {
     for (std::uint32_t seed = 100; seed < 102; ++seed) {
         EXPECT_EQ(walk_through(GetParam(), seed, 200).digest, walk_through(GetParam(), seed, 200).digest);
     }

@@ -8,7 +8,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
-/// Stories about what is underfoot and overhead.
+/// Ground and ceilings: resting, steps, slopes, falls.
 namespace campuswalk::collision {
 namespace {
 
@@ -40,7 +40,7 @@ protected:
     World world_{std::make_unique<LinearBroadPhase>()};
 };
 
-TEST_F(MoverAndGround, StandingStillNothingMoves) {
+TEST_F(MoverAndGround, ABodyAtRestDoesNotMove) {
     build_ramp(40.0);
     for (const double x : {0.0, 1.0, 3.0, 7.0}) {
         AuditedBody body(world_);
@@ -49,7 +49,7 @@ TEST_F(MoverAndGround, StandingStillNothingMoves) {
         body.fall_down();
         const Vec3 start = body.foot();
         body.walk(Vec3::Zero(), 20.0);
-        EXPECT_EQ(body.foot(), start) << "to the bit, at x = " << x;
+        EXPECT_EQ(body.foot(), start) << "bit for bit, at x = " << x;
         EXPECT_EQ(body.ticks_in_air(), 0);
         EXPECT_FALSE(body.trace().landed);
     }
@@ -62,13 +62,13 @@ TEST_F(MoverAndGround, RisersOfSeventeenCentimetresAreClimbed) {
         body.ticks_per_second = rate;
         body.stand({0, 0, 0});
         body.walk(kEast, 4.0);
-        EXPECT_NEAR(body.foot().x(), 5.6, 1e-6) << "at full speed, " << rate << " ticks a second";
+        EXPECT_NEAR(body.foot().x(), 5.6, 1e-6) << "at full speed, " << rate << " ticks per second";
         EXPECT_NEAR(body.foot().y(), 15 * 0.17, 1e-3);
         EXPECT_EQ(body.ticks_in_air(), 0);
     }
 }
 
-TEST_F(MoverAndGround, StairsAreWalkedDownWithoutFlying) {
+TEST_F(MoverAndGround, StairsAreDescendedWithoutLeavingTheGround) {
     build([](TriangleMesh& mesh) { add_stairs(mesh, 1.0, -1.0, 2.0, 0.17, 0.28, 15); });
     AuditedBody body(world_);
     body.stand({5.5, 2.6, 0}, 0.5);
@@ -89,12 +89,12 @@ TEST_F(MoverAndGround, StairsAreClimbedAtAnAngle) {
     EXPECT_NEAR(body.foot().y(), 15 * 0.17, 1e-3);
 }
 
-/// Steps of a height, as a mesh and as a box: climbed up to the step height, a wall above it.
+/// A step as a mesh and as a box: climbed up to the step height, a wall above it.
 TEST_F(MoverAndGround, OnlyStepsUpToTheStepHeightAreClimbed) {
     for (const bool solid : {false, true}) {
         for (const double high : {0.05, 0.17, 0.25, 0.30, 0.32, 0.35, 0.40, 0.5, 0.9}) {
             if (support::kSanitized && solid && high != 0.30 && high != 0.5) {
-                continue;  // boxes' nearest points are searched for, which takes sanitizers long
+                continue;  // the search for a box's nearest point is slow under sanitizers
             }
             SCOPED_TRACE(testing::Message() << high << (solid ? " box" : " mesh"));
             World world(std::make_unique<LinearBroadPhase>());
@@ -162,7 +162,7 @@ TEST_F(MoverAndGround, DropsFromALedgeAndLands) {
     while (body.state().grounded && body.foot().x() < 5.0) {
         body.tick(kEast);
     }
-    EXPECT_GT(body.foot().x(), 0.0) << "it walks on as long as anything carries it";
+    EXPECT_GT(body.foot().x(), 0.0) << "it walks on as long as anything supports it";
     EXPECT_LT(body.foot().x(), 0.35);
     int ticks = 0;
     while (!body.state().grounded && ticks < 600) {
@@ -177,7 +177,7 @@ TEST_F(MoverAndGround, DropsFromALedgeAndLands) {
     EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
     EXPECT_EQ(body.state().vertical_speed, 0.0);
     body.tick(kEast);
-    EXPECT_FALSE(body.trace().landed) << "once";
+    EXPECT_FALSE(body.trace().landed) << "reported only once";
 }
 
 TEST_F(MoverAndGround, FreeFallFollowsGravity) {
@@ -195,7 +195,7 @@ TEST_F(MoverAndGround, FreeFallFollowsGravity) {
     EXPECT_NEAR(body.trace().fall_height, 30.0, 1e-3);
 }
 
-TEST_F(MoverAndGround, AFastFallDoesNotPassAThinFloor) {
+TEST_F(MoverAndGround, AFastFallStopsAtAThinFloor) {
     build([](TriangleMesh&) {});
     AuditedBody body(world_);
     body.stand({0.3, 10, 0.3}, 0.1);
@@ -205,7 +205,7 @@ TEST_F(MoverAndGround, AFastFallDoesNotPassAThinFloor) {
     EXPECT_TRUE(body.state().grounded);
 }
 
-TEST_F(MoverAndGround, SlidesDownWhatIsTooSteepToStandOn) {
+TEST_F(MoverAndGround, SlidesDownASlopeTooSteepToStandOn) {
     build([](TriangleMesh& mesh) { add_quad(mesh, {0, 0, 2}, {3, 6, 2}, {3, 6, -2}, {0, 0, -2}); });
     AuditedBody body(world_);
     body.stand({1.0, 4.0, 0}, 0.1);
@@ -214,7 +214,7 @@ TEST_F(MoverAndGround, SlidesDownWhatIsTooSteepToStandOn) {
     EXPECT_LT(body.foot().x(), 0.0);
 }
 
-TEST_F(MoverAndGround, ALowCeilingStopsItAndAHigherOneDoesNot) {
+TEST_F(MoverAndGround, OnlyACeilingLowerThanTheBodyStopsIt) {
     for (const double high : {0.5, 1.0, 1.7, 1.79, 1.83, 2.1}) {
         SCOPED_TRACE(high);
         World world(std::make_unique<LinearBroadPhase>());
@@ -234,7 +234,7 @@ TEST_F(MoverAndGround, ALowCeilingStopsItAndAHigherOneDoesNot) {
     }
 }
 
-TEST_F(MoverAndGround, ACeilingThatComesDownWedgesItWithoutHarm) {
+TEST_F(MoverAndGround, StopsUnderASlopingCeilingAndBacksOut) {
     build([](TriangleMesh& mesh) { add_quad(mesh, {0, 3, 2}, {6, 0, 2}, {6, 0, -2}, {0, 3, -2}); });
     AuditedBody body(world_);
     body.stand({-1, 0, 0});
@@ -274,7 +274,7 @@ TEST_F(MoverAndGround, AJumpEndsAtTheCeiling) {
     EXPECT_TRUE(body.state().grounded);
 }
 
-TEST_F(MoverAndGround, FlippedFloorsCarry) {
+TEST_F(MoverAndGround, FlippedFloorsSupportTheBody) {
     TriangleMesh floor;
     add_quad(floor, {-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9});
     std::swap(floor.triangles[0][0], floor.triangles[0][1]);
@@ -287,7 +287,7 @@ TEST_F(MoverAndGround, FlippedFloorsCarry) {
     EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
 }
 
-TEST_F(MoverAndGround, TessellatedFloorsAreLevel) {
+TEST_F(MoverAndGround, WalksLevelOnATessellatedFloor) {
     TriangleMesh floor;
     add_floor(floor, 10.0, 0.0, 0.37);
     add_object(world_, floor);
@@ -301,7 +301,7 @@ TEST_F(MoverAndGround, TessellatedFloorsAreLevel) {
     EXPECT_NEAR(body.foot().x(), -5.0 + 1.31 * 5.0, 1e-6);
 }
 
-TEST_F(MoverAndGround, PlaceStandsOnGroundWithinReachOnly) {
+TEST_F(MoverAndGround, PlaceFindsGroundOnlyWithinTheSearchDistance) {
     build([](TriangleMesh&) {});
     AuditedBody body(world_);
     body.stand({2, 0.4, 3}, 0.5);
@@ -315,7 +315,7 @@ TEST_F(MoverAndGround, PlaceStandsOnGroundWithinReachOnly) {
     EXPECT_NEAR(body.trace().fall_height, 0.6, 1e-3);
 }
 
-TEST_F(MoverAndGround, OverTheEdgeOfTheWorldItFalls) {
+TEST_F(MoverAndGround, FallsOffTheEdgeOfTheFloor) {
     build([](TriangleMesh&) {});
     AuditedBody body(world_);
     body.stand({39, 0, 0});

@@ -10,7 +10,7 @@
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/random_scene.h"
 
-/// What holds wherever it walks: whatever the order of triangles, the tick rate, the speed, the place.
+/// What holds everywhere: for any order of triangles, tick rate, speed and place.
 namespace campuswalk::collision {
 namespace {
 
@@ -33,7 +33,7 @@ TriangleMesh yard() {
     return mesh;
 }
 
-/// A round trip of the yard.
+/// A tour of the yard.
 Vec3 tour(AuditedBody& body, const Vec3& at = Vec3::Zero()) {
     body.stand(at + Vec3(0, 0.05, 0));
     for (const Vec3& velocity : {Vec3(1.4, 0, 0.1), Vec3(-1.4, 0, -0.1), Vec3(-1.4, 0, 0.2),
@@ -53,7 +53,7 @@ TEST(MoverPromises, TheOrderOfTrianglesDoesNotMatter) {
     const Vec3 end = walk(yard());
     TriangleMesh reversed = yard();
     std::reverse(reversed.triangles.begin(), reversed.triangles.end());
-    EXPECT_EQ(walk(reversed), end) << "to the bit";
+    EXPECT_EQ(walk(reversed), end) << "bit for bit";
     support::Dice dice(3);
     TriangleMesh shuffled = yard();
     for (std::size_t i = shuffled.triangles.size(); i > 1; --i) {
@@ -63,10 +63,10 @@ TEST(MoverPromises, TheOrderOfTrianglesDoesNotMatter) {
     EXPECT_EQ(walk(shuffled), end);
     TriangleMesh doubled = yard();
     doubled.triangles.insert(doubled.triangles.end(), shuffled.triangles.begin(), shuffled.triangles.end());
-    EXPECT_EQ(walk(doubled), end) << "each twice";
+    EXPECT_EQ(walk(doubled), end) << "every triangle twice";
 }
 
-TEST(MoverPromises, FlippedTrianglesAreAsSolid) {
+TEST(MoverPromises, FlippedTrianglesAreJustAsSolid) {
     const auto walk = [](TriangleMesh mesh) {
         World world(std::make_unique<LinearBroadPhase>());
         add_object(world, std::move(mesh));
@@ -80,7 +80,7 @@ TEST(MoverPromises, FlippedTrianglesAreAsSolid) {
     EXPECT_LT((walk(flipped) - walk(yard())).norm(), 1e-6);
 }
 
-TEST(MoverPromises, TheTickRateChangesLittle) {
+TEST(MoverPromises, TheTickRateHardlyChangesAWalk) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, yard());
     AuditedBody reference(world);
@@ -92,7 +92,7 @@ TEST(MoverPromises, TheTickRateChangesLittle) {
     }
 }
 
-TEST(MoverPromises, FiveKilometresAwayItIsTheSame) {
+TEST(MoverPromises, AWalkIsTheSameFiveKilometresAway) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, yard());
     const Vec3 at(4096.0, 128.0, -4096.0);
@@ -105,20 +105,20 @@ TEST(MoverPromises, FiveKilometresAwayItIsTheSame) {
     EXPECT_LT((tour(there, at) - at - tour(here)).norm(), 1e-6);
 }
 
-TEST(MoverPromises, NothingIsCrossedAtAHundredMetresASecond) {
+TEST(MoverPromises, NothingIsCrossedAtAHundredMetresPerSecond) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, yard());
     for (const double heading : {0.0, 37.0, 91.0, 130.0, 200.0, 271.0, 333.0}) {
         AuditedBody body(world);
         body.stand({0, 0.05, 0});
-        for (int i = 0; i < 40; ++i) {  // to and fro: every tick's parts are shown to the oracle
+        for (int i = 0; i < 40; ++i) {  // back and forth: the oracle checks every segment
             const double angle = (heading + 177.0 * i) * kPerDegree;
             body.walk(100.0 * Vec3(std::cos(angle), 0, std::sin(angle)), 0.05);
         }
     }
 }
 
-TEST(MoverPromises, AlongAWallItKeepsTheCosine) {
+TEST(MoverPromises, SlidingAlongAWallKeepsTheTangentialSpeed) {
     for (const int pieces : {1, 40}) {
         for (const double degrees : {5.0, 25.0, 45.0, 65.0, 85.0}) {
             World world(std::make_unique<LinearBroadPhase>());
@@ -144,7 +144,7 @@ TEST(MoverPromises, AlongAWallItKeepsTheCosine) {
     }
 }
 
-/// A dome and a dish of facets: the ground's height to its sagitta, full horizontal speed, no flight.
+/// A faceted dome and dish: followed within the facets' sagitta, at full horizontal speed, never in the air.
 TEST(MoverPromises, CurvedGroundIsFollowed) {
     for (const double bend : {-1.0, 1.0}) {
         World world(std::make_unique<LinearBroadPhase>());
@@ -174,8 +174,8 @@ TEST(MoverPromises, CurvedGroundIsFollowed) {
     }
 }
 
-/// Valleys are walked through at full speed, and standing in one it stays.
-TEST(MoverPromises, RidgesAndValleys) {
+/// A body that comes to rest on the ridge or in the valley stays there.
+TEST(MoverPromises, RidgesAndValleysAreCrossedAtFullSpeed) {
     for (const double bend : {-1.0, 1.0}) {
         World world(std::make_unique<LinearBroadPhase>());
         TriangleMesh mesh;
@@ -195,7 +195,7 @@ TEST(MoverPromises, RidgesAndValleys) {
     }
 }
 
-/// A lift shaft: down and down, with its wall at the back.
+/// Down a lift shaft, pressed against its wall.
 TEST(MoverPromises, AFallAlongAWallIsAFreeFall) {
     World world(std::make_unique<LinearBroadPhase>());
     TriangleMesh mesh;
@@ -214,8 +214,8 @@ TEST(MoverPromises, AFallAlongAWallIsAFreeFall) {
     EXPECT_NEAR(body.trace().fall_height, 39.0, 1e-3);
 }
 
-/// In corners from 15 to 120 degrees, with a step at the foot of the wall or without, it stands still.
-TEST(MoverPromises, NoJitterInCornersAndOnSteps) {
+/// In wedges from 15 to 120 degrees, with or without a step at the foot of the walls, the body stands still.
+TEST(MoverPromises, NoJitterInWedgesAndOnSteps) {
     for (const double degrees : {15.0, 40.0, 90.0, 120.0}) {
         for (const double step : {0.0, 0.15}) {
             World world(std::make_unique<LinearBroadPhase>());

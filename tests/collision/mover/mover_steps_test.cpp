@@ -8,7 +8,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
-/// Stories about how high a step may be, for bodies of several sizes.
+/// How high a step may be, for bodies of several sizes.
 namespace campuswalk::collision {
 namespace {
 
@@ -33,7 +33,7 @@ MoverSettings settings_of(const Profile& profile) {
     return settings;
 }
 
-/// How high the body gets that walks towards +X, `heading` degrees off, against what `add` builds from x = 1.
+/// How high a body gets that walks `heading` degrees off +X against what `add` builds from x = 1.
 template <typename Add>
 double height_reached(const MoverSettings& settings, double heading, double speed, const Add& add) {
     World world(std::make_unique<LinearBroadPhase>());
@@ -51,7 +51,7 @@ double height_reached(const MoverSettings& settings, double heading, double spee
 
 class MoverAndSteps : public ::testing::TestWithParam<Profile> {};
 
-/// A block with an upright front; a landing far deeper than a tread.
+/// A block with an upright front, its top far deeper than a tread.
 void add_block(TriangleMesh& mesh, double high) {
     add_box(mesh, {1, 0, -20}, {5, high, 20});
 }
@@ -75,12 +75,12 @@ void add_flight(TriangleMesh& mesh, double riser) {
     add_stairs(mesh, 1.0, -20.0, 40.0, riser, 0.25, 3);
 }
 
-TEST_P(MoverAndSteps, FiveMillimetresDecide) {
+TEST_P(MoverAndSteps, TheStepHeightIsExactToFiveMillimetres) {
     const MoverSettings settings = settings_of(GetParam());
     for (const auto add : {add_block, add_tessellated_block, add_flight}) {
         for (const double heading : {0.0, 20.0, 45.0}) {
             if (support::kSanitized && heading != 20.0) {
-                continue;  // a minute otherwise
+                continue;  // it would take a minute
             }
             for (const double speed : {0.3, 1.4, 5.0}) {
                 SCOPED_TRACE(testing::Message() << "heading " << heading << ", speed " << speed);
@@ -93,8 +93,8 @@ TEST_P(MoverAndSteps, FiveMillimetresDecide) {
     }
 }
 
-/// Others climb r (1 - cos limit) more than they say: up the round of their foot.
-TEST_P(MoverAndSteps, ARoundFootClimbsNoHigher) {
+/// Other movers climb r (1 - cos limit) more than their step height: up the curve of their foot.
+TEST_P(MoverAndSteps, TheRoundFootClimbsNoHigher) {
     const MoverSettings settings = settings_of(GetParam());
     for (double over = 0.005; over < settings.radius; over += 0.01) {
         const double high = settings.step_height + over;
@@ -102,7 +102,7 @@ TEST_P(MoverAndSteps, ARoundFootClimbsNoHigher) {
     }
 }
 
-TEST_P(MoverAndSteps, CrestsOfRampsAreNoSteps) {
+TEST_P(MoverAndSteps, TheCrestOfARampIsNotAStep) {
     const MoverSettings settings = settings_of(GetParam());
     for (const double degrees : {10.0, 30.0, 45.0}) {
         const double high = std::tan(degrees * std::numbers::pi / 180.0);
@@ -121,8 +121,8 @@ INSTANTIATE_TEST_SUITE_P(Profiles, MoverAndSteps,
                                            Profile{"climber", 1.8, 0.25, 0.45}),
                          [](const auto& each) { return each.param.name; });
 
-/// The flat time over twenty risers, in ticks, and no more than 3 % of it.
-TEST(MoverOnStairs, TwentyRisersTakeNoLongerThanTheFlat) {
+/// At most 3 % more ticks than over level ground.
+TEST(MoverOnStairs, TwentyRisersTakeHardlyLongerThanLevelGround) {
     for (const double riser : {0.10, 0.17, 0.20, 0.29}) {
         World world(std::make_unique<LinearBroadPhase>());
         TriangleMesh mesh;
@@ -144,8 +144,8 @@ TEST(MoverOnStairs, TwentyRisersTakeNoLongerThanTheFlat) {
     }
 }
 
-/// A plank on two legs, a low beam, a plate that stands on the floor: what stops it, stops it still.
-TEST(MoverOnStairs, ThinThingsLowerThanAStep) {
+/// A plank 3 cm thick, its top at several heights.
+TEST(MoverOnStairs, AThinPlankIsClimbedUpToTheStepHeight) {
     const auto reached = [](double high) {
         return height_reached({}, 0.0, 1.4, [&](TriangleMesh& mesh) {
             add_box(mesh, {1, high - 0.03, -2}, {1.3, high, 2});

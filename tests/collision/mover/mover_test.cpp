@@ -9,7 +9,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
-/// Stories about walls. Those about ground, steps and falls are in mover_ground_test.cpp.
+/// Walls. Ground, steps and falls are in mover_ground_test.cpp.
 namespace campuswalk::collision {
 namespace {
 
@@ -64,7 +64,7 @@ TEST_F(MoverAndWalls, OpenFloorIsWalkedAtFullSpeed) {
     EXPECT_NEAR(body.foot().z(), 5.0, 1e-9);
     EXPECT_NEAR(body.foot().y(), 0.0, 2e-4);
     EXPECT_EQ(body.ticks_in_air(), 0);
-    EXPECT_TRUE(body.trace().touching.empty()) << "the floor underfoot is no touch";
+    EXPECT_TRUE(body.trace().touching.empty()) << "the floor underfoot isn't reported as touched";
 }
 
 TEST_F(MoverAndWalls, StopsInFrontOfAWallAndStaysThere) {
@@ -81,7 +81,7 @@ TEST_F(MoverAndWalls, StopsInFrontOfAWallAndStaysThere) {
     EXPECT_LT((body.foot() - rest).norm(), 1e-6) << "no jitter";
 }
 
-TEST_F(MoverAndWalls, ComesBackFromAWallAtOnce) {
+TEST_F(MoverAndWalls, LeavesAWallAtFullSpeed) {
     add_wall({3, 0, 5}, {3, 0, -5});
     AuditedBody body(*world_);
     body.stand({2, 0, 0});
@@ -91,24 +91,25 @@ TEST_F(MoverAndWalls, ComesBackFromAWallAtOnce) {
     EXPECT_NEAR(at_wall.x() - body.foot().x(), 1.4, 1e-9);
 }
 
-TEST_F(MoverAndWalls, SlidesAlongAWallWithTheSpeedThatIsLeft) {
+TEST_F(MoverAndWalls, SlidesAlongAWallAtItsTangentialSpeed) {
     for (const int pieces : {1, 37}) {
         const double x = 3.0 + pieces;
         add_wall({x, 0, 20}, {x, 0, -20}, pieces);
         AuditedBody body(*world_);
         body.stand({x - kRadius - kSkin, 0, 0});
         body.walk({1.0, 0, -1.0}, 5.0);
-        EXPECT_NEAR(body.foot().z(), -5.0, 1e-6) << pieces << " pieces: the seams don't hold it back";
+        EXPECT_NEAR(body.foot().z(), -5.0, 1e-6) << pieces << " pieces: the seams don't slow it down";
         EXPECT_NEAR(body.foot().x(), x - kRadius - kSkin, 1e-3);
     }
 }
 
-/// At any heading, of triangles or of boxes, a wall keeps the skin and takes no speed.
+/// At any heading, of triangles or of boxes, a wall is slid along at the skin's distance without losing
+/// speed.
 TEST_F(MoverAndWalls, SlidesAlongSlantedWalls) {
     for (const bool boxes : {false, true}) {
         for (const double degrees : {26.565, 5.0, 20.0, 45.0, 61.0, 84.0}) {
             if (support::kSanitized && degrees != 26.565) {
-                continue;  // boxes' nearest points are searched for, which takes sanitizers minutes
+                continue;  // the search for a box's nearest point takes minutes under sanitizers
             }
             SCOPED_TRACE(testing::Message() << degrees << (boxes ? " boxes" : " triangles"));
             const double angle = degrees * std::numbers::pi / 180.0;
@@ -133,18 +134,18 @@ TEST_F(MoverAndWalls, SlidesAlongSlantedWalls) {
     }
 }
 
-TEST_F(MoverAndWalls, BoxesFlushWithEachOtherAreOneWall) {
+TEST_F(MoverAndWalls, FlushBoxesActAsOneWall) {
     for (int i = 0; i < 10; ++i) {
         add_object(*world_, Box{{0.5, 1.5, 1.0}}, {3.5, 1.5, 9.0 - 2.0 * i});
     }
     AuditedBody body(*world_);
     body.stand({3.0 - kRadius - kSkin, 0, 8});
-    const double seconds = support::kSanitized ? 2.0 : 5.0;  // two seconds pass a seam
+    const double seconds = support::kSanitized ? 2.0 : 5.0;  // two seconds suffice to pass a seam
     body.walk({1.4, 0, -1.4}, seconds);
     EXPECT_NEAR(body.foot().z(), 8.0 - 1.4 * seconds, 1e-6);
 }
 
-TEST_F(MoverAndWalls, CornersHoldItStill) {
+TEST_F(MoverAndWalls, StandsStillInAWedge) {
     for (const double degrees : {15.0, 30.0, 45.0, 63.0, 90.0, 120.0, 170.0}) {
         SCOPED_TRACE(degrees);
         World world(std::make_unique<LinearBroadPhase>());
@@ -163,7 +164,7 @@ TEST_F(MoverAndWalls, CornersHoldItStill) {
         const Vec3 rest = body.foot();
         body.walk(kEast, 2.0);
         EXPECT_LT((body.foot() - rest).norm(), 1e-4) << "no jitter";
-        // The clearance, a radius and a skin wide, ends there; a straight wall may be slid along.
+        // The clearance of a radius and a skin ends there; along a straight wall the body may slide.
         EXPECT_NEAR(rest.x(), 5.0 - (kRadius + kSkin) / std::sin(half), 0.01);
     }
 }
@@ -188,7 +189,7 @@ TEST_F(MoverAndWalls, WalksThroughADoorwayOfNinetyCentimetres) {
     }
 }
 
-TEST_F(MoverAndWalls, AGapNarrowerThanTheBodyIsClosed) {
+TEST_F(MoverAndWalls, CannotPassAGapNarrowerThanItself) {
     TriangleMesh room;
     support::add_room(room, {-3, 0, -8}, {3, 3, -2}, 0.55);
     add_object(*world_, room);
@@ -212,7 +213,7 @@ TEST_F(MoverAndWalls, WalksAroundATree) {
     EXPECT_LT(body.foot().z(), -0.4) << "it was pushed to the side it came from";
 }
 
-TEST_F(MoverAndWalls, NothingIsTunnelledAtAnySpeed) {
+TEST_F(MoverAndWalls, DoesNotTunnelThroughAWallAtAnySpeed) {
     const ObjectId wall = add_wall({3, 0, 5}, {3, 0, -5});
     for (const double speed : {5.0, 20.0, 100.0, 1000.0}) {
         AuditedBody body(*world_);
@@ -223,7 +224,7 @@ TEST_F(MoverAndWalls, NothingIsTunnelledAtAnySpeed) {
     }
 }
 
-TEST_F(MoverAndWalls, AThinRailAtTheHipStopsIt) {
+TEST_F(MoverAndWalls, StopsAtAThinRailAtHipHeight) {
     TriangleMesh rail;
     add_quad(rail, {2, 1.0, 5}, {2, 1.0, -5}, {2, 1.01, -5}, {2, 1.01, 5});
     add_object(*world_, rail);
@@ -236,7 +237,7 @@ TEST_F(MoverAndWalls, AThinRailAtTheHipStopsIt) {
     EXPECT_GT(body.foot().x(), -10.0);
 }
 
-TEST_F(MoverAndWalls, WhatItDoesNotCollideWithIsWalkedThrough) {
+TEST_F(MoverAndWalls, WalksThroughTriggersAndIgnoredLayers) {
     Object ghost;
     ghost.shape = Box{{0.5, 2, 5}};
     ghost.X_world_shape.translation = {2, 0, 0};
@@ -253,10 +254,10 @@ TEST_F(MoverAndWalls, WhatItDoesNotCollideWithIsWalkedThrough) {
     AuditedBody other(*world_);
     other.stand({0, 0, 0});
     other.walk(kEast, 5.0);
-    EXPECT_NEAR(other.foot().x(), 3.5 - kRadius - kSkin, 1e-3) << "without the layer ignored it stops";
+    EXPECT_NEAR(other.foot().x(), 3.5 - kRadius - kSkin, 1e-3) << "it stops unless the layer is ignored";
 }
 
-TEST_F(MoverAndWalls, TouchesAreListedOnceAnObjectInOrder) {
+TEST_F(MoverAndWalls, ListsEachTouchedObjectOnceInOrder) {
     const ObjectId left = add_wall({-5, 0, -0.4}, {5, 0, -0.4}, 40);
     const ObjectId ahead = add_wall({3, 0, 5}, {3, 0, -5}, 40);
     AuditedBody body(*world_);
@@ -275,7 +276,7 @@ TEST_F(MoverAndWalls, TouchesAreListedOnceAnObjectInOrder) {
     EXPECT_EQ(trace.touching[1].gap, body.trace().touching[1].gap);
 }
 
-TEST_F(MoverAndWalls, ATicksPathIsItsEqualParts) {
+TEST_F(MoverAndWalls, ATicksPathConsistsOfEqualSegments) {
     AuditedBody body(*world_);
     body.stand({0, 0, 0});
     body.tick({60.0 * 1.0, 0, 0});  // a metre in one tick
@@ -286,8 +287,8 @@ TEST_F(MoverAndWalls, ATicksPathIsItsEqualParts) {
     }
 }
 
-/// Placed in a wall by mistake, it may leave, and goes no deeper.
-TEST_F(MoverAndWalls, LeavesAWallItWasPutInto) {
+/// Placed in a wall by mistake, it can leave but not go deeper.
+TEST_F(MoverAndWalls, CanLeaveAWallItWasPlacedIn) {
     add_wall({3, 0, 5}, {3, 0, -5});
     CapsuleMover mover(*world_, {}, {});
     MoverState state;

@@ -29,10 +29,10 @@ TEST(SphereRest, OnALevelFaceIsARadiusAboveIt) {
     ASSERT_TRUE(rest);
     EXPECT_NEAR(rest->height, 2.3, 1e-15);
     EXPECT_EQ(rest->on, Vec3(1, 2, 1));
-    EXPECT_FALSE(sphere_rest(t, face_normal(t), -0.31, 1.0, 0.3)) << "it passes beside";
+    EXPECT_FALSE(sphere_rest(t, face_normal(t), -0.31, 1.0, 0.3)) << "it misses the face";
 }
 
-TEST(SphereRest, OnTheUpperEdgeOfAnUprightFace) {
+TEST(SphereRest, OnAnUprightFaceIsOnItsUpperEdge) {
     const Triangle t{{0, 0, -1}, {0, 1, 0}, {0, 1, -2}};
     const auto rest = sphere_rest(t, face_normal(t), 0.3, -1.0, 0.5);
     ASSERT_TRUE(rest);
@@ -40,8 +40,8 @@ TEST(SphereRest, OnTheUpperEdgeOfAnUprightFace) {
     EXPECT_TRUE(rest->on.isApprox(Vec3(0, 1, -1)));
 }
 
-/// Just there the ball touches, a little lower it overlaps, and higher up it never does again.
-TEST(SphereRest, IsTheHighestTouchOfRandomTriangles) {
+/// The sphere touches at the returned height and is clear of the triangle everywhere above it.
+TEST(SphereRest, IsTheHighestContactWithRandomTriangles) {
     Dice dice(1);
     int found = 0;
     for (int i = 0; i < support::repeats(20000); ++i) {

@@ -20,10 +20,10 @@ Obstacle obstacle(const Triangle& t) {
     return o;
 }
 
-TEST(UprightDistance, IsThePlainOneToRandomTriangles) {
+TEST(UprightDistance, AgreesWithThePlainFormulaForRandomTriangles) {
     support::Dice dice(3);
     int faces = 0;
-    int meetings = 0;
+    int overlaps = 0;
     for (int i = 0; i < 50000; ++i) {
         const Triangle t = support::random_triangle(dice, Vec3::Zero());
         const Vec3 low = dice.in_cube(1.5);
@@ -36,13 +36,13 @@ TEST(UprightDistance, IsThePlainOneToRandomTriangles) {
         ASSERT_GE(c.on_segment.y(), upright.a.y() - 1e-9);
         ASSERT_LE(c.on_segment.y(), upright.b.y() + 1e-9);
         faces += c.distance > 0.0 && c.feature == Feature::face ? 1 : 0;
-        meetings += c.distance <= 0.0 ? 1 : 0;
+        overlaps += c.distance <= 0.0 ? 1 : 0;
     }
     EXPECT_GT(faces, 1000);
-    EXPECT_GT(meetings, 300);
+    EXPECT_GT(overlaps, 300);
 }
 
-TEST(UprightDistance, BesideAWallIsToItsFaceAndHigh) {
+TEST(UprightDistance, BesideAWallIsTakenAtTheUpperEnd) {
     const Obstacle wall = obstacle({{1, -5, -9}, {1, -5, 9}, {1, 9, 0}});
     const Closest c = closest_upright({{0, 0.3, 0}, {0, 1.5, 0}}, wall);
     EXPECT_EQ(c.feature, Feature::face);

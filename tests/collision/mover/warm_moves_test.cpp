@@ -6,13 +6,13 @@
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/random_scene.h"
 
-/// A walk that is walked again takes nothing from the heap.
+/// Repeating a walk allocates nothing.
 namespace campuswalk::collision {
 namespace {
 
 using support::Dice;
 
-/// Walks, falls, jumps and crouches among all kinds of things.
+/// Walks, falls, jumps and crouches among all kinds of obstacles.
 void wander(CapsuleMover& mover, MoverState& state, MoveTrace& trace, double speed, int ticks) {
     Dice dice(4);
     Vec3 velocity = Vec3::Zero();
@@ -46,7 +46,7 @@ TEST(WarmMoves, AllocateNothing) {
             const std::size_t before = allocation_count();
             wander(mover, state, trace, speed, ticks);
             EXPECT_EQ(allocation_count() - before, 0U) << (soup ? "soup" : "village") << ", " << speed;
-            EXPECT_GT((end - start.foot).norm(), 0.1) << "it went somewhere";
+            EXPECT_GT((end - start.foot).norm(), 0.1) << "the body moved";
         }
     }
 }

@@ -14,13 +14,13 @@ Aabb random_box(support::Dice& dice) {
     return {center - half, center + half};
 }
 
-TEST(LinearBroadPhase, GivesTheBoxesThatOverlap) {
+TEST(LinearBroadPhase, FindsTheOverlappingBoxes) {
     LinearBroadPhase phase;
     phase.insert(ObjectId{7}, {Vec3(0, 0, 0), Vec3(1, 1, 1)});
     phase.insert(ObjectId{3}, {Vec3(2, 0, 0), Vec3(3, 1, 1)});
     std::vector<ObjectId> found{ObjectId{99}};
     phase.overlapping({Vec3(0.5, 0.5, 0.5), Vec3(1.5, 0.6, 0.6)}, found);
-    EXPECT_EQ(found, (std::vector{ObjectId{99}, ObjectId{7}})) << "what was there before stays";
+    EXPECT_EQ(found, (std::vector{ObjectId{99}, ObjectId{7}})) << "results are appended";
     found.clear();
     phase.overlapping({Vec3(1, 1, 1), Vec3(2, 2, 2)}, found);
     EXPECT_EQ(found, (std::vector{ObjectId{7}, ObjectId{3}})) << "corners that touch count";
@@ -29,7 +29,7 @@ TEST(LinearBroadPhase, GivesTheBoxesThatOverlap) {
     EXPECT_TRUE(found.empty());
 }
 
-TEST(LinearBroadPhase, GivesTheBoxesThatASegmentMeets) {
+TEST(LinearBroadPhase, FindsTheBoxesThatASegmentCrosses) {
     support::Dice dice(8);
     LinearBroadPhase phase;
     std::vector<Aabb> boxes;

@@ -9,7 +9,7 @@
 namespace campuswalk::collision {
 namespace {
 
-/// The same boxes in Bullet's tree and in its plain twin.
+/// The same boxes in Bullet's tree and in the linear broad phase.
 class BulletAndLinear {
 public:
     BulletAndLinear(support::Dice& dice, const Vec3& about, std::uint32_t count) {
@@ -27,7 +27,7 @@ public:
         return {center - half, center + half};
     }
 
-    /// Never too few, nothing twice, and too many only by the rounding to float32.
+    /// Nothing is missing, nothing is there twice, and extra boxes come only from rounding to float32.
     void expect_agreement(const Aabb& query, double rounding) const {
         const std::vector<ObjectId> found = sorted_overlaps(*bullet_, query);
         const std::vector<ObjectId> needed = sorted_overlaps(linear_, query);
@@ -62,7 +62,7 @@ private:
     std::vector<Aabb> boxes_;
 };
 
-TEST(BulletBroadPhase, FindsWhatTheLinearTwinFinds) {
+TEST(BulletBroadPhase, FindsWhatALinearSearchFinds) {
     support::Dice dice(9);
     const BulletAndLinear both(dice, Vec3::Zero(), 500);
     for (int i = 0; i < 1000; ++i) {
@@ -82,7 +82,7 @@ TEST(BulletBroadPhase, MissesNothingFarFromTheOrigin) {
     }
 }
 
-TEST(BulletBroadPhase, BoxesThatOnlyTouchAreFound) {
+TEST(BulletBroadPhase, FindsBoxesThatOnlyTouch) {
     support::Dice dice(11);
     const BulletAndLinear both(dice, Vec3::Zero(), 100);
     for (std::size_t i = 0; i < 100; ++i) {
@@ -95,7 +95,7 @@ TEST(BulletBroadPhase, BoxesThatOnlyTouchAreFound) {
     }
 }
 
-TEST(BulletBroadPhase, AnEmptyOneFindsNothing) {
+TEST(BulletBroadPhase, FindsNothingWhenEmpty) {
     const auto phase = make_bullet_broad_phase();
     std::vector<ObjectId> found;
     phase->overlapping({Vec3(-1, -1, -1), Vec3(1, 1, 1)}, found);

@@ -24,7 +24,7 @@ std::optional<WorldRayHit> cast_at(const World& world, const Ray& ray,
     return cast(world, filter, ray, preferred);
 }
 
-/// By a loop over everything and the plain formulas; the least fraction, 2 for none.
+/// The smallest fraction, by a loop over everything with the plain formulas; 2 for none.
 double loop_first(const World& world, const Ray& ray) {
     double first = 2.0;
     for (std::uint32_t i = 0; i < world.size(); ++i) {
@@ -34,18 +34,19 @@ double loop_first(const World& world, const Ray& ray) {
             for (std::size_t t = 0; t < (*mesh)->mesh().triangles.size(); ++t) {
                 const Triangle c = vertices((*mesh)->mesh(), t);
                 const support::Vertices placed{X * c.a, X * c.b, X * c.c};
-                first = std::min(first, support::first_meeting(Line{ray.from, ray.to}, placed).value_or(2.0));
+                first = std::min(first,
+                                 support::first_intersection(Line{ray.from, ray.to}, placed).value_or(2.0));
             }
         } else {
             const Line local{X.rotation.transpose() * (ray.from - X.translation),
                              X.rotation.transpose() * (ray.to - X.translation)};
-            first = std::min(first, support::first_meeting(local, object.shape).value_or(2.0));
+            first = std::min(first, support::first_intersection(local, object.shape).value_or(2.0));
         }
     }
     return first;
 }
 
-TEST(Cast, HitsWhereTheLoopDoes) {
+TEST(Cast, HitsWhereALoopOverEverythingDoes) {
     Dice dice(110);
     int hits = 0;
     const int worlds = support::repeats(20);
@@ -85,7 +86,7 @@ protected:
     World world_{std::make_unique<LinearBroadPhase>()};
 };
 
-TEST_F(CastAtBalls, TheNearestWinsWhateverItsNumber) {
+TEST_F(CastAtBalls, TheNearestWinsWhateverItsId) {
     add_ball(9, Detection::ray);
     const ObjectId near = add_ball(5, Detection::ray);
     const auto found = cast_at(world_, ray_);
@@ -94,7 +95,7 @@ TEST_F(CastAtBalls, TheNearestWinsWhateverItsNumber) {
     EXPECT_NEAR(found->fraction, 4.0 / 20.0, 1e-12);
 }
 
-TEST_F(CastAtBalls, TheFilterDecidesWhatIsSeen) {
+TEST_F(CastAtBalls, TheFilterDecidesWhatIsHit) {
     add_ball(5, Detection::solid);
     add_ball(8, Detection::ray, 7);
     const ObjectId visible = add_ball(11, Detection::ray | Detection::solid);
@@ -104,7 +105,7 @@ TEST_F(CastAtBalls, TheFilterDecidesWhatIsSeen) {
     EXPECT_FALSE(cast_at(world_, ray_, {Detection::trigger, 0}));
 }
 
-TEST_F(CastAtBalls, OfTwoAtOnePlaceThePreferredThenTheLowest) {
+TEST_F(CastAtBalls, InTheSamePlaceThePreferredThenTheLowestIdWins) {
     const ObjectId wall = add_ball(5, Detection::solid);
     const ObjectId sign = add_ball(5, Detection::ray);
     add_ball(5, Detection::ray);
@@ -112,13 +113,13 @@ TEST_F(CastAtBalls, OfTwoAtOnePlaceThePreferredThenTheLowest) {
     EXPECT_EQ(cast_at(world_, ray_, kEverything, Detection::ray)->object, sign);
 }
 
-TEST_F(CastAtBalls, APreferredOneBehindAnotherIsHidden) {
+TEST_F(CastAtBalls, APreferredObjectBehindAnotherIsHidden) {
     const ObjectId wall = add_ball(5, Detection::solid);
     add_ball(5.1, Detection::ray);
     EXPECT_EQ(cast_at(world_, ray_, kEverything, Detection::ray)->object, wall);
 }
 
-TEST_F(CastAtBalls, FromInsideAtOnce) {
+TEST_F(CastAtBalls, ARayFromInsideHitsImmediately) {
     const ObjectId around = add_ball(0.5, Detection::ray);
     const auto found = cast_at(world_, ray_);
     ASSERT_TRUE(found);
@@ -126,7 +127,7 @@ TEST_F(CastAtBalls, FromInsideAtOnce) {
     EXPECT_EQ(found->fraction, 0.0);
 }
 
-TEST_F(CastAtBalls, ARayOfNoLengthSeesNothing) {
+TEST_F(CastAtBalls, ARayOfNoLengthHitsNothing) {
     add_ball(0, Detection::ray);
     EXPECT_FALSE(cast_at(world_, {Vec3(0, 0, 0), Vec3(0, 0, 0)}));
 }

@@ -33,7 +33,7 @@ Obstacle obstacle_of(const Triangle& t, const Vec3& normal) {
     return o;
 }
 
-/// Two meshes and solids in two layers, some for bumping into, some triggers.
+/// Meshes and solids in three layers, some solid, some triggers.
 class SomeWorld {
 public:
     explicit SomeWorld(Dice& dice) {
@@ -52,7 +52,8 @@ public:
     World world{std::make_unique<LinearBroadPhase>()};
 };
 
-/// Every piece in reach by a loop over all objects and triangles: the surest and the possible ones.
+/// The pieces in reach by a loop over all objects and triangles: those certainly in reach, and how many there
+/// may be.
 struct Expected {
     std::vector<std::pair<std::size_t, std::uint32_t>> inside;
     std::size_t at_most = 0;
@@ -87,7 +88,7 @@ Expected loop_gather(const World& world, const QueryFilter& filter, const Segmen
     return expected;
 }
 
-TEST(GatherObstacles, FindsThePiecesOfTheLoopInOrder) {
+TEST(GatherObstacles, FindsThePiecesOfALoopInOrder) {
     Dice dice(60);
     int found = 0;
     const int worlds = repeats(30);
@@ -116,7 +117,7 @@ TEST(GatherObstacles, FindsThePiecesOfTheLoopInOrder) {
     EXPECT_GT(found, worlds * 5);
 }
 
-TEST(GatherObstacles, TellsATrianglesPlaceNormalAndTop) {
+TEST(GatherObstacles, ReturnsATrianglesVerticesNormalAndTop) {
     World world(std::make_unique<LinearBroadPhase>());
     TriangleMesh mesh;
     support::add_triangle(mesh, {0, 0, 0}, {0, 0, 2}, {2, 0, 0});
@@ -134,7 +135,7 @@ TEST(GatherObstacles, TellsATrianglesPlaceNormalAndTop) {
     EXPECT_EQ(pieces[1].normal, Vec3(0, 0, 0)) << "no area, no normal";
 }
 
-TEST(GatherPieces, LooksAtOneObjectOnlyWhateverItsDetection) {
+TEST(GatherPieces, ConsidersOnlyTheGivenObjectWhateverItsDetection) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, Sphere{1.0}, {0, 0, 0});
     Object trigger;
@@ -150,7 +151,7 @@ TEST(GatherPieces, LooksAtOneObjectOnlyWhateverItsDetection) {
     EXPECT_TRUE(pieces.empty());
 }
 
-TEST(WalkableAt, TrianglesCountFromBothSidesUpToTheLimit) {
+TEST(WalkableAt, TrianglesAreWalkableOnBothSidesUpToTheLimit) {
     const double limit = std::cos(50.0 * std::numbers::pi / 180.0);
     const auto slope = [](double degrees) {
         const double angle = degrees * std::numbers::pi / 180.0;
@@ -164,7 +165,7 @@ TEST(WalkableAt, TrianglesCountFromBothSidesUpToTheLimit) {
     EXPECT_FALSE(walkable_at(obstacle_of(Triangle{}, Vec3::Zero()), Vec3::Zero(), limit)) << "no area";
 }
 
-TEST(WalkableAt, SolidsWhereTheirSurfaceFacesUp) {
+TEST(WalkableAt, SolidsAreWalkableWhereTheirSurfaceFacesUp) {
     constexpr double kLimit = 0.64;
     Object object;
     const auto walkable = [&](const Shape& shape, const Vec3& point) {
@@ -188,7 +189,7 @@ TEST(WalkableAt, SolidsWhereTheirSurfaceFacesUp) {
 }
 
 /// Against a solid; triangles are in placed_mesh_test.cpp.
-TEST(Sweep, StopsAtTheFirstContactOfTheLoop) {
+TEST(Sweep, StopsAtTheFirstContact) {
     Dice dice(61);
     int contacts = 0;
     const int sweeps = repeats(600);
@@ -209,10 +210,11 @@ TEST(Sweep, StopsAtTheFirstContactOfTheLoop) {
         }
         const double exact = support::first_not_above_zero(gap_at).value_or(2.0);
         const double ours = sweep(segment, radius, move, obstacle_of(object)).value_or(2.0);
-        // In metres, not fractions: where they graze, many fractions are as good. A box's nearest point is
-        // searched for, to about 1e-9.
-        const double gone = std::min(ours, 1.0);
-        ASSERT_GT(support::least_on_unit_interval([&](double f) { return gap_at(f * gone); }), -1e-8) << i;
+        // In metres, not fractions: for a grazing contact many fractions are equally good. A box's nearest
+        // point is found by a search, to about 1e-9.
+        const double travelled = std::min(ours, 1.0);
+        ASSERT_GT(support::least_on_unit_interval([&](double f) { return gap_at(f * travelled); }), -1e-8)
+            << i;
         if (ours < exact - 1e-6) {
             ASSERT_LT(gap_at(ours), 1e-6) << i << ": it stopped short of a contact";
         }
@@ -221,7 +223,7 @@ TEST(Sweep, StopsAtTheFirstContactOfTheLoop) {
     EXPECT_GT(contacts, sweeps / 20);
 }
 
-TEST(Sweep, MovingAwayOrAlongIsFree) {
+TEST(Sweep, MovingAwayFromOrAlongASurfaceIsFree) {
     const Obstacle floor = obstacle_of(Triangle{{-9, 0, -9}, {-9, 0, 9}, {18, 0, 0}}, {0, 1, 0});
     const Segment touching{{0, 0.3, 0}, {0, 1.5, 0}};
     EXPECT_EQ(sweep(touching, 0.3, {0, 1, 0}, floor), std::nullopt);
@@ -229,11 +231,11 @@ TEST(Sweep, MovingAwayOrAlongIsFree) {
     EXPECT_EQ(sweep(touching, 0.3, {0, -1, 0}, floor), 0.0);
     EXPECT_EQ(sweep(touching, 0.3, {0, 0, 0}, floor), std::nullopt);
     const Segment deep{{0, 0.2, 0}, {0, 1.5, 0}};
-    EXPECT_EQ(sweep(deep, 0.3, {0, 1, 0}, floor), std::nullopt) << "out of it";
-    EXPECT_EQ(sweep(deep, 0.3, {0, -1, 0}, floor), 0.0) << "no deeper";
+    EXPECT_EQ(sweep(deep, 0.3, {0, 1, 0}, floor), std::nullopt) << "moving out";
+    EXPECT_EQ(sweep(deep, 0.3, {0, -1, 0}, floor), 0.0) << "moving deeper";
 }
 
-TEST(Sweep, ReachesTheContactToANanometre) {
+TEST(Sweep, FindsTheContactToANanometre) {
     const Obstacle floor = obstacle_of(Triangle{{-9, 0, -9}, {-9, 0, 9}, {18, 0, 0}}, {0, 1, 0});
     const auto f = sweep({{0, 2.3, 0}, {0, 3.5, 0}}, 0.3, {0, -4, 0}, floor);
     ASSERT_TRUE(f);

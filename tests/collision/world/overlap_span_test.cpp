@@ -26,7 +26,7 @@ std::optional<OverlapSpan> span_of(const World& world, ObjectId id, const Vec3& 
     return overlap_span(world, id, placement_at(from), kRadius, move);
 }
 
-/// The span of a convex function's part below zero, by halving intervals from both ends.
+/// The interval where a convex function is negative, by bisection from both ends.
 template <typename Gap>
 std::optional<OverlapSpan> plain_span(const Gap& gap_at) {
     const auto enter = support::first_not_above_zero(gap_at);
@@ -37,7 +37,7 @@ std::optional<OverlapSpan> plain_span(const Gap& gap_at) {
     return OverlapSpan{*enter, 1.0 - leave.value_or(1.0), gap_at(0.0) <= 0.0, gap_at(1.0) <= 0.0};
 }
 
-/// A graze may be seen by one side only, so what nearly touches is not compared.
+/// A grazing contact may be found by only one of the two, so near touches are not compared.
 template <typename Gap>
 bool clear_cut(const Gap& gap_at) {
     constexpr double kGraze = 1e-4;
@@ -55,7 +55,7 @@ void expect_same(const std::optional<OverlapSpan>& ours, const std::optional<Ove
     }
 }
 
-TEST(OverlapSpan, OfASolidIsWhereThePlainGapIsClosed) {
+TEST(OverlapSpan, OfASolidAgreesWithThePlainDistance) {
     Dice dice(90);
     int spans = 0;
     const int moves = support::repeats(400);
@@ -82,7 +82,7 @@ TEST(OverlapSpan, OfASolidIsWhereThePlainGapIsClosed) {
     EXPECT_GT(spans, moves / 10);
 }
 
-TEST(OverlapSpan, OfATriangleIsWhereThePlainGapIsClosed) {
+TEST(OverlapSpan, OfATriangleAgreesWithThePlainDistance) {
     Dice dice(91);
     int spans = 0;
     const int moves = support::repeats(2000);
@@ -110,7 +110,7 @@ TEST(OverlapSpan, OfATriangleIsWhereThePlainGapIsClosed) {
     EXPECT_GT(spans, moves / 10);
 }
 
-TEST(OverlapSpan, ThroughATriggerBoxInOneTick) {
+TEST(OverlapSpan, CoversAPassThroughATriggerBoxInOneTick) {
     World world(std::make_unique<LinearBroadPhase>());
     const ObjectId id = add_object(world, Box{{0.5, 2, 0.5}}, {0, 0, 0});
     const auto span = span_of(world, id, {-5, 0, 0}, {10, 0, 0});
@@ -123,7 +123,7 @@ TEST(OverlapSpan, ThroughATriggerBoxInOneTick) {
     EXPECT_FALSE(span_of(world, id, {-5, 0, 0}, {4.1, 0, 0})) << "stops before it";
 }
 
-TEST(OverlapSpan, StandingStill) {
+TEST(OverlapSpan, OfABodyAtRestIsTheWholeTick) {
     World world(std::make_unique<LinearBroadPhase>());
     const ObjectId id = add_object(world, Box{{0.5, 2, 0.5}}, {0, 0, 0});
     const auto span = span_of(world, id, {0.7, 0, 0}, {0, 0, 0});
@@ -135,7 +135,7 @@ TEST(OverlapSpan, StandingStill) {
     EXPECT_FALSE(span_of(world, id, {0.9, 0, 0}, {0, 0, 0}));
 }
 
-TEST(OverlapSpan, DeepInsideAClosedMeshIsInside) {
+TEST(OverlapSpan, IncludesTheInteriorOfAClosedMesh) {
     World world(std::make_unique<LinearBroadPhase>());
     TriangleMesh box;
     support::add_box(box, {-5, -5, -5}, {5, 5, 5});
@@ -158,7 +158,7 @@ TEST(OverlapSpan, DeepInsideAClosedMeshIsInside) {
     EXPECT_FALSE(out->at_end);
 }
 
-TEST(OverlapSpan, BetweenTheWallsOfAnOpenRoomNothingIsMet) {
+TEST(OverlapSpan, IsEmptyBetweenTheWallsOfAnOpenRoom) {
     World world(std::make_unique<LinearBroadPhase>());
     TriangleMesh room;
     support::add_quad(room, {-5, -5, 5}, {5, -5, 5}, {5, 5, 5}, {-5, 5, 5});

@@ -22,7 +22,7 @@ Segment random_segment(Dice& dice) {
     return {a, dice.chance(0.2) ? a : Vec3(a + dice.in_cube(dice.chance(0.5) ? 1.0 : 4.0))};
 }
 
-/// A placed mesh as the mover sees it, through tree and pose, and the plain distance to all of it.
+/// A placed mesh as the mover sees it, through tree and pose, and its triangles for the plain formulas.
 class PlacedMesh {
 public:
     explicit PlacedMesh(Dice& dice) : X_(support::random_pose(dice, 50.0)) {
@@ -44,7 +44,7 @@ private:
     std::vector<support::Vertices> triangles_;
 };
 
-TEST(ClosestOfAPlacedMesh, IsThatOfTheLoop) {
+TEST(ClosestOfAPlacedMesh, AgreesWithALoopOverAllTriangles) {
     Dice dice(44);
     int near = 0;
     for (int m = 0; m < repeats(80); ++m) {
@@ -70,12 +70,12 @@ TEST(ClosestOfAPlacedMesh, IsThatOfTheLoop) {
     EXPECT_GT(near, repeats(300));
 }
 
-/// The first contact of a moving capsule with all triangles, by halving a convex function's interval.
+/// The first contact of a moving capsule with all triangles, by bisection of a convex function.
 double plain_sweep(const PlacedMesh& mesh, const Segment& segment, double radius, const Vec3& move) {
     double first = 2.0;
     for (const support::Vertices& t : mesh.triangles()) {
         if (support::distance(Line{segment.a, segment.b}, t) > radius + move.norm()) {
-            continue;  // it can't come that far
+            continue;  // out of reach
         }
         const auto f = support::first_not_above_zero([&](double at) {
             return support::distance(Line{segment.a + at * move, segment.b + at * move}, t) - radius;
@@ -85,7 +85,7 @@ double plain_sweep(const PlacedMesh& mesh, const Segment& segment, double radius
     return first;
 }
 
-TEST(SweepOfAPlacedMesh, IsThatOfTheLoop) {
+TEST(SweepOfAPlacedMesh, AgreesWithALoopOverAllTriangles) {
     Dice dice(45);
     int contacts = 0;
     const int meshes = repeats(60);
@@ -108,7 +108,7 @@ TEST(SweepOfAPlacedMesh, IsThatOfTheLoop) {
                 ours = std::min(ours, sweep(segment, radius, move, o).value_or(2.0));
             }
             ASSERT_LE(ours, plain + 1e-9) << m << ' ' << i << ": never beyond the contact";
-            if (ours < plain - 1e-6) {  // a graze: it stopped where the gap is all but closed
+            if (ours < plain - 1e-6) {  // a grazing contact: it stopped where the gap is almost closed
                 double gap = 1.0;
                 for (const support::Vertices& t : mesh.triangles()) {
                     const Line moved{segment.a + ours * move, segment.b + ours * move};

@@ -28,7 +28,7 @@ std::optional<Vec3> free_place_at(const World& world, const Vec3& foot, double s
     return free_place(world, {}, foot, kRadius, kHeight, search);
 }
 
-TEST(Contains, SolidsAsTheirSignedDistanceSays) {
+TEST(Contains, AgreesWithTheSignedDistanceOfSolids) {
     Dice dice(100);
     int inside = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -45,7 +45,7 @@ TEST(Contains, SolidsAsTheirSignedDistanceSays) {
     EXPECT_GT(inside, 200);
 }
 
-TEST(Contains, ClosedMeshesAsTheirSolidAngleSays) {
+TEST(Contains, AgreesWithTheSolidAngleOfClosedMeshes) {
     Dice dice(101);
     TriangleMesh mesh;
     support::add_box(mesh, {-1, -1, -1}, {1, 2, 1});
@@ -59,7 +59,7 @@ TEST(Contains, ClosedMeshesAsTheirSolidAngleSays) {
     }
 }
 
-TEST(Obstruction, IsWhatThePenetrationOracleSees) {
+TEST(Obstruction, AgreesWithThePenetrationOracle) {
     Dice dice(102);
     int obstructed = 0;
     const int worlds = support::repeats(15);
@@ -82,7 +82,7 @@ TEST(Obstruction, IsWhatThePenetrationOracleSees) {
     EXPECT_LT(obstructed, worlds * 58);
 }
 
-TEST(Obstruction, NamesTheDeepestThenTheFirst) {
+TEST(Obstruction, NamesTheDeepestThenTheFirstObject) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, Box{{1, 1, 1}}, {1.25, 1, 0});
     const ObjectId deeper = add_object(world, Box{{1, 1, 1}}, {-1.2, 1, 0});
@@ -91,7 +91,7 @@ TEST(Obstruction, NamesTheDeepestThenTheFirst) {
     EXPECT_EQ(obstruction_at(world, {0, 5, 0}), std::nullopt);
 }
 
-TEST(Obstruction, DeepInsideAClosedMeshCounts) {
+TEST(Obstruction, IncludesTheInteriorOfAClosedMesh) {
     World world(std::make_unique<LinearBroadPhase>());
     TriangleMesh block;
     support::add_box(block, {-5, -5, -5}, {5, 5, 5});
@@ -107,7 +107,7 @@ TEST(Obstruction, DeepInsideAClosedMeshCounts) {
     EXPECT_EQ(obstruction_at(inside, {0, -1, 0}), std::nullopt) << "a room modelled from within is free";
 }
 
-TEST(Obstruction, HeedsTheFilter) {
+TEST(Obstruction, RespectsTheFilter) {
     World world(std::make_unique<LinearBroadPhase>());
     Object trigger;
     trigger.shape = Box{{1, 1, 1}};
@@ -121,14 +121,14 @@ TEST(Obstruction, HeedsTheFilter) {
     EXPECT_FALSE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 1U << 4U}));
 }
 
-TEST(FreePlace, IsWhereOneAskedForWhenThatIsFree) {
+TEST(FreePlace, IsTheRequestedPlaceIfThatIsFree) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, Box{{1, 1, 1}}, {0, -1, 0});
     EXPECT_EQ(free_place_at(world, {0, 0.2, 0}, 0.5), Vec3(0, 0.2, 0));
     EXPECT_EQ(free_place_at(world, {7, -3, 0}, 0.0), Vec3(7, -3, 0));
 }
 
-TEST(FreePlace, IsLiftedOutOfGroundThatIsALittleHigher) {
+TEST(FreePlace, IsLiftedOutOfSlightlyHigherGround) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, Box{{1, 1, 1}}, {0, -1, 0});
     const auto place = free_place_at(world, {0, -0.32, 0}, 0.5);
@@ -139,13 +139,13 @@ TEST(FreePlace, IsLiftedOutOfGroundThatIsALittleHigher) {
     EXPECT_FALSE(free_place_at(world, {0, -0.62, 0}, 0.5)) << "too deep";
 }
 
-// ---- placement places ------------------------------------------------------------------------------------
+// The nearest free placement.
 
 std::optional<FreePlacement> placement_at(const World& world, const Vec3& foot) {
     return nearest_free_placement(world, {}, foot, kRadius, kHeight, 0.5);
 }
 
-TEST(StandingPlace, IsBesideAWallThatIsOverlapped) {
+TEST(NearestFreePlacement, IsBesideTheOverlappedWall) {
     World world(std::make_unique<LinearBroadPhase>());
     const ObjectId wall = add_object(world, Box{{0.1, 2, 5}}, {1, 2, 0});  // its face at x = 0.9
     for (const double x : {0.61, 0.75, 0.899}) {
@@ -160,8 +160,8 @@ TEST(StandingPlace, IsBesideAWallThatIsOverlapped) {
     EXPECT_FALSE(placement_at(world, {0.95, 0, 0})) << "its axis is inside";
 }
 
-TEST(StandingPlace, IsOnThisSideOfAThinWall) {
-    // Beyond the sheet it would be as near, and there is a block on this side.
+TEST(NearestFreePlacement, IsOnTheSameSideOfAThinWall) {
+    // A place beyond the sheet would be as near; in the end a block leaves no room on this side.
     TriangleMesh sheet;
     support::add_quad(sheet, {0.1, 0, -9}, {0.1, 9, -9}, {0.1, 9, 9}, {0.1, 0, 9});
     World world(std::make_unique<LinearBroadPhase>());
@@ -173,8 +173,8 @@ TEST(StandingPlace, IsOnThisSideOfAThinWall) {
     EXPECT_FALSE(placement_at(world, {0, 0, 0}));
 }
 
-TEST(StandingPlace, IsNoFartherThanTwiceTheRadius) {
-    // A niche 0.55 m wide, too narrow at every depth: out of it only by its mouth.
+TEST(NearestFreePlacement, IsAtMostTwiceTheRadiusAway) {
+    // A niche 0.55 m wide, too narrow for the body: the only way out is its mouth.
     const auto in_niche = [](double depth) {
         World world(std::make_unique<LinearBroadPhase>());
         add_object(world, Box{{0.5, 2, 2}}, {-0.775, 2, 2});
@@ -185,14 +185,14 @@ TEST(StandingPlace, IsNoFartherThanTwiceTheRadius) {
     EXPECT_FALSE(in_niche(0.8));
 }
 
-TEST(StandingPlace, IsNearlyTheNearestFreeOne) {
+TEST(NearestFreePlacement, IsNearlyTheNearest) {
     const auto village = support::make_village();
     const support::PenetrationOracle oracle(*village);
     Dice dice(104);
-    // Few places are in something, and not too far in: the oracle finds them.
-    const int wanted = support::repeats(16);
+    // Few places overlap something, and not too deeply: the oracle finds them.
+    const int needed = support::repeats(16);
     int pushed = 0;
-    for (int i = 0; i < 50'000 && pushed < wanted; ++i) {
+    for (int i = 0; i < 50'000 && pushed < needed; ++i) {
         const double x = dice.between(-19, 19);
         const double y = dice.between(0.02, 0.3);
         const Vec3 foot(x, y, dice.between(-19, 19));
@@ -207,7 +207,7 @@ TEST(StandingPlace, IsNearlyTheNearestFreeOne) {
         ASSERT_LE(oracle.worst_penetration(placement->foot, kRadius, kHeight).depth, 1e-9)
             << foot.transpose();
         const double moved = (placement->foot - foot).norm();
-        if (!placement->pushed_out_of || standing->foot.y() - foot.y() >= 0.05) {
+        if (!placement->pushed_out_of || placement->foot.y() - foot.y() >= 0.05) {
             continue;
         }
         ++pushed;
@@ -223,10 +223,10 @@ TEST(StandingPlace, IsNearlyTheNearestFreeOne) {
             }
         }
     }
-    EXPECT_EQ(pushed, wanted);
+    EXPECT_EQ(pushed, needed);
 }
 
-TEST(FreePlace, NeverEndsInsideAnything) {
+TEST(FreePlace, IsNeverInsideAnything) {
     const auto village = support::make_village();
     const support::PenetrationOracle oracle(*village);
     Dice dice(103);

@@ -35,7 +35,7 @@ TEST(Detection, CombinesAsBits) {
     EXPECT_FALSE(any_of(Detection::none, both));
 }
 
-TEST(World, NumbersObjectsInTheOrderTheyCome) {
+TEST(World, NumbersObjectsInTheOrderOfAddition) {
     World world(std::make_unique<LinearBroadPhase>());
     EXPECT_EQ(world.size(), 0U);
     EXPECT_TRUE(world.bounds().empty());
@@ -51,7 +51,7 @@ TEST(World, NumbersObjectsInTheOrderTheyCome) {
     EXPECT_NEAR(world.bounds().max.x(), 12.0, 1e-9);
 }
 
-/// With any broad phase: the objects of the loop that pass the filter, ascending.
+/// With either broad phase the candidates are those of a loop that pass the filter, ascending.
 class WorldWithABroadPhase : public ::testing::TestWithParam<bool> {
 protected:
     std::unique_ptr<BroadPhase> broad_phase() const {
@@ -62,7 +62,7 @@ protected:
     }
 };
 
-TEST_P(WorldWithABroadPhase, GivesCandidatesInOrderAndFiltered) {
+TEST_P(WorldWithABroadPhase, ReturnsFilteredCandidatesInOrder) {
     Dice dice(80);
     World world(broad_phase());
     for (int i = 0; i < 200; ++i) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLevel = 8.0;
 
-/// Of a ball over x = 0 that touches the piece from above; far below where it can't.
+/// Height of a ball over x = 0 that touches the piece from above; far below if it can't.
 double rolled_over_piece(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) {
     const auto touching = [&](double x, double y) { return y + std::sqrt(radius * radius - x * x) - radius; };
     if (b.x() < -radius || a.x() > radius) {
@@ -19,8 +19,8 @@ double rolled_over_piece(const Eigen::Vector2d& a, const Eigen::Vector2d& b, dou
     if (b.x() == a.x()) {
         return touching(a.x(), std::max(a.y(), b.y()));
     }
-    // The height over the touched point is concave in it, so its greatest value is at the tangent point or at
-    // the end of the piece that is nearest to that.
+    // The height is a concave function of the touched point, so its maximum is at the tangent point or at the
+    // end of the piece nearest to it.
     const double slope = (b.y() - a.y()) / (b.x() - a.x());
     const double tangent = radius * slope / std::sqrt(1.0 + slope * slope);
     const double x = std::clamp(tangent, std::max(a.x(), -radius), std::min(b.x(), radius));

@@ -10,14 +10,14 @@
 /// everything underfoot.
 namespace campuswalk::support {
 
-/// (x, y) in metres, x never falling; two points of one x are a riser.
+/// (x, y) in metres, x never decreasing; two points with the same x are a riser.
 using Profile = std::vector<Eigen::Vector2d>;
 
 /// Level from 8 m before `x`, `steps` risers of one height, level for 8 m behind the last.
 Profile flight(double x, double riser, double tread, int steps);
 /// Level, then `run` metres at `degrees`, then level for 8 m.
 Profile ramp(double x, double degrees, double run);
-/// Waves of `length` and `height` (crest over trough), `pieces` straight pieces each, between level ends.
+/// Waves of `length` and `height` (crest over trough), each of `pieces` straight pieces, between level ends.
 Profile waves(double length, double height, int count, int pieces);
 
 /// The surface, 2 * `half_width` wide; facets face up.

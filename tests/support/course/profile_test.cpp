@@ -7,7 +7,7 @@
 namespace campuswalk::support {
 namespace {
 
-/// The ball's lowest place, from the profile's points in steps of a tenth of a millimetre.
+/// The ball's lowest height, from the profile's points in steps of a tenth of a millimetre.
 double rolled_by_steps(const Profile& profile, double x, double radius) {
     double highest = -1e300;
     for (std::size_t i = 1; i < profile.size(); ++i) {
@@ -24,7 +24,7 @@ double rolled_by_steps(const Profile& profile, double x, double radius) {
     return highest;
 }
 
-TEST(Profile, ABallRollsOverItAsSmallStepsSay) {
+TEST(Profile, RolledHeightAgreesWithSmallSteps) {
     for (const Profile& profile :
          {flight(0.0, 0.17, 0.28, 3), ramp(0.0, 30.0, 1.0), ramp(0.2, 60.0, 0.5), waves(0.5, 0.1, 2, 6)}) {
         for (double x = -0.6; x < 1.5; x += 0.0317) {
@@ -33,7 +33,7 @@ TEST(Profile, ABallRollsOverItAsSmallStepsSay) {
     }
 }
 
-TEST(Profile, OnTheLevelAndOnAnEdgeTheHeightIsKnown) {
+TEST(Profile, RolledHeightIsExactOnLevelGroundAndAtAnEdge) {
     const Profile step = flight(0.0, 0.2, 0.3, 1);
     EXPECT_EQ(rolled_height(step, -1.0, 0.3), 0.0);
     EXPECT_EQ(rolled_height(step, 1.0, 0.3), 0.2);

@@ -59,7 +59,7 @@ void add_wall_of_boxes(collision::World& world, double length, const collision::
     }
 }
 
-void add_corner(TriangleMesh& mesh, double degrees) {
+void add_wedge(TriangleMesh& mesh, double degrees) {
     const double half = 0.5 * degrees * std::numbers::pi / 180.0;
     const Vector3d up(0, kHigh, 0);
     for (const double side : {-1.0, 1.0}) {
