@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Damaged and forged binary files by the thousand: those of the cache, and answers of the import helper.
 
-`fuzz_binary.py PROGRAM SEAL_ANEW TAKE_ANSWERS [--mutants N] [--targets cache,answers] [--workers N]`: N mutants of each.
-Half of them get a correct checksum, and most keep their size. A cache file with a wrong one must change nothing: the walk's
-log is that of a run without a cache. A forged file may be accepted where it makes sense; it must never crash, hang or exhaust
-the memory.
+`fuzz_binary.py PROGRAM SEAL_ANEW TAKE_ANSWERS [--mutants N] [--targets cache,answers] [--workers N]`: N mutants of
+each. Half of them get a correct checksum, and most keep their size. A cache file with a wrong one must change nothing:
+the walk's log is that of a run without a cache. A forged file may be accepted where it makes sense; it must never
+crash, hang or exhaust the memory.
 """
 
 import argparse

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Damaged models by the thousand: each loads or is refused with a message, in bounded time, and none crashes the program.
+"""Damaged models by the thousand: each loads or is refused with a message, in bounded time, without a crash.
 
 `fuzz_models.py PROGRAM [--mutants N] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each format
 through `campuswalk info`. FOLDER has further intact files to start from, as written by write_packed_models.
@@ -18,7 +18,7 @@ import time
 from mutants import glb_mutant, mutant
 from seed_models import COMPANIONS, seeds
 
-SECONDS = 160  # the helper's 20 s of CPU, and what it may wait; see ImportLimits
+SECONDS = 160  # the helper's 20 s of CPU, and the time it may wait; see ImportLimits
 
 
 class Tally:

@@ -85,8 +85,8 @@ def same_size_mutant(seed, data):
 
 
 def glb_mutant(seed, data):
-    """Changes one of a GLB's two chunks and corrects the lengths, or changes the file as a whole. Otherwise hardly any mutant
-    would get past the header."""
+    """Changes one of a GLB's two chunks and corrects the lengths, or changes the file as a whole. Otherwise hardly any
+    mutant would get past the header."""
     dice = random.Random("glb " + seed)
     length = struct.unpack_from("<I", data, 12)[0]
     chunks = [data[20:20 + length], data[28 + length:]]

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Walks of config/walks, packed into files and played by the core alone, end with the hashes of tests/golden.
 
-`packed_walks_test.py WRITER PLAYER…`: the program write_packed_walk, and play_packed_walk, perhaps after a command that
-runs it, such as an emulator of another processor.
+`packed_walks_test.py WRITER PLAYER…`: the program write_packed_walk, and play_packed_walk, perhaps after a command
+that runs it, such as an emulator of another processor.
 """
 
 import glob

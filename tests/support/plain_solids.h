@@ -23,7 +23,7 @@ std::optional<double> first_intersection(const Line& line, const Vertices& trian
 /// Where the line first intersects the filled solid, in the solid's own frame, to about 1e-12.
 std::optional<double> first_intersection(const Line& line, const collision::Shape& solid);
 
-/// The first argument in [0, 1] at which a convex function is at most 0; none if it nowhere is.
+/// The first argument in [0, 1] at which a convex function is at most 0; none if it is positive everywhere.
 template <typename Convex>
 std::optional<double> first_not_above_zero(const Convex& f) {
     if (f(0.0) <= 0.0) {

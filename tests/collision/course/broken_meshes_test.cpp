@@ -145,7 +145,7 @@ TEST_P(CourseBrokenMeshes, AreWalkedLikeIntactOnes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Damages, CourseBrokenMeshes,
+INSTANTIATE_TEST_SUITE_P(KindsOfDamage, CourseBrokenMeshes,
                          ::testing::Values(Damage{"shuffled", shuffle, 0.0},
                                            Damage{"doubled", double_some, 0.0},
                                            Damage{"flipped", flip_some, 1e-6},

@@ -77,7 +77,7 @@ TEST_P(CourseAlongWalls, SlidingKeepsTheCosineOfTheSpeed) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Makes, CourseAlongWalls,
+INSTANTIATE_TEST_SUITE_P(Kinds, CourseAlongWalls,
                          ::testing::Values(WallKind{"plain", support::add_plain_wall},
                                            WallKind{"butted", support::add_butted_wall},
                                            WallKind{"tessellated", support::add_tessellated_wall},

@@ -60,10 +60,10 @@ TEST(TriangleBoxOverlap, AgreesWithClipping) {
 
 TEST(TriangleBoxOverlap, IncludesTouching) {
     const Box cube{Vec3(1, 1, 1)};
-    EXPECT_TRUE(overlap({{1, 0, 0}, {2, 1, 0}, {2, -1, 0}}, cube)) << "a corner on a face";
+    EXPECT_TRUE(overlap({{1, 0, 0}, {2, 1, 0}, {2, -1, 0}}, cube)) << "a vertex on a face";
     EXPECT_TRUE(overlap({{1, -3, -3}, {1, 3, -3}, {1, 0, 9}}, cube)) << "a face in a face";
     EXPECT_TRUE(overlap({{2, 0, 0}, {0, 2, 0}, {2, 2, 0}}, cube)) << "an edge on an edge";
-    EXPECT_TRUE(overlap({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, cube)) << "a point on a corner";
+    EXPECT_TRUE(overlap({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, cube)) << "a point on a vertex";
     EXPECT_FALSE(overlap({{2.1, 0, 0}, {0, 2.1, 0}, {2, 2, 0}}, cube)) << "an edge beside an edge";
     EXPECT_FALSE(overlap({{1.1, 1, 1}, {1.1, 1, 1}, {1.1, 1, 1}}, cube));
 }

@@ -167,16 +167,16 @@ constexpr double kNanometre = 1e-9;
 TEST(TriangleOverlap, TouchingIsOverlap) {
     const Vec3 up(0, 0, 1);
     const auto above = [&](const Vec3& p) { return Triangle{p, p + Vec3(1, 0, 1), p + Vec3(0, 1, 2)}; };
-    EXPECT_TRUE(overlap(kFloor, above({1, 1, 0}))) << "corner on face";
-    EXPECT_TRUE(overlap(kFloor, above({2, 2, 0}))) << "corner on edge";
-    EXPECT_TRUE(overlap(kFloor, above({4, 0, 0}))) << "corner on corner";
+    EXPECT_TRUE(overlap(kFloor, above({1, 1, 0}))) << "vertex on face";
+    EXPECT_TRUE(overlap(kFloor, above({2, 2, 0}))) << "vertex on edge";
+    EXPECT_TRUE(overlap(kFloor, above({4, 0, 0}))) << "vertex on vertex";
     EXPECT_TRUE(overlap(kFloor, {{3, 3, -1}, {1, 1, 1}, {3, 3, 1}})) << "edge on edge, crossing";
     EXPECT_TRUE(overlap(kFloor, {{1, 0, 0}, {2, 0, 0}, {1, 0, 1}})) << "edge along edge";
     EXPECT_TRUE(overlap(kFloor, {{1, 1, 0}, {2, 1, 0}, {1, 1, 1}})) << "edge on face";
     EXPECT_TRUE(overlap(kFloor, {{0, 0, 0}, {4, 0, 0}, {2, -1, 3}})) << "shared edge";
     EXPECT_TRUE(overlap(kFloor, kFloor)) << "coincident";
     EXPECT_TRUE(overlap(kFloor, {{0, 0, 0}, {4, 0, 0}, {0, -4, 0}})) << "shared edge in one plane";
-    EXPECT_TRUE(overlap(kFloor, {{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}})) << "shared corner in one plane";
+    EXPECT_TRUE(overlap(kFloor, {{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}})) << "shared vertex in one plane";
     EXPECT_TRUE(overlap(kFloor, {{1, 1, 0}, {1.5, 1, 0}, {1, 1.5, 0}})) << "one within the other";
     EXPECT_TRUE(overlap(kFloor, {{1, 1, -1}, {1, 1, 1}, {9, 9, 0}})) << "through the face";
 }

@@ -191,8 +191,8 @@ TEST(HybridContacts, OfCoplanarFloorsVanishWithTheSmallestGap) {
     const auto beside = [&](double x, double z) {
         return expect_exact(a, b, {Mat3::Identity(), Vec3(x, 0.0, z)});
     };
-    EXPECT_EQ(beside(8.0, 0.0), 30U + 38U + 7U) << "edges on edges, corners on edges, corners on corners";
-    EXPECT_EQ(beside(8.0, 8.0), 1U) << "corner to corner";
+    EXPECT_EQ(beside(8.0, 0.0), 30U + 38U + 7U) << "edges on edges, vertices on edges, vertices on vertices";
+    EXPECT_EQ(beside(8.0, 8.0), 1U) << "vertex to vertex";
     EXPECT_EQ(beside(std::nextafter(8.0, 9.0), 0.0), 0U);
     for (const double gap : {1e-9, -1e-9, 5e-324}) {
         EXPECT_EQ(expect_exact(a, b, {Mat3::Identity(), Vec3(0.0, gap, 0.0)}), 0U);

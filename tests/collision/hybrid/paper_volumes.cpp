@@ -43,8 +43,8 @@ Real farthest(const std::vector<Vec3l>& points, const Vec3l& from) {
     return distance;
 }
 
-/// Along the bisector of the corner between the two longest edges, to the inscribed circle's radius over the
-/// sine of half the angle.
+/// Along the bisector of the angle between the two longest edges, at the inscribed circle's radius over the
+/// sine of half that angle.
 Vec3l incentre_by_bisector(const Vec3l& a, const Vec3l& b, const Vec3l& c) {
     const Real ab = (b - a).norm();
     const Real ac = (c - a).norm();

@@ -112,7 +112,7 @@ TEST(MeshContacts, OfCoplanarFloorsVanishWithTheSmallestGap) {
     const MeshCollider b(fine);
     EXPECT_GT(expect_exact(a, b, {}), fine.triangles.size());
     EXPECT_GT(expect_exact(a, b, {Mat3::Identity(), Vec3(0.3, 0.0, -0.7)}), 0U);
-    EXPECT_EQ(expect_exact(a, b, {Mat3::Identity(), Vec3(8.0, 0.0, 8.0)}), 1U) << "corner to corner";
+    EXPECT_EQ(expect_exact(a, b, {Mat3::Identity(), Vec3(8.0, 0.0, 8.0)}), 1U) << "vertex to vertex";
     EXPECT_EQ(expect_exact(a, b, {Mat3::Identity(), Vec3(std::nextafter(8.0, 9.0), 0.0, 0.0)}), 0U);
     for (const double gap : {1e-9, -1e-9, 5e-324}) {
         EXPECT_EQ(expect_exact(a, b, {Mat3::Identity(), Vec3(0.0, gap, 0.0)}), 0U);

@@ -23,7 +23,7 @@ TEST(LinearBroadPhase, FindsTheOverlappingBoxes) {
     EXPECT_EQ(found, (std::vector{ObjectId{99}, ObjectId{7}})) << "results are appended";
     found.clear();
     phase.overlapping({Vec3(1, 1, 1), Vec3(2, 2, 2)}, found);
-    EXPECT_EQ(found, (std::vector{ObjectId{7}, ObjectId{3}})) << "corners that touch count";
+    EXPECT_EQ(found, (std::vector{ObjectId{7}, ObjectId{3}})) << "touching at a vertex counts";
     found.clear();
     phase.overlapping({Vec3(0, 1.01, 0), Vec3(3, 2, 1)}, found);
     EXPECT_TRUE(found.empty());
