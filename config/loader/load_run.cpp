@@ -34,10 +34,10 @@ SourceMark whole_file(const fs::path& file) {
     return {shown_path(file), 0, 0};
 }
 
-/// `asked_at` is where the file is named: another file, or itself when the user named it.
-std::optional<CampusDescription> open_campus(const fs::path& path, const SourceMark& asked_at,
+/// `named_at` is where the file is named: in another file, or the file itself if the user named it.
+std::optional<CampusDescription> open_campus(const fs::path& path, const SourceMark& named_at,
                                              DiagnosticList& diagnostics) {
-    const auto file = YamlFile::open(path, ".campus.yaml", asked_at, diagnostics);
+    const auto file = YamlFile::open(path, ".campus.yaml", named_at, diagnostics);
     if (!file) {
         return std::nullopt;
     }
@@ -47,9 +47,9 @@ std::optional<CampusDescription> open_campus(const fs::path& path, const SourceM
     return campus;
 }
 
-AvatarProfile open_avatar(const fs::path& path, const SourceMark& asked_at, DiagnosticList& diagnostics) {
+AvatarProfile open_avatar(const fs::path& path, const SourceMark& named_at, DiagnosticList& diagnostics) {
     AvatarProfile profile;
-    if (const auto file = YamlFile::open(path, ".avatar.yaml", asked_at, diagnostics)) {
+    if (const auto file = YamlFile::open(path, ".avatar.yaml", named_at, diagnostics)) {
         CheckedMap map(file->root(), "an avatar");
         read_avatar_fields(map, profile);
         map.refuse_other_keys();
@@ -57,10 +57,10 @@ AvatarProfile open_avatar(const fs::path& path, const SourceMark& asked_at, Diag
     return profile;
 }
 
-engine::LightSettings open_light(const fs::path& path, const SourceMark& asked_at,
+engine::LightSettings open_light(const fs::path& path, const SourceMark& named_at,
                                  DiagnosticList& diagnostics) {
     engine::LightSettings light;
-    if (const auto file = YamlFile::open(path, ".light.yaml", asked_at, diagnostics)) {
+    if (const auto file = YamlFile::open(path, ".light.yaml", named_at, diagnostics)) {
         CheckedMap map(file->root(), "a light");
         read_light_fields(map, light);
         map.refuse_other_keys();
@@ -76,7 +76,7 @@ engine::LightSettings named_light(const CheckedNode& node, const fs::path& folde
     return file ? open_light(*file, node.mark(), node.diagnostics()) : engine::LightSettings{};
 }
 
-/// A profile's name, or a map with what differs from a profile or from the day.
+/// A profile's name, or a map that overrides keys of a profile (without one, of the default light).
 engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& folder,
                                     const std::vector<fs::path>& more) {
     if (node.is_scalar()) {
@@ -94,7 +94,7 @@ engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& fol
     return light;
 }
 
-/// Follows the names that a walk file gives of others.
+/// Reads a walk and the files that it names.
 class RunReader {
 public:
     RunReader(const fs::path& walk_file, const SearchPaths& search, const Overrides& overrides,
@@ -163,31 +163,32 @@ private:
             return nullptr;
         }
         walk.campus = folder / *written;
-        std::shared_ptr<const CampusDescription> campus = described(walk.campus, node.mark());
+        std::shared_ptr<const CampusDescription> campus = description_of(walk.campus, node.mark());
         walk.campus_name = campus ? campus->name : "";
         return campus;
     }
 
-    /// Only campuses without mistakes are remembered: the others are to be complained of again.
-    std::shared_ptr<const CampusDescription> described(const fs::path& path, const SourceMark& asked_at) {
+    /// Only campuses without errors are cached: the errors of the others are reported for each walk.
+    std::shared_ptr<const CampusDescription> description_of(const fs::path& path,
+                                                            const SourceMark& named_at) {
         const std::string key = shown_path(path);
-        if (const auto known = campuses_.find(key); known != campuses_.end()) {
-            return known->second;
+        if (const auto cached = campuses_.find(key); cached != campuses_.end()) {
+            return cached->second;
         }
-        DiagnosticList mistakes;
-        std::optional<CampusDescription> campus = open_campus(path, asked_at, mistakes);
-        diagnostics_.append(mistakes.all());
+        DiagnosticList campus_diagnostics;
+        std::optional<CampusDescription> campus = open_campus(path, named_at, campus_diagnostics);
+        diagnostics_.append(campus_diagnostics.all());
         if (!campus) {
             return nullptr;
         }
         auto shared = std::make_shared<const CampusDescription>(std::move(*campus));
-        if (!mistakes.has_errors()) {
+        if (!campus_diagnostics.has_errors()) {
             campuses_.emplace(key, shared);
         }
         return shared;
     }
 
-    /// A profile's name, or a map with the profile and the fields that differ.
+    /// A profile's name, or a map that overrides keys of a profile.
     AvatarProfile read_avatar_of(const CheckedNode& node, const fs::path& folder, const CampusNames& names) {
         if (node.is_scalar()) {
             return named_avatar(node, folder);
@@ -280,18 +281,18 @@ std::vector<engine::Step> load_steps(const fs::path& steps_file) {
     return steps;
 }
 
-engine::CameraSettings read_camera_text(const std::string& text, const std::string& asked_by,
+engine::CameraSettings read_camera_text(const std::string& text, const std::string& source,
                                         const CampusDescription& campus,
                                         const engine::CameraSettings& camera) {
     DiagnosticList diagnostics;
     CameraKeys read;
     read.size = camera;
-    if (const auto root = parse_yaml(text, asked_by, diagnostics)) {
-        CheckedMap map(CheckedNode(*root, "the camera", asked_by, diagnostics), "a camera");
+    if (const auto root = parse_yaml(text, source, diagnostics)) {
+        CheckedMap map(CheckedNode(*root, "the camera", source, diagnostics), "a camera");
         read_camera_fields(map, CampusNames(&campus), read);
         map.refuse_other_keys();
     }
-    throw_in_order(diagnostics, {asked_by, 0, 0});
+    throw_in_order(diagnostics, {source, 0, 0});
     return read.settings();
 }
 
@@ -311,14 +312,14 @@ engine::LightSettings load_light(const fs::path& light_file) {
     return light;
 }
 
-engine::LightSettings read_light_text(const std::string& text, const std::string& asked_by,
+engine::LightSettings read_light_text(const std::string& text, const std::string& source,
                                       const fs::path& folder, const SearchPaths& search) {
     DiagnosticList diagnostics;
     engine::LightSettings light;
-    if (const auto root = parse_yaml(text, asked_by, diagnostics)) {
-        light = read_light_of(CheckedNode(*root, "'light'", asked_by, diagnostics), folder, search.lights);
+    if (const auto root = parse_yaml(text, source, diagnostics)) {
+        light = read_light_of(CheckedNode(*root, "'light'", source, diagnostics), folder, search.lights);
     }
-    throw_in_order(diagnostics, {asked_by, 0, 0});
+    throw_in_order(diagnostics, {source, 0, 0});
     return light;
 }
 

@@ -13,39 +13,39 @@
 
 namespace campuswalk::config {
 
-/// Where files that are named without a path are looked for.
+/// Where to look for profiles, which walks name without a path.
 struct SearchPaths {
     std::vector<std::filesystem::path> avatars;  ///< folders with NAME.avatar.yaml, after those near the walk
     std::vector<std::filesystem::path> lights;   ///< likewise with NAME.light.yaml
 };
 
-/// A walk with the campus it names, both read and checked for form.
+/// A walk and the campus it names, both read and checked as far as that is possible without the models.
 struct Run {
     engine::Walk walk;
     scene::CampusDescription campus;
 };
 
-/// The same, the campus shared with other walks.
+/// Likewise, with a campus that other walks may share.
 struct SharedRun {
     engine::Walk walk;
     std::shared_ptr<const scene::CampusDescription> campus;
-    std::filesystem::path avatar_file;  ///< empty when it names no profile
+    std::filesystem::path avatar_file;  ///< empty if the walk names no profile
     std::vector<scene::Diagnostic> warnings;
 };
 
 using CampusDescriptions = std::map<std::string, std::shared_ptr<const scene::CampusDescription>>;
 
-// All throw scene::InputError with every mistake of the file, and of the files it names, at once. Codes:
-//   missing-file, file-name, too-large, empty-file, yaml-syntax   the file as such
+// All functions throw one scene::InputError with all errors of the file and of the files it names. Codes:
+//   missing-file, file-name, too-large, empty-file, yaml-syntax   the file as a whole
 //   unknown-key, missing-key, duplicate-key                       keys
 //   wrong-type, bad-value                                         values
 //   unknown-name, duplicate-name                                  names of places, layers, avatars, events, …
-//   include-cycle, include-depth, too-many-steps                  steps that other files and rounds add
+//   include-cycle, include-depth, too-many-steps                  steps from `include` and `repeat`
 
 /// Reads `NAME.walk.yaml`, the campus it names and its avatar profile; resolves places and spawns.
 Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search);
 
-/// Reads many walks, and every campus they name once.
+/// Reads many walks, but each campus that they name only once.
 class RunLoader {
 public:
     explicit RunLoader(SearchPaths search) : search_(std::move(search)) {}
@@ -53,12 +53,12 @@ public:
     /// As load_run, with some of the walk's values replaced.
     SharedRun load(const std::filesystem::path& walk_file, const Overrides& overrides = {});
 
-    /// Reads what the values themselves name, as far as they tell it without a walk.
+    /// Checks the overrides, and the files they name, as far as that is possible without a walk.
     void check(const Overrides& overrides);
 
 private:
     SearchPaths search_;
-    CampusDescriptions campuses_;  ///< by path as diagnostics show it
+    CampusDescriptions campuses_;  ///< by path, as diagnostics show it
 };
 
 /// Reads `NAME.campus.yaml` alone.
@@ -67,9 +67,9 @@ scene::CampusDescription load_campus_description(const std::filesystem::path& ca
 /// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
 std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file);
 
-/// Reads a camera's keys as they stand in a walk, `{view: orbit, around: library}`; diagnostics are of
-/// `asked_by`. What isn't written of view, size and field of view is as in `camera`.
-engine::CameraSettings read_camera_text(const std::string& text, const std::string& asked_by,
+/// Reads a camera's keys as written in a walk, such as `{view: orbit, around: library}`. View, size and field
+/// of view default to those of `camera`. Diagnostics name `source` as the file.
+engine::CameraSettings read_camera_text(const std::string& text, const std::string& source,
                                         const scene::CampusDescription& campus,
                                         const engine::CameraSettings& camera);
 
@@ -79,9 +79,9 @@ engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
 /// Reads `NAME.light.yaml` alone.
 engine::LightSettings load_light(const std::filesystem::path& light_file);
 
-/// Reads a light as it may stand in a walk: a profile's name or `{profile: night, shadows: false}`. Profiles
-/// are looked for near `folder`; diagnostics are of `asked_by`.
-engine::LightSettings read_light_text(const std::string& text, const std::string& asked_by,
+/// Reads a light as written in a walk: a profile's name or `{profile: night, shadows: false}`. Profiles are
+/// searched for near `folder`. Diagnostics name `source` as the file.
+engine::LightSettings read_light_text(const std::string& text, const std::string& source,
                                       const std::filesystem::path& folder, const SearchPaths& search);
 
 }  // namespace campuswalk::config

@@ -8,7 +8,7 @@
 
 namespace campuswalk::config {
 
-/// A value that another file gives in the place of a walk's own; none when `node` is null.
+/// A value from another file that replaces a walk's own; none if `node` is null.
 struct Override {
     std::shared_ptr<const YamlNode> node;
     std::string file;              ///< as diagnostics show it
@@ -17,11 +17,11 @@ struct Override {
     explicit operator bool() const { return node != nullptr; }
 };
 
-/// What a project of walks.config.yaml changes about the walks it plays.
+/// What a project of walks.config.yaml changes in its walks.
 struct Overrides {
     Override campus;  ///< a file's name
-    Override avatar;  ///< like a walk's `avatar`
-    Override spawn;   ///< like a `spawn` step's value; goes into the first step
+    Override avatar;  ///< as a walk's `avatar`
+    Override spawn;   ///< as the value of a `spawn` step; replaces the first step's
 };
 
 }  // namespace campuswalk::config

@@ -22,8 +22,8 @@ using scene::SourceMark;
 namespace {
 
 constexpr const char* kFileName = "walks.config.yaml";
-constexpr int kMostWorkers = 1024;
-constexpr int kMostFailures = 1'000'000;
+constexpr int kMaxWorkers = 1024;
+constexpr int kMaxFailures = 1'000'000;
 
 class WalksConfigReader {
 public:
@@ -44,10 +44,10 @@ public:
             }
         }
         if (const auto workers = map.find("workers")) {
-            config.workers = workers->as_int(1, kMostWorkers);
+            config.workers = workers->as_int(1, kMaxWorkers);
         }
         if (const auto most = map.find("max_failures")) {
-            config.max_failures = most->as_int(1, kMostFailures);
+            config.max_failures = most->as_int(1, kMaxFailures);
         }
         map.number("timeout", kTimeout, config.timeout);
         map.number("kill_after", kTimeout, config.kill_after);

@@ -11,7 +11,7 @@
 
 namespace campuswalk::config {
 
-/// A text and where it stands, for whoever finds out later whether it holds.
+/// A text and where it is written, for diagnostics of code that checks it later.
 struct MarkedText {
     scene::SourceMark mark;
     std::string text;
@@ -28,13 +28,13 @@ struct ConfiguredReporter {
     std::optional<std::filesystem::path> file;  ///< standard output without one
 };
 
-/// One way to play the walks: with whose body, on which campus, from where, and which of them.
+/// Which walks a project runs, and with which campus, avatar and spawn.
 struct ProjectConfig {
     scene::SourceMark mark;
     std::string name;
     Overrides overrides;
-    std::optional<MarkedText> grep;         ///< only walks that the regular expression finds
-    std::optional<MarkedText> grep_invert;  ///< only walks that it doesn't
+    std::optional<MarkedText> grep;         ///< only walks that match this regular expression
+    std::optional<MarkedText> grep_invert;  ///< only walks that don't match this one
     std::vector<std::string> tags;          ///< only walks with one of these; all of them if there are none
     std::optional<double> timeout;          ///< simulated seconds, for walks without their own
 };
@@ -42,22 +42,22 @@ struct ProjectConfig {
 /// `walks.config.yaml`. Paths are resolved against its folder.
 struct WalksConfig {
     std::filesystem::path file;
-    std::vector<MarkedPath> walks;  ///< files, or folders to look for *.walk.yaml in
+    std::vector<MarkedPath> walks;  ///< files, or folders to search for *.walk.yaml
     std::optional<std::filesystem::path> output;
     std::vector<ConfiguredReporter> reporters;
     std::optional<int> workers;
     std::optional<int> max_failures;
     std::optional<double> timeout;     ///< simulated seconds, for walks without their own
-    std::optional<double> kill_after;  ///< seconds of wall clock a walk may take
+    std::optional<double> kill_after;  ///< wall-clock seconds that a walk may take
     bool forbid_only = false;
     engine::ToleranceChanges snapshots;   ///< for images that are compared
-    std::vector<ProjectConfig> projects;  ///< in the order of their names
+    std::vector<ProjectConfig> projects;  ///< sorted by name
 };
 
-/// Throws scene::InputError with all mistakes, with the codes of load_run.h.
+/// Throws scene::InputError with all errors; load_run.h lists their codes.
 WalksConfig load_walks_config(const std::filesystem::path& file);
 
-/// `walks.config.yaml` in the folder or the nearest one above it that has it.
+/// `walks.config.yaml` in the folder or in the nearest parent folder that has one.
 std::optional<std::filesystem::path> find_walks_config(const std::filesystem::path& folder);
 
 }  // namespace campuswalk::config

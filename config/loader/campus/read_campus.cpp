@@ -162,7 +162,7 @@ std::vector<ColliderDescription> read_colliders(const CheckedNode& section, cons
     return colliders;
 }
 
-// Spawns and places have their names for keys, so the map itself keeps them apart.
+// Spawns and places are keyed by name, so the YAML map itself rules out duplicates.
 
 std::vector<Spawn> read_spawns(const CheckedNode& section) {
     std::vector<Spawn> spawns;

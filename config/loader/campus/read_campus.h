@@ -7,9 +7,9 @@
 
 namespace campuswalk::config {
 
-/// Reads a campus file's root into a description; complains of all its mistakes. Scene files are resolved
-/// against `folder`. What could not be read is left out or at its default, but its name stays known, so that
-/// one mistake gives one diagnostic.
+/// Reads a campus file's root and reports all its errors. Scene files are resolved against `folder`. An
+/// object with errors still counts as declared, so that other keys may name it and one mistake yields one
+/// diagnostic.
 scene::CampusDescription read_campus(const CheckedNode& root, const std::filesystem::path& folder);
 
 }  // namespace campuswalk::config

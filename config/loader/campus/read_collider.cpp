@@ -85,7 +85,7 @@ constexpr std::array kShapes = {Choice<ShapeReader>{"mesh", read_mesh}, Choice<S
                                 Choice<ShapeReader>{"capsule", read_capsule},
                                 Choice<ShapeReader>{"wheel", read_wheel}};
 
-/// Without knowing the shape, no shape's key can be called wrong.
+/// Accepts the keys of every shape, for a collider whose shape is missing or unknown.
 void accept_keys_of_any_shape(CheckedMap& map) {
     for (const char* key : {"center", "base", "size", "yaw_deg", "radius", "height", "width", "axis"}) {
         map.find(key);
@@ -111,7 +111,7 @@ DetectionModes read_modes(const CheckedNode& node) {
     return modes;
 }
 
-/// One of the names that the campus declares; `section` is where.
+/// A name that must be one of `known`, which the campus declares in `section`; empty if it isn't.
 std::string known_name(const CheckedNode& node, const std::vector<std::string>& known, const char* section) {
     const std::optional<std::string> name = node.line();
     if (name && std::ranges::find(known, *name) == known.end()) {
@@ -130,8 +130,8 @@ std::vector<std::string> building_ids(const CampusDescription& campus) {
     return ids;
 }
 
-/// What a collider does that says nothing of pop-ups itself.
-void take_popup_of(const CheckedNode& id, const CampusDescription& campus, ColliderDescription& collider) {
+/// Sets the collider's building and takes over that building's `popup`, which the collider's own may replace.
+void read_building_of(const CheckedNode& id, const CampusDescription& campus, ColliderDescription& collider) {
     collider.building = known_name(id, building_ids(campus), "buildings");
     collider.popup = true;
     const auto building = std::ranges::find(campus.buildings, collider.building, &scene::Building::id);
@@ -163,7 +163,7 @@ ColliderDescription read_collider(const CheckedNode& node, const CampusDescripti
         ids.add(collider.id, *id);
     }
     if (const auto building = map.find("building")) {
-        take_popup_of(*building, campus, collider);
+        read_building_of(*building, campus, collider);
     }
     read_popup_rule(map, collider.popup, collider.popup_rule);
     if (collider.popup && !map.has("building")) {

@@ -8,11 +8,11 @@
 
 namespace campuswalk::config {
 
-/// Globs over node names: one, or a list of them.
+/// Globs over node names: one, or a list.
 std::vector<scene::NodeGlob> node_globs(const CheckedNode& node);
 
-/// Reads one of `colliders`. Its layer and its building must be among those of `campus`, which has been read
-/// so far; its id goes to `ids`.
+/// Reads an entry of `colliders` and adds its id to `ids`. Its layer and its building must be among those
+/// that have already been read into `campus`.
 scene::ColliderDescription read_collider(const CheckedNode& node, const scene::CampusDescription& campus,
                                          UniqueNames& ids);
 

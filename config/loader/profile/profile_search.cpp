@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostParents = 8;
+constexpr int kMaxParents = 8;
 
 /// Names of the profiles in all the folders, sorted.
 std::vector<std::string> known_profiles(const ProfileKind& kind, const std::vector<fs::path>& folders) {
@@ -35,7 +35,7 @@ std::vector<fs::path> profile_folders(const ProfileKind& kind, const fs::path& w
                                       const std::vector<fs::path>& more) {
     std::vector<fs::path> folders;
     fs::path parent = walk_folder.empty() ? fs::path(".") : walk_folder;
-    for (int i = 0; i <= kMostParents; ++i) {
+    for (int i = 0; i <= kMaxParents; ++i) {
         folders.push_back(parent / kind.folder);
         folders.push_back(parent / "config" / kind.folder);
         parent /= "..";

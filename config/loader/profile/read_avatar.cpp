@@ -10,7 +10,7 @@ using engine::AvatarProfile;
 
 namespace {
 
-// A lawn mower to a crane.
+// From a lawn mower to a crane.
 constexpr Range kHeight{0.05, 100.0, false, "m"};
 constexpr Range kRadius{0.01, 50.0, false, "m"};
 constexpr Range kStepHeight{0.0, 50.0, false, "m"};
@@ -19,7 +19,7 @@ constexpr Range kSkin{0.001, 0.5, false, "m"};
 constexpr Range kTurnSpeed{0.0, 36'000.0, true, "degrees per second"};
 constexpr Range kLookDistance{0.0, 10'000.0, false, "m"};
 
-/// Only what goes together wrongly; each number for itself has been checked.
+/// Checks values against each other; the range of each has been checked already.
 void check_body(const CheckedMap& map, const AvatarProfile& profile) {
     if (profile.height < 2.0 * profile.radius) {
         map.diagnose_at(map.has("height") ? "height" : "radius", "bad-value",

@@ -7,9 +7,9 @@
 
 namespace campuswalk::config {
 
-/// Sets the fields of `profile` whose keys stand in the map, and complains of a body that can't be: wider
-/// than it is high, eyes above its head. Returns the layers the avatar ignores where they are written, for
-/// whoever knows the campus.
+/// Sets the fields of `profile` whose keys are in the map, and reports an impossible body, such as one that
+/// is wider than high or has its eyes above its head. Returns the nodes of `ignore_layers`, whose names the
+/// caller checks against the campus.
 std::vector<CheckedNode> read_avatar_fields(CheckedMap& map, engine::AvatarProfile& profile);
 
 }  // namespace campuswalk::config

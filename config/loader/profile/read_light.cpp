@@ -19,18 +19,10 @@ constexpr Range kDisc{0.0, 100.0, false, ""};
 constexpr Range kGlow{0.0, 1000.0, false, ""};
 constexpr Range kReach{0.0, 10.0, false, "m"};
 
-void read_angle(CheckedMap& map, const char* key, const Range& degrees, std::optional<double>& target) {
-    const auto node = map.find(key);
-    const auto value = node ? node->number(degrees) : std::nullopt;
-    if (value) {
-        target = radians(*value);
-    }
-}
-
 void read_sun(const CheckedNode& node, LightSettings& light) {
     CheckedMap map(node, "'sun'");
-    read_angle(map, "azimuth_deg", kAzimuth, light.sun_azimuth);
-    read_angle(map, "elevation_deg", kElevation, light.sun_elevation);
+    map.angle("azimuth_deg", kAzimuth, light.sun_azimuth);
+    map.angle("elevation_deg", kElevation, light.sun_elevation);
     map.vector("color", kColor, light.sun_color);
     map.number("disc", kDisc, light.sun_disc);
     map.refuse_other_keys();

@@ -5,8 +5,7 @@
 
 namespace campuswalk::config {
 
-/// Sets the fields of `light` whose keys stand in the map: sun, sky, ground_light, room_light, fog_distance,
-/// shadows, ambient_occlusion, anti_aliasing.
+/// Sets the fields of `light` whose keys are in the map.
 void read_light_fields(CheckedMap& map, engine::LightSettings& light);
 
 }  // namespace campuswalk::config

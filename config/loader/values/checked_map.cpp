@@ -22,8 +22,8 @@ CheckedMap::CheckedMap(const CheckedNode& node, std::string what)
 }
 
 std::optional<CheckedNode> CheckedMap::find(std::string_view key) {
-    if (std::ranges::find(asked_, key) == asked_.end()) {
-        asked_.emplace_back(key);
+    if (std::ranges::find(looked_up_, key) == looked_up_.end()) {
+        looked_up_.emplace_back(key);
     }
     const auto found = std::ranges::find(entries_, key, &CheckedNode::Entry::key);
     return found == entries_.end() ? std::nullopt : std::optional(found->value);
@@ -59,9 +59,9 @@ void CheckedMap::as_bool(std::string_view key, bool& target) {
     }
 }
 
-void CheckedMap::as_int(std::string_view key, int least, int most, int& target) {
+void CheckedMap::as_int(std::string_view key, int min, int max, int& target) {
     if (const auto node = find(key)) {
-        target = node->as_int(least, most).value_or(target);
+        target = node->as_int(min, max).value_or(target);
     }
 }
 
@@ -90,10 +90,15 @@ void CheckedMap::vector(std::string_view key, const Range& range, std::optional<
 }
 
 void CheckedMap::angle(std::string_view key, const Range& degrees, double& target) {
-    if (const auto node = find(key)) {
-        if (const auto value = node->number(degrees)) {
-            target = radians(*value);
-        }
+    std::optional<double> value;
+    angle(key, degrees, value);
+    target = value.value_or(target);
+}
+
+void CheckedMap::angle(std::string_view key, const Range& degrees, std::optional<double>& target) {
+    const auto node = find(key);
+    if (const auto value = node ? node->number(degrees) : std::nullopt) {
+        target = radians(*value);
     }
 }
 
@@ -102,10 +107,10 @@ void CheckedMap::refuse_other_keys() const {
         if (is_full(node_.diagnostics())) {
             return;
         }
-        if (std::ranges::find(asked_, entry.key) == asked_.end()) {
+        if (std::ranges::find(looked_up_, entry.key) == looked_up_.end()) {
             add_diagnostic(node_.diagnostics(), entry.key_mark, "unknown-key",
                            "unknown key " + in_quotes(entry.key) + " in " + what_ +
-                               suggestion_or_list(entry.key, asked_));
+                               suggestion_or_list(entry.key, looked_up_));
         }
     }
 }

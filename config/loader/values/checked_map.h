@@ -10,24 +10,24 @@
 
 namespace campuswalk::config {
 
-/// Reads a map with known keys. Ask for every key that may stand there, then call `refuse_other_keys`; the
-/// setters leave their target alone when the key is absent or its value wrong (which has been complained of).
+/// Reads a map with known keys. Look up every key that is allowed, then call `refuse_other_keys`. The setters
+/// leave their target unchanged if the key is absent; a wrong value is reported.
 class CheckedMap {
 public:
-    /// Complains when the node is no map, and then stays silent about missing keys.
+    /// Reports a node that isn't a map (wrong-type); then missing keys are not reported as well.
     /// `what` names the map in messages, as in "a collider".
     CheckedMap(const CheckedNode& node, std::string what);
 
     bool is_map() const { return is_map_; }
 
     std::optional<CheckedNode> find(std::string_view key);
-    /// As `find`; complains (missing-key) when it is absent.
+    /// As `find`; reports an absent key (missing-key).
     std::optional<CheckedNode> require(std::string_view key);
     bool has(std::string_view key) const;
     void diagnose(std::string code, std::string message) const {
         node_.diagnose(std::move(code), std::move(message));
     }
-    /// Complains of the key's value, or of the map when the key is absent.
+    /// Reports an error at the key's value, or at the map if the key is absent.
     void diagnose_at(std::string_view key, std::string code, std::string message) const;
 
     void text(std::string_view key, std::string& target);
@@ -37,8 +37,9 @@ public:
     void number(std::string_view key, const Range& range, std::optional<double>& target);
     void vector(std::string_view key, const Range& range, Eigen::Vector3d& target);
     void vector(std::string_view key, const Range& range, std::optional<Eigen::Vector3d>& target);
-    /// Written in degrees, kept in radians.
+    /// Degrees in the file, radians in `target`.
     void angle(std::string_view key, const Range& degrees, double& target);
+    void angle(std::string_view key, const Range& degrees, std::optional<double>& target);
 
     template <typename Value, std::size_t count>
     void choice(std::string_view key, const std::array<Choice<Value>, count>& choices, Value& target) {
@@ -47,7 +48,7 @@ public:
         }
     }
 
-    /// Complains (unknown-key) about every key that nobody asked for.
+    /// Reports every key that was not looked up (unknown-key).
     void refuse_other_keys() const;
 
 private:
@@ -55,7 +56,7 @@ private:
     std::string what_;
     bool is_map_ = false;
     std::vector<CheckedNode::Entry> entries_;
-    std::vector<std::string> asked_;
+    std::vector<std::string> looked_up_;
 };
 
 /// Degrees to radians.

@@ -16,7 +16,7 @@ bool is_control(char c) {
     return (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7F;
 }
 
-/// What a message calls the map, list or text at hand.
+/// What messages call a node.
 std::string_view kind_name(const YamlNode& node) {
     switch (node.kind) {
         case YamlNode::Kind::null:
@@ -37,12 +37,12 @@ void CheckedNode::diagnose(std::string code, std::string message) const {
     add_diagnostic(*diagnostics_, mark(), std::move(code), std::move(message));
 }
 
-bool CheckedNode::require_scalar(std::string_view wanted) const {
+bool CheckedNode::require_scalar(std::string_view expected) const {
     if (is_scalar()) {
         return true;
     }
-    diagnose("wrong-type", is_null() ? what_ + " is empty; it must be " + std::string(wanted)
-                                     : what_ + " must be " + std::string(wanted) + ", not " +
+    diagnose("wrong-type", is_null() ? what_ + " is empty; it must be " + std::string(expected)
+                                     : what_ + " must be " + std::string(expected) + ", not " +
                                            std::string(kind_name(*node_)));
     return false;
 }
@@ -84,8 +84,8 @@ std::optional<double> CheckedNode::number(const Range& range) const {
     return parsed.value;
 }
 
-std::optional<int> CheckedNode::as_int(int least, int most) const {
-    const auto value = number({static_cast<double>(least), static_cast<double>(most), false, ""});
+std::optional<int> CheckedNode::as_int(int min, int max) const {
+    const auto value = number({static_cast<double>(min), static_cast<double>(max), false, ""});
     if (!value) {
         return std::nullopt;
     }
@@ -115,13 +115,13 @@ std::optional<Eigen::Vector3d> CheckedNode::vector(const Range& range) const {
         return std::nullopt;
     }
     Eigen::Vector3d value = Eigen::Vector3d::Zero();
-    bool holds = true;
+    bool valid = true;
     for (int i = 0; i < 3; ++i) {
         const auto number = child(*node_->items[static_cast<std::size_t>(i)], what_).number(range);
         value[i] = number.value_or(0.0);
-        holds = holds && number;
+        valid = valid && number;
     }
-    return holds ? std::optional(value) : std::nullopt;
+    return valid ? std::optional(value) : std::nullopt;
 }
 
 std::optional<std::size_t> CheckedNode::one_of(const std::vector<std::string>& names) const {

@@ -15,15 +15,15 @@
 
 namespace campuswalk::config {
 
-/// A word of the YAML and what it stands for.
+/// A keyword of the YAML and its value.
 template <typename Value>
 struct Choice {
     std::string_view name;
     Value value{};
 };
 
-/// A node together with where its diagnostics go. Every reader below either gives a value that holds or has
-/// complained (wrong-type, bad-value) at the node's line and column; nobody needs to check twice.
+/// A node and the list that its diagnostics go to. Each reader below returns a valid value, or nullopt after
+/// reporting an error (wrong-type, bad-value) at the node's line and column; callers needn't check again.
 /// Copies are cheap; they must not outlive the YamlFile they come from.
 class CheckedNode {
 public:
@@ -44,17 +44,17 @@ public:
     bool is_sequence() const { return node_->kind == YamlNode::Kind::sequence; }
     bool is_map() const { return node_->kind == YamlNode::Kind::map; }
 
-    /// Any scalar, as written; no control characters but line breaks.
+    /// Any scalar, as written; control characters other than line breaks and tabs are errors.
     std::optional<std::string> text() const;
-    /// The same, one line and not empty.
+    /// The same, but a single line and not empty.
     std::optional<std::string> line() const;
     std::optional<double> number(const Range& range) const;
-    std::optional<int> as_int(int least, int most) const;
+    std::optional<int> as_int(int min, int max) const;
     std::optional<bool> as_bool() const;
-    /// `[x, y, z]`, every number within the range.
+    /// `[x, y, z]`, each within the range.
     std::optional<Eigen::Vector3d> vector(const Range& range) const;
 
-    /// One of the words; complains with all of them.
+    /// One of the keywords; the error for any other value lists them.
     template <typename Value, std::size_t count>
     std::optional<Value> choice(const std::array<Choice<Value>, count>& choices) const {
         std::vector<std::string> names;
@@ -66,18 +66,19 @@ public:
     }
     std::optional<std::size_t> one_of(const std::vector<std::string>& names) const;
 
-    /// The entries of a list, each called `what`; complains when it is no list. A section that is left empty
-    /// (`places:` with nothing below) is an empty list.
+    /// The entries of a list, each called `what` in messages; reports anything but a list. A section that is
+    /// left empty (`places:` with nothing below) is an empty list.
     std::vector<CheckedNode> items(const std::string& what) const;
     /// A list, or a single scalar as a list of one.
     std::vector<CheckedNode> items_or_one(const std::string& what) const;
 
     struct Entry;
-    /// The entries of a map in the file's order; complains when it is no map. Empty sections as in `items`.
+    /// The entries of a map in the file's order; reports anything but a map. Empty sections as in `items`.
     std::vector<Entry> entries() const;
 
 private:
-    bool require_scalar(std::string_view wanted) const;
+    /// Reports anything but a scalar; `expected` says what it must be, as in "a number".
+    bool require_scalar(std::string_view expected) const;
     CheckedNode child(const YamlNode& node, std::string what) const {
         return {node, std::move(what), *file_, *diagnostics_};
     }

@@ -21,15 +21,15 @@ bool is_kebab_path(std::string_view path) {
            (slash == std::string_view::npos || is_kebab_path(path.substr(slash + 1)));
 }
 
-constexpr std::size_t kLongestName = 200;  // bytes
+constexpr std::size_t kMaxNameBytes = 200;
 constexpr const char* kKebabForm = "lower-case letters, digits and single hyphens, such as main-gate";
 constexpr const char* kPathForm =
     "lower-case letters, digits and single hyphens, with '/' between words, such as library/door";
 
-std::optional<std::string> checked(const CheckedNode& node, bool (*holds)(std::string_view),
+std::optional<std::string> checked(const CheckedNode& node, bool (*is_valid)(std::string_view),
                                    const char* form) {
     std::optional<std::string> name = node.line();
-    if (name && (name->size() > kLongestName || !holds(*name))) {
+    if (name && (name->size() > kMaxNameBytes || !is_valid(*name))) {
         node.diagnose("bad-value", node.what() + " must be " + form + ", not " + in_quotes(*name));
         return std::nullopt;
     }
@@ -47,7 +47,7 @@ std::optional<std::string> kebab_path(const CheckedNode& node) {
 }
 
 void check_kebab_key(const CheckedNode::Entry& entry) {
-    if (entry.key.size() > kLongestName || !is_kebab(entry.key)) {
+    if (entry.key.size() > kMaxNameBytes || !is_kebab(entry.key)) {
         add_diagnostic(entry.value.diagnostics(), entry.key_mark, "bad-value",
                        "the name must be " + std::string(kKebabForm) + ", not " + in_quotes(entry.key));
     }
@@ -57,9 +57,9 @@ void UniqueNames::add(const std::string& name, const CheckedNode& at) {
     if (name.empty()) {
         return;
     }
-    const auto [earlier, fresh] = marks_.emplace(name, at.mark());
-    if (!fresh) {
-        const scene::SourceMark& mark = earlier->second;
+    const auto [first, is_new] = marks_.emplace(name, at.mark());
+    if (!is_new) {
+        const scene::SourceMark& mark = first->second;
         at.diagnose("duplicate-name", "duplicate " + thing_ + " " + in_quotes(name) +
                                           ", first given on line " + std::to_string(mark.line) +
                                           (mark.file == at.mark().file ? "" : " of " + mark.file));

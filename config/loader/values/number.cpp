@@ -27,11 +27,11 @@ bool is_not_finite(std::string_view unsigned_text) {
 
 std::string shown_range(const Range& range) {
     const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
-    const std::string most = shown_number(range.most) + unit;
-    if (range.above_least) {
-        return "more than " + shown_number(range.least) + " and at most " + most;
+    const std::string max = shown_number(range.max) + unit;
+    if (range.excludes_min) {
+        return "more than " + shown_number(range.min) + " and at most " + max;
     }
-    return "from " + shown_number(range.least) + " to " + most;
+    return "from " + shown_number(range.min) + " to " + max;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ ParsedNumber parse_number(std::string_view text, const Range& range) {
                 "must not start with a zero (some parsers read it as octal), as in " + in_quotes(text)};
     }
     value = negative ? -value : value;
-    if (value < range.least || value > range.most || (range.above_least && value == range.least)) {
+    if (value < range.min || value > range.max || (range.excludes_min && value == range.min)) {
         return {0.0, "bad-value", "must be " + shown_range(range) + ", not " + in_quotes(text)};
     }
     return {value, "", ""};

@@ -4,8 +4,8 @@
 
 namespace campuswalk::config {
 
-// What a number may be wherever a length, an angle or a time stands. The limits are there to catch a slip of
-// the unit, and to keep what is computed from them finite.
+// The ranges of lengths, angles and times in all files. The limits catch values in the wrong unit, and keep
+// whatever is computed from them finite.
 
 constexpr Range kCoordinate{-1e7, 1e7, false, "m"};
 constexpr Range kLength{0.0, 1e6, true, "m"};

@@ -10,18 +10,18 @@
 
 namespace campuswalk::config {
 
-/// An entry of a list whose only key says what it is, as in `- wait: 2`.
+/// A list entry whose only key says what it is, as in `- wait: 2`.
 struct SingleKey {
     std::string key;
     CheckedNode value;
 };
 
-/// Reports an entry that is no map, has more than one key, or none of the known ones. `what` names such an
-/// entry in messages, as in "a step"; `example` shows how one is written.
+/// Reports an entry that isn't a map, has more than one key, or an unknown one. `what` names such an entry in
+/// messages, as in "a step"; `example` shows how to write one.
 std::optional<SingleKey> single_key(const CheckedNode& node, const std::string& what,
                                     std::string_view example, const std::vector<std::string>& known);
 
-/// The table's entry of that name; null without one.
+/// The table's entry with that name, or null.
 template <typename Table>
 auto entry_of(const Table& table, std::string_view name) -> decltype(&*std::begin(table)) {
     for (const auto& entry : table) {
@@ -32,7 +32,7 @@ auto entry_of(const Table& table, std::string_view name) -> decltype(&*std::begi
     return nullptr;
 }
 
-/// Adds the names of a table's entries.
+/// Appends the names of a table's entries to `names`.
 template <typename Table>
 void add_names(const Table& table, std::vector<std::string>& names) {
     for (const auto& entry : table) {

@@ -14,23 +14,23 @@ using scene::SourceMark;
 
 namespace {
 
-bool may_stand_in_name(char c) {
+bool is_name_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// NAME of `NAME.walk.yaml`; nullopt when the file is called otherwise, so that it must be something else.
+/// NAME of `NAME.walk.yaml`; nullopt if the file has another suffix and so is probably another kind of file.
 std::optional<std::string> name_from(const std::string& file_name, const std::string& suffix,
-                                     const SourceMark& asked_at, DiagnosticList& diagnostics) {
+                                     const SourceMark& named_at, DiagnosticList& diagnostics) {
     if (!file_name.ends_with(suffix) || file_name.size() == suffix.size()) {
         diagnostics.error(
-            asked_at, "file-name",
+            named_at, "file-name",
             in_quotes(file_name) + " must be named NAME" + suffix + "; rename it, or name another file");
         return std::nullopt;
     }
     std::string name = file_name.substr(0, file_name.size() - suffix.size());
-    if (name.front() == '.' || !std::ranges::all_of(name, may_stand_in_name)) {
-        diagnostics.error(asked_at, "file-name",
+    if (name.front() == '.' || !std::ranges::all_of(name, is_name_character)) {
+        diagnostics.error(named_at, "file-name",
                           in_quotes(file_name) + ": NAME" + suffix +
                               " may have letters, digits, '-', '_' and, except at its start, '.'; rename it");
     }
@@ -40,17 +40,17 @@ std::optional<std::string> name_from(const std::string& file_name, const std::st
 }  // namespace
 
 std::unique_ptr<YamlFile> YamlFile::open(const std::filesystem::path& path, const std::string& suffix,
-                                         const SourceMark& asked_at, DiagnosticList& diagnostics) {
+                                         const SourceMark& named_at, DiagnosticList& diagnostics) {
     std::unique_ptr<YamlFile> file(new YamlFile());
     std::error_code none;
-    if (std::filesystem::is_regular_file(path, none)) {  // otherwise its name is the smaller trouble
-        const auto name = name_from(path.filename().generic_string(), suffix, asked_at, diagnostics);
+    if (std::filesystem::is_regular_file(path, none)) {  // otherwise read_source reports it
+        const auto name = name_from(path.filename().generic_string(), suffix, named_at, diagnostics);
         if (!name) {
             return nullptr;
         }
         file->name_ = *name;
     }
-    const std::optional<std::string> text = read_source(path, asked_at, diagnostics);
+    const std::optional<std::string> text = read_source(path, named_at, diagnostics);
     if (!text) {
         return nullptr;
     }

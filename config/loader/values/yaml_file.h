@@ -11,17 +11,18 @@ namespace campuswalk::config {
 /// A YAML file in memory; CheckedNodes point into it.
 class YamlFile {
 public:
-    /// Reads and parses `NAME.walk.yaml` for the suffix ".walk.yaml"; null after complaining. `asked_at` is
-    /// where another file names this one ({file, 0, 0} when the user did); diagnostics about the name
-    /// (file-name) go there.
+    /// Reads and parses `NAME.walk.yaml` for the suffix ".walk.yaml"; null after reporting an error.
+    /// `named_at` is where another file names this one ({file, 0, 0} if the user did); diagnostics about the
+    /// name (file-name) are reported there.
     static std::unique_ptr<YamlFile> open(const std::filesystem::path& path, const std::string& suffix,
-                                          const scene::SourceMark& asked_at,
+                                          const scene::SourceMark& named_at,
                                           scene::DiagnosticList& diagnostics);
 
-    /// The file's name without the suffix. Names stand in logs and become file names, so they have no spaces.
+    /// The file's name without the suffix. Names appear in logs and become file names, so they have no
+    /// spaces.
     const std::string& name() const { return name_; }
     CheckedNode root() const { return {*root_, "the file", file_, *diagnostics_}; }
-    /// Stands for the whole file.
+    /// Marks the whole file.
     scene::SourceMark mark() const { return {file_, 0, 0}; }
 
 private:

@@ -16,7 +16,7 @@ using scene::Spawn;
 
 namespace {
 
-/// Coordinates as a name without spaces, so that log lines keep their columns.
+/// Coordinates as a name without spaces, so that a log line's columns stay separable.
 std::string label_of(std::span<const double> coordinates) {
     std::string label;
     for (const double value : coordinates) {
@@ -63,7 +63,7 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
             return {*name, static_cast<std::size_t>(building - campus_->buildings.begin()),
                     Eigen::Vector3d::Zero()};
         }
-        const std::vector<std::string> places = standing_names();
+        const std::vector<std::string> places = target_names();
         if (std::ranges::find(places, *name) == places.end()) {
             std::vector<std::string> known;
             std::ranges::transform(campus_->buildings, std::back_inserter(known), &scene::Building::id);
@@ -86,7 +86,7 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
     return {target.label, std::nullopt, target.point};
 }
 
-std::vector<std::string> CampusNames::standing_names() const {
+std::vector<std::string> CampusNames::target_names() const {
     std::vector<std::string> names = names_of(campus_->places);
     std::ranges::copy(names_of(campus_->spawns), std::back_inserter(names));
     return names;
@@ -122,7 +122,7 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
     } else if (spawn != campus_->spawns.end()) {
         target.point = spawn->position;
     } else {
-        diagnose_unknown(node, name, "place or spawn", standing_names());
+        diagnose_unknown(node, name, "place or spawn", target_names());
     }
     return target;
 }
@@ -133,9 +133,7 @@ Placement CampusNames::placement(const CheckedNode& node) const {
         CheckedMap map(node, node.what());
         map.require("at");
         map.vector("at", kCoordinate, placement.position);
-        if (const auto yaw = map.find("yaw_deg")) {
-            placement.yaw = radians(yaw->number(kYaw).value_or(0.0));
-        }
+        map.angle("yaw_deg", kYaw, placement.yaw);
         map.refuse_other_keys();
         placement.label = label_of({placement.position.data(), 3});
         return placement;

@@ -12,7 +12,7 @@
 
 namespace campuswalk::config {
 
-/// Where an avatar is put down.
+/// Where an avatar is placed.
 struct Placement {
     std::string label;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -22,7 +22,7 @@ struct Placement {
 /// Turns the names and coordinates of a walk into points of its campus.
 class CampusNames {
 public:
-    /// Null when the campus could not be read: then any name may be right, and none is complained of.
+    /// Null if the campus could not be read: names are then not checked.
     explicit CampusNames(const scene::CampusDescription* campus) : campus_(campus) {}
 
     /// A place's or a spawn's name (places first), `[x, z]` or `[x, y, z]`.
@@ -31,15 +31,15 @@ public:
     engine::CameraTarget camera_target(const CheckedNode& node) const;
     /// A spawn's name, or `{at: [x, y, z], yaw_deg: 90}`.
     Placement placement(const CheckedNode& node) const;
-    /// Complains unless the campus has the layer.
+    /// Reports a layer that the campus doesn't have.
     void check_layer(const CheckedNode& node, const std::string& layer) const;
 
 private:
     engine::Target target_at(const CheckedNode& node) const;
     engine::Target target_named(const CheckedNode& node, const std::string& name) const;
 
-    /// Of places and spawns. There is a campus.
-    std::vector<std::string> standing_names() const;
+    /// The names of all places and spawns. Requires a campus.
+    std::vector<std::string> target_names() const;
 
     const scene::CampusDescription* campus_;
 };

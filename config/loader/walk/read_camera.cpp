@@ -31,22 +31,18 @@ static_assert(kViews.size() == std::variant_size_v<View>);
 
 constexpr Range kPitch{-90.0, 90.0, false, "degrees"};
 
-std::optional<double> angle(CheckedMap& map, const char* key, const Range& range) {
-    const auto node = map.find(key);
-    const auto degrees = node ? node->number(range) : std::nullopt;
-    return degrees ? std::optional(radians(*degrees)) : std::nullopt;
-}
-
-/// Where a camera that isn't the avatar's looks: by angles or at something. What is written here replaces
-/// what the walk's camera says in the other way.
+/// The viewing direction of a camera that isn't the avatar's: angles, or a target. Either replaces the other
+/// if the walk's camera has set that.
 void read_direction(CheckedMap& map, const CampusNames& names, CameraKeys& camera) {
     const auto look_at = map.find("look_at");
-    const auto yaw = angle(map, "yaw_deg", kYaw);
-    const auto pitch = angle(map, "pitch_deg", kPitch);
+    std::optional<double> yaw;
+    std::optional<double> pitch;
+    map.angle("yaw_deg", kYaw, yaw);
+    map.angle("pitch_deg", kPitch, pitch);
     if (look_at && (yaw || pitch)) {
         look_at->diagnose("bad-value",
-                          "'look_at' gives the direction, and so do 'yaw_deg' and 'pitch_deg'; "
-                          "leave one of them out");
+                          "'look_at' sets the direction, and so do 'yaw_deg' and 'pitch_deg'; "
+                          "use one or the other");
         return;
     }
     if (look_at) {
@@ -81,11 +77,11 @@ engine::Views CameraKeys::views() const {
 }
 
 void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& camera) {
-    constexpr int kLeastPixels = 16;
-    constexpr int kMostPixels = 8192;
+    constexpr int kMinPixels = 16;
+    constexpr int kMaxPixels = 8192;
     map.choice("view", kViews, camera.view);
-    map.as_int("width", kLeastPixels, kMostPixels, camera.size.width);
-    map.as_int("height", kLeastPixels, kMostPixels, camera.size.height);
+    map.as_int("width", kMinPixels, kMaxPixels, camera.size.width);
+    map.as_int("height", kMinPixels, kMaxPixels, camera.size.height);
     map.angle("fov_deg", kFieldOfView, camera.size.fov);
     map.number("height_above", kLength, camera.height_above);
     map.number("distance", kLength, camera.distance);

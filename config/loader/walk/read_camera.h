@@ -11,10 +11,10 @@
 
 namespace campuswalk::config {
 
-/// What is written about a camera, for whichever view: those that don't need a key leave it to the others.
+/// A camera's keys, of whichever view: each view uses those that it needs.
 struct CameraKeys {
-    engine::View (*view)(const CameraKeys& keys) = nullptr;  ///< makes the view; null: that of `size`
-    engine::CameraSettings size;                             ///< and what isn't written
+    engine::View (*view)(const CameraKeys& keys) = nullptr;  ///< makes the view; null: use that of `size`
+    engine::CameraSettings size;                             ///< size, field of view, and the default view
     double height_above = engine::TopView().height_above;
     std::optional<double> distance;
     std::optional<engine::CameraTarget> around;
@@ -24,12 +24,11 @@ struct CameraKeys {
     std::optional<double> pitch;
 
     engine::CameraSettings settings() const;
-    /// Each as it would be, were it the one.
+    /// Every kind of view, with these keys.
     engine::Views views() const;
 };
 
-/// Sets what the map's keys say: view, width, height, fov_deg, height_above, distance, around, position,
-/// look_at, yaw_deg, pitch_deg.
+/// Sets the fields of `camera` whose keys are in the map.
 void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& camera);
 
 /// `channels`: one of depth, ids and normals, or a list of them.

@@ -18,13 +18,13 @@ using engine::PlainExpectation;
 
 namespace {
 
-/// Where an expectation stands.
+/// Where an expectation is written: in the walk's `expect` or in a step's.
 struct Place {
     const CampusNames& names;
     bool in_step = false;
 };
 
-/// Those that are evaluated only after the walk.
+/// For expectations that can only be evaluated after the walk.
 struct LateReader {
     std::string_view name;
     Expectation (*read)(const CheckedNode&) = nullptr;
@@ -33,7 +33,7 @@ constexpr std::array kLateReaders = {LateReader{"log", read_log},
                                      LateReader{"snapshot", read_expected_snapshot},
                                      LateReader{"visible", read_visible}};
 
-/// A word that stands for itself, as if it were a key with nothing behind it.
+/// An expectation written as a bare word, read as if it were a key with an empty value.
 std::optional<PlainExpectation> read_word(const CheckedNode& node, const CampusNames& names) {
     const std::string word = node.is_scalar() ? node.text().value_or("") : "";
     const ExpectationReader* reader = entry_of(expectation_readers(), word);

@@ -11,7 +11,7 @@ namespace campuswalk::config {
 /// Reads `expect` of a walk: a list of maps with one key each, or of words that need no value.
 std::vector<engine::Expectation> read_expectations(const CheckedNode& section, const CampusNames& names);
 
-/// Reads `expect` of a step: one, or a list. What can only be judged after the run is refused.
+/// Reads `expect` of a step: one, or a list. Those that can only be evaluated after the run are errors.
 std::vector<engine::Expectation> read_step_expectations(const CheckedNode& node, const CampusNames& names);
 
 }  // namespace campuswalk::config

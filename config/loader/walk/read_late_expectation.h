@@ -6,7 +6,7 @@
 
 namespace campuswalk::config {
 
-// Each reads the value of an expectation that is judged after the walk, by whoever has the files.
+// Each reads the value of an expectation that is evaluated after the walk, by code that has the files.
 
 engine::Expectation read_log(const CheckedNode& node);
 engine::Expectation read_expected_snapshot(const CheckedNode& node);

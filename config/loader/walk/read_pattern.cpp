@@ -15,7 +15,7 @@ engine::EventPattern read_pattern(const CheckedNode& node) {
     std::istringstream words(node.line().value_or(""));
     words >> pattern.kind;
     if (pattern.kind.empty()) {
-        return pattern;  // has been complained of
+        return pattern;  // line() has reported it
     }
     words >> pattern.object;
     if (std::string more; words >> more) {

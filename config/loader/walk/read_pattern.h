@@ -5,7 +5,7 @@
 
 namespace campuswalk::config {
 
-/// `KIND OBJECT` or `KIND`; a kind that no event has is a typing mistake (unknown-name).
+/// `KIND OBJECT` or `KIND`; reports a kind that matches no event (unknown-name).
 engine::EventPattern read_pattern(const CheckedNode& node);
 
 }  // namespace campuswalk::config

@@ -32,8 +32,8 @@ void read_glob(CheckedMap& map, std::string_view key, std::string& glob) {
 
 constexpr int kMostTimes = 1'000'000'000;
 
-/// The keys `equals`, `at_least` and `at_most` of a map that `what` names, as in "'count'". `read` gives the
-/// number of a node.
+/// The keys `equals`, `at_least` and `at_most` of a map that messages call `what`, as in "'count'". `read`
+/// returns a node's number.
 template <typename Number, typename Read>
 void read_limits(CheckedMap& map, std::string_view what, const Read& read, Limits<Number>& limits) {
     const auto read_one = [&](std::string_view key, std::optional<Number>& limit) {
@@ -52,7 +52,7 @@ void read_limits(CheckedMap& map, std::string_view what, const Read& read, Limit
     }
 }
 
-/// A number alone is `equals`; otherwise a map with those keys and no others.
+/// A plain number means `equals`; otherwise a map with those keys and no others.
 template <typename Number, typename Read>
 Limits<Number> read_either(const CheckedNode& node, const Read& read) {
     Limits<Number> limits;
@@ -170,9 +170,9 @@ PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names
     return visits;
 }
 
-// ---- the way --------------------------------------------------------------------------------------------
+// ---- the path -------------------------------------------------------------------------------------------
 
-/// A place, or a map with one and how near is near enough; `read_more` reads what else the map may say.
+/// A place, or a map with `place` and `within`; `read_more` reads the map's other keys.
 template <typename Expected, typename ReadMore>
 Expected read_at_place(const CheckedNode& node, const CampusNames& names, const ReadMore& read_more) {
     Expected expected;

@@ -9,14 +9,14 @@
 
 namespace campuswalk::config {
 
-/// How the value of an expectation's key is read; whatever is wrong has been reported.
+/// Reads the value of an expectation's key and reports its errors.
 struct ExpectationReader {
     std::string_view name;
     engine::PlainExpectation (*read)(const CheckedNode&, const CampusNames&) = nullptr;
-    bool stands_alone = false;  ///< needs no value, as in `- stuck`: then it is read from an empty one
+    bool stands_alone = false;  ///< needs no value, as in `- stuck`, and is then read from an empty one
 };
 
-/// Of those that are evaluated during the walk.
+/// For the expectations that are evaluated during the walk.
 std::span<const ExpectationReader> expectation_readers();
 
 }  // namespace campuswalk::config

@@ -23,7 +23,7 @@ constexpr std::array kSwitch = {Choice<bool>{"on", true}, Choice<bool>{"off", fa
 constexpr double kJumpHeight = 0.4;     // metres: an untrained adult from standing
 constexpr double kCrouchedShare = 0.6;  // of the full height
 
-/// The keys that steps with a way have in common.
+/// The keys that the steps along a path have in common.
 template <typename MotionClearance>
 void read_way(CheckedMap& map, MotionClearance& step) {
     constexpr std::array kIfBlocked = {Choice<IfBlocked>{"fail", IfBlocked::fail},
@@ -66,7 +66,7 @@ Step read_switched(const CheckedNode& node, bool enabled) {
     return step;
 }
 
-// ---- places and ways ------------------------------------------------------------------------------------
+// ---- places and paths -----------------------------------------------------------------------------------
 
 Step read_spawn(const CheckedNode& node, StepContext& context) {
     if (!context.first) {
@@ -164,7 +164,7 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
     }
     if (const auto channels = map.find("channels")) {
         step.channels = read_channels(*channels);
-        // Their files stand beside other snapshots'.
+        // Their files are beside other snapshots', so their names must differ, too.
         for (const char* ending : {"-depth", "-ids", "-normals"}) {
             context.snapshots.add(step.name.empty() ? "" : step.name + ending, *channels);
         }

@@ -18,20 +18,20 @@ struct StepContext {
     const CampusNames& names;
     const engine::AvatarProfile& avatar;
     const CameraKeys& camera;
-    std::vector<std::filesystem::path> files;  ///< being read: the walk, what it includes, and so on
+    std::vector<std::filesystem::path> files;  ///< being read: the walk's, the one it includes, and so on
     UniqueNames snapshots{"snapshot"};
-    bool first = true;     ///< nothing has been read yet
-    int repeats = 0;       ///< around what is read
-    std::size_t read = 0;  ///< steps so far, every round of a `repeat` counted
+    bool first = true;     ///< no step has been read yet
+    int repeats = 0;       ///< nesting depth of `repeat`
+    std::size_t read = 0;  ///< steps so far, counting every round of a `repeat`
 };
 
-/// How the value of a step's key is read; whatever is wrong has been reported.
+/// Reads the value of a step's key and reports its errors.
 struct StepReader {
     std::string_view name;
     engine::Step (*read)(const CheckedNode&, StepContext&) = nullptr;
 };
 
-/// Of every step but `repeat` and `include`, which stand for others; `spawn` is the first.
+/// For every step but `repeat` and `include`, which expand to others; `spawn` comes first.
 std::span<const StepReader> step_readers();
 
 }  // namespace campuswalk::config

@@ -24,7 +24,7 @@ constexpr const char* kSuffix = ".steps.yaml";
 
 void read_list(const CheckedNode& section, StepContext& context, std::vector<Step>& out);
 
-/// Counts steps that are there or would be; complains when they are too many, at the step that makes them so.
+/// Counts steps, including those that a `repeat` would add; reports the step that exceeds the limit.
 bool count_steps(std::size_t more, const CheckedNode& at, StepContext& context) {
     context.read += std::min(more, 2 * kMostSteps);
     if (context.read <= kMostSteps) {
@@ -100,7 +100,7 @@ void read_include(const CheckedNode& node, StepContext& context, std::vector<Ste
     context.files.pop_back();
 }
 
-/// Steps that stand for others.
+/// For steps that expand to others.
 struct ListReader {
     std::string_view name;
     void (*read)(const CheckedNode&, StepContext&, std::vector<Step>&) = nullptr;

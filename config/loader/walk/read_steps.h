@@ -10,18 +10,18 @@
 
 namespace campuswalk::config {
 
-/// Reads `steps`: a list of maps with one key each, the first of them `spawn`. Snapshots take their camera
-/// from the walk's where they don't say otherwise; crouching and running are those of its avatar.
+/// Reads `steps`: a list of maps with one key each, the first of them `spawn`. `camera` has the defaults of
+/// snapshots; crouched height and running speed are the avatar's.
 ///
-/// `repeat` and `include` are unrolled: the result is the plain list that is played, each step with the mark
-/// of where it is written, in whatever file. Complains of files that include themselves (include-cycle) or
-/// others deeper than 16 (include-depth), and of more than 100,000 steps (too-many-steps).
+/// `repeat` and `include` are expanded: the result is the flat list that is played, each step with the mark
+/// of where it is written, in whatever file. Reports files that include themselves (include-cycle) or are
+/// nested deeper than 16 (include-depth), and more than 100,000 steps (too-many-steps).
 std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
                                      const engine::AvatarProfile& avatar, const CameraKeys& camera,
                                      const std::filesystem::path& walk_file);
 
-/// Reads a `NAME.steps.yaml` that no walk is known of: an avatar like AvatarProfile's defaults, and names of
-/// places are taken as they are.
+/// Reads a `NAME.steps.yaml` by itself, without a walk: the avatar has AvatarProfile's defaults, and names of
+/// places are not checked.
 std::vector<engine::Step> read_steps_alone(const CheckedNode& root, const std::filesystem::path& steps_file);
 
 }  // namespace campuswalk::config

@@ -15,13 +15,13 @@ using engine::WalkStatus;
 namespace {
 
 engine::SimSettings read_sim(const CheckedNode& node) {
-    constexpr int kMostTicks = 10'000;  // a second
+    constexpr int kMaxTicksPerSecond = 10'000;
     constexpr std::array kTrees = {Choice<collision::TreeKind>{"bvh8", collision::TreeKind::bvh8},
                                    Choice<collision::TreeKind>{"hybrid", collision::TreeKind::hybrid}};
     constexpr Range kSeed{0.0, 18446744073709551615.0, false, ""};
     engine::SimSettings sim;
     CheckedMap map(node, "'sim'");
-    map.as_int("ticks_per_second", 1, kMostTicks, sim.ticks_per_second);
+    map.as_int("ticks_per_second", 1, kMaxTicksPerSecond, sim.ticks_per_second);
     map.number("stay_every", kSeconds, sim.stay_every);
     map.number("gaze_hold", kSeconds, sim.gaze_hold);
     map.choice("tree", kTrees, sim.tree);
@@ -61,7 +61,7 @@ std::vector<std::string> read_codes(const CheckedNode& node) {
     return codes;
 }
 
-/// run, skip, only or xfail, or a map with `is`, `because` and, of an xfail, `failures`.
+/// run, skip, only or xfail, or a map with `is`, `because` and, for an xfail, `failures`.
 WalkStatus read_status(const CheckedNode& node) {
     WalkStatus status;
     status.mark = node.mark();

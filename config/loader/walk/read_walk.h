@@ -8,7 +8,7 @@
 
 namespace campuswalk::config {
 
-/// Reads what a walk file says by itself, once its campus and its avatar are known: all but these two.
+/// Reads the keys of a walk file other than `campus`, `avatar` and `light`, which must have been read before.
 void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
                engine::Walk& walk);
 

@@ -12,12 +12,12 @@ using scene::Diagnostic;
 
 namespace {
 
-constexpr std::size_t kMostDiagnostics = 200;
+constexpr std::size_t kMaxDiagnostics = 200;
 
 }  // namespace
 
 bool is_full(const scene::DiagnosticList& diagnostics) {
-    return diagnostics.all().size() >= kMostDiagnostics;
+    return diagnostics.all().size() >= kMaxDiagnostics;
 }
 
 void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
@@ -29,7 +29,7 @@ void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark&
     if (is_full(diagnostics)) {
         diagnostics.error(
             {mark.file, 0, 0}, "too-many",
-            "too many errors; only the first " + std::to_string(kMostDiagnostics) + " are shown");
+            "too many errors; only the first " + std::to_string(kMaxDiagnostics) + " are shown");
     }
 }
 

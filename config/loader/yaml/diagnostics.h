@@ -6,17 +6,17 @@
 
 namespace campuswalk::config {
 
-/// Whether the list holds so many diagnostics that more would help nobody: a file of 2 MB has room for a
-/// million mistakes.
+/// Whether the list is so long that more diagnostics would help nobody: a file of 2 MB can have a million
+/// errors.
 bool is_full(const scene::DiagnosticList& diagnostics);
 
-/// Adds an error unless the list is full; the one that fills it is followed by a last one that says so
-/// (too-many).
+/// Adds an error unless the list is full; the one that fills it is followed by a last one, too-many.
 void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
                     std::string message);
 
-/// Throws scene::InputError if there are errors: those of the file of `first`, then those of the files it
-/// names in the order they were read, each from top to bottom. A file that was read twice is reported once.
+/// Throws scene::InputError if there are errors: those in the file of `first`, then those in the files it
+/// names, in the order in which they were read, each from top to bottom. Duplicates, from a file that was
+/// read twice, are dropped.
 void throw_in_order(const scene::DiagnosticList& diagnostics, const scene::SourceMark& first);
 
 }  // namespace campuswalk::config

@@ -11,10 +11,10 @@ using scene::SourceMark;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 2'000'000;
+constexpr std::uintmax_t kMaxBytes = 2'000'000;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// What is wrong with reading this path, empty when nothing is.
+/// Why the path can't be read; empty if it can.
 std::string why_unreadable(const std::filesystem::path& path) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -37,14 +37,14 @@ bool is_continuation(std::string_view text, std::size_t at) {
     return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
 }
 
-/// Where a text is wrong, and how.
+/// An invalid character: where it is, and why it is invalid.
 struct TextFault {
     int line = 0;
     int column = 0;
     std::string message;
 };
 
-/// The fault of the character at `at`, empty when it may stand there.
+/// What is wrong with the character at `at`; empty if it is valid there.
 std::string fault_at(std::string_view text, std::size_t at, bool indenting, bool line_starts) {
     const auto byte = static_cast<unsigned char>(text[at]);
     if (byte == '\t' && indenting) {
@@ -63,7 +63,7 @@ std::string fault_at(std::string_view text, std::size_t at, bool indenting, bool
     return "";
 }
 
-/// The first character that may not stand where it stands.
+/// The first invalid character.
 std::optional<TextFault> first_fault(std::string_view text) {
     int line = 1;
     int column = 1;
@@ -121,21 +121,21 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
     return overlong || outside ? 0 : length;
 }
 
-std::optional<std::string> read_source(const std::filesystem::path& path, const SourceMark& asked_at,
+std::optional<std::string> read_source(const std::filesystem::path& path, const SourceMark& named_at,
                                        DiagnosticList& diagnostics) {
     const std::string shown = shown_path(path);
     const auto missing = [&](const std::string& why) {
-        diagnostics.error(asked_at, "missing-file", asked_at.line > 0 ? "'" + shown + "': " + why : why);
+        diagnostics.error(named_at, "missing-file", named_at.line > 0 ? "'" + shown + "': " + why : why);
         return std::nullopt;
     };
     if (const std::string why = why_unreadable(path); !why.empty()) {
         return missing(why);
     }
     std::error_code error;
-    if (const auto size = std::filesystem::file_size(path, error); !error && size > kMostBytes) {
+    if (const auto size = std::filesystem::file_size(path, error); !error && size > kMaxBytes) {
         diagnostics.error(
             {shown, 0, 0}, "too-large",
-            "the file has " + std::to_string(size) + " bytes; the limit is " + std::to_string(kMostBytes));
+            "the file has " + std::to_string(size) + " bytes; the limit is " + std::to_string(kMaxBytes));
         return std::nullopt;
     }
     std::ifstream in(path, std::ios::binary);

@@ -9,18 +9,18 @@ namespace campuswalk::config {
 
 namespace {
 
-constexpr std::size_t kLongestQuote = 60;       // bytes
-constexpr std::size_t kLongestComparable = 64;  // bytes
-constexpr std::size_t kMostListed = 25;
-constexpr std::size_t kMostCompared = 5000;
+constexpr std::size_t kMaxQuoteBytes = 60;       // bytes
+constexpr std::size_t kMaxComparableBytes = 64;  // bytes
+constexpr std::size_t kMaxListed = 25;
+constexpr std::size_t kMaxCompared = 5000;
 
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
     std::string shown = "'";
     std::size_t length = text.size();
-    if (length > kLongestQuote) {
-        length = kLongestQuote;
+    if (length > kMaxQuoteBytes) {
+        length = kMaxQuoteBytes;
         while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
             --length;  // not in the middle of a character
         }
@@ -33,14 +33,14 @@ std::string in_quotes(std::string_view text) {
 
 std::string listed(const std::vector<std::string>& words) {
     std::string list;
-    for (std::size_t i = 0; i < words.size() && i < kMostListed; ++i) {
+    for (std::size_t i = 0; i < words.size() && i < kMaxListed; ++i) {
         list += (i == 0 ? "" : ", ") + words[i];
     }
-    return words.size() > kMostListed ? list + ", …" : list;
+    return words.size() > kMaxListed ? list + ", …" : list;
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-    return word.size() > kLongestComparable || candidates.size() > kMostCompared
+    return word.size() > kMaxComparableBytes || candidates.size() > kMaxCompared
                ? ""
                : scene::did_you_mean(word, candidates);
 }

@@ -9,7 +9,7 @@ namespace {
 
 struct Explanation {
     std::string_view parser_message;
-    std::string_view cure;
+    std::string_view message;
 };
 
 constexpr std::string_view kIndentation =
@@ -37,7 +37,7 @@ constexpr std::array kExplanations = {
 
 std::string explained(const std::string& parser_message) {
     const auto found = std::ranges::find(kExplanations, parser_message, &Explanation::parser_message);
-    return found == kExplanations.end() ? parser_message : std::string(found->cure);
+    return found == kExplanations.end() ? parser_message : std::string(found->message);
 }
 
 bool is_quote_unclosed(std::string_view text, std::size_t at) {

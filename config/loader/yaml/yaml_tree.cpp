@@ -22,11 +22,11 @@ namespace {
 using scene::DiagnosticList;
 using scene::SourceMark;
 
-constexpr std::size_t kDeepest = 64;
-constexpr std::size_t kMostNodes = 1'000'000;
-constexpr std::size_t kMostAnchors = 10'000;
+constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMaxNodes = 1'000'000;
+constexpr std::size_t kMaxAnchors = 10'000;
 
-/// Stops the parser at something that makes the rest of the file pointless.
+/// Thrown to stop the parser at an error after which reading on is pointless.
 struct Refusal {
     YAML::Mark mark = {};
     const char* code = "";
@@ -44,17 +44,17 @@ Position position_of(std::string_view text, const YAML::Mark& mark) {
     if (mark.is_null()) {
         return {};
     }
-    constexpr std::size_t kLongestLine = 1000;  // bytes whose characters are counted: a file may be one line
+    constexpr std::size_t kMaxLineBytes = 1000;  // bytes whose characters are counted: a file may be one line
     const auto column = static_cast<std::size_t>(mark.column);
     const std::size_t start = std::min(static_cast<std::size_t>(mark.pos) - column, text.size());
-    const std::string_view before = text.substr(start, std::min(column, kLongestLine));
-    const auto tails = std::ranges::count_if(
+    const std::string_view before = text.substr(start, std::min(column, kMaxLineBytes));
+    const auto continuation_bytes = std::ranges::count_if(
         before, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; });
-    return {mark.line + 1, mark.column + 1 - static_cast<int>(tails)};
+    return {mark.line + 1, mark.column + 1 - static_cast<int>(continuation_bytes)};
 }
 
-/// Builds the tree from the parser's events. The parser's own node class is not used: it forgets where
-/// aliases and empty values stand, keeps the last of two equal keys and ignores a second document.
+/// Builds the tree from the parser's events. YAML::Node is not used: it loses the positions of aliases and
+/// empty values, keeps the last of two equal keys and ignores a second document.
 class TreeBuilder final : public YAML::EventHandler {
 public:
     TreeBuilder(std::string_view text, std::string file, DiagnosticList& diagnostics)
@@ -62,7 +62,7 @@ public:
 
     std::shared_ptr<const YamlNode> root;
 
-    /// Where the innermost map or list starts that is not yet complete.
+    /// Where the innermost unfinished map or list starts.
     std::optional<YAML::Mark> innermost_start() const {
         return open_.empty() ? std::nullopt : std::optional(open_.back().mark);
     }
@@ -117,14 +117,14 @@ private:
     struct Key {
         std::string text;
         Position at;
-        bool is_first = true;  ///< of its name
+        bool is_first = true;  ///< false: a duplicate
     };
     struct Open {
         std::shared_ptr<YamlNode> node;
         YAML::anchor_t anchor = 0;
         YAML::Mark mark;
         std::optional<Key> key;                 ///< map: the key whose value comes next
-        std::map<std::string, int> lines = {};  ///< map: of the keys so far
+        std::map<std::string, int> lines = {};  ///< map: the line of each key so far
     };
 
     SourceMark mark_at(const Position& at) const { return {file_, at.line, at.column}; }
@@ -137,7 +137,8 @@ private:
         return node;
     }
 
-    /// The parser puts an empty list entry at what follows it, maybe lines below: its own '-' is nearer.
+    /// The parser places an empty list entry at the next token, maybe lines below; this is its own '-'
+    /// instead.
     Position position_of_null(const YAML::Mark& mark) const {
         const bool in_list = !open_.empty() && open_.back().node->kind == YamlNode::Kind::sequence;
         const auto at = std::min(static_cast<std::size_t>(mark.pos), text_.size());
@@ -163,7 +164,7 @@ private:
     }
 
     void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
-        if (open_.size() >= kDeepest) {
+        if (open_.size() >= kMaxDepth) {
             throw Refusal{mark, "too-large", "nested more than 64 levels deep"};
         }
         refuse_tag(mark, tag);
@@ -176,10 +177,10 @@ private:
         add(done.node, done.anchor);
     }
 
-    /// Puts a finished node where it belongs and lets aliases name it.
+    /// Adds a finished node to its parent, and to the anchors that aliases may refer to.
     void add(std::shared_ptr<const YamlNode> node, YAML::anchor_t anchor) {
         if (anchor != 0) {
-            if (anchors_.size() >= kMostAnchors) {
+            if (anchors_.size() >= kMaxAnchors) {
                 throw Refusal{{}, "too-large", "more than 10,000 anchors ('&')"};
             }
             anchors_[anchor] = node;
@@ -188,15 +189,15 @@ private:
         place(std::move(node), at);
     }
 
-    /// `at` is where the node, or the alias for it, stands.
+    /// `at` is the position of the node or of the alias for it.
     void place(std::shared_ptr<const YamlNode> node, const Position& at) {
         if (open_.empty()) {
             root = std::move(node);
             return;
         }
         Open& parent = open_.back();
-        parent.node->size += std::min(node->size, kMostNodes);  // cannot overflow: the file is small
-        if (parent.node->size > kMostNodes) {
+        parent.node->size += std::min(node->size, kMaxNodes);  // cannot overflow: the file is small
+        if (parent.node->size > kMaxNodes) {
             throw Refusal{parent.mark, "too-large", "more than a million values (each alias counts in full)"};
         }
         if (is_full(diagnostics_)) {
@@ -217,13 +218,13 @@ private:
                            "a key must be a word, as in 'title: Library'");
             return {"", at, false};
         }
-        const auto [earlier, fresh] = map.lines.emplace(node.text, at.line);
-        if (!fresh) {
+        const auto [first, is_new] = map.lines.emplace(node.text, at.line);
+        if (!is_new) {
             add_diagnostic(diagnostics_, mark_at(at), "duplicate-key",
                            "duplicate key " + in_quotes(node.text) + ", first given on line " +
-                               std::to_string(earlier->second) + "; remove one of the two");
+                               std::to_string(first->second) + "; remove one of the two");
         }
-        return {node.text, at, fresh};
+        return {node.text, at, is_new};
     }
 
     static void add_value(Open& map, std::shared_ptr<const YamlNode> value) {
@@ -232,7 +233,7 @@ private:
             return;
         }
         if (value->kind == YamlNode::Kind::null && value->line != key.at.line) {
-            value = leaf(YamlNode::Kind::null, key.at);  // the parser puts it at the next key
+            value = leaf(YamlNode::Kind::null, key.at);  // the parser places it at the next key
         }
         map.node->entries.push_back({key.text, key.at.line, key.at.column, std::move(value)});
     }
