@@ -9,8 +9,8 @@ namespace campuswalk::config {
 
 namespace {
 
-constexpr std::size_t kMaxQuoteBytes = 60;       // bytes
-constexpr std::size_t kMaxComparableBytes = 64;  // bytes
+constexpr std::size_t kMaxQuoteBytes = 60;
+constexpr std::size_t kMaxComparableBytes = 64;
 constexpr std::size_t kMaxListed = 25;
 constexpr std::size_t kMaxCompared = 5000;
 
