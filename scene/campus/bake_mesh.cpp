@@ -13,7 +13,7 @@ namespace {
 using collision::Vec3;
 
 // Well below what float32 resolves a metre from the origin: such a triangle can't be stood on or bumped into.
-constexpr double kThinnest = 1e-7;
+constexpr double kMinThickness = 1e-7;  // metres
 
 Vec3 whole_millimetres(const Vec3& point) {
     return (point * 1000.0).array().round() / 1000.0;
@@ -27,7 +27,7 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c) {
     return longest > 0.0 ? ab.cross(ac).norm() / longest : 0.0;
 }
 
-/// Of the corners of all triangles.
+/// The bounds of all triangles' vertices.
 collision::Aabb bounds_of(const WorldGeometry& geometry) {
     collision::Aabb bounds;
     for (const auto& triangle : geometry.triangles) {
@@ -44,9 +44,9 @@ bool float_holds(const WorldGeometry& geometry) {
     });
 }
 
-/// Adds the triangles that `keeps(corners)`, about the mesh's origin.
-template <typename Keeps>
-void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const Keeps& keeps) {
+/// Adds the triangles for which `is_included(vertices)`, relative to the mesh's origin.
+template <typename IsIncluded>
+void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const IsIncluded& is_included) {
     WeldTable<3> welded(geometry.positions.size());
     auto& positions = baked.mesh.positions;
     for (const auto& triangle : geometry.triangles) {
@@ -54,7 +54,7 @@ void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const Keeps&
         for (std::size_t k = 0; k < 3; ++k) {
             vertices[k] = (geometry.positions[triangle[k]] - baked.p_world_origin).cast<float>();
         }
-        if (!keeps(vertices)) {
+        if (!is_included(vertices)) {
             continue;
         }
         std::array<std::uint32_t, 3> numbers{};
@@ -79,7 +79,7 @@ BakedMesh bake_mesh(const WorldGeometry& geometry) {
     baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
     add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& vertices) {
         const bool thick = thickness(vertices[0].cast<double>(), vertices[1].cast<double>(),
-                                     vertices[2].cast<double>()) >= kThinnest;
+                                     vertices[2].cast<double>()) >= kMinThickness;
         baked.zero_area += thick ? 0U : 1U;
         return thick;
     });

@@ -16,8 +16,9 @@ struct BakedMesh {
 /// Joins positions that are equal after rounding to float32; triangles keep their order and winding.
 BakedMesh bake_mesh(const WorldGeometry& geometry);
 
-/// Likewise with every triangle, however thin, so that their numbers are the geometry's. Where float32 holds
-/// all positions as they are, as with an OBJ file's, they stay so: the origin is the world's.
+/// Likewise with every triangle, however thin, so that they have the geometry's indices. If float32
+/// represents all positions exactly, as those of an OBJ file, they are unchanged and the origin is the
+/// world's.
 BakedMesh bake_every_triangle(const WorldGeometry& geometry);
 
 }  // namespace campuswalk::scene

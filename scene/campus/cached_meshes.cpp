@@ -20,7 +20,7 @@ void add_globs(const std::vector<NodeGlob>& globs, ContentHasher& hasher) {
     }
 }
 
-/// Of everything that decides over the meshes.
+/// The hash of everything that the meshes depend on.
 ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origin,
                    std::span<const ContentHash> models) {
     ContentHasher hasher;
@@ -55,7 +55,7 @@ CachedMeshes::CachedMeshes(const CacheFolder& cache, const CampusDescription& ca
                 std::string object = mesh.object;
                 meshes_.emplace(std::move(object), std::move(mesh));
             }
-        } catch (const DamagedFile&) {  // to be made anew
+        } catch (const DamagedFile&) {  // the meshes are built again
         }
     }
 }
@@ -72,11 +72,11 @@ std::optional<PlacedShape> CachedMeshes::find(const std::string& object) const {
     return placed;
 }
 
-void CachedMeshes::add(const std::string& object, const PlacedShape& made) {
+void CachedMeshes::add(const std::string& object, const PlacedShape& built) {
     if (cache_ != nullptr) {
         meshes_.insert_or_assign(
-            object, PlacedMesh{object, std::get<std::shared_ptr<const collision::MeshCollider>>(made.shape),
-                               made.X_world_shape.translation, made.zero_area});
+            object, PlacedMesh{object, std::get<std::shared_ptr<const collision::MeshCollider>>(built.shape),
+                               built.X_world_shape.translation, built.zero_area});
         is_new_ = true;
     }
 }

@@ -13,21 +13,21 @@
 
 namespace campuswalk::scene {
 
-/// The collision meshes of a campus' objects, by the objects' ids: from the cache if they were made before of
-/// the same models and nodes, and written there if not.
+/// The collision meshes of a campus' objects, by the objects' ids: read from the cache if they were built
+/// before from the same models and nodes, otherwise written to it.
 class CachedMeshes {
 public:
     /// Without a cache: nothing is found and nothing written.
     CachedMeshes() = default;
-    /// `origin`: what is taken off the models' coordinates; `models`: what each of them is made of (see
-    /// load_model.h).
+    /// `origin`: the offset subtracted from the models' coordinates; `models`: the hashes of their contents
+    /// (see load_model.h).
     CachedMeshes(const CacheFolder& cache, const CampusDescription& campus, const Eigen::Vector3d& origin,
                  std::span<const ContentHash> models);
 
-    /// nullopt if the object's mesh has to be made, and then given to `add`.
+    /// nullopt if the object's mesh has to be built, and then passed to `add`.
     std::optional<PlacedShape> find(const std::string& object) const;
-    void add(const std::string& object, const PlacedShape& made);
-    /// Writes what was added. To be called once all have been made without a mistake.
+    void add(const std::string& object, const PlacedShape& built);
+    /// Writes the added meshes to the cache. Call when all have been built without errors.
     void keep() const;
 
 private:

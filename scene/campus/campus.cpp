@@ -17,7 +17,7 @@ namespace campuswalk::scene {
 namespace {
 
 // An object's layer is a bit of a 32-bit mask, and bit 0 is for objects without a layer.
-constexpr std::size_t kMostLayers = 31;
+constexpr std::size_t kMaxLayers = 31;
 
 collision::Detection to_detection(const DetectionModes& modes) {
     using collision::Detection;
@@ -26,10 +26,10 @@ collision::Detection to_detection(const DetectionModes& modes) {
            (modes.ray ? Detection::ray : Detection::none);
 }
 
-/// The models of a campus, and what each is made of where a cache wants to know.
+/// The models of a campus and the hashes of their contents (see LoadedModel).
 struct ImportedScenes {
     std::vector<Model> models;
-    std::vector<ContentHash> contents;  ///< fewer than models where it isn't known of all
+    std::vector<ContentHash> contents;  ///< fewer than models if some are unknown
 };
 
 ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
@@ -63,9 +63,9 @@ ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList
     return scenes;
 }
 
-Origin move_to_origin(const CampusOrigin& wanted, std::vector<Model>& models) {
-    Origin origin = wanted.origin;
-    if (wanted.near) {
+Origin move_to_origin(const CampusOrigin& requested, std::vector<Model>& models) {
+    Origin origin = requested.origin;
+    if (requested.near) {
         origin.at = origin_near(world_bounds(models.front()));
     }
     for (Model& model : models) {
@@ -121,7 +121,7 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     const NodeSelection selection = select_nodes(campus_.models, globs, collider.except);
     const std::vector<NodeRef>& matches = selection.roots;
     if (matches.empty()) {
-        if (!topmost_matches(campus_.models, globs).empty()) {  // else check_globs has said so
+        if (!topmost_matches(campus_.models, globs).empty()) {  // otherwise check_globs has reported it
             diagnostics_.error(collider.except.front().mark, "empty-mesh",
                                "'except' excludes every node of collider '" + collider.id + "'");
         }
@@ -155,7 +155,7 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     source.has_nodes = !nodes.empty();
     source.tree = tree_;
     source.geometry = gather_geometry(campus_.models, selection);
-    if (nodes.size() == 1) {  // several nodes have no frame in common but the world's
+    if (nodes.size() == 1) {  // the only common frame of several nodes is the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }
     std::optional<PlacedShape> placed = place_shape(collider.shape, source);
@@ -200,14 +200,14 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
                    std::vector<Diagnostic>& warnings, const Importer& importer, const CacheFolder* cache,
                    std::size_t imports_at_once, collision::TreeKind tree) {
     DiagnosticList diagnostics;
-    if (description.layers.size() > kMostLayers) {
+    if (description.layers.size() > kMaxLayers) {
         diagnostics.error(description.mark, "too-many-layers",
                           std::to_string(description.layers.size()) + " layers declared; the maximum is " +
-                              std::to_string(kMostLayers));
+                              std::to_string(kMaxLayers));
     }
     ImportedScenes scenes =
         import_scenes(description.scenes, diagnostics, warnings, importer, cache, imports_at_once);
-    diagnostics.throw_if_errors();  // without its scenes every glob would be wrong
+    diagnostics.throw_if_errors();  // without the scenes no glob would match
 
     Campus campus{
         std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
@@ -215,10 +215,11 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);
     }
-    const bool known = cache != nullptr && tree == collision::TreeKind::bvh8 &&
-                       scenes.contents.size() == campus.models.size();
-    CachedMeshes meshes =
-        known ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents) : CachedMeshes();
+    const bool cacheable = cache != nullptr && tree == collision::TreeKind::bvh8 &&
+                           scenes.contents.size() == campus.models.size();
+    CachedMeshes meshes = cacheable
+                              ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents)
+                              : CachedMeshes();
     ColliderBuilder builder(campus, meshes, tree, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
         check_globs(campus.models, collider.nodes, diagnostics);

@@ -24,17 +24,17 @@ struct CampusObject {
     std::optional<std::size_t> building;  ///< index into CampusDescription::buildings
     bool popup = false;
     PopupRule popup_rule = {};
-    NodeSelection nodes = {};  ///< whose geometry it stands for
+    NodeSelection nodes = {};  ///< that its geometry comes from
 };
 
-/// A campus ready to walk in: what the user described, the models to draw, the world to collide with.
+/// A campus that is ready for walks: the user's description, the models to draw, the world to collide with.
 struct Campus {
     CampusDescription description;
-    std::vector<Model> models;  ///< one a scene file
+    std::vector<Model> models;  ///< one per scene file
     std::vector<CampusObject> objects;
     collision::World world;
-    /// What was taken off the scenes' coordinates. On the Earth it is where the campus file says, or else the
-    /// first scene that says anything.
+    /// The offset subtracted from the scenes' coordinates. Its location on the Earth is the campus file's, or
+    /// else that of the first scene that has one.
     Origin origin = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
@@ -46,20 +46,21 @@ struct Campus {
     }
 };
 
-/// Imports the scenes and builds every collider's shape and tree. All mistakes are reported together:
+/// Imports the scenes and builds every collider's shape and tree. Throws InputError with all errors at once:
 /// those of import_model, and
-///   no-node        a glob matches no node (with the nearest name)
-///   empty-mesh     the nodes of a collider have no triangle
-///   duplicate-id   two objects end up with one id
-///   too-many-layers more than 31
+///   no-node          a glob matches no node (with the nearest name)
+///   missing-nodes    a collider has neither nodes nor every dimension of its shape
+///   empty-mesh       the nodes of a collider have no triangle
+///   duplicate-id     two objects have the same id
+///   too-many-layers  more than 31
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings);
 
-/// The same, its models imported by `importer`. With a cache, what was imported and built before of the same
-/// files is taken from there, and what wasn't is kept there: the campus and the warnings are the same.
-/// `imports_at_once`: from how many threads `importer` may be called at a time; it makes no difference to
-/// what comes out. `tree`: what the collision meshes are given; the cache keeps BVH8s alone, so that hybrid
-/// trees are built each time.
+/// The same, with models imported by `importer`. With a cache, whatever was imported and built before from
+/// the same files is read from it, and the rest is stored in it; the campus and the warnings are the same.
+/// `imports_at_once`: from how many threads `importer` may be called at a time; the result doesn't depend on
+/// it. `tree`: the trees of the collision meshes; the cache holds only BVH8s, so hybrid trees are built each
+/// time.
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
                    std::vector<Diagnostic>& warnings, const Importer& importer,
                    const CacheFolder* cache = nullptr, std::size_t imports_at_once = 1,

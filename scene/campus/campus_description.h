@@ -13,8 +13,8 @@
 
 namespace campuswalk::scene {
 
-/// What a `NAME.campus.yaml` says, checked for form but not yet held against the models it names.
-/// Lengths in metres, angles in radians, every item with the place it was written at.
+/// The contents of a `NAME.campus.yaml`, validated by themselves but not yet against the models they name.
+/// Lengths in metres, angles in radians; every item has the mark of where it is written.
 
 /// A glob over node names; matching a node takes its whole subtree.
 struct NodeGlob {
@@ -22,14 +22,14 @@ struct NodeGlob {
     std::string pattern;
 };
 
-/// When what opens a building's pop-up does so.
+/// When a contact opens a building's pop-up.
 struct PopupRule {
-    bool once = false;      ///< not if it has been open before
-    double cooldown = 0.0;  ///< seconds after it closed in which it stays closed
+    bool once = false;      ///< only once per walk
+    double cooldown = 0.0;  ///< seconds after closing during which it doesn't reopen
     double dwell = 0.0;     ///< seconds that the contact must last
 };
 
-/// Something else to say of a building, by the name of a variable.
+/// Additional information about a building, available to its texts as a variable.
 struct InfoField {
     std::string name;  ///< kebab-case
     std::string value;
@@ -47,7 +47,7 @@ struct Building {
     std::string hours;
     int floors = 0;
     std::vector<InfoField> info;
-    bool popup = true;     ///< for colliders that don't say otherwise
+    bool popup = true;     ///< the default of its colliders
     PopupRule popup_rule;  ///< likewise
 };
 
@@ -84,7 +84,7 @@ struct WheelShape {
 
 using ShapeDescription = std::variant<MeshShape, BoxShape, SphereShape, CapsuleShape, WheelShape>;
 
-/// The paper's three detection strategies; an object may take part in several.
+/// The paper's three detection modes; an object may have several.
 struct DetectionModes {
     bool solid = false;
     bool trigger = false;
@@ -97,7 +97,7 @@ struct ColliderDescription {
     std::string building;  ///< owner, empty for none; the loader has checked that it exists
     std::vector<NodeGlob> nodes;
     std::vector<NodeGlob> except;  ///< nodes, each with its subtree, that are left out of those
-    bool each = false;             ///< one object a matched node instead of one for all
+    bool each = false;             ///< one object per matched node instead of one for all
     ShapeDescription shape;
     DetectionModes modes;
     std::string layer;   ///< empty or one of CampusDescription::layers
@@ -118,9 +118,9 @@ struct Place {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// What all scenes' coordinates are moved by, and where on the Earth the world's origin then is.
+/// The offset subtracted from all scenes' coordinates, and where on the Earth the world's origin then is.
 struct CampusOrigin {
-    bool near = false;  ///< `at` is for origin_near of the first scene to find
+    bool near = false;  ///< `at` is to be computed by origin_near from the first scene
     Origin origin;
 };
 

@@ -16,7 +16,7 @@ using collision::Pose;
 using collision::Vec3;
 
 // A sign plate without thickness still makes a solid box.
-constexpr double kLeastHalfExtent = 0.0005;
+constexpr double kMinHalfExtent = 0.0005;  // metres
 
 /// Bounds of the geometry's triangles in the frame.
 Aabb bounds_in(const Pose& frame, const WorldGeometry& geometry) {
@@ -66,7 +66,7 @@ std::optional<PlacedShape> place(const BoxShape& box, const ShapeSource& source)
     const Vec3 half = box.size ? Vec3(*box.size * 0.5) : Vec3((bounds.max - bounds.min) * 0.5);
     placed.X_world_shape.translation =
         box.center ? source.frame * *box.center : placed.X_world_shape * centre_of(bounds);
-    placed.shape = collision::Box{half.cwiseMax(kLeastHalfExtent)};
+    placed.shape = collision::Box{half.cwiseMax(kMinHalfExtent)};
     return placed;
 }
 
@@ -82,14 +82,14 @@ std::optional<PlacedShape> place(const SphereShape& sphere, const ShapeSource& s
     return placed;
 }
 
-/// Where a capsule without a given base stands, and how wide and high the geometry above it is.
+/// The base of a capsule that has none: the node's origin if that is within or near the bounds.
 Vec3 fitted_base(const ShapeSource& source, const Aabb& bounds) {
     constexpr double kNear = 0.5;  // metres: a trunk's origin may lie a little below its lowest vertex
     const Vec3& origin = source.frame.translation;
     const Aabb near = bounds.grown(kNear);
-    const bool stands_there = bounds.empty() || ((near.min.array() <= origin.array()).all() &&
-                                                 (origin.array() <= near.max.array()).all());
-    if (stands_there) {
+    const bool origin_is_near = bounds.empty() || ((near.min.array() <= origin.array()).all() &&
+                                                   (origin.array() <= near.max.array()).all());
+    if (origin_is_near) {
         return origin;
     }
     const Vec3 centre = centre_of(bounds);
@@ -105,7 +105,7 @@ std::optional<PlacedShape> place(const CapsuleShape& capsule, const ShapeSource&
     const double height = capsule.height ? *capsule.height : std::max(bounds.max.y() - base.y(), 0.0);
     const double half_width =
         0.5 * std::max(bounds.max.x() - bounds.min.x(), bounds.max.z() - bounds.min.z());
-    // A fitted radius gives way to the height, never the other way round.
+    // A fitted radius is limited by the height, never the other way round.
     const double radius = capsule.radius ? *capsule.radius : std::min(half_width, 0.5 * height);
     const double half_length = std::max(0.5 * height - radius, 0.0);
     PlacedShape placed;
@@ -132,7 +132,7 @@ std::optional<PlacedShape> place(const WheelShape& wheel, const ShapeSource& sou
         }
     }
     const double width = wheel.width ? *wheel.width : bounds.max.x() - bounds.min.x();
-    placed.shape = collision::Wheel{radius, std::max(0.5 * width, kLeastHalfExtent)};
+    placed.shape = collision::Wheel{radius, std::max(0.5 * width, kMinHalfExtent)};
     return placed;
 }
 

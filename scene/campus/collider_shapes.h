@@ -8,7 +8,7 @@
 
 namespace campuswalk::scene {
 
-/// A collision shape where it stands.
+/// A collision shape and its pose.
 struct PlacedShape {
     collision::Shape shape;
     collision::Pose X_world_shape;
@@ -16,7 +16,7 @@ struct PlacedShape {
 };
 
 /// What the numbers of a shape refer to: a node's upright_frame (see node_frame.h) and its geometry, or the
-/// world's frame and nothing when the shape is placed by numbers alone.
+/// world frame and no geometry if the shape is placed by numbers alone.
 struct ShapeSource {
     collision::Pose frame;
     WorldGeometry geometry;
@@ -24,7 +24,7 @@ struct ShapeSource {
     collision::TreeKind tree = collision::TreeKind::bvh8;  ///< of a mesh
 };
 
-/// Whether a shape needs no node: every number is there.
+/// Whether a shape needs no node, because every number is given.
 bool is_placed_by_numbers(const ShapeDescription& shape);
 
 /// Makes the shape; numbers that are left out are fitted to the source's geometry:
@@ -35,7 +35,7 @@ bool is_placed_by_numbers(const ShapeDescription& shape);
 ///            metre), else the middle of the bounds' bottom; its radius covers the bounds' wider side, its
 ///            height reaches their top
 ///   wheel    about the bounds' centre along `axis`, as wide and as large as the geometry
-/// nullopt when something has to be fitted and there is no triangle.
+/// nullopt if something has to be fitted and there is no triangle.
 std::optional<PlacedShape> place_shape(const ShapeDescription& shape, const ShapeSource& source);
 
 }  // namespace campuswalk::scene

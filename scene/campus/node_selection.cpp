@@ -12,7 +12,7 @@ bool matches_any(std::span<const NodeGlob> globs, const std::string& name) {
     return std::ranges::any_of(globs, [&](const NodeGlob& glob) { return glob_matches(glob.pattern, name); });
 }
 
-/// What stands between a glob that matches nothing and the names there are.
+/// The end of the message for a glob that matches nothing: a similar name, or some that exist.
 std::string suggestion(const std::vector<Model>& models, const std::string& pattern) {
     constexpr std::size_t kNamesShown = 5;
     std::set<std::string> distinct;
@@ -32,7 +32,7 @@ std::string suggestion(const std::vector<Model>& models, const std::string& patt
             return "; did you mean '" + std::string(near) + "'?";
         }
     }
-    // A pattern such as `libary_*` is far from any whole name, but near to the start of one.
+    // A pattern such as `libary_*` isn't similar to any whole name, but to the start of one.
     for (const std::string& name : names) {
         if (name.size() > plain.size() && !nearest_word(plain, {name.substr(0, plain.size())}).empty()) {
             return "; did you mean '" + name + "'?";
@@ -48,8 +48,8 @@ std::string suggestion(const std::vector<Model>& models, const std::string& patt
     return "; the scenes contain " + shown + (names.size() > kNamesShown ? ", …" : "");
 }
 
-bool contains(std::span<const NodeRef> refs, const NodeRef& wanted) {
-    return std::binary_search(refs.begin(), refs.end(), wanted);
+bool contains(std::span<const NodeRef> refs, const NodeRef& ref) {
+    return std::binary_search(refs.begin(), refs.end(), ref);
 }
 
 void append_mesh(const Mesh& mesh, const Eigen::Matrix4d& X_world_mesh, WorldGeometry& out) {

@@ -22,25 +22,25 @@ struct NodeRef {
     friend auto operator<=>(const NodeRef&, const NodeRef&) = default;
 };
 
-/// The nodes that a glob names, without those below another named one: a node stands for its subtree.
-/// In the order of the scene files, then of the nodes.
+/// The nodes that match a glob, without those below another match, since a node stands for its subtree. In
+/// the order of the scene files, then of the nodes.
 std::vector<NodeRef> topmost_matches(const std::vector<Model>& models, std::span<const NodeGlob> globs);
 
-/// Some subtrees without others in them.
+/// Subtrees, without some of their own subtrees.
 struct NodeSelection {
     std::vector<NodeRef> roots;   ///< each with its subtree
     std::vector<NodeRef> except;  ///< likewise, left out of those; ascending
 };
 
-/// What `globs` name without what `except` does; no root lies in what is left out.
+/// The nodes that match `globs` without those that match `except`; no root is in a subtree that is left out.
 NodeSelection select_nodes(const std::vector<Model>& models, std::span<const NodeGlob> globs,
                            std::span<const NodeGlob> except);
 
-/// Complains (`no-node`, at the glob) about every glob that no node's name matches, with the nearest name.
+/// Reports every glob that matches no node's name (`no-node`, at the glob), with the nearest name.
 void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> globs,
                  DiagnosticList& diagnostics);
 
-/// All nodes of the roots' subtrees that aren't left out, one root after the other; parents come first.
+/// All nodes of the roots' subtrees except those left out, root by root; parents come first.
 std::vector<NodeRef> nodes_of(const std::vector<Model>& models, const NodeSelection& selection);
 
 /// The triangles of some subtrees in world coordinates.

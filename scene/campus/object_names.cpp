@@ -10,9 +10,9 @@ std::string object_word(std::string_view node_name) {
     bool gap = false;
     for (const char c : node_name) {
         const bool upper = c >= 'A' && c <= 'Z';
-        const bool kept = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
-                          static_cast<unsigned char>(c) >= 0x80;
-        if (!kept) {
+        const bool is_word_character = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
+                                       static_cast<unsigned char>(c) >= 0x80;
+        if (!is_word_character) {
             gap = true;
             continue;
         }

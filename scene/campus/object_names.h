@@ -6,13 +6,13 @@
 
 namespace campuswalk::scene {
 
-/// A node's name as a word of an object id: ASCII letters in lower case, every run of other ASCII characters
-/// than letters and digits one `-`, none at the ends; characters beyond ASCII stay. `Tree_01.Leaf` becomes
-/// `tree-01-leaf`; a name of which nothing is left becomes `node`.
+/// A node's name as a word of an object id: ASCII letters become lower case, each run of ASCII characters
+/// other than letters and digits becomes one `-`, except at the ends; non-ASCII characters stay.
+/// `Tree_01.Leaf` becomes `tree-01-leaf`; a name without any such character becomes `node`.
 std::string object_word(std::string_view node_name);
 
 /// object_word of each name, made distinct: of equal words the second gets `-2`, the third `-3`, …, in the
-/// given order, passing over numbers that another node's name takes.
+/// given order, skipping numbers that another node's name contains already.
 std::vector<std::string> distinct_words(const std::vector<std::string>& node_names);
 
 }  // namespace campuswalk::scene

@@ -22,7 +22,7 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leav
 namespace campuswalk::scene {
 namespace {
 
-/// The attributes and file actions of a start.
+/// The attributes and file actions for posix_spawn.
 class SpawnSettings {
 public:
     explicit SpawnSettings(const ProgramStart& start) {
@@ -68,7 +68,7 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-/// As exec takes them: pointers to each, then null. `words` must outlive them.
+/// The null-terminated array that exec expects. `words` must outlive it.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);
@@ -111,8 +111,8 @@ bool ChildProcess::ends_within(std::chrono::milliseconds time) const {
     while (true) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
         pollfd ended{process.number(), POLLIN, 0};
-        constexpr std::int64_t kLongest = 60'000;
-        const int count = poll(&ended, 1, static_cast<int>(std::clamp<std::int64_t>(left + 1, 0, kLongest)));
+        constexpr std::int64_t kMaxWait = 60'000;  // milliseconds
+        const int count = poll(&ended, 1, static_cast<int>(std::clamp<std::int64_t>(left + 1, 0, kMaxWait)));
         if (count > 0) {
             return true;
         }
@@ -158,7 +158,7 @@ ChildProcess fork_process(const std::function<void()>& child) {
     }
     if (process == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (getppid() == parent) {  // else it died before it could be asked to take this one along
+        if (getppid() == parent) {  // otherwise it ended before the prctl above
             child();
         }
         _exit(0);

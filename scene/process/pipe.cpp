@@ -50,10 +50,10 @@ bool write_all(int to, std::string_view text) {
     return write_all(to, std::as_bytes(std::span(text)));
 }
 
-std::size_t read_some(int from, std::span<std::byte> room) {
+std::size_t read_some(int from, std::span<std::byte> buffer) {
     ssize_t got = 0;
     do {
-        got = read(from, room.data(), room.size());
+        got = read(from, buffer.data(), buffer.size());
     } while (got < 0 && errno == EINTR);
     return got > 0 ? static_cast<std::size_t>(got) : 0;
 }

@@ -7,7 +7,7 @@
 
 namespace campuswalk::scene {
 
-/// A file descriptor, closed in the end.
+/// A file descriptor that is closed by the destructor.
 class Descriptor {
 public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -23,7 +23,7 @@ private:
     int number_;
 };
 
-/// Programs that are started inherit neither end.
+/// A pipe. Started programs inherit neither end.
 struct Pipe {
     Descriptor reading;
     Descriptor writing;
@@ -32,17 +32,16 @@ struct Pipe {
 /// Throws std::system_error.
 Pipe make_pipe();
 
-/// /dev/null, to write to.
+/// /dev/null for writing.
 Descriptor open_nowhere();
 
-// A signal interrupts neither of these.
+// Signals don't interrupt these.
 
-/// False when not all of it could be written; errno says why.
+/// False if not everything could be written; errno says why.
 bool write_all(int to, std::span<const std::byte> bytes);
 bool write_all(int to, std::string_view text);
 
-/// Waits until there is something and reads that, as far as there is room: the number of bytes, 0 when there
-/// will be no more.
-std::size_t read_some(int from, std::span<std::byte> room);
+/// Waits for bytes and reads up to `buffer.size()` of them. Returns how many, 0 at the end of the file.
+std::size_t read_some(int from, std::span<std::byte> buffer);
 
 }  // namespace campuswalk::scene

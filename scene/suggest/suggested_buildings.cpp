@@ -29,7 +29,7 @@ double footprint_of(const Bounds& bounds) {
     return bounds.empty() ? 0.0 : (bounds.max.x() - bounds.min.x()) * (bounds.max.z() - bounds.min.z());
 }
 
-/// Judging by its name and its bounds.
+/// Decided by its name and its bounds.
 bool may_be_building(const NodeReport& node, double whole) {
     if (node.bounds.empty() || is_generated_name(node.name) || is_surroundings_name(node.name)) {
         return false;

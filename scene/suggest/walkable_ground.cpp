@@ -261,14 +261,14 @@ std::vector<Vec3> WalkableGround::waypoints(const std::vector<std::uint32_t>& pr
         path.push_back(spots_[predecessors[s]].foot);
     }
     std::reverse(path.begin(), path.end());
-    std::vector<Vec3> kept = {path.front()};
+    std::vector<Vec3> simplified = {path.front()};
     for (std::size_t i = 1; i < path.size(); ++i) {
         const bool last = i + 1 == path.size();
-        if (last || !is_straight(kept.back(), path[i + 1])) {
-            kept.push_back(path[i]);
+        if (last || !is_straight(simplified.back(), path[i + 1])) {
+            simplified.push_back(path[i]);
         }
     }
-    return kept;
+    return simplified;
 }
 
 }  // namespace campuswalk::scene

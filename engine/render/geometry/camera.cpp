@@ -12,9 +12,9 @@ namespace {
 constexpr double kBehindPitch = -0.17;
 constexpr double kAboveEyes = 0.15;      // metres, of the point that it circles
 constexpr double kWallClearance = 0.25;  // metres, so that the near plane's corners stay on this side
-constexpr double kClosest = 0.3;         // metres, never further into the avatar's head
+constexpr double kClosest = 0.3;         // metres, so that the camera stays out of the avatar's head
 
-constexpr double kOrbitMargin = 1.08;  // of the distance from which all of a building is just seen
+constexpr double kOrbitMargin = 1.08;  // of the distance at which a building just fits into the image
 constexpr double kClosestOrbit = 0.5;  // metres
 
 constexpr double kPlanMargin = 1.06;    // of the campus' extent
@@ -52,10 +52,10 @@ Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, dou
 }
 
 Viewpoint looking_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target, double fov) {
-    const Eigen::Vector3d way = target - position;
-    const double level = std::hypot(way.x(), way.z());
-    const double yaw = level > 0.0 ? std::atan2(-way.x(), -way.z()) : 0.0;
-    return looking(position, yaw, std::atan2(way.y(), level), fov);
+    const Eigen::Vector3d offset = target - position;
+    const double level = std::hypot(offset.x(), offset.z());
+    const double yaw = level > 0.0 ? std::atan2(-offset.x(), -offset.z()) : 0.0;
+    return looking(position, yaw, std::atan2(offset.y(), level), fov);
 }
 
 Viewpoint orbiting(const Eigen::Vector3d& centre, double distance, double yaw, double pitch, double fov) {

@@ -14,38 +14,38 @@ namespace campuswalk::engine::render {
 
 enum class Projection { perspective, orthographic };
 
-/// A camera resolved to numbers: where from, which way and how wide. World frame, metres, radians.
+/// A camera resolved to numbers: position, orientation and field of view. World frame, metres, radians.
 struct Viewpoint {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R_world_camera = Eigen::Matrix3d::Identity();  ///< columns: right, up, backwards
     Projection projection = Projection::perspective;
     double fov = 1.0471975511965976;  ///< vertical; for Projection::perspective
     double height = 100.0;            ///< metres from the lower to the upper edge; for orthographic
-    double near_distance = 0.1;       ///< nothing closer is drawn; the avatar's skin keeps walls further off
-    double far_distance = 2000.0;     ///< for orthographic only, a perspective sees to infinity
+    double near_distance = 0.1;       ///< nothing closer is drawn; the avatar's skin keeps walls farther away
+    double far_distance = 2000.0;     ///< for orthographic only; a perspective view extends to infinity
 };
 
-/// The metres that can be moved from `from` towards `to` before something solid is met, at most their
-/// distance. Supplied by whoever has the collision world.
+/// The distance in metres from `from` towards `to` that is free of solid objects, at most up to `to`.
+/// Supplied by the owner of the collision world.
 using FreeDistance = std::function<double(const Eigen::Vector3d& from, const Eigen::Vector3d& to)>;
 
 /// At `position`, turned by yaw (0 along -Z, positive to the left) and pitch (up positive).
 Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, double fov);
 
-/// At `position`, turned to `target`; level and to the north when that is the same place.
+/// At `position`, turned to `target`; level and to the north if both are the same point.
 Viewpoint looking_at(const Eigen::Vector3d& position, const Eigen::Vector3d& target, double fov);
 
-/// Turned by yaw and pitch, and so far back from `centre` that it is `distance` metres before the camera.
+/// Turned by yaw and pitch, with `centre` in the middle of the image, `distance` metres from the camera.
 Viewpoint orbiting(const Eigen::Vector3d& centre, double distance, double yaw, double pitch, double fov);
 
-/// Likewise around the middle of `box`, from where all of it is seen, with a margin, in an image of width /
-/// height = `aspect`.
+/// Likewise around the centre of `box`, at the distance at which all of it fits, with a margin, into an image
+/// of width / height = `aspect`.
 Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double pitch, double fov);
 
 /// Through the avatar's eyes.
 Viewpoint first_person(const AvatarState& avatar, const AvatarProfile& profile, double fov);
 
-/// From `distance` metres behind and a little above the avatar, nearer when a wall stands in between.
+/// From `distance` metres behind and a little above the avatar, closer if a wall is in between.
 Viewpoint third_person(const AvatarState& avatar, const AvatarProfile& profile, double fov, double distance,
                        const FreeDistance& free_distance);
 
@@ -60,8 +60,8 @@ Viewpoint plan(const scene::Bounds& campus, double aspect);
 /// so that floats are finest far away; y up.
 Eigen::Matrix4d clip_from_world(const Viewpoint& view, double aspect);
 
-/// Pixel coordinates of a world point (x right, y down, from the upper left corner), none when it is behind
-/// the camera. May lie outside of the image.
+/// Pixel coordinates of a world point (x right, y down, from the upper left corner), which may be outside the
+/// image; nullopt if the point is behind the camera.
 std::optional<Eigen::Vector2d> pixel_of(const Viewpoint& view, int width, int height,
                                         const Eigen::Vector3d& point);
 

@@ -82,23 +82,24 @@ private:
         return {size * s_, bold, color, width, max_lines};
     }
 
-    double piece(double x, double y, const std::string& text, const TextStyle& text_style, bool paint) const {
-        return paint ? canvas_.text(x, y, text, text_style) : canvas_.text_size(text, text_style).y();
+    double piece(double x, double y, const std::string& text, const TextStyle& text_style,
+                 bool drawing) const {
+        return drawing ? canvas_.text(x, y, text, text_style) : canvas_.text_size(text, text_style).y();
     }
 
-    // Returns the height of the content; draws it if `paint` is set.
-    double content(double x, double y, bool paint) const {
+    // Returns the height of the content; draws it if `drawing` is set.
+    double content(double x, double y, bool drawing) const {
         double used =
             piece(x, y, window_.title,
-                  style(expanded_ ? kTitleSize : 19.0, true, kBright, inner_ - 26.0 * s_, 2), paint);
+                  style(expanded_ ? kTitleSize : 19.0, true, kBright, inner_ - 26.0 * s_, 2), drawing);
         if (!window_.kind.empty()) {
             used += 4.0 * s_;
-            used += piece(x, y + used, window_.kind, style(kSmallSize, false, kAccent, inner_, 1), paint);
+            used += piece(x, y + used, window_.kind, style(kSmallSize, false, kAccent, inner_, 1), drawing);
         }
         if (expanded_ && !window_.text.empty() && text_lines_ > 0) {
             used += 13.0 * s_;
-            used +=
-                piece(x, y + used, window_.text, style(kBodySize, false, kBody, inner_, text_lines_), paint);
+            used += piece(x, y + used, window_.text, style(kBodySize, false, kBody, inner_, text_lines_),
+                          drawing);
         }
         double gap = 13.0;
         for (const Row& row : rows_of(window_)) {
@@ -106,9 +107,9 @@ private:
             gap = 6.0;
             const double column = kLabelColumn * inner_;
             const double a =
-                piece(x, y + used, row.label, style(kSmallSize, true, kAccent, column, 1), paint);
+                piece(x, y + used, row.label, style(kSmallSize, true, kAccent, column, 1), drawing);
             const double b = piece(x + column, y + used, row.value,
-                                   style(kSmallSize, false, kBright, inner_ - column, 2), paint);
+                                   style(kSmallSize, false, kBright, inner_ - column, 2), drawing);
             used += std::max(a, b);
         }
         return used;

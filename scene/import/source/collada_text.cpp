@@ -55,16 +55,16 @@ ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
 
 void trim_element_starts(std::vector<std::uint8_t>& xml) {
     const auto is_space = [](std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
-    std::size_t kept = 0;
+    std::size_t size = 0;
     for (std::size_t i = 0; i < xml.size(); ++i) {
-        xml[kept++] = xml[i];
+        xml[size++] = xml[i];
         if (xml[i] == '>') {
             while (i + 1 < xml.size() && is_space(xml[i + 1])) {
                 ++i;
             }
         }
     }
-    xml.resize(kept);
+    xml.resize(size);
 }
 
 }  // namespace campuswalk::scene

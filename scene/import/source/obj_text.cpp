@@ -62,17 +62,17 @@ bool is_uv(std::string_view line) {
 
 /// A face line without its second indices: `1/2/3` becomes `1//3`, `1/2` becomes `1`.
 std::string without_uvs(std::string_view line) {
-    std::string kept;
+    std::string result;
     int slashes = 0;  // in the current vertex reference
     for (const char c : line) {
         slashes = is_space(c) ? 0 : slashes + (c == '/' ? 1 : 0);
         if (slashes == 2 && c == '/') {
-            kept += "//";
+            result += "//";
         } else if (slashes != 1) {
-            kept += c;
+            result += c;
         }
     }
-    return kept;
+    return result;
 }
 
 /// nullopt without three numbers, with a weight, or if the line continues in the next.
@@ -164,18 +164,18 @@ bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
     if (!absent || !named) {
         return false;
     }
-    std::vector<std::uint8_t> kept;
-    kept.reserve(obj.size());
+    std::vector<std::uint8_t> result;
+    result.reserve(obj.size());
     for_each_line(text, [&](std::string_view line) {
         if (is_face(without_indent(line))) {
-            append(kept, without_uvs(line));
+            append(result, without_uvs(line));
         } else {
-            append(kept, line);
+            append(result, line);
         }
-        kept.push_back('\n');
+        result.push_back('\n');
         return true;
     });
-    obj = std::move(kept);
+    obj = std::move(result);
     return true;
 }
 
