@@ -9,7 +9,7 @@ namespace campuswalk::scene {
 /// Classifies nodes by the words in their names, in the languages that modellers use.
 
 /// The words of a name in lower case, split at non-letters and before a capital that follows a lower-case
-/// letter: `FrontDoor_01` gives `front`, `door`. Non-ASCII characters count as letters.
+/// letter: `FrontDoor_01` yields `front`, `door`. Non-ASCII characters count as letters.
 std::vector<std::string> words_of(std::string_view name);
 
 /// Whether the name means a door in English, German, French, Spanish, Italian, Dutch, Swedish, Polish,

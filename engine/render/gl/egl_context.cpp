@@ -48,9 +48,9 @@ EglLibrary open_library() {
     return egl;
 }
 
-bool offers(const char* extensions, const std::string& wanted) {
+bool offers(const char* extensions, const std::string& extension) {
     return extensions != nullptr &&
-           (' ' + std::string(extensions) + ' ').find(' ' + wanted + ' ') != std::string::npos;
+           (' ' + std::string(extensions) + ' ').find(' ' + extension + ' ') != std::string::npos;
 }
 
 // All contexts of a process share the display, so it is never closed.
@@ -121,11 +121,11 @@ private:
         if (offers(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_no_config_context")) {
             return EGL_NO_CONFIG_KHR;
         }
-        const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                              EGL_NONE};
+        const std::array<EGLint, 5> attributes = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                                  EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        egl_.choose_config(display_, wanted.data(), &config, 1, &count);
+        egl_.choose_config(display_, attributes.data(), &config, 1, &count);
         return config;
     }
 

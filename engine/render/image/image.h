@@ -7,7 +7,7 @@
 
 namespace campuswalk::engine::render {
 
-/// A finished, opaque image: 8-bit sRGB, rows from top to bottom, 4 bytes a pixel (R, G, B, 255).
+/// A finished, opaque image: 8-bit sRGB, rows from top to bottom, 4 bytes per pixel (R, G, B, 255).
 struct Image {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels

@@ -82,10 +82,10 @@ public:
         gl.GenFramebuffers(1, &framebuffer_);
         gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
         std::array<GLenum, 3> drawn = {GL_NONE, GL_NONE, GL_NONE};
-        const std::array<bool, 3> wanted = {choice.nodes, choice.depth, choice.normals};
+        const std::array<bool, 3> requested = {choice.nodes, choice.depth, choice.normals};
         const std::array<GLenum, 3> formats = {GL_R32UI, GL_R32F, GL_RGBA8};
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            if (wanted[i]) {
+        for (std::size_t i = 0; i < requested.size(); ++i) {
+            if (requested[i]) {
                 drawn[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
                 attach(buffers_[i], drawn[i], formats[i]);
             }
@@ -96,7 +96,7 @@ public:
             throw RenderError("the OpenGL driver can't render channels of " + std::to_string(width) + "x" +
                               std::to_string(height) + " pixels");
         }
-        clear(wanted);
+        clear(requested);
     }
     ChannelBuffers(const ChannelBuffers&) = delete;
     ChannelBuffers& operator=(const ChannelBuffers&) = delete;
@@ -124,7 +124,7 @@ private:
         gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
     }
 
-    void clear(const std::array<bool, 3>& wanted) const {
+    void clear(const std::array<bool, 3>& requested) const {
         gl_.Viewport(0, 0, width_, height_);
         gl_.Enable(GL_DEPTH_TEST);
         gl_.DepthFunc(GL_GEQUAL);
@@ -134,11 +134,11 @@ private:
         gl_.ClearBufferfv(GL_DEPTH, 0, &far_away);
         const std::array<GLuint, 4> no_node = {0, 0, 0, 0};
         const std::array<GLfloat, 4> nothing = {0, 0, 0, 0};
-        if (wanted[0]) {
+        if (requested[0]) {
             gl_.ClearBufferuiv(GL_COLOR, 0, no_node.data());
         }
         for (GLint i = 1; i < 3; ++i) {
-            if (wanted[static_cast<std::size_t>(i)]) {
+            if (requested[static_cast<std::size_t>(i)]) {
                 gl_.ClearBufferfv(GL_COLOR, i, nothing.data());
             }
         }

@@ -54,7 +54,7 @@ private:
     GpuMesh mesh_;
     GpuMesh blend_mesh_;
     GLuint white_ = 0;
-    std::vector<MaterialTextures> textures_;  // one a material
+    std::vector<MaterialTextures> textures_;  // one per material
 };
 
 }  // namespace campuswalk::engine::render

@@ -12,8 +12,8 @@ constexpr float kMaxSpecularRoughness = 0.5F;
 
 std::string defines_of(const SurfaceKind& kind, bool shadows, bool occlusion) {
     std::string defines;
-    const auto define = [&](bool wanted, std::string_view name) {
-        if (wanted) {
+    const auto define = [&](bool enabled, std::string_view name) {
+        if (enabled) {
             defines.append("#define ").append(name).append("\n");
         }
     };

@@ -103,23 +103,23 @@ std::array<std::uint8_t, 3> id_color(std::uint32_t id) {
 }
 
 std::vector<std::filesystem::path> write_channels(SnapshotRenderer& renderer, const scene::Campus& campus,
-                                                  const Channels& channels, const ImageChannels& wanted,
+                                                  const Channels& channels, const ImageChannels& requested,
                                                   const std::filesystem::path& base) {
     std::vector<std::filesystem::path> files;
-    for (const std::string& suffix : channel_endings(wanted)) {
+    for (const std::string& suffix : channel_endings(requested)) {
         files.emplace_back(base.string() + suffix);
     }
     auto file = files.begin();
-    if (wanted.depth) {
+    if (requested.depth) {
         const auto png = encode_depth_png(channels.width, channels.height, millimetres(channels.depth));
         scene::write_file_atomically(*file++, std::as_bytes(std::span(png)));
     }
-    if (wanted.ids) {
+    if (requested.ids) {
         const IdImage ids = renderer.ids_of(channels);
         write_png(colored(ids), *file++);
         scene::write_file_atomically(*file++, owners_json(campus, ids));
     }
-    if (wanted.normals) {
+    if (requested.normals) {
         write_png(channels.normals, *file++);
     }
     return files;

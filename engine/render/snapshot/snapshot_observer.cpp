@@ -43,8 +43,8 @@ void SnapshotObserver::take(const SnapshotStep& step, const TickRecord& record) 
         std::ranges::move(write_channels(renderer, campus_, channels, step.channels, folder_ / step.name),
                           std::back_inserter(files_));
     }
-    if (const auto wanted = visible_buildings_.find(step.name); wanted != visible_buildings_.end()) {
-        wanted->second = visible_buildings_of(renderer, request);
+    if (const auto visible = visible_buildings_.find(step.name); visible != visible_buildings_.end()) {
+        visible->second = visible_buildings_of(renderer, request);
     }
 }
 
