@@ -19,7 +19,7 @@ struct Soup {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
 
-    std::array<std::array<float, 3>, 3> vertices(std::size_t triangle) const {
+    std::array<std::array<float, 3>, 3> positions(std::size_t triangle) const {
         std::array<std::array<float, 3>, 3> all{};
         for (std::size_t i = 0; i < 3; ++i) {
             all[i] = vertices[indices[3 * triangle + i]].position;
@@ -46,8 +46,8 @@ Soup random_soup(std::mt19937& random, int points, int triangles) {
 }
 
 bool reversed(const Soup& soup, std::size_t one, std::size_t other) {
-    const auto a = soup.vertices(one);
-    auto b = soup.vertices(other);
+    const auto a = soup.positions(one);
+    auto b = soup.positions(other);
     std::ranges::reverse(b);
     for (int turn = 0; turn < 3; ++turn) {
         if (a == b) {
@@ -60,33 +60,33 @@ bool reversed(const Soup& soup, std::size_t one, std::size_t other) {
 
 TEST(ReversedDuplicates, MatchABruteForceSearch) {
     std::mt19937 random(7);
-    std::size_t twins = 0;
+    std::size_t duplicates = 0;
     for (int round = 0; round < 50; ++round) {
         const Soup soup = random_soup(random, 4 + round / 5, 60);
         const std::vector<bool> found =
             find_reversed_duplicates(soup.vertices, soup.indices, std::vector<std::uint32_t>(60, 0));
         ASSERT_EQ(found.size(), 60U);
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const auto vertices = soup.vertices(i);
-            if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) {
-                continue;  // a line has no sides
+            const auto p = soup.positions(i);
+            if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
+                continue;  // a degenerate triangle has no sides
             }
             bool any = false;
             for (std::size_t j = 0; j < found.size(); ++j) {
                 any = any || reversed(soup, i, j);
             }
             EXPECT_EQ(found[i], any) << "round " << round << ", triangle " << i;
-            twins += any ? 1 : 0;
+            duplicates += any ? 1 : 0;
         }
     }
-    EXPECT_GT(twins, 100U);
+    EXPECT_GT(duplicates, 100U);
 }
 
 TEST(ReversedDuplicates, AcceptsNoTriangles) {
     EXPECT_TRUE(find_reversed_duplicates({}, {}, {}).empty());
 }
 
-TEST(ReversedDuplicates, AreInTheSameGroup) {
+TEST(ReversedDuplicates, MustBeInTheSameGroup) {
     const std::vector<Vertex> vertices = {
         make_vertex({0, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
         make_vertex({1, 0, 0}, {0, 1, 0}, {0, 0}, {255, 255, 255, 255}),
@@ -99,7 +99,7 @@ TEST(ReversedDuplicates, AreInTheSameGroup) {
               (std::vector<bool>{false, false}));
 }
 
-// A sheet as SketchUp writes it: each side of another colour and material, both materials double-sided.
+// A sheet as SketchUp writes it: its sides differ in colour and material, both materials are double-sided.
 scene::Model sheet(const Eigen::Matrix4d& place, bool front, bool back, bool double_sided) {
     SceneBuilder builder;
     Eigen::Matrix4d turned = place;  // about its diagonal by 180°: the same triangles, seen from behind
@@ -120,10 +120,10 @@ scene::Model sheet(const Eigen::Matrix4d& place, bool front, bool back, bool dou
 TEST(ReversedDuplicates, EachShowsOnlyItsFront) {
     Eigen::Matrix4d floor = Eigen::Matrix4d::Identity();  // the sheet's +Z is up
     floor.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-    const scene::Model twins = sheet(floor, true, true, true);
+    const scene::Model both_sides = sheet(floor, true, true, true);
     const scene::Model upper = sheet(floor, true, false, false);
     const scene::Model lower = sheet(floor, false, true, false);
-    Renderer both(std::span(&twins, 1), quick_settings());
+    Renderer both(std::span(&both_sides, 1), quick_settings());
     Renderer above(std::span(&upper, 1), quick_settings());
     Renderer below(std::span(&lower, 1), quick_settings());
     const Viewpoint down = looking({0.4, 3, 2}, 0.3, -0.9, kFov);
