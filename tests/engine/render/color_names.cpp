@@ -7,9 +7,9 @@ namespace campuswalk::engine::render::test {
 
 std::string color_name(const std::array<std::uint8_t, 3>& rgb) {
     const auto [r, g, b] = rgb;
-    const int most = std::max({r, g, b});
-    const auto strong = [most](int channel) { return channel > 0.7 * most; };
-    const auto weak = [most](int channel) { return channel < 0.6 * most; };
+    const int strongest = std::max({r, g, b});
+    const auto strong = [strongest](int channel) { return channel > 0.7 * strongest; };
+    const auto weak = [strongest](int channel) { return channel < 0.6 * strongest; };
     if (strong(r) && weak(g) && weak(b)) {
         return "red";
     }
@@ -22,7 +22,7 @@ std::string color_name(const std::array<std::uint8_t, 3>& rgb) {
     if (strong(r) && strong(g) && weak(b)) {
         return "yellow";
     }
-    const bool even = std::min({r, g, b}) > 0.85 * most;
+    const bool even = std::min({r, g, b}) > 0.85 * strongest;
     return even ? "grey" : "mixed";
 }
 

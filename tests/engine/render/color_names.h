@@ -11,7 +11,7 @@ namespace campuswalk::engine::render::test {
 /// "red", "green", "blue", "yellow" or "grey" by the dominant channels, independent of brightness; else
 /// "mixed".
 std::string color_name(const std::array<std::uint8_t, 3>& rgb);
-/// Of the pixel nearest to (x, y); "outside" when that is not in the image.
+/// Of the pixel that contains (x, y); "outside" if that is not in the image.
 std::string color_name(const Image& image, double x, double y);
 
 /// The mean of the three channels, 0 to 255.

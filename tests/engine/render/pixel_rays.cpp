@@ -59,7 +59,7 @@ double alpha_at(const FlatTriangle& triangle, const Vector3d& barycentric) {
     return alpha;
 }
 
-bool counts(const FlatTriangle& triangle, const Vector3d& barycentric, const Vector3d& direction) {
+bool is_visible(const FlatTriangle& triangle, const Vector3d& barycentric, const Vector3d& direction) {
     const Vector3d outside =
         (triangle.vertices[1] - triangle.vertices[0]).cross(triangle.vertices[2] - triangle.vertices[0]);
     if (!triangle.material->double_sided && outside.dot(direction) >= 0.0) {
@@ -95,7 +95,7 @@ void intersect(const FlatTriangle& triangle, const Vector3d& from, const Vector3
     const Vector3d barycentric(normal.dot((c - b).cross(p - b)) / area,
                                normal.dot((a - c).cross(p - c)) / area,
                                normal.dot((b - a).cross(p - a)) / area);
-    if (barycentric.minCoeff() >= 0.0 && counts(triangle, barycentric, direction)) {
+    if (barycentric.minCoeff() >= 0.0 && is_visible(triangle, barycentric, direction)) {
         hit = {triangle.node, depth, (slope > 0.0 ? -1.0 : 1.0) * normal.normalized()};
     }
 }
@@ -112,10 +112,10 @@ PixelRays::PixelRays(const scene::Model& model, const Viewpoint& view, int width
     const double half = perspective ? std::tan(0.5 * view.fov) : 0.5 * view.height;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const Vector3d aside = half * ((2.0 * (x + 0.5) / width - 1.0) * width / height * right +
-                                           (1.0 - 2.0 * (y + 0.5) / height) * up);
-            const Vector3d from = perspective ? view.position : Vector3d(view.position + aside);
-            const Vector3d direction = perspective ? Vector3d(axis + aside) : axis;
+            const Vector3d offset = half * ((2.0 * (x + 0.5) / width - 1.0) * width / height * right +
+                                            (1.0 - 2.0 * (y + 0.5) / height) * up);
+            const Vector3d from = perspective ? view.position : Vector3d(view.position + offset);
+            const Vector3d direction = perspective ? Vector3d(axis + offset) : axis;
             PixelHit& hit = hits_.emplace_back();
             for (const FlatTriangle& triangle : triangles) {
                 intersect(triangle, from, direction, axis, view.near_distance, hit);
@@ -139,12 +139,12 @@ bool PixelRays::is_interior(int x, int y) const {
 }
 
 double PixelRays::depth_change(int x, int y) const {
-    double most = 0.0;
+    double largest = 0.0;
     for (const auto& [u, v] :
          {std::pair(x - 1, y), std::pair(x + 1, y), std::pair(x, y - 1), std::pair(x, y + 1)}) {
-        most = std::max(most, std::abs(at(u, v).depth - at(x, y).depth));
+        largest = std::max(largest, std::abs(at(u, v).depth - at(x, y).depth));
     }
-    return most;
+    return largest;
 }
 
 }  // namespace campuswalk::engine::render::test

@@ -18,13 +18,13 @@ Image drawn(const scene::Model& model) {
     return renderer.draw(ahead(), kWidth, kHeight);
 }
 
-// At 1.6 m a sheet of 1 m is 48 pixels high; blocks of it are read 12 pixels from its middle.
+// At 1.6 m a sheet of 1 m is 48 pixels high; its blocks are read 12 pixels from its middle.
 constexpr double kAway = -1.6;
 constexpr int kReach = 12;
 
-TEST(Materials, TextureOriginIsTheUpperLeftCorner) {
+TEST(Materials, TextureOriginIsAtTheUpperLeft) {
     const Image image =
-        drawn(SceneBuilder().paint({1, 1, 1, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
+        drawn(SceneBuilder().colored({1, 1, 1, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
     EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "red");
     EXPECT_EQ(color_name(image, 80 + kReach, 45 - kReach), "green");
     EXPECT_EQ(color_name(image, 80 - kReach, 45 + kReach), "blue");
@@ -34,10 +34,10 @@ TEST(Materials, TextureOriginIsTheUpperLeftCorner) {
 TEST(Materials, BaseColorMultipliesTheTexture) {
     // A red base colour keeps only the red of the texture.
     const Image image =
-        drawn(SceneBuilder().paint({1, 0, 0, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
+        drawn(SceneBuilder().colored({1, 0, 0, 1}, four_blocks()).upright({0, 0, kAway}, 1.0).model());
     EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "red");
     EXPECT_EQ(color_name(image, 80 + kReach, 45 + kReach), "red");
-    EXPECT_LT(brightness(image, 80 + kReach, 45 - kReach), 30.0) << "green paint under red";
+    EXPECT_LT(brightness(image, 80 + kReach, 45 - kReach), 30.0) << "a green texel with a red base colour";
 }
 
 TEST(Materials, TextureColorsAreSrgb) {
@@ -57,9 +57,9 @@ TEST(Materials, TextureColorsAreSrgb) {
     settings.side_light = 0.0;
     settings.room_light.setZero();
     const scene::Model model = SceneBuilder()
-                                   .paint({1, 1, 1, 1}, half)
+                                   .colored({1, 1, 1, 1}, half)
                                    .upright({-0.5, 0, kAway}, 1.0)
-                                   .paint({1, 1, 1, 1}, full)
+                                   .colored({1, 1, 1, 1}, full)
                                    .upright({0.5, 0, kAway}, 1.0)
                                    .model();
     Renderer renderer(std::span(&model, 1), settings);
@@ -79,7 +79,7 @@ TEST(Materials, MinifiedTexturesKeepTheirLinearBrightness) {
         }
     }
     SceneBuilder scene;
-    scene.paint({1, 1, 1, 1}, stripes).upright({0, 0, -8.0}, 1.0);
+    scene.colored({1, 1, 1, 1}, stripes).upright({0, 0, -8.0}, 1.0);
     scene.material().unlit = true;
     RenderSettings settings = quick_settings();
     settings.fog_distance = 0.0;
@@ -90,9 +90,9 @@ TEST(Materials, MinifiedTexturesKeepTheirLinearBrightness) {
 
 TEST(Materials, MaskCutsHolesAndKeepsTheRest) {
     const Image image = drawn(SceneBuilder()
-                                  .paint(kBlue)
+                                  .colored(kBlue)
                                   .upright({0, 0, -6}, 8.0)
-                                  .paint(kRed, half_clear())
+                                  .colored(kRed, half_clear())
                                   .alpha(scene::AlphaMode::mask)
                                   .upright({0, 0, kAway}, 1.0)
                                   .model());
@@ -102,9 +102,9 @@ TEST(Materials, MaskCutsHolesAndKeepsTheRest) {
 
 TEST(Materials, OpaqueIgnoresAlpha) {
     const Image image = drawn(SceneBuilder()
-                                  .paint(kBlue)
+                                  .colored(kBlue)
                                   .upright({0, 0, -6}, 8.0)
-                                  .paint(kRed, half_clear())
+                                  .colored(kRed, half_clear())
                                   .upright({0, 0, kAway}, 1.0)
                                   .model());
     EXPECT_EQ(color_name(image, 80 - kReach, 45), "red");
@@ -112,13 +112,13 @@ TEST(Materials, OpaqueIgnoresAlpha) {
 
 TEST(Materials, BlendIsIndependentOfFileOrder) {
     const auto pane = [](SceneBuilder& scene, double z, const Color& color) {
-        scene.paint({color[0], color[1], color[2], 0.5F})
+        scene.colored({color[0], color[1], color[2], 0.5F})
             .alpha(scene::AlphaMode::blend)
             .upright({0, 0, z}, 1.0);
     };
     const auto image_of = [&](bool near_first) {
         SceneBuilder scene;
-        scene.paint(kGrey).upright({0, 0, -6}, 8.0);
+        scene.colored(kGrey).upright({0, 0, -6}, 8.0);
         pane(scene, near_first ? kAway : kAway - 0.5, near_first ? kRed : kBlue);
         pane(scene, near_first ? kAway - 0.5 : kAway, near_first ? kBlue : kRed);
         return drawn(scene.model());
@@ -138,7 +138,7 @@ TEST(Materials, BackFacesAreDrawnOnlyWhenDoubleSided) {
             Eigen::AngleAxisd(3.141592653589793, Eigen::Vector3d::UnitY()).toRotationMatrix();
         turned(2, 3) = kAway;
         SceneBuilder scene;
-        scene.paint(kBlue).upright({0, 0, -6}, 8.0).paint(kRed);
+        scene.colored(kBlue).upright({0, 0, -6}, 8.0).colored(kRed);
         if (both_sides) {
             scene.double_sided();
         }
@@ -152,11 +152,11 @@ TEST(Materials, MirroredNodesKeepTheirFrontFaces) {
     Eigen::Matrix4d mirrored = Eigen::Matrix4d::Identity();
     mirrored(0, 0) = -1.0;
     const Image image = drawn(SceneBuilder()
-                                  .paint({1, 1, 1, 1}, four_blocks())
+                                  .colored({1, 1, 1, 1}, four_blocks())
                                   .placed(mirrored)
                                   .upright({0, 0, kAway}, 1.0)
                                   .model());
-    EXPECT_EQ(color_name(image, 80 + kReach, 45 - kReach), "red") << "visible, and left for right";
+    EXPECT_EQ(color_name(image, 80 + kReach, 45 - kReach), "red") << "visible, with left and right swapped";
     EXPECT_EQ(color_name(image, 80 - kReach, 45 - kReach), "green");
 }
 
@@ -167,7 +167,7 @@ TEST(Materials, EmissiveIsVisibleWithoutLight) {
     settings.ground_light.setZero();
     settings.room_light.setZero();
     const scene::Model model =
-        SceneBuilder().paint(kBlue).glow({0.6F, 0, 0}).upright({0, 0, kAway}, 1.0).model();
+        SceneBuilder().colored(kBlue).glow({0.6F, 0, 0}).upright({0, 0, kAway}, 1.0).model();
     Renderer renderer(std::span(&model, 1), settings);
     EXPECT_EQ(color_name(renderer.draw(ahead(), kWidth, kHeight), 80, 45), "red");
 }
@@ -184,7 +184,7 @@ RenderSettings in_the_dark() {
 
 TEST(Materials, EmissiveTextureModulatesEmission) {
     const scene::Model model = SceneBuilder()
-                                   .paint(kGrey)
+                                   .colored(kGrey)
                                    .glow({0.6F, 0.6F, 0.6F})
                                    .image(&scene::Material::emissive_texture, four_blocks())
                                    .upright({0, 0, kAway}, 1.0)
@@ -197,9 +197,9 @@ TEST(Materials, EmissiveTextureModulatesEmission) {
 }
 
 TEST(Materials, UnlitKeepsItsColorInShadowAndWithoutLight) {
-    const std::array<std::uint8_t, 4> paint = {240, 90, 30, 255};
+    const std::array<std::uint8_t, 4> texel = {240, 90, 30, 255};
     SceneBuilder scene;
-    scene.paint({1, 1, 1, 1}, plain_texture(paint)).material().unlit = true;
+    scene.colored({1, 1, 1, 1}, plain_texture(texel)).material().unlit = true;
     const scene::Model model = scene.upright({0, 0, kAway}, 1.0).model();
     RenderSettings sunny = quick_settings();
     sunny.fog_distance = 0.0;
@@ -207,7 +207,7 @@ TEST(Materials, UnlitKeepsItsColorInShadowAndWithoutLight) {
         Renderer renderer(std::span(&model, 1), settings);
         const auto rgb = renderer.draw(ahead(), kWidth, kHeight).pixel(80, 45);
         for (std::size_t i = 0; i < 3; ++i) {
-            EXPECT_NEAR(rgb[i], paint[i], 1);
+            EXPECT_NEAR(rgb[i], texel[i], 1);
         }
     }
 }
@@ -227,12 +227,12 @@ TEST(Materials, NormalMapsEqualTiltedNormals) {
         const Eigen::Vector3d n = lean.normalized();
         const auto byte = [](double x) { return static_cast<std::uint8_t>(std::lround(128.0 + 127.0 * x)); };
         const scene::Model mapped = SceneBuilder()
-                                        .paint(kGrey)
+                                        .colored(kGrey)
                                         .image(&scene::Material::normal_texture,
                                                plain_texture({byte(n.x()), byte(n.y()), byte(n.z()), 255}))
                                         .upright({0, 0, kAway}, 1.0)
                                         .model();
-        scene::Model leaning = SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model();
+        scene::Model leaning = SceneBuilder().colored(kGrey).upright({0, 0, kAway}, 1.0).model();
         for (Eigen::Vector3f& normal : leaning.meshes[0].normals) {
             normal = n.cast<float>();
         }
@@ -246,11 +246,11 @@ TEST(Materials, NormalMapsEqualTiltedNormals) {
 TEST(Materials, NormalScaleZeroIsFlat) {
     const auto sheet = [](float scale) {
         SceneBuilder scene;
-        scene.paint(kGrey).image(&scene::Material::normal_texture, plain_texture({220, 160, 180, 255}));
+        scene.colored(kGrey).image(&scene::Material::normal_texture, plain_texture({220, 160, 180, 255}));
         scene.material().normal_scale = scale;
         return drawn(scene.upright({0, 0, kAway}, 1.0).model());
     };
-    const Image plain = drawn(SceneBuilder().paint(kGrey).upright({0, 0, kAway}, 1.0).model());
+    const Image plain = drawn(SceneBuilder().colored(kGrey).upright({0, 0, kAway}, 1.0).model());
     EXPECT_NEAR(brightness(sheet(0.0F), 80, 45), brightness(plain, 80, 45), 1.0);
     EXPECT_GT(std::abs(brightness(sheet(1.0F), 80, 45) - brightness(plain, 80, 45)), 10.0);
 }
@@ -258,7 +258,7 @@ TEST(Materials, NormalScaleZeroIsFlat) {
 // A row of a polished floor below the horizon shows the sky as far above it.
 TEST(Materials, PolishedMetalReflectsTheSky) {
     SceneBuilder scene;
-    scene.paint({1, 1, 1, 1}).material().metallic = 1.0F;
+    scene.colored({1, 1, 1, 1}).material().metallic = 1.0F;
     scene.material().roughness = 0.0F;
     const scene::Model model = scene.ground(4000.0).model();
     RenderSettings settings = quick_settings();
@@ -283,7 +283,7 @@ TEST(Materials, SmootherMetalHasBrighterHighlights) {
     // The sun straight behind the camera: its reflection is in the middle of the image.
     const auto middle = [](float metallic, float roughness) {
         SceneBuilder scene;
-        scene.paint({0.2F, 0.2F, 0.2F, 1.0F}).material().metallic = metallic;
+        scene.colored({0.2F, 0.2F, 0.2F, 1.0F}).material().metallic = metallic;
         scene.material().roughness = roughness;
         const scene::Model model = scene.upright({0, 0, kAway}, 1.0).model();
         RenderSettings settings = quick_settings();

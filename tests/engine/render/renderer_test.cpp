@@ -25,11 +25,11 @@ Renderer renderer_of(const scene::Model& model, const RenderSettings& settings =
 
 TEST(Renderer, PlusXIsRightAndPlusYIsUp) {
     const scene::Model model = SceneBuilder()
-                                   .paint(kRed)
+                                   .colored(kRed)
                                    .box({2, -1, -7}, {4, 1, -6})
-                                   .paint(kGreen)
+                                   .colored(kGreen)
                                    .box({-1, 1.6, -7}, {1, 3, -6})
-                                   .paint(kBlue)
+                                   .colored(kBlue)
                                    .box({-4, -1, -7}, {-2, 1, -6})
                                    .model();
     Renderer renderer = renderer_of(model);
@@ -47,7 +47,7 @@ TEST(Renderer, PlusXIsRightAndPlusYIsUp) {
 }
 
 TEST(Renderer, PositiveYawTurnsLeft) {
-    const scene::Model model = SceneBuilder().paint(kBlue).box({-7, -1, -1}, {-6, 1, 1}).model();
+    const scene::Model model = SceneBuilder().colored(kBlue).box({-7, -1, -1}, {-6, 1, 1}).model();
     Renderer renderer = renderer_of(model);
     const Viewpoint left = looking(Vector3d::Zero(), 1.5707963267948966, 0.0, kFov);
     EXPECT_EQ(color_name(renderer.draw(left, kWidth, kHeight), 80, 45), "blue");
@@ -57,9 +57,9 @@ TEST(Renderer, DrawsAPointAtItsProjectedPixel) {
     const Vector3d point(1.2, 0.7, -9.0);
     const Vector3d half(0.15, 0.15, 0.0001);
     const scene::Model model = SceneBuilder()
-                                   .paint({0, 0, 0, 1})
+                                   .colored({0, 0, 0, 1})
                                    .upright({0, 0, -20}, 60.0)
-                                   .paint({0, 0, 0, 1})
+                                   .colored({0, 0, 0, 1})
                                    .glow({1, 0, 0})
                                    .box(point - half, point + half)
                                    .model();
@@ -85,7 +85,7 @@ TEST(Renderer, DrawsAPointAtItsProjectedPixel) {
 }
 
 TEST(Renderer, DrawsSkyAboveTheHorizonButNotOnAMap) {
-    const scene::Model model = SceneBuilder().paint(kGreen).ground(10.0).model();
+    const scene::Model model = SceneBuilder().colored(kGreen).ground(10.0).model();
     Renderer renderer = renderer_of(model);
     const Image eye_level = renderer.draw(looking({0, 1.65, 4}, 0.0, 0.2, kFov), kWidth, kHeight);
     const auto sky = eye_level.pixel(80, 3);
@@ -180,7 +180,7 @@ TEST(Renderer, IsPreciseFarFromTheWorldOrigin) {
 }
 
 TEST(Renderer, DrawsTheAvatarWhereItStands) {
-    const scene::Model model = SceneBuilder().paint(kGrey).ground(20.0).model();
+    const scene::Model model = SceneBuilder().colored(kGrey).ground(20.0).model();
     Renderer renderer = renderer_of(model);
     const Viewpoint view = looking({0, 1.0, 5}, 0.0, 0.0, kFov);
     Figure figure;

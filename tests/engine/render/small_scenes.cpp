@@ -37,7 +37,7 @@ RenderSettings quick_settings() {
     return settings;
 }
 
-SceneBuilder& SceneBuilder::paint(const Color& color, const std::optional<scene::Texture>& texture) {
+SceneBuilder& SceneBuilder::colored(const Color& color, const std::optional<scene::Texture>& texture) {
     scene::Material material;
     material.base_color = color;
     if (texture) {
@@ -192,16 +192,16 @@ scene::Campus campus_of(scene::Model model, std::vector<scene::Building> buildin
 
 scene::Model tower_scene() {
     return SceneBuilder()
-        .paint(kGrey)
+        .colored(kGrey)
         .ground(40.0)
-        .paint(kRed, four_blocks())
+        .colored(kRed, four_blocks())
         .named("tower")
         .box({-2, 0, -12}, {2, 7, -8})
-        .paint({1, 1, 1, 1}, half_clear())
+        .colored({1, 1, 1, 1}, half_clear())
         .alpha(scene::AlphaMode::mask)
         .double_sided()
         .upright({4, 1, -7}, 2.0)
-        .paint({0.5F, 0.7F, 0.9F, 0.4F})
+        .colored({0.5F, 0.7F, 0.9F, 0.4F})
         .alpha(scene::AlphaMode::blend)
         .upright({-4, 1, -7}, 2.0)
         .model();

@@ -29,14 +29,15 @@ RenderSettings quick_settings();
 /// Builds a model with a node and a mesh per piece.
 class SceneBuilder {
 public:
-    /// A material for the pieces that follow; `texture` is optional.
-    SceneBuilder& paint(const Color& color, const std::optional<scene::Texture>& texture = {});
+    /// A new material for the pieces that follow.
+    SceneBuilder& colored(const Color& color, const std::optional<scene::Texture>& texture = {});
+    SceneBuilder& paint(const Color& color) { return colored(color); }
     SceneBuilder& alpha(scene::AlphaMode mode, float cutoff = 0.5F);
     SceneBuilder& double_sided();
     SceneBuilder& glow(const std::array<float, 3>& emissive);
     /// An image of the latest material: `&scene::Material::normal_texture`.
     SceneBuilder& image(std::optional<scene::TextureIndex> scene::Material::*use, scene::Texture texture);
-    /// The latest material, for what has no shorthand.
+    /// The latest material, for settings that have no function here.
     scene::Material& material() { return model_.materials.back(); }
     /// The next piece's node.
     SceneBuilder& placed(const Eigen::Matrix4d& X_world_node);
@@ -62,7 +63,7 @@ private:
 
 /// Four blocks of colour: red and green above, blue and yellow below.
 scene::Texture four_blocks();
-/// One colour all over.
+/// One uniform colour.
 scene::Texture plain_texture(const std::array<std::uint8_t, 4>& rgba);
 /// Opaque white on its right half, transparent on its left.
 scene::Texture half_clear();
@@ -72,10 +73,10 @@ Viewpoint ahead();
 /// From `height` metres over (x, z), straight down, north up.
 Viewpoint from_above(double x, double height, double z);
 
-/// A campus to draw: nothing in it collides. `buildings` each own the nodes named like them.
+/// A campus without collision objects. Each building owns the nodes named like its id.
 scene::Campus campus_of(scene::Model model, std::vector<scene::Building> buildings = {});
 
-/// A square with a tower on it, the fixed image of determinism tests.
+/// A square with a tower on it, the scene of determinism tests.
 scene::Model tower_scene();
 Viewpoint tower_view();
 

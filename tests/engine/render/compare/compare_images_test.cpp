@@ -11,7 +11,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-std::string why(const Image& a, const Image& b, const ImageTolerance& tolerance = {}) {
+std::string violations(const Image& a, const Image& b, const ImageTolerance& tolerance = {}) {
     const ImageComparison comparison = compare_images(a, b, tolerance);
     return describe_violations(comparison, tolerance);
 }
@@ -26,7 +26,7 @@ Image with_white(Image image, int count) {
     return image;
 }
 
-/// Whether the description consists of as many limits, each with the numbers in it.
+/// Whether the description lists these limits, each with its numbers.
 testing::AssertionResult names(const std::string& description,
                                const std::vector<std::vector<std::string>>& limits) {
     std::istringstream parts(description);
@@ -50,29 +50,31 @@ TEST(CompareImages, EqualImagesAreEqual) {
     ImageTolerance strict;
     strict.threshold = 0.0;
     strict.min_tile_ssim = 1.0;
-    EXPECT_EQ(why(image, image, strict), "");
+    EXPECT_EQ(violations(image, image, strict), "");
     strict.masks = {{0, 0, 3, 3}};
-    EXPECT_EQ(why(image, image, strict), "");
+    EXPECT_EQ(violations(image, image, strict), "");
     EXPECT_EQ(compare_images(image, image, {}).worst.ssim, 1.0);
 }
 
 TEST(CompareImages, WithoutLimitsNoPixelMayDiffer) {
     ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
-    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 1), tolerance), {{"1 pixel ", "0.010 %", " 0"}}));
-    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 30), tolerance), {{"30 pixels ", "0.300 %", " 0"}}));
+    EXPECT_TRUE(names(violations(kBlack, with_white(kBlack, 1), tolerance), {{"1 pixel ", "0.010 %", " 0"}}));
+    EXPECT_TRUE(
+        names(violations(kBlack, with_white(kBlack, 30), tolerance), {{"30 pixels ", "0.300 %", " 0"}}));
 }
 
 TEST(CompareImages, AllLimitsApply) {
     ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
     tolerance.max_diff_pixels = 30;
-    EXPECT_EQ(why(kBlack, with_white(kBlack, 30), tolerance), "");
-    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 31), tolerance), {{"31 pixels ", "0.310 %", " 30"}}));
+    EXPECT_EQ(violations(kBlack, with_white(kBlack, 30), tolerance), "");
+    EXPECT_TRUE(
+        names(violations(kBlack, with_white(kBlack, 31), tolerance), {{"31 pixels ", "0.310 %", " 30"}}));
     tolerance.max_diff_pixel_ratio = 0.002;
-    EXPECT_TRUE(names(why(kBlack, with_white(kBlack, 30), tolerance), {{"0.300 %", "0.200 %"}}));
+    EXPECT_TRUE(names(violations(kBlack, with_white(kBlack, 30), tolerance), {{"0.300 %", "0.200 %"}}));
     tolerance.max_diff_pixels.reset();
-    EXPECT_EQ(why(kBlack, with_white(kBlack, 20), tolerance), "");
+    EXPECT_EQ(violations(kBlack, with_white(kBlack, 20), tolerance), "");
 }
 
 TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
@@ -92,24 +94,23 @@ TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
     const double expected =
         (2 * 100 * 110 + 6.5025) * 58.5225 / ((100 * 100 + 110 * 110 + 6.5025) * (100 + 58.5225));
     EXPECT_NEAR(comparison.worst.ssim, expected, 1e-9);
-    EXPECT_TRUE(names(why(even, striped), {{"64x64", "0,0", "0.367", "0.970"}}));
+    EXPECT_TRUE(names(violations(even, striped), {{"64x64", "0,0", "0.367", "0.970"}}));
 }
 
 TEST(CompareImages, DescribesAllViolations) {
-    const std::string both = why(kBlack, plain_image(100, 100, {255, 255, 255}));
+    const std::string both = violations(kBlack, plain_image(100, 100, {255, 255, 255}));
     EXPECT_TRUE(names(both, {{"10000 pixels ", "100.000 %"}, {"64x64", "0,0", "0.000", "0.970", "4 of 4"}}));
 }
 
 TEST(CompareImages, DefaultsAllowForAnotherProcessorsRounding) {
-    // As measured: up to 0.24 % of the pixels differ by up to 15 levels. On a uniform image, the worst case,
-    // twenty times.
+    // As measured: up to 0.24 % of the pixels differ by up to 15 levels. A uniform image is the worst case.
     std::mt19937 random(9);
     for (int draw = 0; draw < 20; ++draw) {
         const Image even = plain_image(1280, 720, {90, 120, 150});
         const Image other = disturbed(even, 0.0024, 15, random);
-        EXPECT_EQ(why(even, other), "");
+        EXPECT_EQ(violations(even, other), "");
         const Image rough = noise(320, 180, random);
-        EXPECT_EQ(why(rough, disturbed(rough, 0.0024, 15, random)), "");
+        EXPECT_EQ(violations(rough, disturbed(rough, 0.0024, 15, random)), "");
     }
 }
 
@@ -129,7 +130,7 @@ TEST(DrawDifference, ColorsEveryVerdict) {
     EXPECT_EQ(red, 255) << "orange";
     EXPECT_LT(blue, 200);
     EXPECT_GT(green, blue);
-    EXPECT_EQ(drawn.pixel(0, 30), (std::array<std::uint8_t, 3>{200, 0, 200})) << "the tile's frame";
+    EXPECT_EQ(drawn.pixel(0, 30), (std::array<std::uint8_t, 3>{200, 0, 200})) << "the tile's border";
     const auto same = drawn.pixel(110, 80);
     EXPECT_EQ(same[0], same[2]) << "grey";
     EXPECT_GT(same[0], 200) << "pale";

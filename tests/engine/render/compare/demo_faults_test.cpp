@@ -44,12 +44,12 @@ protected:
     static Image draw(const Viewpoint& view) { return renderer_->draw(view, 1280, 720); }
 
     static const std::vector<scene::Model>& models() { return *models_; }
-    static const Image& right(const std::string& view) { return images_->at(view); }
+    static const Image& reference(const std::string& view) { return images_->at(view); }
 
-    /// Whether the default tolerance is violated; records the values as test properties.
-    static bool found(const std::string& view, const Image& image) {
+    /// Whether the default tolerance is violated; prints the values.
+    static bool violated(const std::string& view, const Image& image) {
         const ImageTolerance tolerance;
-        const ImageComparison comparison = compare_images(right(view), image, tolerance);
+        const ImageComparison comparison = compare_images(reference(view), image, tolerance);
         std::printf("%-8s %8zu pixels beyond the threshold, worst tile %.4f at %d,%d\n", view.c_str(),
                     comparison.pixels.different, comparison.worst.ssim, comparison.worst.box.x,
                     comparison.worst.box.y);
@@ -85,23 +85,23 @@ std::map<std::string, Image> drawn_elsewhere(const std::string& environment) {
 }
 
 TEST_F(DemoFaults, AcceptAnotherProcessor) {
-    bool any = false;
-    // Not by LP_NATIVE_VECTOR_WIDTH=128: with AVX-512 in the processor Mesa 22.3.6 then writes beyond its
-    // memory.
+    bool any_differs = false;
+    // Not with LP_NATIVE_VECTOR_WIDTH=128: on a processor with AVX-512, Mesa 22.3.6 then writes out of
+    // bounds.
     for (const std::string features : {"avx", "sse4.1"}) {
         for (const auto& [view, image] : drawn_elsewhere("GALLIUM_OVERRIDE_CPU_CAPS=" + features)) {
-            EXPECT_FALSE(found(view, image)) << features << " " << view;
-            any = any || image.rgba != right(view).rgba;
+            EXPECT_FALSE(violated(view, image)) << features << " " << view;
+            any_differs = any_differs || image.rgba != reference(view).rgba;
         }
     }
-    EXPECT_TRUE(any) << "no setting changed the image";
+    EXPECT_TRUE(any_differs) << "no setting changed the image";
 }
 
 TEST_F(DemoFaults, AcceptSomePixelsOffByFifteenLevels) {
     std::mt19937 random(11);
     for (const char* view : kViews) {
         for (int draw = 0; draw < 5; ++draw) {
-            EXPECT_FALSE(found(view, disturbed(right(view), 0.0024, 15, random)));
+            EXPECT_FALSE(violated(view, disturbed(reference(view), 0.0024, 15, random)));
         }
     }
 }
@@ -109,8 +109,8 @@ TEST_F(DemoFaults, AcceptSomePixelsOffByFifteenLevels) {
 TEST_F(DemoFaults, DetectMissingShadows) {
     RenderSettings settings;
     settings.shadows = false;
-    EXPECT_TRUE(found("avenue", draw_demo(models(), demo_view("avenue"), settings)));
-    EXPECT_TRUE(found("square", draw_demo(models(), demo_view("square"), settings)));
+    EXPECT_TRUE(violated("avenue", draw_demo(models(), demo_view("avenue"), settings)));
+    EXPECT_TRUE(violated("square", draw_demo(models(), demo_view("square"), settings)));
 }
 
 TEST_F(DemoFaults, DetectASunOffByThreeDegrees) {
@@ -118,33 +118,33 @@ TEST_F(DemoFaults, DetectASunOffByThreeDegrees) {
         RenderSettings settings;
         settings.to_sun =
             Eigen::AngleAxisd(turn * 3.141592653589793 / 180.0, Eigen::Vector3d::UnitY()) * settings.to_sun;
-        EXPECT_TRUE(found("avenue", draw_demo(models(), demo_view("avenue"), settings)));
-        EXPECT_TRUE(found("square", draw_demo(models(), demo_view("square"), settings)));
+        EXPECT_TRUE(violated("avenue", draw_demo(models(), demo_view("avenue"), settings)));
+        EXPECT_TRUE(violated("square", draw_demo(models(), demo_view("square"), settings)));
     }
 }
 
 TEST_F(DemoFaults, DetectMissingTrees) {
     std::vector<scene::Model> without = models();
-    int gone = 0;
+    int removed = 0;
     for (scene::Model& model : without) {
         for (scene::Node& node : model.nodes) {
             if (node.name.starts_with("tree_cherry")) {
                 node.meshes.clear();
-                ++gone;
+                ++removed;
             }
         }
     }
-    ASSERT_GT(gone, 5);
-    EXPECT_TRUE(found("square", draw_demo(without, demo_view("square"))));
+    ASSERT_GT(removed, 5);
+    EXPECT_TRUE(violated("square", draw_demo(without, demo_view("square"))));
 }
 
 TEST_F(DemoFaults, DetectACameraOffByTwoCentimetres) {
     for (const char* view : kViews) {
-        for (const Eigen::Vector3d& way :
+        for (const Eigen::Vector3d& offset :
              {Eigen::Vector3d(0.02, 0, 0), Eigen::Vector3d(0, 0.02, 0), Eigen::Vector3d(0, 0, 0.02)}) {
             Viewpoint moved = demo_view(view);
-            moved.position += way;
-            EXPECT_TRUE(found(view, draw(moved))) << view << " by " << way.transpose();
+            moved.position += offset;
+            EXPECT_TRUE(violated(view, draw(moved))) << view << " by " << offset.transpose();
         }
     }
 }
@@ -160,7 +160,7 @@ TEST_F(DemoFaults, DetectASwappedTexture) {
     ASSERT_NE(named("slabs"), textures.end());
     ASSERT_NE(named("setts"), textures.end());
     *named("slabs") = scene::Texture(*named("setts"));
-    EXPECT_TRUE(found("square", draw_demo(swapped, demo_view("square"))));
+    EXPECT_TRUE(violated("square", draw_demo(swapped, demo_view("square"))));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ double distance(const Rgb& a, const Rgb& b) {
 
 TEST(ColorDistance, MatchesThePapersMatrix) {
     EXPECT_EQ(distance({12, 34, 56}, {12, 34, 56}), 0.0);
-    // Greys differ in Y alone: sqrt(0.5053 / 35215) * levels.
+    // Greys differ only in Y: sqrt(0.5053 / 35215) * levels.
     for (const int levels : {1, 15, 100, 255}) {
         const auto grey = static_cast<std::uint8_t>(levels);
         EXPECT_NEAR(distance({0, 0, 0}, {grey, grey, grey}), levels * std::sqrt(0.5053 / 35215.0), 1e-7);
@@ -84,7 +84,7 @@ TEST(PixelDifference, TheThresholdItselfIsWithin) {
 }
 
 /// Black above and white below a slanted line, anti-aliased by coverage.
-Image slanting_edge(double offset) {
+Image slanted_edge(double offset) {
     Image image = plain_image(40, 40, {0, 0, 0});
     for (int y = 0; y < 40; ++y) {
         for (int x = 0; x < 40; ++x) {
@@ -97,13 +97,13 @@ Image slanting_edge(double offset) {
 }
 
 TEST(PixelDifference, AcceptsDifferentlyAntialiasedEdges) {
-    const PixelDifference difference = difference_of(slanting_edge(0.0), slanting_edge(0.45));
+    const PixelDifference difference = difference_of(slanted_edge(0.0), slanted_edge(0.45));
     EXPECT_EQ(difference.different, 0U);
     EXPECT_GT(count(difference, PixelVerdict::antialiased), 15U);
 }
 
 TEST(PixelDifference, RejectsMovedEdges) {
-    EXPECT_GT(difference_of(slanting_edge(0.0), slanting_edge(3.0)).different, 40U);
+    EXPECT_GT(difference_of(slanted_edge(0.0), slanted_edge(3.0)).different, 40U);
 }
 
 TEST(PixelDifference, RejectsDifferencesWithinAnArea) {
@@ -115,7 +115,7 @@ TEST(PixelDifference, RejectsDifferencesWithinAnArea) {
 
 TEST(PixelDifference, IsSymmetric) {
     std::mt19937 random(7);
-    for (const Image& a : {noise(60, 40, random), slanting_edge(0.0)}) {
+    for (const Image& a : {noise(60, 40, random), slanted_edge(0.0)}) {
         const Image b = disturbed(a, 0.4, 120, random);
         const PixelDifference there = difference_of(a, b);
         const PixelDifference back = difference_of(b, a);

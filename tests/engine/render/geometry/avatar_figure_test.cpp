@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 constexpr double kHalfTurn = 3.141592653589793;
 
-AvatarState standing(const Vector3d& position, double yaw) {
+AvatarState avatar_at(const Vector3d& position, double yaw) {
     AvatarState avatar;
     avatar.position = position;
     avatar.yaw = yaw;
@@ -29,32 +29,32 @@ TEST(AvatarFigure, StandsOnItsFootPointWithTheProfilesHeight) {
     for (const double height : {1.2, 1.8, 2.0}) {
         AvatarProfile profile;
         profile.height = height;
-        const auto box = box_of(make_figure(standing({10, 5, -3}, 0.7), profile, 0.0, {9, 5, -3}));
+        const auto box = box_of(make_figure(avatar_at({10, 5, -3}, 0.7), profile, 0.0, {9, 5, -3}));
         EXPECT_NEAR(box.min().y(), 0.0, 0.01 * height);
         EXPECT_NEAR(box.max().y(), height, 0.01 * height);
-        EXPECT_NEAR(box.center().x(), 1.0, 0.1) << "counted from the origin given";
+        EXPECT_NEAR(box.center().x(), 1.0, 0.1) << "relative to the given origin";
         EXPECT_LT((box.max() - box.min()).x(), 0.6 * height);
     }
 }
 
 TEST(AvatarFigure, FacesItsYaw) {
     const AvatarProfile profile;
-    const FigureMesh north = make_figure(standing(Vector3d::Zero(), 0.0), profile, 0.3, Vector3d::Zero());
+    const FigureMesh north = make_figure(avatar_at(Vector3d::Zero(), 0.0), profile, 0.3, Vector3d::Zero());
     const FigureMesh south =
-        make_figure(standing(Vector3d::Zero(), kHalfTurn), profile, 0.3, Vector3d::Zero());
+        make_figure(avatar_at(Vector3d::Zero(), kHalfTurn), profile, 0.3, Vector3d::Zero());
     ASSERT_EQ(north.vertices.size(), south.vertices.size());
     for (std::size_t i = 0; i < north.vertices.size(); ++i) {
         EXPECT_NEAR(north.vertices[i].position[0], -south.vertices[i].position[0], 1e-5);
         EXPECT_NEAR(north.vertices[i].position[2], -south.vertices[i].position[2], 1e-5);
     }
-    // The rucksack sticks out behind, which is +Z for one that looks along -Z.
+    // The rucksack sticks out behind, which is +Z for an avatar that looks along -Z.
     EXPECT_GT(box_of(north).max().z(), -box_of(north).min().z());
 }
 
 TEST(AvatarFigure, StrideMovesTheFeetApart) {
     const AvatarProfile profile;
     const auto depth = [&](double stride) {
-        return box_of(make_figure(standing(Vector3d::Zero(), 0.0), profile, stride, Vector3d::Zero()))
+        return box_of(make_figure(avatar_at(Vector3d::Zero(), 0.0), profile, stride, Vector3d::Zero()))
             .sizes()
             .z();
     };
@@ -63,7 +63,7 @@ TEST(AvatarFigure, StrideMovesTheFeetApart) {
 
 TEST(AvatarFigure, HasOutwardTrianglesAndUnitNormals) {
     const AvatarProfile profile;
-    const FigureMesh mesh = make_figure(standing(Vector3d::Zero(), 0.0), profile, 0.0, Vector3d::Zero());
+    const FigureMesh mesh = make_figure(avatar_at(Vector3d::Zero(), 0.0), profile, 0.0, Vector3d::Zero());
     ASSERT_EQ(mesh.indices.size() % 3, 0U);
     std::size_t inwards = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -15,7 +15,7 @@ TEST(BuildingBounds, EncloseTheNodesOfEachBuildingInTheWorld) {
     scene::Building park;
     park.id = "park";
     const scene::Campus campus = campus_of(SceneBuilder()
-                                               .paint(kGrey)
+                                               .colored(kGrey)
                                                .ground(100.0)
                                                .named("tower")
                                                .placed(moved)

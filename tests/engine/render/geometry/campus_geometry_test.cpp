@@ -20,7 +20,7 @@ Vector3d vertex(const CampusGeometry& geometry, std::uint32_t index) {
     return geometry.origin + Vector3d(p[0], p[1], p[2]);
 }
 
-// Sum of the triangles' area vectors, doubled; 0 for a closed body.
+// Six times the volume of a closed body whose faces point outwards.
 double flux(const CampusGeometry& geometry, const Vector3d& centre) {
     double sum = 0.0;
     for (std::size_t i = 0; i < geometry.indices.size(); i += 3) {
@@ -35,7 +35,8 @@ double flux(const CampusGeometry& geometry, const Vector3d& centre) {
 TEST(CampusGeometry, PlacesEveryTriangleInTheWorld) {
     Eigen::Matrix4d moved = Eigen::Matrix4d::Identity();
     moved.topRightCorner<3, 1>() = Vector3d(100, 2, -30);
-    const auto geometry = baked(SceneBuilder().paint(kRed).placed(moved).box({-1, 0, -1}, {1, 4, 1}).model());
+    const auto geometry =
+        baked(SceneBuilder().colored(kRed).placed(moved).box({-1, 0, -1}, {1, 4, 1}).model());
     EXPECT_EQ(geometry.indices.size(), 36U);
     EXPECT_TRUE(geometry.bounds.min.isApprox(Vector3d(99, 2, -31)));
     EXPECT_TRUE(geometry.bounds.max.isApprox(Vector3d(101, 6, -29)));
@@ -51,7 +52,7 @@ TEST(CampusGeometry, FlipsTheWindingOfMirroredNodes) {
         Eigen::Matrix4d placed = Eigen::Matrix4d::Identity();
         placed(0, 0) = 2.0 * sign;
         const auto geometry =
-            baked(SceneBuilder().paint(kRed).placed(placed).box({-1, -1, -1}, {1, 1, 1}).model());
+            baked(SceneBuilder().colored(kRed).placed(placed).box({-1, -1, -1}, {1, 1, 1}).model());
         EXPECT_NEAR(flux(geometry, Vector3d::Zero()), 6.0 * 16.0, 1e-4) << "six times the volume, outwards";
         for (const Vertex& v : geometry.vertices) {
             const Vector3d p(v.position[0], v.position[1], v.position[2]);
@@ -62,7 +63,7 @@ TEST(CampusGeometry, FlipsTheWindingOfMirroredNodes) {
 
 TEST(CampusGeometry, SortsAllTrianglesIntoCells) {
     SceneBuilder scene;
-    scene.paint(kRed).paint(kBlue);
+    scene.colored(kRed).colored(kBlue);
     for (int i = 0; i < 10; ++i) {
         scene.box({10.0 * i, 0, 0}, {10.0 * i + 1, 1, 1});
     }
@@ -84,9 +85,9 @@ TEST(CampusGeometry, SortsAllTrianglesIntoCells) {
 
 TEST(CampusGeometry, SeparatesBlendedTriangles) {
     const auto geometry = baked(SceneBuilder()
-                                    .paint(kRed)
+                                    .colored(kRed)
                                     .box({0, 0, 0}, {1, 1, 1})
-                                    .paint({1, 1, 1, 0.3F})
+                                    .colored({1, 1, 1, 0.3F})
                                     .alpha(scene::AlphaMode::blend)
                                     .upright({0, 0, 3}, 1.0)
                                     .model());
@@ -102,7 +103,7 @@ TEST(CampusGeometry, IsEmptyWithoutModels) {
 }
 
 TEST(CampusGeometry, DrawsMeshesWithoutNormalsUvsOrAKnownMaterial) {
-    scene::Model model = SceneBuilder().paint(kRed).box({0, 0, 0}, {1, 1, 1}).model();
+    scene::Model model = SceneBuilder().colored(kRed).box({0, 0, 0}, {1, 1, 1}).model();
     model.meshes[0].normals.clear();
     model.meshes[0].uvs.clear();
     model.meshes[0].material = scene::MaterialIndex{99};

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr int kSides = 30;
 constexpr std::size_t kBallTriangles = std::size_t{2} * kSides * kSides;
 
-// A sphere of radius 1 on the ground with 2 * sides * sides triangles.
+// A sphere of radius 1 on the ground with kBallTriangles triangles.
 scene::Mesh ball(std::uint32_t material) {
     scene::Mesh mesh;
     mesh.material = scene::MaterialIndex{material};
@@ -47,15 +47,15 @@ scene::Mesh ball(std::uint32_t material) {
     return mesh;
 }
 
-// Rows of balls on a square, turned and scaled, some mirrored, some stretched; every second of an image with
-// holes.
+// Rows of balls on a square, turned and scaled, some mirrored, some stretched; every second one has a texture
+// with holes.
 scene::Model balls() {
     scene::Model model = SceneBuilder()
-                             .paint(kGrey)
+                             .colored(kGrey)
                              .ground(80.0)
-                             .paint(kRed, four_blocks())
+                             .colored(kRed, four_blocks())
                              .box({-40, 0, -41}, {40, 3, -40})
-                             .paint({1, 1, 1, 1}, half_clear())
+                             .colored({1, 1, 1, 1}, half_clear())
                              .alpha(scene::AlphaMode::mask)
                              .double_sided()
                              .upright({0, -1, 0}, 0.5)
@@ -136,12 +136,12 @@ TEST(Instancing, DrawsTheSameImageAsBaking) {
         for (const Viewpoint& view : kViews) {
             const Image a = baked.draw(view, 2 * kWidth, 2 * kHeight);
             const Image b = shared.draw(view, 2 * kWidth, 2 * kHeight);
-            std::size_t other = 0;  // values that differ by more than one level
+            std::size_t differing = 0;  // values that differ by more than one level
             for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-                other += std::abs(int{a.rgba[i]} - int{b.rgba[i]}) > 1 ? 1U : 0U;
+                differing += std::abs(int{a.rgba[i]} - int{b.rgba[i]}) > 1 ? 1U : 0U;
             }
             // An edge may move across a pixel centre.
-            EXPECT_LT(other, a.rgba.size() / 2000) << samples << " samples";
+            EXPECT_LT(differing, a.rgba.size() / 2000) << samples << " samples";
         }
     }
 }

@@ -68,10 +68,10 @@ TEST(OverlayLines, RoundShapesAreDrawnOnTheirSurface) {
 
 TEST(OverlayLines, AMeshIsDrawnAsBordersAndCreases) {
     // A box of twelve triangles: its diagonals are flat.
-    const auto box = outline(mesh_of(SceneBuilder().paint(kRed).box({0, 0, 0}, {1, 2, 3}).model()));
+    const auto box = outline(mesh_of(SceneBuilder().colored(kRed).box({0, 0, 0}, {1, 2, 3}).model()));
     EXPECT_EQ(box.size(), 12U);
     EXPECT_NEAR(length(box), 4 * (1 + 2 + 3), 1e-5);
-    const auto sheet = outline(mesh_of(SceneBuilder().paint(kRed).upright({0, 0, 0}, 2.0).model()));
+    const auto sheet = outline(mesh_of(SceneBuilder().colored(kRed).upright({0, 0, 0}, 2.0).model()));
     EXPECT_EQ(sheet.size(), 4U);
     EXPECT_NEAR(length(sheet), 8.0, 1e-5);
 }
@@ -115,7 +115,7 @@ TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
 
 TEST(OverlayLines, AreFaintWhereOccluded) {
     const scene::Model model =
-        SceneBuilder().paint({0.05F, 0.05F, 0.05F, 1}).upright({0, 0, -6}, 4.0).model();
+        SceneBuilder().colored({0.05F, 0.05F, 0.05F, 1}).upright({0, 0, -6}, 4.0).model();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const auto redness = [&](double z) {
         const std::vector<OverlayLine> lines = {{{-1, 0.01, z}, {1, 0.01, z}, kPure}};

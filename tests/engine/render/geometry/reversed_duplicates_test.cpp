@@ -107,11 +107,11 @@ scene::Model sheet(const Eigen::Matrix4d& place, bool front, bool back, bool dou
     turned.col(1) = place.col(0);
     turned.col(2) *= -1.0;
     if (front) {
-        builder.paint(kGreen).placed(place).upright({0, 0, 0}, 6.0);
+        builder.colored(kGreen).placed(place).upright({0, 0, 0}, 6.0);
         builder.material().double_sided = double_sided;
     }
     if (back) {
-        builder.paint(kRed).placed(turned).upright({0, 0, 0}, 6.0);
+        builder.colored(kRed).placed(turned).upright({0, 0, 0}, 6.0);
         builder.material().double_sided = double_sided;
     }
     return builder.model();

@@ -18,7 +18,7 @@ double open_at(const scene::Model& model, const Vector3d& point) {
 
 SceneBuilder field() {
     SceneBuilder scene;
-    scene.paint(kGrey).ground(100.0);
+    scene.colored(kGrey).ground(100.0);
     return scene;
 }
 
@@ -52,7 +52,7 @@ TEST(SkyViewFactor, IsZeroInARoomAndSmallAtItsDoor) {
 TEST(SkyViewFactor, IgnoresGlassFoliageAndDistantCeilings) {
     for (const scene::AlphaMode mode : {scene::AlphaMode::blend, scene::AlphaMode::mask}) {
         const scene::Model roofed =
-            field().paint({1, 1, 1, 0.4F}).alpha(mode).box({-9, 3, -9}, {9, 3.2, 9}).model();
+            field().colored({1, 1, 1, 0.4F}).alpha(mode).box({-9, 3, -9}, {9, 3.2, 9}).model();
         EXPECT_EQ(open_at(roofed, kEyes), 1.0);
     }
     EXPECT_EQ(open_at(field().box({-9, 40, -9}, {9, 41, 9}).model(), kEyes), 1.0);

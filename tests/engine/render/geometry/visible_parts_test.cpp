@@ -39,8 +39,9 @@ TEST(VisibleParts, DeepestPixelIsFarthestFromOtherOwners) {
     constexpr int kWidth = 40;
     constexpr int kHeight = 20;
     for (int round = 0; round < 40; ++round) {
-        std::vector<std::uint32_t> owners(std::size_t{kWidth} * kHeight, 3);  // 3 is none of those asked for
-        for (std::uint32_t owner = 0; owner < 3; ++owner) {                   // boxes over each other
+        std::vector<std::uint32_t> owners(std::size_t{kWidth} * kHeight,
+                                          3);                // 3 is not one of the requested owners
+        for (std::uint32_t owner = 0; owner < 3; ++owner) {  // boxes over each other
             const int left = static_cast<int>(random() % 30);
             const int top = static_cast<int>(random() % 15);
             for (int y = top; y < std::min(kHeight, top + 3 + static_cast<int>(random() % 9)); ++y) {

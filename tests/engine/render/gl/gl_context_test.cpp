@@ -62,11 +62,11 @@ TEST(GlContext, AlternatingBackendsDrawTheSameBytes) {
 
 TEST(GlContext, DestroyingOneBackendLeavesTheOtherUsable) {
     const scene::Model model = tower_scene();
-    for (const bool egl_goes : {true, false}) {
+    for (const bool destroy_egl : {true, false}) {
         auto doomed = std::make_unique<Renderer>(std::span(&model, 1), quick_settings(),
-                                                 egl_goes ? make_egl_context() : make_osmesa_context());
+                                                 destroy_egl ? make_egl_context() : make_osmesa_context());
         Renderer survivor(std::span(&model, 1), quick_settings(),
-                          egl_goes ? make_osmesa_context() : make_egl_context());
+                          destroy_egl ? make_osmesa_context() : make_egl_context());
         const Image before = survivor.draw(tower_view(), kWidth, kHeight);
         doomed->draw(tower_view(), kWidth, kHeight);
         doomed.reset();

@@ -19,23 +19,23 @@ using Eigen::Vector3d;
 
 constexpr ChannelChoice kAll = {.nodes = true, .depth = true, .normals = true};
 
-std::size_t place_of(const Channels& channels, int x, int y) {
+std::size_t pixel_index(const Channels& channels, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(channels.width) +
            static_cast<std::size_t>(x);
 }
 
-// Rotated, stretched and mirrored boxes and sheets of all kinds of materials, some behind the camera.
-scene::Model jumble(unsigned seed, bool with_textures = true) {
+// Rotated, stretched and mirrored boxes and sheets with all kinds of materials, some behind the camera.
+scene::Model random_model(unsigned seed, bool with_textures = true) {
     std::mt19937 dice(seed);
     const auto any = [&dice](double low, double high) {
         return low + (high - low) * static_cast<double>(dice()) / 4294967295.0;
     };
     SceneBuilder scene;
-    scene.paint(kGrey).ground(60.0);
+    scene.colored(kGrey).ground(60.0);
     for (int i = 0; i < 40; ++i) {
         const bool textured = with_textures && i % 3 == 1;
-        // A texture's edge lies where the rays have it, between two texels, if alpha is halved there.
-        scene.paint(
+        // With the cutoff at half of alpha, a texture's edge lies between two texels, as for the rays.
+        scene.colored(
             {1, 1, 1, textured ? 1.0F : std::array{0.3F, 0.3F, 0.8F, 0.4F}[static_cast<std::size_t>(i % 4)]},
             textured ? std::optional(half_clear()) : std::nullopt);
         scene.alpha(std::array{scene::AlphaMode::opaque, scene::AlphaMode::mask, scene::AlphaMode::blend,
@@ -58,22 +58,22 @@ scene::Model jumble(unsigned seed, bool with_textures = true) {
     return scene.model();
 }
 
-// All pixels that aren't at an edge match the rays, and nearly all others.
-void hold_against_rays(const scene::Model& model, const Viewpoint& view, int width, int height) {
+// Expects that all pixels match the rays, except for a few at edges.
+void expect_match_with_rays(const scene::Model& model, const Viewpoint& view, int width, int height) {
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Channels drawn = renderer.draw_channels(view, width, height, kAll);
     const PixelRays rays(model, view, width, height);
     int same = 0;
-    int amid = 0;
+    int interior = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const PixelHit& hit = rays.at(x, y);
-            const std::size_t i = place_of(drawn, x, y);
+            const std::size_t i = pixel_index(drawn, x, y);
             same += drawn.nodes[i] == hit.node ? 1 : 0;
             if (!rays.is_interior(x, y)) {
                 continue;
             }
-            ++amid;
+            ++interior;
             ASSERT_EQ(drawn.nodes[i], hit.node) << "at " << x << ", " << y;
             // The driver snaps vertices to 1/256 pixel.
             ASSERT_NEAR(drawn.depth[i], hit.depth, 1e-5 * hit.depth + rays.depth_change(x, y) / 64.0)
@@ -81,24 +81,25 @@ void hold_against_rays(const scene::Model& model, const Viewpoint& view, int wid
         }
     }
     EXPECT_GT(same, 0.99 * width * height);
-    EXPECT_GT(amid, width * height / 2);
+    EXPECT_GT(interior, width * height / 2);
 }
 
 TEST(Channels, MatchRaysThroughPixelCentres) {
     for (const unsigned seed : {1U, 2U, 3U}) {
-        const scene::Model model = jumble(seed);
-        hold_against_rays(model, looking({0, 2, 8}, 0.1, -0.05, kFov), 241, 135);
-        hold_against_rays(model, looking({3, 9, -6}, 1.2, -0.9, 1.4), 120, 160);
+        const scene::Model model = random_model(seed);
+        expect_match_with_rays(model, looking({0, 2, 8}, 0.1, -0.05, kFov), 241, 135);
+        expect_match_with_rays(model, looking({3, 9, -6}, 1.2, -0.9, 1.4), 120, 160);
     }
 }
 
 TEST(Channels, MatchParallelRaysOnAMap) {
-    const scene::Model model = jumble(4, false);  // whose texels would be smaller than pixels
-    hold_against_rays(model, plan(scene::world_bounds(model), 1.5), 150, 100);
+    const scene::Model model =
+        random_model(4, false);  // without textures: texels would be smaller than pixels
+    expect_match_with_rays(model, plan(scene::world_bounds(model), 1.5), 150, 100);
 }
 
 TEST(Channels, NormalsFaceTheCamera) {
-    const scene::Model model = jumble(5);
+    const scene::Model model = random_model(5);
     const Viewpoint view = looking({0, 2, 8}, 0.1, -0.05, kFov);
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Channels drawn = renderer.draw_channels(view, 160, 90, kAll);
@@ -107,11 +108,11 @@ TEST(Channels, NormalsFaceTheCamera) {
     for (int y = 0; y < 90; ++y) {
         for (int x = 0; x < 160; ++x) {
             const std::array<std::uint8_t, 3> rgb = drawn.normals.pixel(x, y);
-            if (drawn.nodes[place_of(drawn, x, y)] == 0) {
+            if (drawn.nodes[pixel_index(drawn, x, y)] == 0) {
                 EXPECT_EQ(rgb, (std::array<std::uint8_t, 3>{0, 0, 0}));
                 continue;
             }
-            if (drawn.nodes[place_of(drawn, x, y)] != rays.at(x, y).node) {
+            if (drawn.nodes[pixel_index(drawn, x, y)] != rays.at(x, y).node) {
                 continue;
             }
             const Vector3d n((rgb[0] - 128) / 127.0, (rgb[1] - 128) / 127.0, (rgb[2] - 128) / 127.0);
@@ -127,7 +128,7 @@ TEST(Channels, NormalsFaceTheCamera) {
 }
 
 TEST(Channels, NormalsOfFlatGroundPointUp) {
-    const scene::Model model = SceneBuilder().paint(kGrey).ground(100.0).model();
+    const scene::Model model = SceneBuilder().colored(kGrey).ground(100.0).model();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Channels drawn = renderer.draw_channels(looking({0, 2, 0}, 0.7, -0.5, kFov), 16, 9, kAll);
     EXPECT_EQ(drawn.normals.pixel(8, 8), (std::array<std::uint8_t, 3>{128, 255, 128}));
@@ -136,9 +137,9 @@ TEST(Channels, NormalsOfFlatGroundPointUp) {
 TEST(Channels, BlendedSurfacesCountFromHalfOpacity) {
     const auto node_behind = [](float alpha) {
         const scene::Model model = SceneBuilder()
-                                       .paint(kGrey)
+                                       .colored(kGrey)
                                        .upright({0, 0, -6}, 8.0)
-                                       .paint({1, 1, 1, alpha})
+                                       .colored({1, 1, 1, alpha})
                                        .alpha(scene::AlphaMode::blend)
                                        .upright({0, 0, -2}, 1.0)
                                        .model();
@@ -150,7 +151,7 @@ TEST(Channels, BlendedSurfacesCountFromHalfOpacity) {
 }
 
 TEST(Channels, TheAvatarOccludesAndHasNoNodeNumber) {
-    const scene::Model model = SceneBuilder().paint(kGrey).upright({0, 0, -6}, 30.0).model();
+    const scene::Model model = SceneBuilder().colored(kGrey).upright({0, 0, -6}, 30.0).model();
     Renderer renderer(std::span(&model, 1), quick_settings());
     const Viewpoint view = looking({0, 1, 4}, 0.0, 0.0, kFov);
     const Channels alone = renderer.draw_channels(view, 32, 18, kAll);
@@ -164,8 +165,8 @@ TEST(Channels, TheAvatarOccludesAndHasNoNodeNumber) {
 
 TEST(Channels, NodeNumbersContinueAcrossModels) {
     const std::array models = {
-        SceneBuilder().paint(kRed).upright({-2, 0, -4}, 1.0).model(),
-        SceneBuilder().paint(kRed).upright({0, 0, -9}, 1.0).upright({2, 0, -4}, 1.0).model()};
+        SceneBuilder().colored(kRed).upright({-2, 0, -4}, 1.0).model(),
+        SceneBuilder().colored(kRed).upright({0, 0, -9}, 1.0).upright({2, 0, -4}, 1.0).model()};
     Renderer renderer(models, quick_settings());
     const Channels drawn = renderer.draw_channels(ahead(), kWidth, kHeight, {.nodes = true});
     constexpr auto kStride = std::ptrdiff_t{kWidth};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-// The share of the pixel below the line y = offset + slope * x, by sampling.
+// The share of the pixel that is below the line y = offset + slope * x, by sampling.
 double covered(int x, int y, double offset, double slope) {
     constexpr int kPoints = 16;
     int below = 0;
@@ -40,13 +40,13 @@ Image stairs(double offset, double slope, bool turned) {
     return image;
 }
 
-// The light that a byte stands for, by the definition of sRGB.
+// The linear light of a byte, by the definition of sRGB.
 double light(std::uint8_t byte) {
     const double s = byte / 255.0;
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-// In linear light.
+// The error against the ideal line, in linear light.
 double error(const Image& image, double offset, double slope, bool turned) {
     double sum = 0.0;
     for (int y = 8; y < kSide - 8; ++y) {
@@ -70,7 +70,7 @@ TEST(Fxaa, AliasedEdgesComeCloserToTheIdealLine) {
     }
 }
 
-// A drawn image's error in brightness against one drawn with 16 samples a pixel, where that is an edge.
+// An image's error in brightness against one drawn with 16 samples per pixel, at its edges.
 double error_at_edges(const Image& image, const Image& plain, const Image& many) {
     double sum = 0.0;
     for (int y = 0; y < many.height; ++y) {
@@ -84,16 +84,16 @@ double error_at_edges(const Image& image, const Image& plain, const Image& many)
 }
 
 TEST(Fxaa, RenderedImagesComeCloserToSupersampledOnes) {
-    constexpr int kAcross = 320;
-    constexpr int kDown = 180;
+    constexpr int kDrawnWidth = 320;
+    constexpr int kDrawnHeight = 180;
     const scene::Model model = tower_scene();
     RenderSettings settings = quick_settings();
     settings.samples = 1;
     settings.ambient_occlusion_radius = 0.0;
     Renderer renderer(std::span(&model, 1), settings);
-    const Image many =
-        downsampled_by_two(downsampled_by_two(renderer.draw(tower_view(), 4 * kAcross, 4 * kDown)));
-    const Image plain = renderer.draw(tower_view(), kAcross, kDown);
+    const Image many = downsampled_by_two(
+        downsampled_by_two(renderer.draw(tower_view(), 4 * kDrawnWidth, 4 * kDrawnHeight)));
+    const Image plain = renderer.draw(tower_view(), kDrawnWidth, kDrawnHeight);
     const double rough = error_at_edges(plain, plain, many);
     ASSERT_GT(rough, 100.0) << "there is aliasing";
     EXPECT_LT(error_at_edges(apply_fxaa(plain), plain, many), 0.75 * rough) << rough;

@@ -5,7 +5,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-// About a third of the texels opaque and green, scattered; holes bright red.
+// About a third of the texels are opaque and green, scattered; the holes are bright red.
 scene::Texture leaves(int width, int height) {
     scene::Texture texture;
     texture.width = width;
@@ -39,11 +39,11 @@ TEST(MipChain, HalvesDownToOneTexel) {
 
 TEST(MipChain, PreservesAlphaCoverage) {
     const scene::Texture texture = leaves(96, 96);
-    const double wanted = alpha_coverage(texture.rgba, 1.0, 0.5);
-    EXPECT_NEAR(wanted, 1.0 / 3.0, 0.02);
+    const double expected = alpha_coverage(texture.rgba, 1.0, 0.5);
+    EXPECT_NEAR(expected, 1.0 / 3.0, 0.02);
     const auto chain = cutout_mip_chain(texture, 0.5F);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(alpha_coverage(chain[i].rgba, 1.0, 0.5), wanted, 0.12) << "level " << i + 1;
+        EXPECT_NEAR(alpha_coverage(chain[i].rgba, 1.0, 0.5), expected, 0.12) << "level " << i + 1;
     }
 }
 

@@ -88,7 +88,7 @@ TEST(Png, CreatesMissingFoldersAndReplacesAnOldImage) {
     EXPECT_EQ(folder.contents().size(), 3U) << "two folders, one file and no temporary file";
 }
 
-// A folder without permissions wouldn't stop root.
+// Not a folder without permissions: root could write into that.
 TEST(Png, AFileInPlaceOfAFolderIsReported) {
     const ScratchFolder folder;
     std::ofstream(folder.path() / "out") << "not a folder";

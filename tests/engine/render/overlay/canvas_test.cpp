@@ -17,7 +17,7 @@ namespace {
 
 const std::array<std::uint8_t, 3> kGround = {40, 90, 40};
 
-// The number of characters of `text` that are in no font.
+// The number of characters in `text` that no font has.
 int missing_glyphs(const std::string& text) {
     const Fonts fonts;
     const std::unique_ptr<PangoLayout, void (*)(gpointer)> layout(pango_layout_new(fonts.context()),
@@ -26,15 +26,15 @@ int missing_glyphs(const std::string& text) {
     return pango_layout_get_unknown_glyphs_count(layout.get());
 }
 
-struct Ink2d {
+struct PixelBounds {
     int left = 10000;
     int top = 10000;
     int right = -1;
     int bottom = -1;
 };
 
-Ink2d inked(const Image& image) {
-    Ink2d box;
+PixelBounds drawn_bounds(const Image& image) {
+    PixelBounds box;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             if (image.pixel(x, y) != kGround) {
@@ -91,12 +91,12 @@ TEST(Canvas, TextSizeCoversTheDrawnPixels) {
         const Canvas canvas(plain_image(200, 60, kGround), fonts);
         const Eigen::Vector2d size = canvas.text_size(text, style);
         EXPECT_NEAR(canvas.text(10, 10, text, style), size.y(), 1e-9);
-        const Ink2d color = inked(canvas.image());
-        EXPECT_GE(color.left, 9) << text;
-        EXPECT_GE(color.top, 9) << text;
-        EXPECT_LE(color.right, 11 + size.x()) << text;
-        EXPECT_LE(color.bottom, 11 + size.y()) << text;
-        EXPECT_GT(color.right - color.left, 0.7 * size.x()) << text;
+        const PixelBounds bounds = drawn_bounds(canvas.image());
+        EXPECT_GE(bounds.left, 9) << text;
+        EXPECT_GE(bounds.top, 9) << text;
+        EXPECT_LE(bounds.right, 11 + size.x()) << text;
+        EXPECT_LE(bounds.bottom, 11 + size.y()) << text;
+        EXPECT_GT(bounds.right - bounds.left, 0.7 * size.x()) << text;
     }
 }
 
@@ -123,7 +123,7 @@ TEST(Canvas, WrapsWithinWordsAndTruncatesAtTheLastLine) {
     style.max_lines = 3;
     EXPECT_NEAR(canvas.text_size(long_word, style).y(), 3.0 * line, 1.0);
     canvas.text(10, 10, long_word, style);
-    EXPECT_LE(inked(canvas.image()).right, 131);
+    EXPECT_LE(drawn_bounds(canvas.image()).right, 131);
 }
 
 TEST(Canvas, LabelsAreCentredAndOutlined) {
@@ -131,8 +131,8 @@ TEST(Canvas, LabelsAreCentredAndOutlined) {
     const Canvas canvas(plain_image(201, 61, kGround), fonts);
     canvas.label(100.5, 30.5, "HOH", {24.0, true, {1, 1, 1, 1}, 0.0, 1});
     const Image image = canvas.image();
-    const Ink2d color = inked(image);
-    EXPECT_NEAR(0.5 * (color.left + color.right), 100.0, 1.5);
+    const PixelBounds bounds = drawn_bounds(image);
+    EXPECT_NEAR(0.5 * (bounds.left + bounds.right), 100.0, 1.5);
     int white = 0;
     int dark = 0;
     for (int y = 0; y < image.height; ++y) {

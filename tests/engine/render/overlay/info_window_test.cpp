@@ -18,7 +18,7 @@ InfoWindow library() {
 
 struct Drawn {
     Image image;
-    std::vector<WindowRect> frames;
+    std::vector<WindowRect> rects;
 };
 
 Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int height = kImageHeight,
@@ -26,14 +26,14 @@ Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int
     const Fonts fonts;
     const Canvas canvas(plain_image(width, height, kGround), fonts);
     Drawn result;
-    result.frames = draw_info_windows(canvas, windows, max_windows);
+    result.rects = draw_info_windows(canvas, windows, max_windows);
     result.image = canvas.image();
     return result;
 }
 
-bool within(const WindowRect& frame, double margin, int x, int y) {
-    return x >= frame.x - margin && y >= frame.y - margin && x < frame.x + frame.width + margin &&
-           y < frame.y + frame.height + margin;
+bool within(const WindowRect& rect, double margin, int x, int y) {
+    return x >= rect.x - margin && y >= rect.y - margin && x < rect.x + rect.width + margin &&
+           y < rect.y + rect.height + margin;
 }
 
 std::size_t changed_outside(const Drawn& drawn) {
@@ -41,7 +41,7 @@ std::size_t changed_outside(const Drawn& drawn) {
     for (int y = 0; y < drawn.image.height; ++y) {
         for (int x = 0; x < drawn.image.width; ++x) {
             const bool inside = std::ranges::any_of(
-                drawn.frames, [&](const WindowRect& frame) { return within(frame, kShade, x, y); });
+                drawn.rects, [&](const WindowRect& rect) { return within(rect, kShade, x, y); });
             count += !inside && drawn.image.pixel(x, y) != kGround ? 1U : 0U;
         }
     }
@@ -50,12 +50,12 @@ std::size_t changed_outside(const Drawn& drawn) {
 
 // The number of pixels as bright as text between `top` and `bottom`, as shares of the window height.
 int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, double right = 0.85) {
-    const WindowRect& frame = drawn.frames.at(0);
+    const WindowRect& rect = drawn.rects.at(0);
     int count = 0;
     for (int y = 0; y < drawn.image.height; ++y) {
         for (int x = 0; x < drawn.image.width; ++x) {
-            const double u = (x - frame.x) / frame.width;
-            const double v = (y - frame.y) / frame.height;
+            const double u = (x - rect.x) / rect.width;
+            const double v = (y - rect.y) / rect.height;
             const bool here = u > left && u < right && v > top && v < bottom;
             count += here && brightness(drawn.image, x, y) > 190 ? 1 : 0;
         }
@@ -89,20 +89,20 @@ TEST(InfoWindow, UsesTheBuildingsDataAndItsIdWithoutATitle) {
 
 TEST(InfoWindow, DrawsTitleAndBodyWithinItsRectangle) {
     const Drawn full = drawn({library()});
-    ASSERT_EQ(full.frames.size(), 1U);
-    const WindowRect& frame = full.frames[0];
-    EXPECT_GE(frame.x, 0.0);
-    EXPECT_LE(frame.x + frame.width, kImageWidth);
+    ASSERT_EQ(full.rects.size(), 1U);
+    const WindowRect& rect = full.rects[0];
+    EXPECT_GE(rect.x, 0.0);
+    EXPECT_LE(rect.x + rect.width, kImageWidth);
     EXPECT_EQ(changed_outside(full), 0U);
-    EXPECT_LT(mean_brightness(full.image, static_cast<int>(frame.x) + 4, static_cast<int>(frame.y) + 14,
-                              static_cast<int>(frame.x) + 16, static_cast<int>(frame.y) + 60),
+    EXPECT_LT(mean_brightness(full.image, static_cast<int>(rect.x) + 4, static_cast<int>(rect.y) + 14,
+                              static_cast<int>(rect.x) + 16, static_cast<int>(rect.y) + 60),
               60.0)
         << "a dark panel";
     EXPECT_GT(letters(full, 0.05, 0.30), 300) << "title";
 
     InfoWindow without_text = library();
     without_text.text.clear();
-    EXPECT_LT(drawn({without_text}).frames[0].height, frame.height) << "empty fields take no room";
+    EXPECT_LT(drawn({without_text}).rects[0].height, rect.height) << "empty fields take no room";
     InfoWindow without_title = library();
     without_title.title = " ";
     EXPECT_LT(letters(drawn({without_title}), 0.05, 0.22), 60);
@@ -122,7 +122,7 @@ TEST(InfoWindow, TruncatesTextThatIsTooLongForTheImage) {
         window.text += "Books and more books. ";
     }
     const Drawn once = drawn({window});
-    EXPECT_LE(once.frames.at(0).height, 0.85 * kImageHeight);
+    EXPECT_LE(once.rects.at(0).height, 0.85 * kImageHeight);
     EXPECT_EQ(changed_outside(once), 0U);
     window.text += window.text;
     const Drawn twice = drawn({window});
@@ -135,7 +135,7 @@ TEST(InfoWindow, BreaksWordsWiderThanTheWindow) {
     window.text = std::string(300, 'x');
     const Drawn result = drawn({window});
     EXPECT_EQ(changed_outside(result), 0U);
-    EXPECT_GT(result.frames.at(0).height, drawn({library()}).frames.at(0).height + 40.0);
+    EXPECT_GT(result.rects.at(0).height, drawn({library()}).rects.at(0).height + 40.0);
 }
 
 TEST(InfoWindow, DrawsChineseAndAccentedNames) {
@@ -150,25 +150,25 @@ TEST(InfoWindow, DrawsChineseAndAccentedNames) {
 TEST(InfoWindow, StacksWindowsAndCountsTheHiddenOnes) {
     const std::vector<InfoWindow> six(6, library());
     const Drawn stacked = drawn(six);
-    ASSERT_GE(stacked.frames.size(), 2U);
-    ASSERT_LE(stacked.frames.size(), 3U);
-    for (std::size_t i = 1; i < stacked.frames.size(); ++i) {
-        EXPECT_GE(stacked.frames[i].y, stacked.frames[i - 1].y + stacked.frames[i - 1].height);
+    ASSERT_GE(stacked.rects.size(), 2U);
+    ASSERT_LE(stacked.rects.size(), 3U);
+    for (std::size_t i = 1; i < stacked.rects.size(); ++i) {
+        EXPECT_GE(stacked.rects[i].y, stacked.rects[i - 1].y + stacked.rects[i - 1].height);
     }
-    EXPECT_LE(stacked.frames.back().y + stacked.frames.back().height, kImageHeight);
+    EXPECT_LE(stacked.rects.back().y + stacked.rects.back().height, kImageHeight);
     EXPECT_GT(changed_outside(stacked), 100U) << "+n more";
-    EXPECT_EQ(drawn(six, kImageWidth, kImageHeight, 1).frames.size(), 1U);
-    EXPECT_TRUE(drawn({}).frames.empty());
+    EXPECT_EQ(drawn(six, kImageWidth, kImageHeight, 1).rects.size(), 1U);
+    EXPECT_TRUE(drawn({}).rects.empty());
 }
 
 TEST(InfoWindow, FitsSmallAndNarrowImages) {
     InfoWindow window = library();
     window.text = std::string(2000, 'x');
     for (const auto& [width, height] : {std::pair(320, 180), std::pair(200, 600), std::pair(3840, 2160)}) {
-        const WindowRect frame = drawn({window}, width, height).frames.at(0);
-        EXPECT_GE(frame.x, 0.0) << width;
-        EXPECT_LE(frame.x + frame.width, width) << width;
-        EXPECT_LE(frame.y + frame.height, height) << width;
+        const WindowRect rect = drawn({window}, width, height).rects.at(0);
+        EXPECT_GE(rect.x, 0.0) << width;
+        EXPECT_LE(rect.x + rect.width, width) << width;
+        EXPECT_LE(rect.y + rect.height, height) << width;
     }
 }
 

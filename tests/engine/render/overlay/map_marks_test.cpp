@@ -15,7 +15,7 @@ Viewpoint map_view() {
     bounds.extend({-100, 0, -100});
     bounds.extend({100, 10, 100});
     Viewpoint view = plan(bounds, 1.0);
-    view.height = 200.0;  // two pixels a metre
+    view.height = 200.0;  // two pixels per metre
     return view;
 }
 
@@ -44,8 +44,8 @@ TEST(RoundLength, IsTheLargestOneTwoOrFiveNotAbove) {
     }
 }
 
-TEST_F(MapMarks, ScaleBarIsAsLongAsItSays) {
-    // 960 x 720 pixels at 3.6 to a metre: 18 % of the width are 48 m, so the bar says 20 m.
+TEST_F(MapMarks, ScaleBarHasTheLengthOfItsLabel) {
+    // 960 x 720 pixels at 3.6 per metre: 18 % of the width are 48 m, so the bar is labelled 20 m.
     const Canvas canvas(plain_image(960, 720, kGround), fonts_);
     draw_scale_bar(canvas, map_view());
     const Image image = canvas.image();
@@ -61,7 +61,7 @@ TEST_F(MapMarks, ScaleBarIsAsLongAsItSays) {
 }
 
 TEST_F(MapMarks, HeadingArrowPointsAlongTheYaw) {
-    // The tip reaches further than the barbs do.
+    // The tip is farther from the middle than the barbs.
     draw_heading_arrow(canvas_, 100, 100, 0.0, 20.0);
     EXPECT_GT(marked(98, 78, 103, 84), 0) << "north is up";
     EXPECT_EQ(marked(98, 118, 103, 124), 0);
@@ -103,7 +103,7 @@ TEST_F(MapMarks, OverlappingLabelsMoveAside) {
             covered += mark && x >= 180 && x < 220 && y >= 192 && y < 208 ? 1 : 0;
         }
     }
-    EXPECT_GT(all, alone + 100) << "both names are there";
+    EXPECT_GT(all, alone + 100) << "both names are drawn";
     EXPECT_EQ(covered, middle) << "the first one is untouched";
 }
 
@@ -119,7 +119,7 @@ TEST_F(MapMarks, LabelsAndCompassAvoidWindows) {
     EXPECT_GT(marked(180, 0, 250, 60), 50) << "the compass";
     const Canvas free(plain_image(kSide, kSide, kGround), fonts_);
     draw_compass(free, 0.3);
-    EXPECT_NE(free.image().pixel(370, 31), kGround) << "in the corner, when that is free";
+    EXPECT_NE(free.image().pixel(370, 31), kGround) << "in the corner if that is free";
 }
 
 TEST_F(MapMarks, LabelsOutsideOfTheImageAreOmitted) {

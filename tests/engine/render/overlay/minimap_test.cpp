@@ -75,7 +75,7 @@ TEST(Minimap, ArrowTurnsWhileTheMapStaysNorthUp) {
     EXPECT_EQ(north.pixel(kMiddleX - 40, kMiddleY - 40), west.pixel(kMiddleX - 40, kMiddleY - 40));
 }
 
-TEST(Minimap, LeavesTheRestOfTheImageAlone) {
+TEST(Minimap, LeavesTheRestOfTheImageUnchanged) {
     const Image image = drawn({0, 0, 0}, 0.0);
     EXPECT_EQ(image.pixel(kMiddleX + 100, kMiddleY), kGround);
     EXPECT_EQ(image.pixel(640, 360), kGround);

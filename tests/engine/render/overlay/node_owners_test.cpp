@@ -11,7 +11,7 @@ namespace {
 // hall, hall_wing below it, door below the wing; beside them a tree and a lamp.
 scene::Campus hall_campus() {
     scene::Model model = SceneBuilder()
-                             .paint(kRed)
+                             .colored(kRed)
                              .named("hall")
                              .upright({0, 0, -5}, 1.0)
                              .named("hall_wing")
@@ -74,7 +74,7 @@ TEST(NodeOwners, ExcludedNodesAreNotOwned) {
     const NodeOwners owners = find_node_owners(campus);
     EXPECT_EQ(name_of(owners, 0), (PixelOwner{0, 0}));
     EXPECT_EQ(name_of(owners, 1), (PixelOwner{0, std::nullopt}));
-    EXPECT_EQ(name_of(owners, 2), (PixelOwner{0, std::nullopt})) << "below it";
+    EXPECT_EQ(name_of(owners, 2), (PixelOwner{0, std::nullopt})) << "below the excluded node";
 }
 
 TEST(NodeOwners, TriggersOwnOnlyNodesThatNothingElseClaims) {
@@ -95,7 +95,7 @@ TEST(NodeOwners, ANodeWithoutABuildingBelongsToItsObjectsBuilding) {
 
 TEST(NodeOwners, NodesAreNumberedOverAllModels) {
     scene::Campus campus = hall_campus();
-    campus.models.insert(campus.models.begin(), SceneBuilder().paint(kGrey).ground(1.0).model());
+    campus.models.insert(campus.models.begin(), SceneBuilder().colored(kGrey).ground(1.0).model());
     add_object(campus, "lamp", {{1, 4}});
     const NodeOwners owners = find_node_owners(campus);
     EXPECT_EQ(owners.owners[owners.owner_of_node[1]], PixelOwner{});

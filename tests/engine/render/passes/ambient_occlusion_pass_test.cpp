@@ -12,9 +12,9 @@ namespace campuswalk::engine::render::test {
 namespace {
 
 // Ground and a wall 5 m away, in ambient light only.
-Image room_corner(double radius, double pitch = -0.32) {
+Image ground_and_wall(double radius, double pitch = -0.32) {
     const scene::Model model =
-        SceneBuilder().paint(kGrey).ground(30.0).paint(kGrey).box({-15, 0, -6}, {15, 8, -5}).model();
+        SceneBuilder().colored(kGrey).ground(30.0).colored(kGrey).box({-15, 0, -6}, {15, 8, -5}).model();
     RenderSettings settings = quick_settings();
     settings.sun_color.setZero();
     settings.shadows = false;
@@ -24,8 +24,8 @@ Image room_corner(double radius, double pitch = -0.32) {
 }
 
 TEST(AmbientOcclusion, DarkensTheFootOfAWallButNotOpenGround) {
-    const Image with = room_corner(0.9);
-    const Image without = room_corner(0.0);
+    const Image with = ground_and_wall(0.9);
+    const Image without = ground_and_wall(0.0);
     const auto foot = pixel_of(looking({0, 1.65, 0}, 0.0, -0.32, kFov), 320, 180, {0, 0, -4.9});
     const auto row = static_cast<int>(foot->y());
     const double share_at_the_foot =
@@ -37,8 +37,8 @@ TEST(AmbientOcclusion, DarkensTheFootOfAWallButNotOpenGround) {
 }
 
 TEST(AmbientOcclusion, LeavesNoPatternOnAFlatSurface) {
-    const Image image = room_corner(0.9);
-    // A row of ground has the same distance, hence the same light.
+    const Image image = ground_and_wall(0.9);
+    // All pixels of a row of ground are at the same distance, and so equally lit.
     double darkest = 255.0;
     double brightest = 0.0;
     for (int x = 20; x < 300; ++x) {

@@ -27,7 +27,7 @@ protected:
         gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     }
 
-    // Sets the depth between two columns to that at `distance` metres.
+    // Sets the depth from column `left` to before `right` to that of `distance` metres.
     void fill(const RenderTarget& target, int left, int right, double distance) {
         target.resume();
         gl_.Enable(GL_SCISSOR_TEST);
@@ -60,7 +60,7 @@ TEST_P(HierarchicalZOfTarget, OccludesAfterAReadback) {
     EXPECT_TRUE(depth.occludes(behind));
     EXPECT_FALSE(depth.occludes(AlignedBox3d(Vector3d(-1, -1, -9), Vector3d(1, 1, -7))));
 
-    fill(target, kWidth / 2, kWidth / 2 + 1, 30.0);  // a crack, a pixel wide
+    fill(target, kWidth / 2, kWidth / 2 + 1, 30.0);  // a gap, one pixel wide
     depth.begin(target, clip_campus());
     EXPECT_FALSE(depth.occludes(behind)) << "another image";
     EXPECT_TRUE(depth.count_drawn(kEnough));

@@ -48,10 +48,10 @@ TEST(Light, SettingOneAngleKeepsTheOther) {
 
 TEST(Light, GlowAffectsEmissiveSurfacesOnly) {
     const scene::Model model = SceneBuilder()
-                                   .paint({0, 0, 0, 1})
+                                   .colored({0, 0, 0, 1})
                                    .glow({0.05F, 0.05F, 0.05F})
                                    .upright({-0.5, 0, -1.6}, 1.0)
-                                   .paint(kGrey)
+                                   .colored(kGrey)
                                    .upright({0.5, 0, -1.6}, 1.0)
                                    .model();
     const auto image = [&](double glow) {
@@ -69,10 +69,10 @@ TEST(Light, GlowAffectsEmissiveSurfacesOnly) {
 
 TEST(Light, ShadowsFallAwayFromTheSun) {
     const scene::Model model = SceneBuilder()
-                                   .paint(kGrey)
+                                   .colored(kGrey)
                                    .double_sided()
                                    .ground(60.0)
-                                   .paint(kGrey)
+                                   .colored(kGrey)
                                    .box({-2, 0, -2}, {2, 6, 2})
                                    .model();
     for (const auto& [azimuth, dark, bright] :
@@ -100,8 +100,8 @@ TEST(Light, EveryAntiAliasingIsCloserToSupersampling) {
                       apply_light(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
     const Image fine =
         downsampled_by_two(downsampled_by_two(renderer.draw(tower_view(), 4 * kWide, 4 * kHigh)));
-    const auto error = [&](AntiAliasing how) {
-        const Image image = drawn({.anti_aliasing = how}, kWide, kHigh);
+    const auto error = [&](AntiAliasing mode) {
+        const Image image = drawn({.anti_aliasing = mode}, kWide, kHigh);
         double sum = 0.0;
         for (std::size_t i = 0; i < fine.rgba.size(); ++i) {
             sum += std::pow(fine.rgba[i] - image.rgba[i], 2);

@@ -13,16 +13,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A box 4 m high on level ground. The sun stands over (-x, +z): the ray from (2, 0, -2) towards it passes
-// 1.4 m over the ground inside the box, that from (-2, 0, 2) leaves it behind.
+// A box 4 m high on level ground. The sun is over (-x, +z): the ray towards it from (2, 0, -2) passes through
+// the box 1.4 m over the ground, that from (-2, 0, 2) doesn't.
 const Vector3d kShaded(2.0, 0.0, -2.0);
 const Vector3d kSunny(-2.0, 0.0, 2.0);
 
 scene::Model box_on_ground(scene::AlphaMode mode = scene::AlphaMode::opaque, bool box = true) {
     SceneBuilder scene;
-    scene.paint(kGrey).ground(40.0);
+    scene.colored(kGrey).ground(40.0);
     if (box) {
-        scene.paint({0.4F, 0.4F, 0.4F, 0.5F}).alpha(mode).box({-1, 0, -1}, {1, 4, 1});
+        scene.colored({0.4F, 0.4F, 0.4F, 0.5F}).alpha(mode).box({-1, 0, -1}, {1, 4, 1});
     }
     return scene.model();
 }
@@ -91,7 +91,7 @@ TEST(Shadows, ReachTheFootOfTheWall) {
 TEST(Shadows, DoNotSpeckleSunlitSurfaces) {
     const scene::Model model = box_on_ground();
     Renderer renderer(std::span(&model, 1), settings_with(true));
-    // Level ground, a wall that the sun grazes (+z side), both from close by and from far off.
+    // Level ground, seen from near and from far.
     for (const Viewpoint& view : {from_above(-10, 4, 10), from_above(-10, 60, 10)}) {
         const Image image = renderer.draw(view, kWidth, kHeight);
         const int middle_x = kWidth / 2;

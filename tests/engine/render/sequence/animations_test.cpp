@@ -1,4 +1,4 @@
-// Decodes animations with other code than encoded them.
+// Decodes animations with libraries other than those that encode them.
 
 #include <array>
 #include <cstdlib>
@@ -112,8 +112,8 @@ TEST(AnimatedPng, IsDeterministicAndWritesNoFileWithoutFrames) {
     EXPECT_EQ(bytes_of(folder.path() / "a.png"), bytes_of(folder.path() / "b.png"));
     AnimatedPng none(folder.path() / "none.png", 0.25);
     feed(none, {});
-    AnimatedGif none_either(folder.path() / "none.gif", 0.25);
-    feed(none_either, {});
+    AnimatedGif no_gif(folder.path() / "none.gif", 0.25);
+    feed(no_gif, {});
     EXPECT_EQ(folder.contents().size(), 2U);
 }
 
@@ -187,7 +187,7 @@ TEST(AnimatedGif, ContainsEveryFrameInSimilarColours) {
         EXPECT_EQ(control.DelayTime, 50);
         const GifByteType* pixels = gif->SavedImages[i].RasterBits;
         std::array<double, 3> means = {0, 0, 0};
-        std::array<double, 3> wanted = {0, 0, 0};
+        std::array<double, 3> expected = {0, 0, 0};
         for (int y = 0; y < 32; ++y) {
             for (int x = 0; x < 48; ++x) {
                 const GifColorType& color = gif->SColorMap->Colors[pixels[48 * y + x]];
@@ -197,12 +197,12 @@ TEST(AnimatedGif, ContainsEveryFrameInSimilarColours) {
                     // A step of 5 or 6 between the levels is 51 or 42.5.
                     EXPECT_LE(std::abs(got[c] - exact[c]), c == 1 ? 44 : 52);
                     means[c] += got[c] / 1536.0;
-                    wanted[c] += exact[c] / 1536.0;
+                    expected[c] += exact[c] / 1536.0;
                 }
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            EXPECT_NEAR(means[c], wanted[c], 2.0) << "dithering keeps the mean";
+            EXPECT_NEAR(means[c], expected[c], 2.0) << "dithering keeps the mean";
         }
     }
 }
@@ -219,7 +219,7 @@ TEST(ContactSheet, ArrangesFramesInRows) {
     EXPECT_EQ(drawn.height, 3 * 143 + 8);
     EXPECT_EQ(color_name(drawn, 20, 20), "red");
     EXPECT_EQ(color_name(drawn, 20, 2 * 143 + 20), "blue");
-    EXPECT_EQ(color_name(drawn, 2 * 248 + 20, 2 * 143 + 20), "grey") << "nothing there";
+    EXPECT_EQ(color_name(drawn, 2 * 248 + 20, 2 * 143 + 20), "grey") << "an empty cell";
 }
 
 TEST(ContactSheet, SkipsFramesOfALongWalk) {

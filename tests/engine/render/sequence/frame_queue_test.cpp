@@ -15,13 +15,13 @@ namespace {
 struct Seen {
     std::vector<std::size_t> numbers;
     std::vector<std::thread::id> threads;
-    std::atomic<int> in_hand = 0;
+    std::atomic<int> pending = 0;
     bool finished = false;
 };
 
-class Keeper final : public FrameSink {
+class RecordingSink final : public FrameSink {
 public:
-    explicit Keeper(Seen& seen, std::size_t bad = 1'000'000) : seen_(seen), bad_(bad) {}
+    explicit RecordingSink(Seen& seen, std::size_t bad = 1'000'000) : seen_(seen), bad_(bad) {}
     void add(const Frame& frame) override {
         if (frame.number == bad_) {
             throw std::runtime_error("the disk is full");
@@ -29,7 +29,7 @@ public:
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         seen_.numbers.push_back(frame.number);
         seen_.threads.push_back(std::this_thread::get_id());
-        --seen_.in_hand;
+        --seen_.pending;
     }
     void finish() override { seen_.finished = true; }
 
@@ -46,11 +46,11 @@ std::vector<std::unique_ptr<FrameSink>> sinks(std::unique_ptr<FrameSink> one) {
 
 TEST(FrameQueue, DeliversFramesInOrderOnItsOwnThread) {
     Seen seen;
-    FrameQueue queue(sinks(std::make_unique<Keeper>(seen)));
-    int most = 0;
+    FrameQueue queue(sinks(std::make_unique<RecordingSink>(seen)));
+    int most_pending = 0;
     for (std::size_t i = 0; i < 100; ++i) {
         queue.add({{}, i, 0.0});
-        most = std::max(most, ++seen.in_hand);
+        most_pending = std::max(most_pending, ++seen.pending);
     }
     queue.finish();
     ASSERT_EQ(seen.numbers.size(), 100U);
@@ -59,12 +59,12 @@ TEST(FrameQueue, DeliversFramesInOrderOnItsOwnThread) {
         EXPECT_NE(seen.threads[i], std::this_thread::get_id());
     }
     EXPECT_TRUE(seen.finished);
-    EXPECT_LE(most, 7) << "add blocks while the queue is full";
+    EXPECT_LE(most_pending, 7) << "add blocks while the queue is full";
 }
 
 TEST(FrameQueue, RethrowsSinkErrors) {
     Seen seen;
-    FrameQueue queue(sinks(std::make_unique<Keeper>(seen, 3)));
+    FrameQueue queue(sinks(std::make_unique<RecordingSink>(seen, 3)));
     EXPECT_THROW(
         {
             for (std::size_t i = 0; i < 100; ++i) {
@@ -77,13 +77,13 @@ TEST(FrameQueue, RethrowsSinkErrors) {
     EXPECT_FALSE(seen.finished);
 }
 
-/// Supplies all frames but those of part 0, then fails.
-class Others final : public FrameSource {
+/// Supplies the frames of other processes; from number `bad` on it fails.
+class RemoteFrames final : public FrameSource {
 public:
-    explicit Others(std::size_t bad = 1'000'000) : bad_(bad) {}
+    explicit RemoteFrames(std::size_t bad = 1'000'000) : bad_(bad) {}
     Frame take(std::size_t number) override {
         if (number >= bad_) {
-            throw std::runtime_error("who draws is gone");
+            throw std::runtime_error("the other process is gone");
         }
         return {{}, number, 1.0};
     }
@@ -94,10 +94,10 @@ private:
 
 TEST(FrameQueue, InterleavesRemoteFrames) {
     Seen seen;
-    Others others;
-    FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 3);
+    RemoteFrames others;
+    FrameQueue queue(sinks(std::make_unique<RecordingSink>(seen)), &others, 3);
     for (std::size_t i = 0; i < 50; ++i) {
-        ++seen.in_hand;
+        ++seen.pending;
         i % 3 == 0 ? queue.add({{}, i, 0.0}) : queue.add_remote(i);
     }
     queue.finish();
@@ -109,8 +109,8 @@ TEST(FrameQueue, InterleavesRemoteFrames) {
 
 TEST(FrameQueue, RethrowsErrorsOfTheRemoteSource) {
     Seen seen;
-    Others others(5);
-    FrameQueue queue(sinks(std::make_unique<Keeper>(seen)), &others, 2);
+    RemoteFrames others(5);
+    FrameQueue queue(sinks(std::make_unique<RecordingSink>(seen)), &others, 2);
     EXPECT_THROW(
         {
             for (std::size_t i = 0; i < 100; ++i) {
@@ -126,7 +126,7 @@ TEST(FrameQueue, RethrowsErrorsOfTheRemoteSource) {
 TEST(FrameQueue, DiscardsPendingFramesWithoutFinish) {
     Seen seen;
     {
-        FrameQueue queue(sinks(std::make_unique<Keeper>(seen)));
+        FrameQueue queue(sinks(std::make_unique<RecordingSink>(seen)));
         queue.add({{}, 0, 0.0});
     }
     EXPECT_FALSE(seen.finished);

@@ -16,7 +16,7 @@ double linear(double value) {
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-double coded(double value) {
+double encoded(double value) {
     return 255.0 * (value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055);
 }
 
@@ -26,14 +26,14 @@ TEST(ScaledImage, IsTheMeanInLinearLight) {
     const Image small = scaled_down(image, 20);
     ASSERT_EQ(small.width, 20);
     ASSERT_EQ(small.height, 13);
-    // A third across, and 40 rows make 13: rows 0 to 2, 3 to 5, …
+    // A third of the width; the 40 rows become 13: rows 0 to 2, 3 to 5, …
     double sum = 0.0;
     for (int y = 3; y < 6; ++y) {
         for (int x = 21; x < 24; ++x) {
             sum += linear(image.pixel(x, y)[1]);
         }
     }
-    EXPECT_NEAR(small.pixel(7, 1)[1], coded(sum / 9.0), 0.75);
+    EXPECT_NEAR(small.pixel(7, 1)[1], encoded(sum / 9.0), 0.75);
 }
 
 TEST(ScaledImage, UniformColoursAreUnchanged) {

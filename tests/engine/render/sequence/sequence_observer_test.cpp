@@ -13,9 +13,9 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-class Times final : public FrameSink {
+class CollectingSink final : public FrameSink {
 public:
-    explicit Times(std::vector<Frame>& frames) : frames_(frames) {}
+    explicit CollectingSink(std::vector<Frame>& frames) : frames_(frames) {}
     void add(const Frame& frame) override { frames_.push_back(frame); }
     void finish() override {}
 
@@ -24,12 +24,12 @@ private:
 };
 
 /// Supplies frames that were drawn before.
-class Drawn final : public FrameSource {
+class StoredFrames final : public FrameSource {
 public:
-    explicit Drawn(std::vector<Frame> frames) : frames_(std::move(frames)) {}
+    explicit StoredFrames(std::vector<Frame> frames) : frames_(std::move(frames)) {}
     Frame take(std::size_t number) override {
         const auto found = std::ranges::find(frames_, number, &Frame::number);
-        return found == frames_.end() ? throw std::runtime_error("there is none") : *found;
+        return found == frames_.end() ? throw std::runtime_error("no such frame") : *found;
     }
 
 private:
@@ -51,7 +51,7 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
     });
     std::vector<Frame> frames;
     std::vector<std::unique_ptr<FrameSink>> sinks;
-    sinks.push_back(std::make_unique<Times>(frames));
+    sinks.push_back(std::make_unique<CollectingSink>(frames));
     settings.share = share;
     SequenceObserver observer(campus, settings, renderers, std::move(sinks), std::move(others));
     observer.begin(walk);
@@ -105,7 +105,7 @@ TEST(SequenceObserver, DividesFramesBetweenProcesses) {
     EXPECT_EQ(by_others[2].number, 7U);
     std::ranges::copy(frames_of(0.1, 61, 60, {}, {2, 3}), std::back_inserter(by_others));
     const std::vector<Frame> shared =
-        frames_of(0.1, 61, 60, {}, {0, 3}, std::make_unique<Drawn>(std::move(by_others)));
+        frames_of(0.1, 61, 60, {}, {0, 3}, std::make_unique<StoredFrames>(std::move(by_others)));
     ASSERT_EQ(shared.size(), whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         EXPECT_EQ(shared[i].number, i);

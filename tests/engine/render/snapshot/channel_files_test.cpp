@@ -64,10 +64,10 @@ TEST(ChannelFiles, DescribeTheImage) {
     request.camera.width = kWidth;
     request.camera.height = kHeight;
     request.avatar.position = {1, 0, 2};
-    const ImageChannels wanted{.depth = true, .ids = true, .normals = true};
-    const Channels channels = snapshot_renderer.draw_channels(request, choice_of(wanted));
+    const ImageChannels requested{.depth = true, .ids = true, .normals = true};
+    const Channels channels = snapshot_renderer.draw_channels(request, choice_of(requested));
     const ScratchFolder folder;
-    const auto files = write_channels(snapshot_renderer, campus, channels, wanted, folder.path() / "view");
+    const auto files = write_channels(snapshot_renderer, campus, channels, requested, folder.path() / "view");
     ASSERT_EQ(files.size(), 4U);
     EXPECT_EQ(files[0].filename(), "view-depth.png");
     EXPECT_EQ(decoded<std::uint16_t>(bytes(files[0]), SPNG_FMT_PNG), millimetres(channels.depth));

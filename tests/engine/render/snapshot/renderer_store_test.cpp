@@ -7,7 +7,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-/// Counts the renderers created in `made`.
+/// A store that counts the renderers it creates in `made`.
 RendererStore counting_store(std::size_t& made) {
     return RendererStore([&made](const scene::Campus&) {
         ++made;
@@ -19,7 +19,7 @@ RendererStore counting_store(std::size_t& made) {
 
 TEST(RendererStore, CachesOnePerCampusAndLight) {
     const scene::Campus tower = campus_of(tower_scene());
-    const scene::Campus other = campus_of(SceneBuilder().paint(kRed).ground(10.0).model());
+    const scene::Campus other = campus_of(SceneBuilder().colored(kRed).ground(10.0).model());
     std::size_t made = 0;
     RendererStore store = counting_store(made);
     LightSettings no_shadows;

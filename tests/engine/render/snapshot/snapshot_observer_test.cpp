@@ -59,7 +59,7 @@ TEST_F(SnapshotObserverTest, WritesAnImageNamedAfterItsStep) {
     EXPECT_EQ(bytes(file).substr(1, 3), "PNG");
 }
 
-TEST_F(SnapshotObserverTest, TheSameWalkGivesTheSameFile) {
+TEST_F(SnapshotObserverTest, WritesTheSameFileForTheSameWalk) {
     std::vector<std::string> files;
     for (const char* out : {"a", "b"}) {
         SnapshotObserver observer(campus_, folder_.path() / out, renderers_);
@@ -89,7 +89,7 @@ TEST_F(SnapshotObserverTest, CreatesNoFolderWithoutSnapshots) {
     EXPECT_TRUE(folder_.contents().empty());
 }
 
-TEST_F(SnapshotObserverTest, AnUnwritableFolderIsReportedAndLeavesNoFile) {
+TEST_F(SnapshotObserverTest, ReportsAnUnwritableFolderAndLeavesNoFile) {
     std::ofstream(folder_.path() / "out") << "in the way";
     SnapshotObserver observer(campus_, folder_.path() / "out", renderers_);
     try {

@@ -74,9 +74,9 @@ TEST(SnapshotRenderer, DrawsOpenPopupsOverTheImage) {
     open.open_popups = popups;
     const Image open_image = snapshot_renderer.draw(open);
     EXPECT_GT(differing_pixels(closed_image, open_image), 5000U);
-    const auto at = [&](int x, int y) { return open_image.pixel(x, y) == closed_image.pixel(x, y); };
-    EXPECT_TRUE(at(10, 10));
-    EXPECT_TRUE(at(600, 340));
+    const auto same_at = [&](int x, int y) { return open_image.pixel(x, y) == closed_image.pixel(x, y); };
+    EXPECT_TRUE(same_at(10, 10));
+    EXPECT_TRUE(same_at(600, 340));
 }
 
 TEST(SnapshotRenderer, OrbitFillsTheImageWithTheBuilding) {
