@@ -55,7 +55,7 @@ SnapshotStep snapshot(const std::string& name) {
 FollowStep follow(const std::vector<Eigen::Vector3d>& points) {
     FollowStep step;
     for (const Eigen::Vector3d& point : points) {
-        step.points.push_back({"way", point, false});
+        step.points.push_back({"via", point, false});
     }
     step.points.back().label = "goal";
     return step;
@@ -69,11 +69,11 @@ WaitUntilStep wait_until(const std::string& words, double timeout) {
     return {{}, pattern(words), timeout};
 }
 
-CrouchStep be_tall(double height) {
+CrouchStep set_height(double height) {
     return {{}, height};
 }
 
-SpeedStep go_at(double speed) {
+SpeedStep set_speed(double speed) {
     return {{}, speed};
 }
 
@@ -145,7 +145,7 @@ ExpectReaches expect_reaches(const Target& target, double within, int line) {
     return expected;
 }
 
-std::string told(const Event& event) {
+std::string event_line(const Event& event) {
     return std::string(name_of(event.kind)) + " " + event.object;
 }
 
@@ -164,14 +164,14 @@ void Recorder::begin(const Walk&) {
 
 void Recorder::frame(const TickRecord& record) {
     calls_.emplace_back("frame");
-    Frame frame{record.tick, record.time, record.avatar, {}, {}};
+    TickState state{record.tick, record.time, record.avatar, {}, {}};
     for (const OpenPopup& popup : record.open_popups) {
-        frame.open_popups.push_back(popup.building);
+        state.open_popups.push_back(popup.building);
     }
     for (const SnapshotStep* step : record.snapshots) {
-        frame.snapshots.push_back(step->name);
+        state.snapshots.push_back(step->name);
     }
-    frames_.push_back(std::move(frame));
+    states_.push_back(std::move(state));
     events_.insert(events_.end(), record.events.begin(), record.events.end());
 }
 
@@ -179,7 +179,7 @@ void Recorder::end() {
     calls_.emplace_back("end");
 }
 
-std::vector<Event> Recorder::of(const std::string& words) const {
+std::vector<Event> Recorder::events(const std::string& words) const {
     std::vector<Event> found;
     for (const Event& event : events_) {
         if (matches(pattern(words), event)) {
@@ -189,30 +189,30 @@ std::vector<Event> Recorder::of(const std::string& words) const {
     return found;
 }
 
-std::vector<std::string> Recorder::story() const {
+std::vector<std::string> Recorder::event_lines() const {
     std::vector<std::string> lines;
     for (const Event& event : events_) {
         if (event.kind != EventKind::walk_start && event.kind != EventKind::walk_end) {
-            lines.push_back(told(event));
+            lines.push_back(event_line(event));
         }
     }
     return lines;
 }
 
 const AvatarState& Recorder::at(Tick tick) const {
-    for (const Frame& frame : frames_) {
-        if (frame.tick == tick) {
-            return frame.avatar;
+    for (const TickState& state : states_) {
+        if (state.tick == tick) {
+            return state.avatar;
         }
     }
     throw std::runtime_error("the walk has no tick " + std::to_string(tick));
 }
 
-Outing run(const scene::Campus& campus, const Walk& walk) {
-    Outing outing;
-    const std::array<Observer*, 1> observers = {&outing.recorder};
-    outing.summary = run_walk(campus, walk, observers);
-    return outing;
+RecordedRun run(const scene::Campus& campus, const Walk& walk) {
+    RecordedRun result;
+    const std::array<Observer*, 1> observers = {&result.recorder};
+    result.summary = run_walk(campus, walk, observers);
+    return result;
 }
 
 }  // namespace campuswalk::engine

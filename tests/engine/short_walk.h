@@ -20,7 +20,7 @@ constexpr double radians(double degrees) {
 // Steps as a loader would make them.
 
 SpawnStep spawn_at(const Eigen::Vector3d& foot, double yaw = 0.0, const std::string& label = "start");
-/// Without a height, as `[x, z]`.
+/// A target without a height, as `[x, z]`.
 WalkToStep walk_to(double x, double z, const std::string& label = "goal");
 WaitStep wait_for(double seconds);
 TurnStep turn_by(double degrees);
@@ -29,13 +29,13 @@ LookAtStep look_at(const Target& target);
 TeleportStep teleport_to(const Eigen::Vector3d& foot, std::optional<double> yaw = std::nullopt,
                          const std::string& label = "elsewhere");
 SnapshotStep snapshot(const std::string& name);
-/// Through points without heights; the last is called "goal".
+/// Through points without heights; the last is labelled "goal".
 FollowStep follow(const std::vector<Eigen::Vector3d>& points);
 JumpStep jump_up(double speed, double forward = 0.0);
 /// "KIND OBJECT" as for `pattern`.
 WaitUntilStep wait_until(const std::string& words, double timeout = 30.0);
-CrouchStep be_tall(double height);
-SpeedStep go_at(double speed);
+CrouchStep set_height(double height);
+SpeedStep set_speed(double speed);
 EnableStep enable(const std::string& glob);
 EnableStep disable(const std::string& glob);
 
@@ -55,7 +55,7 @@ ExpectCount expect_count(const std::string& words, std::optional<int> equals,
 ExpectReaches expect_reaches(const Target& target, double within, int line = 0);
 
 /// "KIND OBJECT" of an event.
-std::string told(const Event& event);
+std::string event_line(const Event& event);
 
 /// The value of a field, which must be there and of that type.
 template <typename Value>
@@ -65,14 +65,14 @@ const Value& field(const Event& event, std::string_view name) {
             return std::get<Value>(f.value);
         }
     }
-    throw std::runtime_error(told(event) + " has no " + std::string(name));
+    throw std::runtime_error(event_line(event) + " has no " + std::string(name));
 }
 bool has_field(const Event& event, std::string_view name);
 
-/// Keeps all that a walk shows.
+/// Records everything that observers see of a walk.
 class Recorder final : public Observer {
 public:
-    struct Frame {
+    struct TickState {
         Tick tick = 0;
         double time = 0.0;
         AvatarState avatar;
@@ -86,27 +86,27 @@ public:
 
     /// "begin", "frame" and "end" in the order of the calls.
     const std::vector<std::string>& calls() const { return calls_; }
-    const std::vector<Frame>& frames() const { return frames_; }
+    const std::vector<TickState>& states() const { return states_; }
     const std::vector<Event>& events() const { return events_; }
 
-    /// The events whose told() matches "KIND OBJECT", or "KIND" for any object.
-    std::vector<Event> of(const std::string& words) const;
-    /// told() of each event between walk.start and walk.end.
-    std::vector<std::string> story() const;
+    /// The events that match "KIND OBJECT", or "KIND" for any object.
+    std::vector<Event> events(const std::string& words) const;
+    /// event_line() of every event except walk.start and walk.end.
+    std::vector<std::string> event_lines() const;
     /// The avatar at the end of a tick.
     const AvatarState& at(Tick tick) const;
 
 private:
     std::vector<std::string> calls_;
-    std::vector<Frame> frames_;
+    std::vector<TickState> states_;
     std::vector<Event> events_;
 };
 
-/// A walk that was run, with what it showed.
-struct Outing {
+/// The summary of a walk, and what observers saw of it.
+struct RecordedRun {
     WalkSummary summary;
     Recorder recorder;
 };
-Outing run(const scene::Campus& campus, const Walk& walk);
+RecordedRun run(const scene::Campus& campus, const Walk& walk);
 
 }  // namespace campuswalk::engine

@@ -7,15 +7,15 @@
 
 namespace campuswalk::engine {
 
-/// What an object of a small campus is, beside its shape and place.
+/// The properties of an object besides its shape and place.
 struct ObjectTraits {
     collision::Detection detection = collision::Detection::solid;
     std::string building;  ///< id of the owner, empty for none
-    bool popup = true;     ///< takes effect with a building
+    bool popup = true;     ///< has an effect only with a building
     std::string layer;     ///< empty for none
 };
 
-/// A campus without anything, named "small".
+/// A campus without objects, named "small".
 scene::Campus empty_campus();
 
 /// A level floor at y = 0, called "ground": a solid mesh, a square with sides of 2 `half_size` about the
@@ -26,11 +26,11 @@ scene::Campus level_campus(double half_size = 50.0, collision::TreeKind tree = c
 void add_building(scene::Campus& campus, const std::string& id, const std::string& title = "",
                   const std::string& hours = "", const std::string& text = "");
 
-/// Adds a shape, not turned, about `center`. A layer that is new is appended to the campus' layers.
+/// Adds an unrotated shape centred at `center`. A new layer is appended to the campus' layers.
 collision::ObjectId add_object(scene::Campus& campus, const std::string& id, const collision::Shape& shape,
                                const Eigen::Vector3d& center, const ObjectTraits& traits = {});
 
-/// Adds an axis-aligned box between two corners.
+/// Adds an axis-aligned box.
 collision::ObjectId add_box(scene::Campus& campus, const std::string& id, const Eigen::Vector3d& min,
                             const Eigen::Vector3d& max, const ObjectTraits& traits = {});
 

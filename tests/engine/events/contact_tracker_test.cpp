@@ -34,7 +34,7 @@ Transitions update(ContactTracker& tracker, Tick tick, const std::vector<ObjectO
     return out;
 }
 
-TEST(ContactTracker, TellsEnterStayAndExit) {
+TEST(ContactTracker, ReportsEnterStayAndExit) {
     ContactTracker tracker(2);
     EXPECT_FALSE(tracker.active(kA));
     EXPECT_EQ(update(tracker, 10, {{kA, true, true, 0.25, 1.0}}), Transitions({{kA, Phase::enter, 0.25, 0}}));
@@ -49,7 +49,7 @@ TEST(ContactTracker, TellsEnterStayAndExit) {
     EXPECT_EQ(update(tracker, 16, {}), Transitions());
 }
 
-TEST(ContactTracker, StaysEveryTickWhenAskedTo) {
+TEST(ContactTracker, ReportsAStayEveryTickAtAnIntervalOfOneTick) {
     ContactTracker tracker(1);
     update(tracker, 0, {{kA}});
     for (Tick tick = 1; tick < 5; ++tick) {
@@ -57,26 +57,26 @@ TEST(ContactTracker, StaysEveryTickWhenAskedTo) {
     }
 }
 
-TEST(ContactTracker, EndsWhatIsNoLongerSeenAtTheTicksEnd) {
+TEST(ContactTracker, EndsAbsentContactsAtTheEndOfTheTick) {
     ContactTracker tracker(60);
     update(tracker, 0, {{kA}, {kB}});
     EXPECT_EQ(update(tracker, 7, {{kB}}), Transitions({{kA, Phase::exit, 1.0, 7}}));
     EXPECT_EQ(update(tracker, 8, {}), Transitions({{kB, Phase::exit, 1.0, 8}}));
 }
 
-TEST(ContactTracker, TellsATransitWithinATick) {
+TEST(ContactTracker, ReportsEnterAndExitWithinOneTick) {
     ContactTracker tracker(60);
     EXPECT_EQ(update(tracker, 4, {{kA, false, true, 0.25, 0.75}}),
               Transitions({{kA, Phase::enter, 0.25, 0}, {kA, Phase::exit, 0.75, 0}}));
     EXPECT_FALSE(tracker.active(kA));
 }
 
-TEST(ContactTracker, TakesAGrazeOfNoLengthForNoContact) {
+TEST(ContactTracker, IgnoresOverlapsOfZeroDuration) {
     ContactTracker tracker(60);
     EXPECT_EQ(update(tracker, 4, {{kA, false, true, 0.5, 0.5}}), Transitions());
 }
 
-TEST(ContactTracker, LeavesEverythingAtOnce) {
+TEST(ContactTracker, ExitsAllContactsAtOnce) {
     ContactTracker tracker(60);
     update(tracker, 1, {{kB}});
     update(tracker, 3, {{kA}, {kB}});
@@ -88,12 +88,12 @@ TEST(ContactTracker, LeavesEverythingAtOnce) {
     EXPECT_TRUE(out.empty());
 }
 
-/// One object's contact as an automaton of two states, written from the grammar alone.
+/// One object's contact as an automaton of two states, derived from the event grammar only.
 class Automaton {
 public:
     explicit Automaton(Tick stay_ticks) : stay_ticks_(stay_ticks) {}
 
-    /// What one object's sighting (null: not seen) must bring.
+    /// The transitions that one object's overlap must cause; null: no overlap was reported.
     Transitions expected(ObjectId object, Tick tick, const ObjectOverlap* s) {
         const bool now = s != nullptr && s->present;
         if (!inside_) {
@@ -122,14 +122,14 @@ private:
     Tick since_ = 0;
 };
 
-ObjectOverlap random_sighting(support::Dice& dice, ObjectId object) {
+ObjectOverlap random_overlap(support::Dice& dice, ObjectId object) {
     const double enter = 0.1 * dice.below(11);
     const double exit = dice.chance(0.2) ? enter : enter + (1.0 - enter) * dice.between(0.0, 1.0);
     const bool present = dice.chance(0.6);
     return {object, present, present || dice.chance(0.7), enter, exit};
 }
 
-TEST(ContactTracker, AgreesWithAnAutomatonAnObjectOnRandomSightings) {
+TEST(ContactTracker, AgreesWithAnAutomatonPerObjectOnRandomOverlaps) {
     constexpr int kObjects = 6;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(200)); ++seed) {
         support::Dice dice(seed);
@@ -140,13 +140,13 @@ TEST(ContactTracker, AgreesWithAnAutomatonAnObjectOnRandomSightings) {
             std::vector<ObjectOverlap> seen;
             Transitions expected;
             for (std::uint32_t i = 0; i < kObjects; ++i) {
-                const bool sighted = dice.chance(0.7);
-                const ObjectOverlap overlap = random_sighting(dice, ObjectId{i});
-                if (sighted) {
+                const bool reported = dice.chance(0.7);
+                const ObjectOverlap overlap = random_overlap(dice, ObjectId{i});
+                if (reported) {
                     seen.push_back(overlap);
                 }
                 for (const Transition& t :
-                     automata[i].expected(ObjectId{i}, tick, sighted ? &overlap : nullptr)) {
+                     automata[i].expected(ObjectId{i}, tick, reported ? &overlap : nullptr)) {
                     expected.push_back(t);
                 }
             }

@@ -15,7 +15,7 @@
 namespace campuswalk::engine {
 namespace {
 
-/// The C library's digits, without the sign of what rounds to zero.
+/// The C library's output, without the sign of a value that rounds to zero.
 std::string printed(double value, int digits) {
     std::array<char, 512> text{};
     std::snprintf(text.data(), text.size(), "%.*f", digits, value);
@@ -32,7 +32,7 @@ void expect_same(double value) {
     }
 }
 
-TEST(Decimals, AreTheNearestThatTheDigitsCanSay) {
+TEST(Decimals, AreRoundedToNearest) {
     EXPECT_EQ(fixed(1.0 / 3.0, 3), "0.333");
     EXPECT_EQ(fixed(-2.0 / 3.0, 3), "-0.667");
     EXPECT_EQ(fixed(51.8333333, 6), "51.833333");
@@ -40,7 +40,7 @@ TEST(Decimals, AreTheNearestThatTheDigitsCanSay) {
     EXPECT_EQ(fixed(7.0, 0), "7");
 }
 
-TEST(Decimals, GoToTheEvenDigitAtExactTies) {
+TEST(Decimals, RoundExactTiesToEven) {
     EXPECT_EQ(fixed(0.5, 0), "0");
     EXPECT_EQ(fixed(1.5, 0), "2");
     EXPECT_EQ(fixed(2.5, 0), "2");
@@ -55,7 +55,7 @@ TEST(Decimals, GoToTheEvenDigitAtExactTies) {
     EXPECT_EQ(fixed(0.0005, 3), "0.001");
 }
 
-TEST(Decimals, GiveZeroNoSign) {
+TEST(Decimals, PrintZeroWithoutASign) {
     EXPECT_EQ(fixed(-0.0, 3), "0.000");
     EXPECT_EQ(fixed(-0.0, 0), "0");
     EXPECT_EQ(fixed(-0.0004999, 3), "0.000");
@@ -64,11 +64,11 @@ TEST(Decimals, GiveZeroNoSign) {
     EXPECT_EQ(fixed(Eigen::Vector3d(-0.0, -1e-9, -1.0)), "0.000,0.000,-1.000");
 }
 
-TEST(Decimals, OfAPointAreMillimetres) {
+TEST(Decimals, PrintPointsToTheMillimetre) {
     EXPECT_EQ(fixed(Eigen::Vector3d(11.0024, 0.0, -7.3099)), "11.002,0.000,-7.310");
 }
 
-TEST(Decimals, OfExtremesAreComplete) {
+TEST(Decimals, PrintExtremeValuesInFull) {
     using Limits = std::numeric_limits<double>;
     for (const double value :
          {Limits::max(), Limits::lowest(), Limits::min(), Limits::denorm_min(), 1e22, 1e23,
@@ -78,7 +78,7 @@ TEST(Decimals, OfExtremesAreComplete) {
     }
 }
 
-TEST(Decimals, AgreeWithTheCLibraryOnEveryKindOfDouble) {
+TEST(Decimals, AgreeWithTheCLibraryOnRandomDoubles) {
     std::mt19937_64 bits(20240501);
     for (int i = 0; i < support::repeats(20000); ++i) {
         if (const double value = std::bit_cast<double>(bits()); std::isfinite(value)) {
@@ -90,7 +90,7 @@ TEST(Decimals, AgreeWithTheCLibraryOnEveryKindOfDouble) {
 TEST(Decimals, AgreeWithTheCLibraryAroundTies) {
     std::mt19937_64 bits(7);
     for (int i = 0; i < support::repeats(20000); ++i) {
-        // Odd multiples of 1/16 are ties at three digits; their neighbours are just not.
+        // Odd multiples of 1/16 are ties at three digits; their neighbours are not.
         const auto odd = static_cast<double>(bits() % 2000000) * 2.0 + 1.0;
         const double tie = (i % 2 == 0 ? odd : -odd) / 16.0;
         expect_same(tie);
@@ -101,7 +101,7 @@ TEST(Decimals, AgreeWithTheCLibraryAroundTies) {
     }
 }
 
-TEST(Decimals, KnowNoLocale) {
+TEST(Decimals, IgnoreTheLocale) {
     struct Comma final : std::numpunct<char> {
         char do_decimal_point() const override { return ','; }
         std::string do_grouping() const override { return "\3"; }

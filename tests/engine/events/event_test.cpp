@@ -39,16 +39,16 @@ const std::vector<std::pair<EventKind, std::string>> kExpected = {
     {EventKind::expect_fail, "expect.fail"},
 };
 
-TEST(EventKind, HasANameOfItsOwn) {
+TEST(EventKind, HasTheExpectedName) {
     for (const auto& [kind, name] : kExpected) {
         EXPECT_EQ(name_of(kind), name);
     }
 }
 
-TEST(EventKind, NamesComeInTheOrderOfTheEnum) {
+TEST(EventKind, NamesAreInTheOrderOfTheEnum) {
     const std::vector<std::string> names = event_kind_names();
     ASSERT_EQ(names.size(), static_cast<std::size_t>(EventKind::expect_fail) + 1)
-        << "is a kind without a name?";
+        << "does a kind lack a name?";
     for (std::size_t i = 0; i < names.size(); ++i) {
         EXPECT_EQ(name_of(static_cast<EventKind>(i)), names[i]);
         EXPECT_EQ(names[i], kExpected[i].second);

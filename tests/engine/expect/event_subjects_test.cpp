@@ -46,7 +46,7 @@ bool can_happen(const std::string& words) {
 
 using Names = std::vector<std::string>;
 
-TEST(EventSubjects, OfAStrategyAreTheObjectsThatTakePartInIt) {
+TEST(EventSubjects, OfADetectionModeAreTheObjectsThatUseIt) {
     for (const char* phase : {"enter", "stay", "exit"}) {
         EXPECT_EQ(names(std::string("collision.") + phase), Names({"ground", "hall/walls", "shed/walls"}));
         EXPECT_EQ(names(std::string("trigger.") + phase), Names({"hall/door"}));
@@ -59,17 +59,17 @@ TEST(EventSubjects, OfPopupsAreBuildingsWithAnObjectThatOpensThem) {
     EXPECT_EQ(names("popup.close"), Names({"hall"}));
 }
 
-TEST(EventSubjects, OfTheAvatarAreTheStepsLabels) {
+TEST(EventSubjects, OfTheAvatarAreTheLabelsOfSteps) {
     EXPECT_EQ(names("avatar.arrive"), Names({"square"}));
     EXPECT_EQ(names("avatar.blocked"), Names({"square"}));
     EXPECT_EQ(names("avatar.teleport"), Names({"roof"}));
-    EXPECT_EQ(names("avatar.spawn"), Names({"yard"})) << "walk.start tells of the first";
+    EXPECT_EQ(names("avatar.spawn"), Names({"yard"})) << "the first spawn is walk.start";
     EXPECT_EQ(names("snapshot.take"), Names({"picture"}));
 }
 
-TEST(EventSubjects, OfWhatTheBodyDoesAreThereIfTheWalkDoesIt) {
+TEST(EventSubjects, OfBodyEventsExistOnlyForTheStepsOfTheWalk) {
     const scene::Campus campus = campus_of_each_mode();
-    const Walk walk = walk_of({spawn_at({0, 0, 9}), jump_up(2.0), be_tall(1.0), be_tall(1.8),
+    const Walk walk = walk_of({spawn_at({0, 0, 9}), jump_up(2.0), set_height(1.0), set_height(1.8),
                                follow({{1, 0, 1}, {2, 0, 2}}), disable("hall/*"), enable("hall/door")});
     const EventSubjects subjects(campus, walk);
     const auto names = [&](const std::string& kind) { return subjects.names(pattern(kind)); };
@@ -83,19 +83,19 @@ TEST(EventSubjects, OfWhatTheBodyDoesAreThereIfTheWalkDoesIt) {
     EXPECT_FALSE(can_happen("avatar.jump stroll"));
 }
 
-TEST(EventSubjects, OfTheWalkAreItsName) {
+TEST(EventSubjects, AreTheWalksNameForWalkEvents) {
     for (const char* kind : {"walk.start", "walk.end", "avatar.landed", "avatar.fell", "avatar.stuck"}) {
         EXPECT_EQ(names(kind), Names({"stroll"})) << kind;
     }
-    EXPECT_EQ(names("expect.fail"), Names()) << "no judge sees its own verdict";
+    EXPECT_EQ(names("expect.fail"), Names()) << "no evaluator sees a verdict";
 }
 
-TEST(EventSubjects, OfAGlobAreThoseOfAllItsKinds) {
+TEST(EventSubjects, OfAGlobAreThoseOfAllMatchingKinds) {
     EXPECT_EQ(names("trigger.*"), Names({"hall/door"}));
     EXPECT_EQ(names("*.enter"), Names({"ground", "hall/door", "hall/walls", "shed/walls"}));
 }
 
-TEST(EventSubjects, KnowWhatCanHappen) {
+TEST(EventSubjects, AcceptPossibleEvents) {
     for (const char* words : {"trigger.enter hall/door", "trigger.* hall/*", "*.enter hall/walls",
                               "popup.open h*", "avatar.arrive square", "walk.end stroll",
                               "ray.exit hall/walls", "*.enter hall/do?r", "* picture"}) {
@@ -103,7 +103,7 @@ TEST(EventSubjects, KnowWhatCanHappen) {
     }
 }
 
-TEST(EventSubjects, KnowWhatCannot) {
+TEST(EventSubjects, RejectImpossibleEvents) {
     for (const char* words :
          {"trigger.enter hall/walls", "ray.enter shed/walls", "popup.open shed", "trigger.enter hall",
           "popup.open hall/door", "avatar.arrive tower", "avatar.spawn gate", "walk.end gate", "* nowhere"}) {
@@ -111,7 +111,7 @@ TEST(EventSubjects, KnowWhatCannot) {
     }
 }
 
-TEST(EventSubjects, AllowAnythingOfAKind) {
+TEST(EventSubjects, AcceptEveryKindWithoutAnObject) {
     for (const std::string& kind : event_kind_names()) {
         EXPECT_TRUE(can_happen(kind)) << kind;
     }

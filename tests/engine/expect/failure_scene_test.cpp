@@ -22,19 +22,19 @@ scene::Campus yard() {
 }
 
 FailureScene scene_at(const Eigen::Vector3d& position) {
-    StateSnapshot moment;
-    moment.avatar.position = position;
-    return scene_of(moment, yard(), {});
+    StateSnapshot state;
+    state.avatar.position = position;
+    return scene_of(state, yard(), {});
 }
 
 TEST(FailureScene, NamesTheNearestObjectButNotTheGround) {
     const FailureScene scene = scene_at({0, 0.0, 0});
     EXPECT_EQ(scene.nearest, "post");
-    EXPECT_NEAR(scene.nearest_distance, 1.9 - 0.3, 1e-9) << "from the body";
+    EXPECT_NEAR(scene.nearest_distance, 1.9 - 0.3, 1e-9) << "from the surface of the body";
     EXPECT_EQ(scene_at({2.0, 0.0, 0.0}).nearest_distance, 0.0) << "inside";
 }
 
-TEST(FailureScene, NamesNothingThatIsFarAway) {
+TEST(FailureScene, NamesNoObjectThatIsFarAway) {
     const FailureScene scene = scene_at({-20, 0, 0});
     EXPECT_EQ(scene.nearest, "");
     EXPECT_EQ(scene.nearest_distance, 0.0);
@@ -43,15 +43,16 @@ TEST(FailureScene, NamesNothingThatIsFarAway) {
 TEST(FailureScene, NamesTheNearestBuilding) {
     EXPECT_EQ(scene_at({0, 0, 9}).building, "hall") << "29 m against 31 m";
     EXPECT_EQ(scene_at({0, 0, 11}).building, "lab");
-    StateSnapshot moment;
-    moment.building = 1;
-    EXPECT_EQ(scene_of(moment, yard(), {}).building, "lab") << "whose window is open goes first";
+    StateSnapshot state;
+    state.building = 1;
+    EXPECT_EQ(scene_of(state, yard(), {}).building, "lab")
+        << "a building with an open pop-up takes precedence";
     EXPECT_EQ(scene_of({}, level_campus(), {}).building, "");
 }
 
-TEST(FailureScene, TellsTheLastEventsAsTheLogDoes) {
+TEST(FailureScene, ListsTheLastEventsAsInTheLog) {
     StateHistory history;
-    Frames(history)
+    TickFeed(history)
         .tick({"walk.start me", "trigger.enter a"})
         .tick({})
         .tick({"popup.open a", "popup.close a", "trigger.exit a", "avatar.arrive goal"});
@@ -65,29 +66,29 @@ TEST(FailureScene, TellsTheLastEventsAsTheLogDoes) {
     EXPECT_EQ(scene.time, 0.2);
 }
 
-TEST(FailureScene, OfAStepThatGaveUpIsWhereTheWalkEnded) {
+TEST(FailureScene, OfAStepThatGaveUpIsTheEndOfTheWalk) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-5, 0, -3}, {5, 3, -2});
-    const Outing outing = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)}));
-    ASSERT_EQ(outing.summary.failures.size(), 1U);
-    const FailureScene& scene = outing.summary.failures[0].scene;
-    EXPECT_EQ(scene.tick, outing.summary.ticks);
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    const FailureScene& scene = result.summary.failures[0].scene;
+    EXPECT_EQ(scene.tick, result.summary.ticks);
     EXPECT_EQ(scene.nearest, "wall");
-    EXPECT_NEAR(scene.nearest_distance, 0.02, 1e-6) << "the skin";
+    EXPECT_NEAR(scene.nearest_distance, 0.02, 1e-6) << "the skin width";
     EXPECT_NEAR(scene.position.z(), -1.68, 1e-6);
     ASSERT_FALSE(scene.last_events.empty());
     EXPECT_NE(scene.last_events.back().find("avatar.blocked   goal"), std::string::npos)
-        << "not what the walk's end brings";
+        << "without the events of the walk's end";
 }
 
-TEST(FailureScene, DoesNotNameWhatWasDisabledThen) {
-    const Outing outing = [] {
+TEST(FailureScene, DoesNotNameADisabledObject) {
+    const RecordedRun result = [] {
         Walk walk = walk_of({spawn_at({0, 0, 0}), disable("post"), wait_for(0.1),
                              ExpectStep{{"a.walk.yaml", 4, 5}, {expect_never("object.disable")}}});
         return run(yard(), walk);
     }();
-    ASSERT_EQ(outing.summary.failures.size(), 1U);
-    EXPECT_EQ(outing.summary.failures[0].scene.nearest, "");
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_EQ(result.summary.failures[0].scene.nearest, "");
 }
 
 }  // namespace

@@ -9,18 +9,18 @@
 
 namespace campuswalk::engine {
 
-/// Holds one expectation against frames made by hand.
-class OneEvaluator {
+/// Evaluates one expectation over tick records that a test makes.
+class SingleEvaluator {
 public:
-    /// An avatar with the default profile; the campus must outlive the judge.
-    explicit OneEvaluator(Expectation expected);
-    OneEvaluator(Expectation expected, const scene::Campus& campus);
+    /// An avatar with the default profile; the campus must outlive the evaluator.
+    explicit SingleEvaluator(Expectation expected);
+    SingleEvaluator(Expectation expected, const scene::Campus& campus);
 
     void see(const TickRecord& record);
 
-    /// As at the walk's end.
+    /// At the walk's end.
     std::optional<Failure> failure() const { return evaluator_->failure(true, history_.now()); }
-    /// As in a step: more may come.
+    /// During the walk: more events may follow.
     std::optional<Failure> failure_so_far() const { return evaluator_->failure(false, history_.now()); }
 
 private:
@@ -33,19 +33,19 @@ private:
 /// "KIND OBJECT" as an event with fields.
 Event made_event(const std::string& words, std::vector<Field> fields = {});
 
-/// Frames, a tenth of a second apart, for a judge or a expectation set.
-class Frames {
+/// Feeds tick records, a tenth of a second apart, to an evaluator, an expectation set or a state history.
+class TickFeed {
 public:
-    template <typename Evaluator>
-    explicit Frames(Evaluator& evaluator)
-        : see_([&evaluator](const TickRecord& record) { evaluator.see(record); }) {}
+    template <typename Receiver>
+    explicit TickFeed(Receiver& receiver)
+        : see_([&receiver](const TickRecord& record) { receiver.see(record); }) {}
 
-    Frames& tick(const std::vector<std::string>& told_events,
-                 const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
-    Frames& with(std::vector<Event> events, const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
-    /// For the frames that follow.
-    Frames& in_the_air(bool airborne);
-    Frames& after_metres(double distance);
+    TickFeed& tick(const std::vector<std::string>& event_lines,
+                   const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
+    TickFeed& with(std::vector<Event> events, const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
+    /// For the ticks that follow.
+    TickFeed& in_the_air(bool airborne);
+    TickFeed& after_metres(double distance);
 
 private:
     std::function<void(const TickRecord&)> see_;
@@ -54,8 +54,8 @@ private:
     double distance_ = 0.0;
 };
 
-/// There is one, with all of these.
+/// Expects a failure at this line with this code, whose message mentions all facts.
 void expect_failure(const std::optional<Failure>& failure, int mark_line, const std::string& code,
-                    const std::string& message);
+                    const std::vector<std::string>& facts);
 
 }  // namespace campuswalk::engine

@@ -42,7 +42,7 @@ std::vector<Json> slices(const Json& trace, const std::string& name, int track) 
     return found;
 }
 
-TEST(CostTrace, CountsWhatTheWalkCounted) {
+TEST(CostTrace, AddsUpToTheWalksQueryStatistics) {
     for (const collision::TreeKind tree : {collision::TreeKind::bvh8, collision::TreeKind::hybrid}) {
         const Traced all = traced({}, tree);
         const Json trace = Json::parse(all.text);
@@ -64,7 +64,7 @@ TEST(CostTrace, CountsWhatTheWalkCounted) {
     }
 }
 
-TEST(CostTrace, EndsWithTheTermsOfEquation4AndWhatEquation1Decided) {
+TEST(CostTrace, EndsWithTheTermsOfEquation4AndTheDecisionsByEquation1) {
     const Traced hybrid = traced({}, collision::TreeKind::hybrid);
     const Json terms = Json::parse(hybrid.text).at("otherData");
     const collision::QueryStatistics& counted = hybrid.summary.statistics;
@@ -84,23 +84,23 @@ TEST(CostTrace, EndsWithTheTermsOfEquation4AndWhatEquation1Decided) {
     EXPECT_EQ(bvh8.summary.hash, hybrid.summary.hash);
 }
 
-TEST(CostTrace, NestsStagesInTicksOneAfterTheOther) {
+TEST(CostTrace, NestsConsecutiveStagesInTicks) {
     const Traced all = traced();
     const Json trace = Json::parse(all.text);
     const std::vector<Json> ticks = slices(trace, "tick", 1);
     const std::vector<Json> moves = slices(trace, "move", 1);
-    const std::vector<Json> contact_detector = slices(trace, "sense", 1);
+    const std::vector<Json> detections = slices(trace, "sense", 1);
     ASSERT_EQ(ticks.size(), static_cast<std::size_t>(all.summary.ticks) + 1);
     ASSERT_EQ(moves.size(), ticks.size());
-    ASSERT_EQ(contact_detector.size(), ticks.size());
+    ASSERT_EQ(detections.size(), ticks.size());
     const auto begin = [](const Json& slice) { return slice.at("ts").get<double>(); };
     const auto end = [&](const Json& slice) { return begin(slice) + slice.at("dur").get<double>(); };
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         EXPECT_EQ(ticks[i].at("args").at("tick"), i);
         EXPECT_EQ(begin(ticks[i]), i == 0 ? 0.0 : end(ticks[i - 1]));
         EXPECT_EQ(begin(moves[i]), begin(ticks[i]));
-        EXPECT_EQ(begin(contact_detector[i]), end(moves[i]));
-        EXPECT_EQ(end(contact_detector[i]) + 1.0, end(ticks[i]));
+        EXPECT_EQ(begin(detections[i]), end(moves[i]));
+        EXPECT_EQ(end(detections[i]) + 1.0, end(ticks[i]));
     }
 }
 
@@ -118,11 +118,11 @@ TEST(CostTrace, MarksTheWalksEvents) {
     EXPECT_EQ(marks, expected);
 }
 
-TEST(CostTrace, IsTheSameEveryTimeWithoutAClock) {
+TEST(CostTrace, IsDeterministicWithoutAClock) {
     EXPECT_EQ(traced().text, traced().text);
 }
 
-TEST(CostTrace, ShowsTheTimesOfAClockOnATrackOfTheirOwn) {
+TEST(CostTrace, ShowsClockTimesOnASeparateTrack) {
     double now = 1000.0;
     const Traced all = traced([&] { return now += 5.0; });
     const std::vector<Json> ticks = slices(Json::parse(all.text), "tick", 2);

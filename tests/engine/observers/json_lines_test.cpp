@@ -33,7 +33,7 @@ std::string line_of(const Event& event, double time = 0.0) {
     return lines_of({event}, time).at(0);
 }
 
-TEST(JsonLines, BeginsWithWhatTheWalkRanWith) {
+TEST(JsonLines, BeginWithTheWalksSettings) {
     std::string header;
     JsonLines json([&](std::string_view line) { header = line; });
     Walk walk;
@@ -55,7 +55,7 @@ TEST(JsonLines, BeginsWithWhatTheWalkRanWith) {
                               "longitude_deg": 4.37325, "height": 43.5, "of": [0.0, 0.0, 0.0]})"));
 }
 
-TEST(JsonLines, IsAnObjectAnEventWithItsFieldsInOrder) {
+TEST(JsonLines, HaveOneObjectPerEventWithItsFieldsInOrder) {
     const Event event{243,
                       0.375,
                       EventKind::trigger_enter,
@@ -70,7 +70,7 @@ TEST(JsonLines, IsAnObjectAnEventWithItsFieldsInOrder) {
               R"("pos":[11.002,0.0,-7.31],"at":0.375,"ticks":159,"cause":"end","title":"Main Library"})");
 }
 
-TEST(JsonLines, SaysTheTextLogsDecimalsAndNotMore) {
+TEST(JsonLines, RoundNumbersAsTheTextLogDoes) {
     support::Dice dice(11);
     for (int i = 0; i < 2000; ++i) {
         const double value = dice.between(-1000.0, 1000.0);
@@ -82,7 +82,7 @@ TEST(JsonLines, SaysTheTextLogsDecimalsAndNotMore) {
     EXPECT_EQ(third.at("time").get<double>(), 0.333333);
 }
 
-TEST(JsonLines, GivesBackEveryText) {
+TEST(JsonLines, PreserveEveryString) {
     std::string odd = "quote \" backslash \\ slash / newline \n tab \t bell \a Überbau – 図書館";
     for (char c = 1; c < 0x20; ++c) {
         odd += c;
@@ -96,12 +96,12 @@ TEST(JsonLines, GivesBackEveryText) {
     EXPECT_EQ(json.at("by"), odd);
 }
 
-TEST(JsonLines, MarksBytesThatAreNotUtf8) {
+TEST(JsonLines, ReplaceBytesThatAreNotUtf8) {
     const Json json = Json::parse(line_of({0, 1.0, EventKind::popup_open, "b", {{"t", Text{"caf\xe9!"}}}}));
     EXPECT_EQ(json.at("t"), "caf\xEF\xBF\xBD!");
 }
 
-/// The text log's way to print a JSON value, as far as a number's digits allow to compare.
+/// A JSON value as the text log prints it, numbers with so many decimals.
 std::string as_text(const Json& value, int digits) {
     std::array<char, 64> text{};
     if (value.is_array()) {
@@ -114,7 +114,7 @@ std::string as_text(const Json& value, int digits) {
     return value.is_number() ? std::to_string(value.get<std::int64_t>()) : value.get<std::string>();
 }
 
-TEST(JsonLines, TellsTheSameFactsAsTheTextLog) {
+TEST(JsonLines, ContainTheSameValuesAsTheTextLog) {
     scene::Campus campus = level_campus();
     add_building(campus, "hall", "Hall", "08-22", "A \"great\" hall.");
     add_box(campus, "hall/door", {-1, 0, -4}, {1, 2, -3}, {collision::Detection::trigger, "hall", true, ""});

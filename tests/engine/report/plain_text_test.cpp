@@ -5,33 +5,34 @@
 namespace campuswalk::engine {
 namespace {
 
-const std::string kMark = "\xEF\xBF\xBD";
+const std::string kReplacement = "\xEF\xBF\xBD";
 
-TEST(PlainText, LeavesReadableTextAlone) {
+TEST(PlainText, LeavesReadableTextUnchanged) {
     const std::string text = "Überbau – 図書館 \U0001F6B6 \"quoted\" \\ & <b>";
     EXPECT_EQ(printable(text), text);
     EXPECT_EQ(xml_characters(text), text);
     EXPECT_EQ(valid_utf8(text), text);
 }
 
-TEST(PlainText, PutsAMarkForEveryByteThatIsNoUtf8) {
-    EXPECT_EQ(valid_utf8("caf\xe9!"), "caf" + kMark + "!");
-    EXPECT_EQ(valid_utf8("\xc0\xaf"), kMark + kMark);                          // '/' in too many bytes
-    EXPECT_EQ(valid_utf8("\xed\xa0\x80"), kMark + kMark + kMark);              // half of a UTF-16 pair
-    EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), kMark + kMark + kMark + kMark);  // beyond the last
-    EXPECT_EQ(valid_utf8("\xe2\x82"), kMark + kMark);                          // cut short
+TEST(PlainText, ReplacesEveryByteThatIsNotUtf8) {
+    EXPECT_EQ(valid_utf8("caf\xe9!"), "caf" + kReplacement + "!");
+    EXPECT_EQ(valid_utf8("\xc0\xaf"), kReplacement + kReplacement);  // '/' in too many bytes: overlong
+    EXPECT_EQ(valid_utf8("\xed\xa0\x80"), kReplacement + kReplacement + kReplacement);  // a UTF-16 surrogate
+    EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"),
+              kReplacement + kReplacement + kReplacement + kReplacement);  // beyond the last code point
+    EXPECT_EQ(valid_utf8("\xe2\x82"), kReplacement + kReplacement);        // truncated
     EXPECT_EQ(valid_utf8("\xef\xbf\xbf\xf4\x8f\xbf\xbf"), "\xef\xbf\xbf\xf4\x8f\xbf\xbf");
     EXPECT_EQ(valid_utf8(std::string(1, '\0')), std::string(1, '\0'));
 }
 
-TEST(PlainText, PrintsOneLineThatMovesNoCursor) {
+TEST(PlainText, EscapesLineEndsAndControlCharacters) {
     EXPECT_EQ(printable("a\nb\r\t\x1b[31m\x7f\xc2\x9b\u2028" + std::string(1, '\0')),
               "a\\nb\\x0d\\x09\\x1b[31m\\x7f\\x9b\\u2028\\x00");
 }
 
-TEST(PlainText, GivesXmlWhatItCanHold) {
+TEST(PlainText, ReplacesCharactersThatXmlForbids) {
     EXPECT_EQ(xml_characters("a\tb\n\x01\x0b\x1f" + std::string(1, '\0') + "\xef\xbf\xbe"),
-              "a\tb\n" + kMark + kMark + kMark + kMark + kMark);
+              "a\tb\n" + kReplacement + kReplacement + kReplacement + kReplacement + kReplacement);
 }
 
 }  // namespace

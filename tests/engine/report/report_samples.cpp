@@ -1,5 +1,5 @@
-// Writes what each reporter makes of some runs: report_samples FOLDER. Other languages' libraries check them
-// (tests/tools/reports_test.py).
+// Writes every reporter's reports on some runs: report_samples FOLDER. Libraries of other languages read them
+// in tests/tools/reports_test.py.
 
 #include <cstdio>
 #include <filesystem>

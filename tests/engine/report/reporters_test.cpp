@@ -13,6 +13,7 @@
 namespace campuswalk::engine {
 namespace {
 
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -27,14 +28,14 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(Reporters, AreMadeByName) {
+TEST(Reporters, AreCreatedByName) {
     for (const std::string& name : reporter_names()) {
         EXPECT_NE(make_reporter(name, [](std::string_view) {}), nullptr) << name;
     }
     EXPECT_EQ(make_reporter("lists", [](std::string_view) {}), nullptr);
 }
 
-TEST(Reporters, EndEveryReportWithALinesEnd) {
+TEST(Reporters, EndEveryReportWithANewline) {
     for (const std::string& name : reporter_names()) {
         for (const RunReport& report : {RunReport{}, mixed_report(), hostile_report()}) {
             const std::string text = written(name, report);
@@ -43,7 +44,7 @@ TEST(Reporters, EndEveryReportWithALinesEnd) {
     }
 }
 
-TEST(Reporters, ThrowOnWhatTheirSinkThrows) {
+TEST(Reporters, PropagateExceptionsOfTheirSink) {
     for (const std::string& name : reporter_names()) {
         const auto reporter =
             make_reporter(name, [](std::string_view) { throw std::runtime_error("disk full"); });
@@ -59,7 +60,7 @@ TEST(Reporters, ThrowOnWhatTheirSinkThrows) {
     }
 }
 
-TEST(ListReporter, IsALineACaseThenTheTroublesThenTheCounts) {
+TEST(ListReporter, PrintsOneLinePerCaseThenTheFailuresThenTheCounts) {
     const std::string text = written(
         "list",
         {{passed_result("arrive"), failed_result("visit"), skipped_result("lift"), xfail_result("door")}},
@@ -81,7 +82,7 @@ xfail walks/door.walk.yaml                              4.0 s  5.0 m  the door i
 )");
 }
 
-TEST(ListReporter, TellsAMomentOnce) {
+TEST(ListReporter, PrintsASceneOnceForFailuresOfOneTick) {
     WalkResult result = failed_result("visit");
     const Failure failure = result.failures[0];
     result.failures.push_back(failure);
@@ -89,24 +90,30 @@ TEST(ListReporter, TellsAMomentOnce) {
     result.failures[2].scene.tick += 1;
     result.failures[2].scene.time += 1.0 / 60.0;
     const std::string text = written("list", {{result}});
-    EXPECT_THAT(text, HasSubstr("walls\"\n     at the same moment\n   walks/visit.walk.yaml:12:5: error "));
-    EXPECT_THAT(text, HasSubstr("at 4.050 s"));
-    EXPECT_THAT(text, HasSubstr("at 4.067 s"));
+    const auto count_of = [&](const std::string& part) {
+        std::size_t count = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_EQ(count_of("walks/visit.walk.yaml:12:5: error "), 3U);
+    EXPECT_EQ(count_of("at 4.050 s"), 1U);
+    EXPECT_EQ(count_of("at 4.067 s"), 1U);
 }
 
-TEST(ListReporter, SaysWhyACaseIsNoneOfThese) {
+TEST(ListReporter, GivesTheReasonForOtherOutcomes) {
     const std::string text = written("list", mixed_report());
-    EXPECT_THAT(text,
-                HasSubstr("   it passed, but its status says that it fails (the door is too narrow)\n"));
+    EXPECT_THAT(text, ContainsRegex("walks/wrong.walk.yaml\n   [a-z].*the door is too narrow"));
     EXPECT_THAT(text, HasSubstr("   walks/typo.walk.yaml:3:1: error bad-value: speed must be > 0\n"));
-    EXPECT_THAT(text, HasSubstr("   it ended without a result\n"));
-    EXPECT_THAT(text, HasSubstr("   interrupted before it ended\n"));
+    EXPECT_THAT(text, ContainsRegex("walks/broken.walk.yaml\n   [a-z]"));
+    EXPECT_THAT(text, ContainsRegex("walks/stopped.walk.yaml\n   [a-z]"));
     EXPECT_THAT(text,
                 HasSubstr("\n3 passed (1 by failing as expected), 2 failed, 1 skipped, 1 with bad input, "
                           "1 broken, 1 interrupted: "));
 }
 
-TEST(ListReporter, WhenQuietLeavesOutWhatIsAsItShouldBe) {
+TEST(ListReporter, OmitsExpectedOutcomesIfQuiet) {
     EXPECT_EQ(written("list", {{passed_result("arrive")}}, {.quiet = true}),
               "1 passed: 4.0 simulated seconds, 5.0 m\n");
     const std::string text = written("list", mixed_report(), {.quiet = true});
@@ -114,7 +121,7 @@ TEST(ListReporter, WhenQuietLeavesOutWhatIsAsItShouldBe) {
     EXPECT_THAT(text, HasSubstr("walks/visit.walk.yaml:12:5: error sequence"));
 }
 
-TEST(ListReporter, ColorsOnlyWhenAsked) {
+TEST(ListReporter, UsesColorsOnlyOnRequest) {
     EXPECT_THAT(written("list", mixed_report()), Not(HasSubstr("\x1b")));
     std::string text = written("list", mixed_report(), {.color = true});
     EXPECT_THAT(text, HasSubstr("\x1b[31mFAIL  \x1b[0mwalks/visit.walk.yaml"));
@@ -126,7 +133,7 @@ TEST(ListReporter, ColorsOnlyWhenAsked) {
     EXPECT_EQ(text, written("list", mixed_report()));
 }
 
-TEST(DotReporter, IsACharacterACaseInLinesOfEighty) {
+TEST(DotReporter, PrintsOneCharacterPerCaseInLinesOfEighty) {
     EXPECT_EQ(lines_of(written("dot", mixed_report())).front(), "..FsxFEEI");
     RunReport many;
     many.results.assign(161, passed_result("arrive"));
@@ -135,7 +142,7 @@ TEST(DotReporter, IsACharacterACaseInLinesOfEighty) {
                             "161 passed: 644.0 simulated seconds, 805.0 m"));
 }
 
-TEST(DotReporter, TellsEachCaseAsItComes) {
+TEST(DotReporter, PrintsEachCaseAsItEnds) {
     std::string text;
     const auto dots = make_reporter("dot", [&](std::string_view part) { text += part; });
     dots->begin(2);
@@ -145,7 +152,7 @@ TEST(DotReporter, TellsEachCaseAsItComes) {
     EXPECT_EQ(text, ".F");
 }
 
-TEST(TapReporter, IsVersion14) {
+TEST(TapReporter, PrintsVersion14) {
     EXPECT_EQ(written("tap", {{passed_result("arrive"), failed_result("visit"), skipped_result("lift"),
                                xfail_result("door")}}),
               R"(TAP version 14
@@ -178,7 +185,7 @@ not ok 4 - walks/door.walk.yaml # TODO the door is too narrow
     EXPECT_EQ(written("tap", {}), "TAP version 14\n1..0\n");
 }
 
-TEST(TapReporter, HasATestPointACaseWhateverIsInIt) {
+TEST(TapReporter, PrintsOneTestPointPerCaseForAnyText) {
     std::size_t points = 0;
     for (const std::string& line : lines_of(written("tap", hostile_report()))) {
         const bool point = line.starts_with("ok ") || line.starts_with("not ok ");
@@ -205,7 +212,7 @@ TEST(GithubReporter, AnnotatesEveryFailureAtItsLine) {
         "12.0 simulated seconds, 15.0 m\n");
 }
 
-TEST(GithubReporter, LetsNoTextBecomeACommand) {
+TEST(GithubReporter, EscapesTextThatLooksLikeACommand) {
     for (const std::string& line : lines_of(written("github", hostile_report()))) {
         EXPECT_TRUE(line.starts_with("::error file=") || line.starts_with("::notice title=campuswalk::"))
             << line;
@@ -217,7 +224,7 @@ TEST(GithubReporter, LetsNoTextBecomeACommand) {
     EXPECT_THAT(text, HasSubstr("::50 %25%0Aof it%0D%0A"));
 }
 
-TEST(JsonlReporter, IsAHeaderAndALineAResult) {
+TEST(JsonlReporter, PrintsAHeaderAndOneLinePerResult) {
     const RunReport report = mixed_report();
     const std::vector<std::string> lines = lines_of(written("jsonl", report));
     ASSERT_EQ(lines.size(), report.results.size() + 1);
@@ -229,7 +236,7 @@ TEST(JsonlReporter, IsAHeaderAndALineAResult) {
     }
 }
 
-TEST(JsonReporter, HoldsTheResultsAndTheirCounts) {
+TEST(JsonReporter, ContainsTheResultsAndTheirCounts) {
     const RunReport report = mixed_report();
     const Json json = Json::parse(written("json", report));
     EXPECT_EQ(json["campuswalk_report"], 1);

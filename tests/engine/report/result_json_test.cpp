@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -14,14 +15,17 @@
 namespace campuswalk::engine {
 namespace {
 
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-WalkResult there_and_back(const WalkResult& result) {
+WalkResult round_trip(const WalkResult& result) {
     return result_from_json_line(to_json_line(result));
 }
 
-/// What is wrong with a line; empty when nothing is.
-std::string refusal(const std::string& line) {
+/// The error in a line; empty if there is none.
+std::string error_of(const std::string& line) {
     try {
         result_from_json_line(line);
         return "";
@@ -30,9 +34,9 @@ std::string refusal(const std::string& line) {
     }
 }
 
-TEST(ResultJson, GivesBackEveryField) {
+TEST(ResultJson, RoundTripsEveryField) {
     const WalkResult result = full_result();
-    const WalkResult back = there_and_back(result);
+    const WalkResult back = round_trip(result);
     EXPECT_EQ(back.id, result.id);
     EXPECT_EQ(back.file, result.file);
     EXPECT_EQ(back.name, result.name);
@@ -47,7 +51,7 @@ TEST(ResultJson, GivesBackEveryField) {
     EXPECT_EQ(back.campus, result.campus);
     EXPECT_EQ(back.ticks_per_second, result.ticks_per_second);
     EXPECT_EQ(back.timeout, result.timeout);
-    EXPECT_EQ(there_and_back(passed_result("quick")).timeout, std::nullopt);
+    EXPECT_EQ(round_trip(passed_result("quick")).timeout, std::nullopt);
     EXPECT_EQ(back.ticks, result.ticks);
     EXPECT_EQ(back.events, result.events);
     EXPECT_EQ(back.distance, result.distance);
@@ -58,9 +62,9 @@ TEST(ResultJson, GivesBackEveryField) {
     EXPECT_EQ(back.artifacts[0].media_type, result.artifacts[0].media_type);
 }
 
-TEST(ResultJson, GivesBackEveryFieldOfAFailure) {
+TEST(ResultJson, RoundTripsEveryFieldOfAFailure) {
     const WalkResult result = full_result();
-    const WalkResult back = there_and_back(result);
+    const WalkResult back = round_trip(result);
     ASSERT_EQ(back.failures.size(), 1U);
     const Failure& was = result.failures[0];
     const Failure& is = back.failures[0];
@@ -80,7 +84,7 @@ TEST(ResultJson, GivesBackEveryFieldOfAFailure) {
     EXPECT_EQ(is.scene.last_events, was.scene.last_events);
 }
 
-TEST(ResultJson, KeepsTheBitsOfEveryDouble) {
+TEST(ResultJson, RoundTripsTheBitsOfEveryDouble) {
     support::Dice dice(7);
     std::vector<double> values = {0.0,
                                   -0.0,
@@ -98,13 +102,13 @@ TEST(ResultJson, KeepsTheBitsOfEveryDouble) {
     for (const double value : values) {
         WalkResult result;
         result.distance = value;
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(there_and_back(result).distance),
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(round_trip(result).distance),
                   std::bit_cast<std::uint64_t>(value))
             << value;
     }
     WalkResult result;
     result.distance = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(std::isnan(there_and_back(result).distance));
+    EXPECT_TRUE(std::isnan(round_trip(result).distance));
 }
 
 TEST(ResultJson, ReadsReportsThatStillHaveASeed) {
@@ -113,20 +117,20 @@ TEST(ResultJson, ReadsReportsThatStillHaveASeed) {
     EXPECT_EQ(result_from_json_line(json.dump()).id, passed_result("quick").id);
 }
 
-TEST(ResultJson, KeepsTheLargestAndSmallestWholeNumbers) {
+TEST(ResultJson, RoundTripsTheLargestAndSmallestIntegers) {
     WalkResult result;
     result.hash = std::numeric_limits<std::uint64_t>::max();
     result.ticks = std::numeric_limits<Tick>::max();
     result.events = std::numeric_limits<std::int64_t>::min();
     result.repetition = std::numeric_limits<int>::max();
-    const WalkResult back = there_and_back(result);
+    const WalkResult back = round_trip(result);
     EXPECT_EQ(back.hash, result.hash);
     EXPECT_EQ(back.ticks, result.ticks);
     EXPECT_EQ(back.events, result.events);
     EXPECT_EQ(back.repetition, result.repetition);
 }
 
-TEST(ResultJson, IsOneLineWhateverIsInIt) {
+TEST(ResultJson, IsOneLineForAnyText) {
     WalkResult result;
     for (int c = 0; c < 0x80; ++c) {
         result.name += static_cast<char>(c);
@@ -134,47 +138,47 @@ TEST(ResultJson, IsOneLineWhateverIsInIt) {
     result.name += "Überbau – 図書館 \u2028 \U0001F6B6";
     const std::string line = to_json_line(result);
     EXPECT_EQ(line.find_first_of("\n\r"), std::string::npos);
-    EXPECT_EQ(there_and_back(result).name, result.name);
+    EXPECT_EQ(round_trip(result).name, result.name);
 }
 
-TEST(ResultJson, MarksBytesThatAreNotUtf8) {
+TEST(ResultJson, ReplacesBytesThatAreNotUtf8) {
     WalkResult result;
     result.file = "caf\xe9/\xff.walk.yaml";
-    const WalkResult back = there_and_back(result);
+    const WalkResult back = round_trip(result);
     EXPECT_EQ(back.file, "caf\xEF\xBF\xBD/\xEF\xBF\xBD.walk.yaml");
     EXPECT_EQ(to_json_line(back), to_json_line(result));
 }
 
-TEST(ResultJson, SpellsEveryOutcome) {
+TEST(ResultJson, RoundTripsEveryOutcome) {
     for (const Outcome outcome : {Outcome::passed, Outcome::failed, Outcome::skipped, Outcome::bad_input,
                                   Outcome::broken, Outcome::interrupted}) {
         WalkResult result;
         result.outcome = outcome;
-        EXPECT_EQ(there_and_back(result).outcome, outcome);
+        EXPECT_EQ(round_trip(result).outcome, outcome);
     }
 }
 
-TEST(ResultJson, RefusesAFieldTooFewAndSaysWhich) {
+TEST(ResultJson, RejectsAMissingFieldAndNamesIt) {
     const Json whole = Json::parse(to_json_line(full_result()));
     for (const auto& [name, value] : whole.items()) {
         Json less = whole;
         less.erase(name);
-        EXPECT_EQ(refusal(less.dump()), "not a walk's result: " + name + " is missing");
+        EXPECT_THAT(error_of(less.dump()), ContainsRegex("(^|[^a-z_])" + name + "([^a-z_]|$)"));
     }
     Json less = whole;
     less["failures"][0]["scene"].erase("tick");
-    EXPECT_EQ(refusal(less.dump()), "not a walk's result: failures[0].scene.tick is missing");
+    EXPECT_THAT(error_of(less.dump()), HasSubstr("failures[0].scene.tick"));
 }
 
-TEST(ResultJson, RefusesAFieldTooMany) {
+TEST(ResultJson, RejectsUnknownAndRepeatedFields) {
     Json more = Json::parse(to_json_line(full_result()));
     more["artifacts"][0]["size"] = 3;
-    EXPECT_EQ(refusal(more.dump()), "not a walk's result: nothing is known of artifacts[0].size");
+    EXPECT_THAT(error_of(more.dump()), HasSubstr("artifacts[0].size"));
     const std::string line = to_json_line(full_result());
-    EXPECT_EQ(refusal(R"({"name":"b",)" + line.substr(1)), "not a walk's result: name stands there twice");
+    EXPECT_THAT(error_of(R"({"name":"b",)" + line.substr(1)), HasSubstr("name"));
 }
 
-TEST(ResultJson, RefusesEveryOtherType) {
+TEST(ResultJson, RejectsFieldsOfTheWrongType) {
     const Json whole = Json::parse(to_json_line(full_result()));
     for (const auto& [name, value] : whole.items()) {
         for (const Json& other :
@@ -187,34 +191,33 @@ TEST(ResultJson, RefusesEveryOtherType) {
             }
             Json wrong = whole;
             wrong[name] = other;
-            EXPECT_NE(refusal(wrong.dump()).find(name), std::string::npos) << name << " " << other;
+            EXPECT_NE(error_of(wrong.dump()).find(name), std::string::npos) << name << " " << other;
         }
     }
 }
 
-TEST(ResultJson, RefusesNumbersThatDoNotFit) {
+TEST(ResultJson, RejectsNumbersOutOfRange) {
     const auto with = [](const char* name, const Json& value) {
         Json json = Json::parse(to_json_line(full_result()));
         json[name] = value;
-        return refusal(json.dump());
+        return error_of(json.dump());
     };
-    EXPECT_EQ(with("repetition", 2147483648),
-              "not a walk's result: repetition must be a whole number, not 2147483648");
-    EXPECT_EQ(with("ticks", 9223372036854775808U),
-              "not a walk's result: ticks must be a whole number, not 9223372036854775808");
-    EXPECT_EQ(with("hash", "0x00000000000000"),
-              "not a walk's result: hash must be 16 hexadecimal digits, not \"0x00000000000000\"");
-    EXPECT_EQ(with("hash", "abc"), "not a walk's result: hash must be 16 hexadecimal digits, not \"abc\"");
+    EXPECT_THAT(with("repetition", 2147483648), AllOf(HasSubstr("repetition"), HasSubstr("2147483648")));
+    EXPECT_THAT(with("ticks", 9223372036854775808U),
+                AllOf(HasSubstr("ticks"), HasSubstr("9223372036854775808")));
+    EXPECT_THAT(with("hash", "0x00000000000000"),
+                AllOf(HasSubstr("hash"), HasSubstr("\"0x00000000000000\"")));
+    EXPECT_THAT(with("hash", "abc"), AllOf(HasSubstr("hash"), HasSubstr("\"abc\"")));
 }
 
-TEST(ResultJson, RefusesWhatIsCutShort) {
+TEST(ResultJson, RejectsTruncatedLines) {
     const std::string line = to_json_line(full_result());
     for (std::size_t length = 0; length < line.size(); ++length) {
-        ASSERT_NE(refusal(line.substr(0, length)), "") << length;
+        ASSERT_NE(error_of(line.substr(0, length)), "") << length;
     }
-    EXPECT_NE(refusal(line + "}"), "");
-    EXPECT_NE(refusal(std::string(100000, '[')), "");
-    EXPECT_EQ(refusal("[]"), "not a walk's result: a line must be an object, not []");
+    EXPECT_NE(error_of(line + "}"), "");
+    EXPECT_NE(error_of(std::string(100000, '[')), "");
+    EXPECT_THAT(error_of("[]"), HasSubstr("[]"));
 }
 
 }  // namespace

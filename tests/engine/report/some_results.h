@@ -8,22 +8,22 @@
 
 namespace campuswalk::engine {
 
-/// One with every field other than its default.
+/// A result in which no field has its default value.
 WalkResult full_result();
 
 /// `walks/NAME.walk.yaml`, passed after 4 simulated seconds and 5 metres.
 WalkResult passed_result(const std::string& name);
 WalkResult failed_result(const std::string& name);
 WalkResult skipped_result(const std::string& name);
-/// Failed as it was expected to.
+/// A walk that failed as expected.
 WalkResult xfail_result(const std::string& name);
 WalkResult bad_input_result(const std::string& name);
 
 /// One of every outcome, an xfail that passed, and a project.
 RunReport mixed_report();
 
-/// With texts that could break out of any format: markup, quotes, ends of lines, escape sequences, bytes that
-/// are no UTF-8.
+/// With texts that could break any format: markup, quotes, line ends, escape sequences, bytes that aren't
+/// UTF-8.
 RunReport hostile_report();
 
 /// What a reporter writes about a run.

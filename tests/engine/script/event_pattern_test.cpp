@@ -7,7 +7,7 @@
 namespace campuswalk::engine {
 namespace {
 
-TEST(Matches, GlobsInKindAndObject) {
+TEST(EventPattern, MatchesGlobsInKindAndObject) {
     const Event event{0, 1.0, EventKind::collision_enter, "bench/bench-01", {}};
     for (const char* words : {"collision.enter bench/bench-01", "collision.enter", "collision.* bench/*", "*",
                               "*.enter *-01", "collision.enter bench/bench-0[1-3]"}) {

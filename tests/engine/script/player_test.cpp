@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Moves an avatar exactly as the script asks, except through walls one can set.
+/// An avatar that moves exactly as the script intends, unless it is `stuck`.
 class Puppet {
 public:
     explicit Puppet(const Walk& walk) : player(walk) { tick(); }  // the spawn
@@ -30,7 +30,7 @@ public:
         end = player.settle(avatar, effects);
         ++ticks;
     }
-    /// Ticks until the current step has ended, at most `most`.
+    /// Plays until a step ends; the number of ticks, or -1 if there is no end within `most`.
     int ticks_until_end(int most = 2000) {
         for (int i = 1; i <= most; ++i) {
             tick();
@@ -44,14 +44,14 @@ public:
     ScriptPlayer player;
     AvatarState avatar;
     Intent intent;
-    std::vector<Event> events;  ///< of the tick
+    std::vector<Event> events;  ///< of the current tick
     std::vector<const Step*> effects;
     std::optional<StepEnd> end;
     bool stuck = false;
     int ticks = 0;
 };
 
-TEST(ScriptPlayer, PutsTheAvatarDownInTheFirstTick) {
+TEST(ScriptPlayer, PlacesTheAvatarInTheFirstTick) {
     const Walk walk = walk_of({spawn_at({1, 2, 3}, radians(-90), "gate"), wait_for(1.0)});
     const Puppet puppet(walk);
     ASSERT_TRUE(puppet.intent.placement);
@@ -60,7 +60,7 @@ TEST(ScriptPlayer, PutsTheAvatarDownInTheFirstTick) {
     EXPECT_EQ(puppet.intent.placement->kind, EventKind::avatar_spawn);
     EXPECT_NEAR(puppet.avatar.yaw, radians(-90), 1e-15);
     EXPECT_EQ(puppet.avatar.pitch, 0.0);
-    EXPECT_FALSE(puppet.end) << "a spawn's end is no event";
+    EXPECT_FALSE(puppet.end) << "the end of a spawn is no event";
 }
 
 TEST(ScriptPlayer, WalksStraightAtTheAvatarsSpeed) {
@@ -88,7 +88,7 @@ TEST(ScriptPlayer, NeverWalksPastItsTarget) {
     EXPECT_EQ(puppet.end->kind, EventKind::avatar_arrive);
 }
 
-TEST(ScriptPlayer, TakesAStepsOwnSpeed) {
+TEST(ScriptPlayer, UsesTheStepsOwnSpeed) {
     WalkToStep step = walk_to(0, -10);
     step.speed = 3.0;
     const Walk walk = walk_of({spawn_at({0, 0, 0}), step});
@@ -97,13 +97,13 @@ TEST(ScriptPlayer, TakesAStepsOwnSpeed) {
     EXPECT_NEAR(puppet.intent.move.z(), -3.0 / 60.0, 1e-15);
 }
 
-TEST(ScriptPlayer, ArrivesWhereHeightAgreesIfTheTargetHasOne) {
+TEST(ScriptPlayer, ArrivesOnlyAtTheTargetsHeightIfItHasOne) {
     WalkToStep step = walk_to(0, -1);
     step.target = {"roof", {0, 5, -1}, true};
     Walk walk = walk_of({spawn_at({0, 0, 0}), step});
     Puppet below(walk);
     ASSERT_GT(below.ticks_until_end(), 0);
-    EXPECT_EQ(below.end->kind, EventKind::avatar_blocked) << "under the roof is not on it";
+    EXPECT_EQ(below.end->kind, EventKind::avatar_blocked) << "it is under the roof, not on it";
     std::get<WalkToStep>(walk.steps[1]).target.point.y() = 0.5;
     Puppet near(walk);
     ASSERT_GT(near.ticks_until_end(), 0);
@@ -114,12 +114,12 @@ TEST(ScriptPlayer, GivesUpAfterASecondAndAHalfWithoutProgress) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -10), wait_for(1.0)});
     Puppet puppet(walk);
     puppet.stuck = true;
-    EXPECT_EQ(puppet.ticks_until_end(), 1 + 90) << "progress is last seen in the first tick";
+    EXPECT_EQ(puppet.ticks_until_end(), 1 + 90) << "the last progress is that of the first tick";
     EXPECT_EQ(puppet.end->kind, EventKind::avatar_blocked);
     EXPECT_TRUE(puppet.end->fatal);
 }
 
-TEST(ScriptPlayer, ContinuesAfterABlockIfAskedTo) {
+TEST(ScriptPlayer, ContinuesWhenBlockedIfConfiguredTo) {
     WalkToStep step = walk_to(0, -10);
     step.if_blocked = IfBlocked::proceed;
     const Walk walk = walk_of({spawn_at({0, 0, 0}), step, wait_for(1.0)});
@@ -131,7 +131,7 @@ TEST(ScriptPlayer, ContinuesAfterABlockIfAskedTo) {
     EXPECT_FALSE(puppet.player.finished());
 }
 
-TEST(ScriptPlayer, HasPatienceWithASlowAvatar) {
+TEST(ScriptPlayer, DoesNotGiveUpOnASlowAvatar) {
     Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -0.1)});
     walk.avatar.speed = 0.01;
     Puppet puppet(walk);
@@ -149,24 +149,24 @@ TEST(ScriptPlayer, GivesUpAtItsTimeout) {
     EXPECT_EQ(puppet.end->kind, EventKind::avatar_blocked);
 }
 
-TEST(ScriptPlayer, AllowsTwiceTheStraightTimeAndFiveSecondsByDefault) {
-    // It goes round in circles: always a little nearer, never there in time.
+TEST(ScriptPlayer, TimesOutAfterTwiceTheStraightTimePlusFiveSecondsByDefault) {
+    // A little nearer every tick, but too slow to arrive in time.
     const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -1.4)});
     Puppet puppet(walk);
     int ticks = 0;
     do {
         puppet.tick();
         ++ticks;
-        puppet.avatar.position.z() = -0.002 * ticks;  // 0.12 m a second
+        puppet.avatar.position.z() = -0.002 * ticks;  // 0.12 m/s
     } while (!puppet.end && ticks < 2000);
     EXPECT_NEAR(ticks, (2.0 * 1.0 + 5.0) * 60, 1);
     EXPECT_EQ(puppet.end->kind, EventKind::avatar_blocked);
 }
 
-TEST(ScriptPlayer, TurnsIntoItsWayTheShortWayWhileWalking) {
+TEST(ScriptPlayer, TurnsTowardsItsTargetByTheSmallerAngleWhileWalking) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}, radians(170)), walk_to(10, 0)});  // towards -90
     Puppet puppet(walk);
-    // 100 degrees by way of 180, 3 a tick.
+    // 100 degrees through 180, at 3 per tick.
     for (int i = 1; i <= 33; ++i) {
         puppet.tick();
         const double expected = 170.0 + 3.0 * i;
@@ -176,7 +176,7 @@ TEST(ScriptPlayer, TurnsIntoItsWayTheShortWayWhileWalking) {
     EXPECT_NEAR(puppet.avatar.yaw, radians(-90), 1e-12);
 }
 
-TEST(ScriptPlayer, WaitsForItsSeconds) {
+TEST(ScriptPlayer, WaitsForTheGivenTime) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(2.0)});
     Puppet puppet(walk);
     EXPECT_EQ(puppet.ticks_until_end(), 120);
@@ -184,7 +184,7 @@ TEST(ScriptPlayer, WaitsForItsSeconds) {
     EXPECT_FALSE(puppet.end);
 }
 
-TEST(ScriptPlayer, WaitsWholeTicks) {
+TEST(ScriptPlayer, WaitsAWholeNumberOfTicks) {
     Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(0.101)});
     walk.sim.ticks_per_second = 100;
     Puppet puppet(walk);
@@ -220,19 +220,19 @@ TEST(ScriptPlayer, TurnsByAnAngleAtItsTurnSpeed) {
     expect_steady(yaws(150, turn_by(100)), 150, 100, 3);
 }
 
-TEST(ScriptPlayer, TurnsAllTheWayByMoreThanHalfATurn) {
+TEST(ScriptPlayer, TurnsByMoreThanHalfATurnInTheGivenDirection) {
     expect_steady(yaws(0, turn_by(270)), 0, 270, 3);
     expect_steady(yaws(10, turn_by(-720)), 10, -720, 3);
 }
 
-TEST(ScriptPlayer, TurnsToAnAngleTheShortWay) {
+TEST(ScriptPlayer, TurnsToAnAngleByTheSmallerAngle) {
     expect_steady(yaws(-170, turn_to(170)), -170, -20, 3);
     expect_steady(yaws(170, turn_to(-170)), 170, 20, 3);
     expect_steady(yaws(20, turn_to(380 + 30)), 20, 30, 3);
     expect_steady(yaws(0, turn_to(-90)), 0, -90, 3);
 }
 
-TEST(ScriptPlayer, IsDoneInOneTickWhenThereIsNothingToTurn) {
+TEST(ScriptPlayer, FinishesInOneTickIfThereIsNothingToTurn) {
     EXPECT_EQ(yaws(40, turn_by(0)).size(), 1U);
     EXPECT_EQ(yaws(40, turn_to(40)).size(), 1U);
 }
@@ -277,10 +277,10 @@ TEST(ScriptPlayer, LooksStraightUpWithoutTurning) {
     const AvatarState up = look({"sky", {1, 50, 2}, true}, &ticks);
     EXPECT_EQ(up.yaw, 0.0);
     EXPECT_NEAR(up.pitch, radians(90), 1e-12);
-    EXPECT_EQ(ticks, 30) << "3 degrees a tick";
+    EXPECT_EQ(ticks, 30) << "3 degrees per tick";
 }
 
-TEST(ScriptPlayer, LevelsItsLookWhileWalking) {
+TEST(ScriptPlayer, LevelsItsGazeWhileWalking) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}), look_at({"sky", {0, 50, -20}, true}), walk_to(0, -5)});
     Puppet puppet(walk);
     while (puppet.avatar.position.z() == 0.0) {
@@ -292,9 +292,9 @@ TEST(ScriptPlayer, LevelsItsLookWhileWalking) {
     EXPECT_EQ(puppet.avatar.pitch, 0.0);
 }
 
-// ---- placing and images -------------------------------------------------------------------------------
+// ---- placement and snapshots -----------------------------------------------------------------------------
 
-TEST(ScriptPlayer, TeleportsWithItsYawUnlessAnotherIsGiven) {
+TEST(ScriptPlayer, KeepsItsYawOnATeleportUnlessOneIsGiven) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}, radians(30)), teleport_to({5, 0, 5}),
                                teleport_to({6, 0, 6}, radians(-200), "yard")});
     Puppet puppet(walk);
@@ -319,7 +319,7 @@ std::vector<std::string> names_of(const std::vector<const Step*>& effects) {
 
 using Names = std::vector<std::string>;
 
-TEST(ScriptPlayer, TakesImagesWithTheEndOfTheStepBefore) {
+TEST(ScriptPlayer, TakesSnapshotsAtTheEndOfTheStepBefore) {
     const Walk walk = walk_of(
         {spawn_at({0, 0, 0}), snapshot("a"), wait_for(0.05), snapshot("b"), snapshot("c"), wait_for(0.05)});
     Puppet puppet(walk);
@@ -333,7 +333,7 @@ TEST(ScriptPlayer, TakesImagesWithTheEndOfTheStepBefore) {
     EXPECT_EQ(puppet.ticks_until_end(), 3);
 }
 
-TEST(ScriptPlayer, TakesNoImageAfterAFatalBlock) {
+TEST(ScriptPlayer, TakesNoSnapshotAfterAFatalBlock) {
     const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -10), snapshot("never")});
     Puppet puppet(walk);
     puppet.stuck = true;
@@ -342,7 +342,7 @@ TEST(ScriptPlayer, TakesNoImageAfterAFatalBlock) {
     EXPECT_EQ(names_of(puppet.effects), Names());
 }
 
-TEST(ScriptPlayer, NamesTheLineThatItPlays) {
+TEST(ScriptPlayer, ReportsTheLineOfTheCurrentStep) {
     WaitStep wait = wait_for(0.1);
     wait.mark = {"a.walk.yaml", 5, 3};
     const Walk walk = walk_of({spawn_at({0, 0, 0}), wait});

@@ -22,8 +22,8 @@ Points curve(const Points& through) {
     return out;
 }
 
-/// The spline in its cubic Hermite form, with tangents from the knots' divided differences: another way to
-/// the same curve. Between the second and the third point, `u` from 0 to 1.
+/// An independent formula for the same curve: the spline in its cubic Hermite form, with tangents from the
+/// knots' divided differences. Between the second and the third point, `u` from 0 to 1.
 Vector3d hermite(const std::array<Vector3d, 4>& p, double u) {
     std::array<double, 3> d{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -56,14 +56,14 @@ TEST(SmoothCurve, IsTheCentripetalSpline) {
         const auto to = std::ranges::find(line, p[2]);
         ASSERT_NE(from, line.end());
         ASSERT_NE(to, line.end());
-        const auto pieces = static_cast<double>(to - from);
+        const auto segments = static_cast<double>(to - from);
         for (auto at = from; at != to; ++at) {
-            ASSERT_LT((*at - hermite(p, static_cast<double>(at - from) / pieces)).norm(), 1e-9) << i;
+            ASSERT_LT((*at - hermite(p, static_cast<double>(at - from) / segments)).norm(), 1e-9) << i;
         }
     }
 }
 
-TEST(SmoothCurve, PassesItsPointsInTheirOrder) {
+TEST(SmoothCurve, PassesThroughItsPointsInOrder) {
     const Points through = {{0, 0, 0}, {3, 0, 1}, {3, 0, -5}, {-2, 0, 4}};
     const Points line = curve(through);
     EXPECT_EQ(line.front(), through.front());
@@ -75,7 +75,7 @@ TEST(SmoothCurve, PassesItsPointsInTheirOrder) {
     }
 }
 
-TEST(SmoothCurve, IsStraightBetweenTwo) {
+TEST(SmoothCurve, IsStraightBetweenTwoPoints) {
     const Points line = curve({{1, 0, 1}, {4, 0, 5}});
     EXPECT_EQ(line.size(), 51U);
     for (const Vector3d& p : line) {
@@ -83,13 +83,13 @@ TEST(SmoothCurve, IsStraightBetweenTwo) {
     }
 }
 
-TEST(SmoothCurve, LeavesOutHeightsAndRepetitions) {
+TEST(SmoothCurve, IgnoresHeightsAndRepeatedPoints) {
     EXPECT_EQ(curve({{0, 1, 0}, {0, 5, 0}, {1, 2, 0}, {1, 2, 0}}), curve({{0, 0, 0}, {1, 0, 0}}));
     EXPECT_EQ(curve({{3, 0, 3}, {3, 0, 3}}), Points({{3, 0, 3}}));
     EXPECT_EQ(curve({}), Points());
 }
 
-TEST(SmoothCurve, MakesNoLoopWherePointsAreClose) {
+TEST(SmoothCurve, HasNoLoopsWherePointsAreClose) {
     // A uniform spline would overshoot the short side by metres.
     const Points line = curve({{0, 0, 0}, {10, 0, 0}, {10, 0, 0.1}, {0, 0, 0.1}});
     for (const Vector3d& p : line) {

@@ -1,5 +1,6 @@
 #include "engine/simulation/check_walk.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/engine/short_walk.h"
@@ -9,8 +10,13 @@ namespace campuswalk::engine {
 namespace {
 
 using collision::Detection;
+using testing::AllOfArray;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Matcher;
+using testing::StartsWith;
 
-/// A floor, a wall in a layer of its own, a table 0.4 m high and a door's trigger.
+/// A floor, a wall in a separate layer, a table 0.4 m high and a door's trigger.
 scene::Campus furnished_campus() {
     scene::Campus campus = level_campus();
     add_building(campus, "library");
@@ -21,11 +27,21 @@ scene::Campus furnished_campus() {
 }
 
 std::vector<std::string> diagnostics(const Walk& walk) {
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (const scene::Diagnostic& diagnostic : check_walk(furnished_campus(), walk)) {
-        told.push_back(scene::to_string(diagnostic));
+        reported.push_back(scene::to_string(diagnostic));
     }
-    return told;
+    return reported;
+}
+
+/// Matches a diagnostic that begins with `FILE:LINE:COL: error CODE` and mentions all facts.
+Matcher<std::string> reports(const std::string& place_and_code, const std::vector<std::string>& facts) {
+    std::vector<Matcher<std::string>> all;
+    all.push_back(StartsWith(place_and_code + ": "));
+    for (const std::string& fact : facts) {
+        all.push_back(HasSubstr(fact));
+    }
+    return AllOfArray(all);
 }
 
 template <typename Marked>
@@ -42,31 +58,32 @@ TEST(CheckWalk, AcceptsFreePlaces) {
         << "on the ground, in the air, in a trigger";
 }
 
-TEST(CheckWalk, LooksHalfAMetreUpForAFreePlace) {
-    // The table's top is 0.4 m up; the capsule's lowest point stands free from there on.
+TEST(CheckWalk, AcceptsAPlaceThatIsFreeUpToHalfAMetreAbove) {
+    // The table's top is 0.4 m up; a capsule whose lowest point is there is free.
     EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, 0, 0})})), Diagnostics());
     EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, -0.05, 0})})), Diagnostics());
     EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, -0.15, 0})})).size(), 1U);
 }
 
-TEST(CheckWalk, RefusesASpawnInAWall) {
-    EXPECT_EQ(diagnostics(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
-              Diagnostics({"a.walk.yaml:12:5: error spawn-blocked: main-gate at 5.000,0.250,0.500 is inside "
-                           "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
+TEST(CheckWalk, RejectsASpawnInAWall) {
+    EXPECT_THAT(
+        diagnostics(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
+        ElementsAre(reports("a.walk.yaml:12:5: error spawn-blocked",
+                            {"main-gate", "5.000,0.250,0.500", "library/walls", "0.30 m", "1.80 m"})));
 }
 
 TEST(CheckWalk, AcceptsATeleportThatCanBePushedOutOfAWall) {
-    const auto nearness = [](double gap) {
+    const auto teleport_with_gap = [](double gap) {
         return diagnostics(walk_of({spawn_at({0, 0, 0}), marked(teleport_to({4.0 - 0.3 - gap, 0, 0}), 14)}));
     };
-    EXPECT_EQ(nearness(0.001), Diagnostics());
-    EXPECT_EQ(nearness(-0.299), Diagnostics()) << "by less than the radius";
-    EXPECT_EQ(nearness(-0.301),
-              Diagnostics({"a.walk.yaml:14:5: error spawn-blocked: elsewhere at 4.001,0.000,0.000 is inside "
-                           "library/walls: put it where a capsule of 0.30 m radius and 1.80 m height fits"}));
+    EXPECT_EQ(teleport_with_gap(0.001), Diagnostics());
+    EXPECT_EQ(teleport_with_gap(-0.299), Diagnostics()) << "by less than the radius";
+    EXPECT_THAT(teleport_with_gap(-0.301),
+                ElementsAre(reports("a.walk.yaml:14:5: error spawn-blocked",
+                                    {"elsewhere", "4.001,0.000,0.000", "library/walls"})));
 }
 
-TEST(CheckWalk, MeasuresTheWalksOwnAvatar) {
+TEST(CheckWalk, UsesTheWalksOwnAvatar) {
     Walk low = walk_of({spawn_at({5, -1.1, 0})});
     EXPECT_EQ(diagnostics(low).size(), 1U);
     low.avatar.height = 1.0;
@@ -74,44 +91,42 @@ TEST(CheckWalk, MeasuresTheWalksOwnAvatar) {
     EXPECT_EQ(diagnostics(low), Diagnostics());
 }
 
-TEST(CheckWalk, LooksThroughIgnoredLayers) {
+TEST(CheckWalk, SkipsIgnoredLayers) {
     Walk ghost = walk_of({spawn_at({5, 0, 0})});
     EXPECT_EQ(diagnostics(ghost).size(), 1U);
     ghost.avatar.ignore_layers = {"buildings"};
     EXPECT_EQ(diagnostics(ghost), Diagnostics());
 }
 
-TEST(CheckWalk, RefusesATypoWithASuggestion) {
+TEST(CheckWalk, RejectsATypoWithASuggestion) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_never("trigger.enter libary/door", 21)};
-    EXPECT_EQ(diagnostics(walk),
-              Diagnostics({"a.walk.yaml:21:5: error unknown-name: 'trigger.enter libary/door' can't happen: "
-                           "nothing of that name has such events (did you mean 'library/door'?)"}));
+    EXPECT_THAT(diagnostics(walk), ElementsAre(reports("a.walk.yaml:21:5: error unknown-name",
+                                                       {"'trigger.enter libary/door'", "'library/door'"})));
 }
 
-TEST(CheckWalk, RefusesAnotherStrategysObject) {
+TEST(CheckWalk, RejectsAnObjectOfAnotherDetectionMode) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_count("ray.enter table", {}, 1, {}, 22)};
-    EXPECT_EQ(diagnostics(walk), Diagnostics({"a.walk.yaml:22:5: error unknown-name: 'ray.enter table' can't "
-                                              "happen: nothing of that name has such events"}));
+    EXPECT_THAT(diagnostics(walk),
+                ElementsAre(reports("a.walk.yaml:22:5: error unknown-name", {"'ray.enter table'"})));
 }
 
-TEST(CheckWalk, RefusesToEnableWhatIsNotThere) {
+TEST(CheckWalk, RejectsEnablingAnUnknownObject) {
     EnableStep step = enable("libary/door");
     step.objects[0].mark = {"a.walk.yaml", 8, 13};
-    EXPECT_EQ(
+    EXPECT_THAT(
         diagnostics(walk_of({spawn_at({0, 0, 0}), disable("library/*"), step, step})),
-        Diagnostics({"a.walk.yaml:8:13: error unknown-name: the campus has no object 'libary/door' (did "
-                     "you mean 'library/door'?)"}))
-        << "once, however often it is played";
+        ElementsAre(reports("a.walk.yaml:8:13: error unknown-name", {"'libary/door'", "'library/door'"})))
+        << "once, however often the step is played";
 }
 
-TEST(CheckWalk, RefusesToWaitForWhatCannotHappen) {
+TEST(CheckWalk, RejectsWaitingForAnImpossibleEvent) {
     WaitUntilStep step = wait_until("trigger.enter library/dor");
     step.event.mark = {"a.walk.yaml", 9, 17};
-    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0, 0}), step})),
-              Diagnostics({"a.walk.yaml:9:17: error unknown-name: 'trigger.enter library/dor' can't happen: "
-                           "nothing of that name has such events (did you mean 'library/door'?)"}));
+    EXPECT_THAT(diagnostics(walk_of({spawn_at({0, 0, 0}), step})),
+                ElementsAre(reports("a.walk.yaml:9:17: error unknown-name",
+                                    {"'trigger.enter library/dor'", "'library/door'"})));
 }
 
 TEST(CheckWalk, ReportsEverythingAtOnce) {
@@ -128,36 +143,37 @@ TEST(CheckWalk, ReportsEverythingAtOnce) {
                          {"spawn-blocked", "spawn-blocked", "unknown-name", "unknown-name", "unknown-name"}));
 }
 
-TEST(CheckWalk, LooksUpBuildingsAndObjectsOfExpectations) {
+TEST(CheckWalk, ChecksTheBuildingsAndObjectsOfExpectations) {
     const SourceMark mark = {"a.walk.yaml", 21, 5};
     const auto about = [&](const Expectation& expectation) {
         Walk walk = walk_of({spawn_at({0, 0, 0})});
         walk.expectations = {expectation};
         return diagnostics(walk);
     };
-    const std::string place = "a.walk.yaml:21:5: error unknown-name: ";
+    const std::string unknown = "a.walk.yaml:21:5: error unknown-name";
     EXPECT_EQ(about(ExpectPopup{mark, {mark, "library"}}), Diagnostics());
-    EXPECT_EQ(about(ExpectPopup{mark, {mark, "libary"}}),
-              Diagnostics({place + "no building 'libary' has a pop-up (did you mean 'library'?)"}));
-    EXPECT_EQ(about(ExpectVisits{mark, {{mark, "l*"}, {mark, "lab"}}, 1.0}),
-              Diagnostics({place + "no building 'lab' has a pop-up"}));
-    EXPECT_EQ(about(ExpectBlockedBy{mark, {mark, "tabel"}}),
-              Diagnostics({place + "the campus has no solid object 'tabel' (did you mean 'table'?)"}));
+    EXPECT_THAT(about(ExpectPopup{mark, {mark, "libary"}}),
+                ElementsAre(reports(unknown, {"building", "'libary'", "'library'"})));
+    EXPECT_THAT(about(ExpectVisits{mark, {{mark, "l*"}, {mark, "lab"}}, 1.0}),
+                ElementsAre(reports(unknown, {"building", "'lab'"})));
+    EXPECT_THAT(about(ExpectBlockedBy{mark, {mark, "tabel"}}),
+                ElementsAre(reports(unknown, {"object", "'tabel'", "'table'"})));
     EXPECT_EQ(about(ExpectStuck{mark, {mark, "*"}}), Diagnostics());
-    EXPECT_EQ(about(ExpectNot{mark, ExpectStuck{mark, {mark, "library/door"}}}),
-              Diagnostics({place + "the campus has no solid object 'library/door'"}))
-        << "a trigger is in nobody's way";
+    EXPECT_THAT(about(ExpectNot{mark, ExpectStuck{mark, {mark, "library/door"}}}),
+                ElementsAre(reports(unknown, {"object", "'library/door'"})))
+        << "a trigger blocks nobody";
     EXPECT_EQ(about(ExpectNear{mark, {}, 1.0, EventPattern{mark, "trigger.enter", "table"}}).size(), 1U);
     EXPECT_EQ(about(ExpectWithin{mark, {mark, "trigger.enter", "a"}, {mark, "popup.open", "b"}, 1.0}).size(),
               2U);
 }
 
-TEST(CheckWalk, LooksAtExpectationsInSteps) {
+TEST(CheckWalk, ChecksExpectationsInSteps) {
     const ExpectStep step = {{}, {expect_never("popup.open libary", 9)}};
-    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0, 0}), step, step})).size(), 1U) << "once for all rounds";
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0, 0}), step, step})).size(), 1U)
+        << "once, however often the step is played";
 }
 
-TEST(CheckWalk, HasNothingAgainstReaches) {
+TEST(CheckWalk, AcceptsAnyTargetOfReaches) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_reaches({"nowhere", {1e6, 0, 0}, false}, 0.1)};
     EXPECT_EQ(diagnostics(walk), Diagnostics());

@@ -18,11 +18,12 @@ using collision::MoveTrace;
 using collision::ObjectId;
 using Eigen::Vector3d;
 
-/// ContactDetector with an avatar that is moved by hand.
-class Sensing {
+/// A ContactDetector whose avatar the test moves.
+class MovedDetector {
 public:
-    explicit Sensing(const scene::Campus& campus, std::uint32_t ignored_layers = 0, Tick stay_ticks = 1000)
-        : campus_(campus), contact_detector_(campus, AvatarProfile{}, ignored_layers, stay_ticks) {}
+    explicit MovedDetector(const scene::Campus& campus, std::uint32_t ignored_layers = 0,
+                           Tick stay_ticks = 1000)
+        : campus_(campus), detector_(campus, AvatarProfile{}, ignored_layers, stay_ticks) {}
 
     std::vector<std::string> move(const std::vector<Vector3d>& path,
                                   const std::vector<collision::Touch>& touching = {}) {
@@ -32,32 +33,33 @@ public:
         AvatarState avatar;
         avatar.position = path.back();
         avatar.yaw = yaw;
-        contact_detector_.detect(tick_++, avatar, trace, found);
-        return told_all();
+        detector_.detect(tick_++, avatar, trace, found);
+        return lines();
     }
     std::vector<std::string> leave_all() {
-        contact_detector_.leave_all(tick_, found);
-        return told_all();
+        detector_.leave_all(tick_, found);
+        return lines();
     }
 
     double yaw = 0.0;
     std::vector<DetectedTransition> found;
 
 private:
-    std::vector<std::string> told_all() const {
+    /// The transitions as "KIND OBJECT".
+    std::vector<std::string> lines() const {
         constexpr const char* kDetectionModes[] = {"collision", "trigger", "ray"};
         constexpr const char* kPhases[] = {"exit", "enter", "stay"};
-        std::vector<std::string> lines;
+        std::vector<std::string> out;
         for (const DetectedTransition& s : found) {
-            lines.push_back(std::string(kDetectionModes[static_cast<int>(s.mode)]) + "." +
-                            kPhases[static_cast<int>(s.transition.phase)] + " " +
-                            campus_.objects[index_of(s.transition.object)].id);
+            out.push_back(std::string(kDetectionModes[static_cast<int>(s.mode)]) + "." +
+                          kPhases[static_cast<int>(s.transition.phase)] + " " +
+                          campus_.objects[index_of(s.transition.object)].id);
         }
-        return lines;
+        return out;
     }
 
     const scene::Campus& campus_;
-    ContactDetector contact_detector_;
+    ContactDetector detector_;
     Tick tick_ = 0;
 };
 
@@ -70,93 +72,93 @@ scene::Campus campus_with(const std::string& name, const Vector3d& min, const Ve
     return campus;
 }
 
-TEST(ContactDetector, FeelASolidByItsGap) {
+TEST(ContactDetector, DetectsASolidByItsGap) {
     const scene::Campus campus = campus_with("wall", {0, 0, 0}, {1, 3, 1}, Detection::solid);
     const ObjectId wall{0};
-    Sensing sensing(campus);
+    MovedDetector detector(campus);
     const Vector3d here(-5, 0, 0);
-    EXPECT_EQ(sensing.move({here}, {{wall, 0.0211}}), Lines());
-    EXPECT_EQ(sensing.move({here, here}, {{wall, 0.0209}}), Lines({"collision.enter wall"}));
-    EXPECT_EQ(sensing.move({here, here}, {{wall, 0.0249}}), Lines()) << "still within five millimetres";
-    EXPECT_EQ(sensing.move({here, here}, {{wall, 0.0251}}), Lines({"collision.exit wall"}));
-    EXPECT_EQ(sensing.move({here, here}, {{wall, 0.0249}}), Lines()) << "which don't begin a contact";
-    EXPECT_EQ(sensing.move({here, here}, {{wall, -0.1}}), Lines({"collision.enter wall"}));
-    EXPECT_EQ(sensing.move({here, here}), Lines({"collision.exit wall"})) << "out of reach";
+    EXPECT_EQ(detector.move({here}, {{wall, 0.0211}}), Lines());
+    EXPECT_EQ(detector.move({here, here}, {{wall, 0.0209}}), Lines({"collision.enter wall"}));
+    EXPECT_EQ(detector.move({here, here}, {{wall, 0.0249}}), Lines()) << "still within five millimetres";
+    EXPECT_EQ(detector.move({here, here}, {{wall, 0.0251}}), Lines({"collision.exit wall"}));
+    EXPECT_EQ(detector.move({here, here}, {{wall, 0.0249}}), Lines()) << "too far to begin a contact";
+    EXPECT_EQ(detector.move({here, here}, {{wall, -0.1}}), Lines({"collision.enter wall"}));
+    EXPECT_EQ(detector.move({here, here}), Lines({"collision.exit wall"})) << "out of reach";
 }
 
-TEST(ContactDetector, SeeWhereTheAvatarLooks) {
+TEST(ContactDetector, DetectsTheObjectThatTheAvatarLooksAt) {
     const scene::Campus campus = campus_with("sign", {-1, 0, -5}, {1, 3, -4}, Detection::ray);
-    Sensing sensing(campus);
-    EXPECT_EQ(sensing.move({{0, 0, 0}}), Lines({"ray.enter sign"}));
-    EXPECT_NEAR(sensing.found[0].distance, 4.0, 1e-12);
-    sensing.yaw = radians(90);
-    EXPECT_EQ(sensing.move({{0, 0, 0}, {0, 0, 0}}), Lines({"ray.exit sign"}));
-    EXPECT_EQ(sensing.move({{0, 0, 0}, {5, 0, -4.5}}), Lines({"ray.enter sign"}))
-        << "to the left, from aside";
-    EXPECT_NEAR(sensing.found[0].distance, 4.0, 1e-12);
-    sensing.yaw = radians(-90);
-    EXPECT_EQ(sensing.move({{5, 0, -4.5}, {-5, 0, -4.5}}), Lines()) << "from the other side to the right";
+    MovedDetector detector(campus);
+    EXPECT_EQ(detector.move({{0, 0, 0}}), Lines({"ray.enter sign"}));
+    EXPECT_NEAR(detector.found[0].distance, 4.0, 1e-12);
+    detector.yaw = radians(90);
+    EXPECT_EQ(detector.move({{0, 0, 0}, {0, 0, 0}}), Lines({"ray.exit sign"}));
+    EXPECT_EQ(detector.move({{0, 0, 0}, {5, 0, -4.5}}), Lines({"ray.enter sign"}))
+        << "to the left, from the side";
+    EXPECT_NEAR(detector.found[0].distance, 4.0, 1e-12);
+    detector.yaw = radians(-90);
+    EXPECT_EQ(detector.move({{5, 0, -4.5}, {-5, 0, -4.5}}), Lines()) << "from the other side to the right";
 }
 
-TEST(ContactDetector, KnowWhenInATickATriggerWasMet) {
+TEST(ContactDetector, FindsWhenInATickATriggerIsEnteredAndLeft) {
     const scene::Campus campus = campus_with("door", {-1, 0, -3}, {1, 2, -2}, Detection::trigger);
-    Sensing sensing(campus);
-    EXPECT_EQ(sensing.move({{0, 0, 0}}), Lines());
-    // Two parts, bent: the second from z = -1 to -2 meets the face at -1.7.
-    EXPECT_EQ(sensing.move({{0, 0, 0}, {0.5, 0, -1}, {0.5, 0, -2}}), Lines({"trigger.enter door"}));
-    EXPECT_NEAR(sensing.found[0].transition.at, (1 + 0.7) / 2, 1e-9);
-    // Four parts; the second from z = -3 to -4 leaves at -3.301.
-    EXPECT_EQ(sensing.move({{0.5, 0, -2}, {0, 0, -3}, {0, 0, -4}, {0, 0, -5}, {0, 0, -6}}),
+    MovedDetector detector(campus);
+    EXPECT_EQ(detector.move({{0, 0, 0}}), Lines());
+    // Two segments at an angle: the second, from z = -1 to -2, touches the face at -1.7.
+    EXPECT_EQ(detector.move({{0, 0, 0}, {0.5, 0, -1}, {0.5, 0, -2}}), Lines({"trigger.enter door"}));
+    EXPECT_NEAR(detector.found[0].transition.at, (1 + 0.7) / 2, 1e-9);
+    // Four segments: the second, from z = -3 to -4, leaves at -3.301.
+    EXPECT_EQ(detector.move({{0.5, 0, -2}, {0, 0, -3}, {0, 0, -4}, {0, 0, -5}, {0, 0, -6}}),
               Lines({"trigger.exit door"}));
-    EXPECT_NEAR(sensing.found[0].transition.at, (1 + 0.301) / 4, 1e-9);
+    EXPECT_NEAR(detector.found[0].transition.at, (1 + 0.301) / 4, 1e-9);
 }
 
-TEST(ContactDetector, TakeAWayOutAndInAgainForOneContact) {
+TEST(ContactDetector, KeepsAContactThatIsLeftAndReenteredWithinATick) {
     const scene::Campus campus = campus_with("door", {-1, 0, -3}, {1, 2, -2}, Detection::trigger);
-    Sensing sensing(campus);
-    EXPECT_EQ(sensing.move({{0, 0, -2.5}}), Lines({"trigger.enter door"}));
-    EXPECT_EQ(sensing.found[0].transition.at, 1.0) << "put down there";
-    EXPECT_EQ(sensing.move({{0, 0, -2.5}, {0, 0, 0}, {0, 0, -2.5}}), Lines());
-    EXPECT_EQ(sensing.move({{0, 0, -2.5}, {0, 0, 0}}), Lines({"trigger.exit door"}));
-    EXPECT_EQ(sensing.move({{0, 0, 0}, {0, 0, -2.5}, {0, 0, 0}}),
+    MovedDetector detector(campus);
+    EXPECT_EQ(detector.move({{0, 0, -2.5}}), Lines({"trigger.enter door"}));
+    EXPECT_EQ(detector.found[0].transition.at, 1.0) << "placed there";
+    EXPECT_EQ(detector.move({{0, 0, -2.5}, {0, 0, 0}, {0, 0, -2.5}}), Lines());
+    EXPECT_EQ(detector.move({{0, 0, -2.5}, {0, 0, 0}}), Lines({"trigger.exit door"}));
+    EXPECT_EQ(detector.move({{0, 0, 0}, {0, 0, -2.5}, {0, 0, 0}}),
               Lines({"trigger.enter door", "trigger.exit door"}));
-    EXPECT_NEAR(sensing.found[0].transition.at, 0.5 * (1.7 / 2.5), 1e-9);
-    EXPECT_NEAR(sensing.found[1].transition.at, 0.5 + 0.5 * (0.8 / 2.5), 1e-9);
+    EXPECT_NEAR(detector.found[0].transition.at, 0.5 * (1.7 / 2.5), 1e-9);
+    EXPECT_NEAR(detector.found[1].transition.at, 0.5 + 0.5 * (0.8 / 2.5), 1e-9);
 }
 
-TEST(ContactDetector, TellOneObjectsStrategiesInAFixedOrder) {
+TEST(ContactDetector, ReportsTheDetectionModesOfAnObjectInAFixedOrder) {
     const scene::Campus campus =
         campus_with("all", {-1, 0, -1}, {1, 3, 1}, Detection::solid | Detection::trigger | Detection::ray);
-    Sensing sensing(campus);
-    EXPECT_EQ(sensing.move({{0, 0, 0}}, {{ObjectId{0}, 0.0}}),
+    MovedDetector detector(campus);
+    EXPECT_EQ(detector.move({{0, 0, 0}}, {{ObjectId{0}, 0.0}}),
               Lines({"collision.enter all", "trigger.enter all", "ray.enter all"}));
-    EXPECT_EQ(sensing.found[2].distance, 0.0) << "the eyes are inside";
-    EXPECT_EQ(sensing.leave_all(), Lines({"collision.exit all", "trigger.exit all", "ray.exit all"}));
-    EXPECT_EQ(sensing.leave_all(), Lines());
+    EXPECT_EQ(detector.found[2].distance, 0.0) << "the eyes are inside";
+    EXPECT_EQ(detector.leave_all(), Lines({"collision.exit all", "trigger.exit all", "ray.exit all"}));
+    EXPECT_EQ(detector.leave_all(), Lines());
 }
 
-TEST(ContactDetector, TellTheEndsByObject) {
+TEST(ContactDetector, OrdersExitsByObject) {
     scene::Campus campus = empty_campus();
     add_box(campus, "sign", {-1, 0, -5}, {1, 3, -4}, {Detection::ray, "", true, ""});
     add_box(campus, "zone", {-1, 0, -1}, {1, 3, 1}, {Detection::trigger, "", true, ""});
     add_box(campus, "wall", {2, 0, 0}, {3, 3, 1}, {Detection::solid, "", true, ""});
-    Sensing sensing(campus);
-    EXPECT_EQ(sensing.move({{0, 0, 0}}, {{ObjectId{2}, 0.0}}),
+    MovedDetector detector(campus);
+    EXPECT_EQ(detector.move({{0, 0, 0}}, {{ObjectId{2}, 0.0}}),
               Lines({"ray.enter sign", "trigger.enter zone", "collision.enter wall"}));
-    EXPECT_EQ(sensing.leave_all(), Lines({"ray.exit sign", "trigger.exit zone", "collision.exit wall"}));
+    EXPECT_EQ(detector.leave_all(), Lines({"ray.exit sign", "trigger.exit zone", "collision.exit wall"}));
 }
 
-TEST(ContactDetector, IgnoreLayers) {
+TEST(ContactDetector, SkipsIgnoredLayers) {
     scene::Campus campus = empty_campus();
     add_box(campus, "sign", {-1, 0, -5}, {1, 3, -4}, {Detection::ray, "", true, "signs"});
     add_box(campus, "zone", {-1, 0, -1}, {1, 3, 1}, {Detection::trigger, "", true, "zones"});
-    EXPECT_EQ(Sensing(campus, 1U << campus.layer_index("signs")).move({{0, 0, 0}}),
+    EXPECT_EQ(MovedDetector(campus, 1U << campus.layer_index("signs")).move({{0, 0, 0}}),
               Lines({"trigger.enter zone"}));
-    EXPECT_EQ(Sensing(campus, 1U << campus.layer_index("zones")).move({{0, 0, 0}}),
+    EXPECT_EQ(MovedDetector(campus, 1U << campus.layer_index("zones")).move({{0, 0, 0}}),
               Lines({"ray.enter sign"}));
 }
 
-TEST(ContactDetector, PutTransitionsInATotalOrder) {
+TEST(ContactDetector, PutsTransitionsInATotalOrder) {
     scene::Campus campus = empty_campus();
     support::Dice dice(5);
     for (int i = 0; i < 40; ++i) {
@@ -167,7 +169,7 @@ TEST(ContactDetector, PutTransitionsInATotalOrder) {
                                                        : Detection::trigger | Detection::ray;
         add_box(campus, "box-" + std::to_string(i), low, low + size, {detection, "", true, ""});
     }
-    Sensing sensing(campus, 0, 2);
+    MovedDetector detector(campus, 0, 2);
     Vector3d foot(0, 0, 0);
     std::size_t several = 0;
     for (int i = 0; i < support::repeats(2000); ++i) {
@@ -175,19 +177,19 @@ TEST(ContactDetector, PutTransitionsInATotalOrder) {
         for (int part = dice.below(4); part >= 0; --part) {
             path.push_back(0.9 * path.back() + dice.in_cube(2.0));
         }
-        sensing.yaw = dice.between(-kPi, kPi);
-        sensing.move(path);
+        detector.yaw = dice.between(-kPi, kPi);
+        detector.move(path);
         foot = path.back();
         const auto key = [](const DetectedTransition& s) {
             return std::tuple(s.transition.at, static_cast<int>(s.transition.phase),
                               index_of(s.transition.object), static_cast<int>(s.mode));
         };
-        for (std::size_t j = 1; j < sensing.found.size(); ++j) {
-            ASSERT_LT(key(sensing.found[j - 1]), key(sensing.found[j])) << "move " << i;
+        for (std::size_t j = 1; j < detector.found.size(); ++j) {
+            ASSERT_LT(key(detector.found[j - 1]), key(detector.found[j])) << "move " << i;
             ++several;
         }
     }
-    EXPECT_GT(several, 20U) << "moves of one transition say nothing about order";
+    EXPECT_GT(several, 20U) << "moves with a single transition have no order to check";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Others than the script give the avatar its intent.
+// Intent sources other than the script.
 
 #include "engine/script/intent.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// What a source said in one tick.
+/// What a source returned in one tick.
 struct Answers {
     Intent intent;
     std::optional<StepEnd> end;
@@ -25,7 +25,7 @@ struct Answers {
     bool finished = false;
 };
 
-/// Writes down what another source answers.
+/// Records the answers of another source.
 class Recording final : public IntentSource {
 public:
     explicit Recording(IntentSource& source) : source_(source) {}
@@ -51,7 +51,7 @@ private:
     std::vector<Answers> ticks_;
 };
 
-/// Answers as written down, whatever the avatar does.
+/// Replays recorded answers, whatever the avatar does.
 class Playback final : public IntentSource {
 public:
     explicit Playback(const std::vector<Answers>& ticks) : ticks_(ticks) {}
@@ -69,7 +69,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// A floor with a wall that can be switched off, a hall that shows a window, and a step.
+/// A floor with a gate that can be disabled, a hall with a pop-up, and a kerb.
 scene::Campus varied_campus() {
     scene::Campus campus = level_campus();
     add_building(campus, "hall", "Great Hall");
@@ -80,16 +80,16 @@ scene::Campus varied_campus() {
     return campus;
 }
 
-/// Every way in which a script moves the avatar, and steps of both kinds.
+/// All kinds of motion that a script can ask for, and steps with and without duration.
 Walk varied_walk() {
     WalkToStep against_the_gate = walk_to(0, -11);
     against_the_gate.if_blocked = IfBlocked::proceed;
     return walk_of({spawn_at({0, 0, 2}), walk_to(0, -4), snapshot("hall"), jump_up(2.5, 1.0),
-                    against_the_gate, be_tall(1.1), follow({{1, 0, -6}, {-1, 0, -5}}), be_tall(1.8),
+                    against_the_gate, set_height(1.1), follow({{1, 0, -6}, {-1, 0, -5}}), set_height(1.8),
                     turn_by(-200), disable("gate"), walk_to(0, -11), teleport_to({3, 0, 3}), wait_for(0.3)});
 }
 
-TEST(IntentSource, PlaysAScriptBackFromItsRecordedIntents) {
+TEST(IntentSource, ReplaysAScriptFromItsRecordedIntents) {
     const scene::Campus campus = varied_campus();
     const Walk walk = varied_walk();
     ScriptPlayer script(walk);
@@ -97,18 +97,18 @@ TEST(IntentSource, PlaysAScriptBackFromItsRecordedIntents) {
     Recorder first;
     const WalkSummary recorded = run_walk(campus, walk, recording, std::array<Observer*, 1>{&first});
     ASSERT_TRUE(recorded.passed);
-    ASSERT_EQ(recorded.hash, run(campus, walk).summary.hash) << "listening changes nothing";
+    ASSERT_EQ(recorded.hash, run(campus, walk).summary.hash) << "recording changes nothing";
 
     Playback playback(recording.ticks());
     Recorder second;
     const WalkSummary played = run_walk(campus, walk, playback, std::array<Observer*, 1>{&second});
     EXPECT_EQ(played.hash, recorded.hash);
     EXPECT_EQ(played.ticks, recorded.ticks);
-    EXPECT_EQ(second.story(), first.story());
-    EXPECT_EQ(second.frames().size(), first.frames().size());
+    EXPECT_EQ(second.event_lines(), first.event_lines());
+    EXPECT_EQ(second.states().size(), first.states().size());
 }
 
-TEST(IntentSource, ChangesTheWalkWithAnIntent) {
+TEST(IntentSource, ChangesTheWalkIfAnIntentChanges) {
     const scene::Campus campus = varied_campus();
     const Walk walk = varied_walk();
     ScriptPlayer script(walk);
@@ -120,7 +120,7 @@ TEST(IntentSource, ChangesTheWalkWithAnIntent) {
     EXPECT_NE(run_walk(campus, walk, playback, {}).hash, recorded.hash);
 }
 
-/// Knows no steps: it walks north until it hears of a window, and stays there for a while.
+/// Has no steps: walks north until a pop-up opens, and stays there for a while.
 class Visitor final : public IntentSource {
 public:
     Intent intend(const AvatarState& avatar) override {
@@ -157,14 +157,14 @@ TEST(IntentSource, DrivesAWalkWithoutSteps) {
     Visitor visitor;
     Recorder recorder;
     const WalkSummary summary = run_walk(campus, walk, visitor, std::array<Observer*, 1>{&recorder});
-    EXPECT_THAT(recorder.story(),
+    EXPECT_THAT(recorder.event_lines(),
                 ElementsAre("trigger.enter hall/inside", "popup.open hall", "popup.close hall",
                             "trigger.exit hall/inside", "expect.fail count"));
-    ASSERT_EQ(summary.failures.size(), 1U) << "expectations are the walk's";
+    ASSERT_EQ(summary.failures.size(), 1U) << "the walk's expectations apply to every source";
     EXPECT_EQ(summary.failures.front().mark.line, 9);
 }
 
-TEST(IntentSource, TimesOutWithTheWalk) {
+TEST(IntentSource, StopsAtTheWalksTimeout) {
     const scene::Campus campus = level_campus();
     Walk walk = walk_of({});
     walk.mark = {"a.walk.yaml", 1, 1};
@@ -174,7 +174,7 @@ TEST(IntentSource, TimesOutWithTheWalk) {
     EXPECT_EQ(summary.ticks, 30);
     ASSERT_EQ(summary.failures.size(), 1U);
     EXPECT_EQ(summary.failures.front().code, "timeout");
-    EXPECT_EQ(summary.failures.front().mark.line, 1) << "of no step in particular";
+    EXPECT_EQ(summary.failures.front().mark.line, 1) << "the line of the walk, not of a step";
 }
 
 }  // namespace

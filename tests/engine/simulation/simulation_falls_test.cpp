@@ -15,29 +15,29 @@ constexpr double kGravity = 9.81;
 constexpr double kRadius = 0.3;
 constexpr double kTickLength = 1.4 / 60.0;
 
-/// Where a body that was let go at `height` is after so many ticks.
+/// The height of a body `ticks` after it began to fall from `height`.
 double fallen(double height, Tick ticks, int ticks_per_second = 60) {
     const double t = static_cast<double>(ticks) / ticks_per_second;
     return height - 0.5 * kGravity * t * t;
 }
 
-TEST(Falls, FollowTheParabolaWhateverTheRate) {
+TEST(Falls, FollowAParabolaAtEveryTickRate) {
     for (const int rate : {30, 60, 120}) {
         Walk walk = walk_of({spawn_at({0, 5, 0}), wait_for(2.0)});
         walk.sim.ticks_per_second = rate;
-        const Outing outing = run(level_campus(), walk);
+        const RecordedRun result = run(level_campus(), walk);
         const auto landing = static_cast<Tick>(std::ceil(std::sqrt(2.0 * 5.0 / kGravity) * rate));
         for (Tick tick = 0; tick < landing; ++tick) {
-            const AvatarState& avatar = outing.recorder.at(tick);
+            const AvatarState& avatar = result.recorder.at(tick);
             ASSERT_NEAR(avatar.position.y(), fallen(5.0, tick, rate), 1e-9) << rate << " tps, tick " << tick;
             ASSERT_FALSE(avatar.grounded);
             ASSERT_NEAR(avatar.vertical_speed, -kGravity * static_cast<double>(tick) / rate, 1e-9);
         }
-        const AvatarState& landed = outing.recorder.at(landing);
+        const AvatarState& landed = result.recorder.at(landing);
         EXPECT_TRUE(landed.grounded);
         EXPECT_NEAR(landed.position.y(), 0.0, 1e-3);
         EXPECT_EQ(landed.vertical_speed, 0.0);
-        const auto lands = outing.recorder.of("avatar.landed stroll");
+        const auto lands = result.recorder.events("avatar.landed stroll");
         ASSERT_EQ(lands.size(), 1U);
         EXPECT_EQ(lands[0].tick, landing);
         EXPECT_NEAR(field<Decimal>(lands[0], "height").value, 5.0, 1e-3);
@@ -45,34 +45,35 @@ TEST(Falls, FollowTheParabolaWhateverTheRate) {
     }
 }
 
-TEST(Falls, OffALedgeTellTheirHeight) {
+TEST(Falls, OffALedgeAreLoggedWithTheirHeight) {
     scene::Campus campus = level_campus();
     add_box(campus, "terrace", {-5, 0, -1}, {5, 3, 5});
-    const Outing outing = run(campus, walk_of({spawn_at({0, 3, 0}), walk_to(0, -4)}));
-    const auto lands = outing.recorder.of("avatar.landed");
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 3, 0}), walk_to(0, -4)}));
+    const auto lands = result.recorder.events("avatar.landed");
     ASSERT_EQ(lands.size(), 1U);
-    // The round foot rolls over the edge until its centre is a radius beyond; from there it falls.
+    // The capsule rolls over the edge until its centre is a radius beyond; from there it falls.
     const double beyond = std::floor((1.0 + kRadius) / kTickLength) * kTickLength - 1.0;
     const double rolled = kRadius - std::sqrt(kRadius * kRadius - beyond * beyond);
     EXPECT_NEAR(field<Decimal>(lands[0], "height").value, 3.0 - rolled, 2e-3);
     const auto last_supported = static_cast<Tick>(std::floor((1.0 + kRadius) / kTickLength));
-    EXPECT_TRUE(outing.recorder.at(last_supported).grounded);
-    EXPECT_FALSE(outing.recorder.at(last_supported + 1).grounded);
+    EXPECT_TRUE(result.recorder.at(last_supported).grounded);
+    EXPECT_FALSE(result.recorder.at(last_supported + 1).grounded);
     const double fall = std::sqrt(2.0 * (3.0 - rolled) / kGravity) * 60.0;
     EXPECT_NEAR(static_cast<double>(lands[0].tick - last_supported), fall, 2.0);
-    EXPECT_EQ(outing.recorder.of("avatar.arrive goal").size(), 1U) << "it walks on below";
+    EXPECT_EQ(result.recorder.events("avatar.arrive goal").size(), 1U) << "it walks on after the landing";
 }
 
-TEST(Falls, OfLessThanHalfAMetreAreNotWorthAnEvent) {
-    // Of 0.6 m and more the foot can't step down; the first 0.2014 m it rolls, as computed above.
+TEST(Falls, OfLessThanHalfAMetreAreNotLogged) {
+    // Ledges of 0.6 m and more are too high to step down; the first 0.2014 m it rolls, as computed above.
     const auto lands_from = [](double ledge) {
         scene::Campus campus = level_campus();
         add_box(campus, "step", {-5, 0, -1}, {5, ledge, 5});
-        const Outing outing = run(campus, walk_of({spawn_at({0, ledge, 0}), walk_to(0, -4)}));
-        EXPECT_TRUE(outing.summary.passed);
-        EXPECT_TRUE(std::ranges::any_of(outing.recorder.frames(),
-                                        [](const Recorder::Frame& frame) { return !frame.avatar.grounded; }));
-        return outing.recorder.of("avatar.landed").size();
+        const RecordedRun result = run(campus, walk_of({spawn_at({0, ledge, 0}), walk_to(0, -4)}));
+        EXPECT_TRUE(result.summary.passed);
+        EXPECT_TRUE(std::ranges::any_of(result.recorder.states(), [](const Recorder::TickState& state) {
+            return !state.avatar.grounded;
+        }));
+        return result.recorder.events("avatar.landed").size();
     };
     EXPECT_EQ(lands_from(0.69), 0U);
     EXPECT_EQ(lands_from(0.71), 1U);
@@ -81,39 +82,39 @@ TEST(Falls, OfLessThanHalfAMetreAreNotWorthAnEvent) {
 TEST(Falls, OffTheWorldEndTheWalk) {
     Walk walk = walk_of({spawn_at({0, 0, 0}), teleport_to({20, 0, 0}), wait_for(60.0), snapshot("never")});
     walk.mark = {"fall.walk.yaml", 0, 0};
-    const Outing outing = run(level_campus(5.0), walk);
-    const auto fell = outing.recorder.of("avatar.fell stroll");
+    const RecordedRun result = run(level_campus(5.0), walk);
+    const auto fell = result.recorder.events("avatar.fell stroll");
     ASSERT_EQ(fell.size(), 1U);
-    // Ten metres below everything there is; it is let go in tick 1.
+    // Ten metres below the lowest object; the fall begins in tick 1.
     const auto tick = 1 + static_cast<Tick>(std::ceil(std::sqrt(2.0 * 10.0 / kGravity) * 60.0));
     EXPECT_EQ(fell[0].tick, tick);
     EXPECT_NEAR(field<Vector3d>(fell[0], "pos").y(), fallen(0.0, tick - 1), 1e-9);
-    EXPECT_EQ(outing.summary.ticks, tick);
-    EXPECT_FALSE(outing.summary.passed);
-    ASSERT_EQ(outing.summary.failures.size(), 1U);
-    EXPECT_EQ(outing.summary.failures[0].code, "fell");
-    EXPECT_EQ(outing.summary.failures[0].message, "the avatar fell off the world");
-    EXPECT_EQ(outing.summary.failures[0].mark.file, "fall.walk.yaml");
-    EXPECT_TRUE(outing.recorder.of("snapshot.take").empty());
-    EXPECT_EQ(told(outing.recorder.events().back()), "walk.end stroll");
+    EXPECT_EQ(result.summary.ticks, tick);
+    EXPECT_FALSE(result.summary.passed);
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_EQ(result.summary.failures[0].code, "fell");
+    EXPECT_EQ(result.summary.failures[0].mark.file, "fall.walk.yaml");
+    EXPECT_TRUE(result.recorder.events("snapshot.take").empty());
+    EXPECT_EQ(event_line(result.recorder.events().back()), "walk.end stroll");
 }
 
-TEST(Falls, OffTheWorldLeaveTheRestOfTheScriptUnplayed) {
+TEST(Falls, OffTheWorldSkipTheRestOfTheScript) {
     // The wait is over in the tick in which the fall ends the walk: 86 ticks after the teleport's.
-    const Outing outing = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), teleport_to({20, 0, 0}),
-                                                          wait_for(86.0 / 60.0), snapshot("never")}));
-    EXPECT_EQ(outing.recorder.story(), std::vector<std::string>({"avatar.teleport elsewhere",
-                                                                 "avatar.fell stroll", "expect.fail fell"}));
+    const RecordedRun result = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), teleport_to({20, 0, 0}),
+                                                               wait_for(86.0 / 60.0), snapshot("never")}));
+    EXPECT_EQ(
+        result.recorder.event_lines(),
+        std::vector<std::string>({"avatar.teleport elsewhere", "avatar.fell stroll", "expect.fail fell"}));
 }
 
-TEST(Falls, DoNotCountTowardsATeleportsLanding) {
-    // Falling from 20 m, it is put half a metre above the ground: on it.
-    const Outing outing =
+TEST(Falls, DoNotCountTowardsALandingAfterATeleport) {
+    // Falling from 20 m, it is teleported to half a metre above the ground, and so placed on it.
+    const RecordedRun result =
         run(level_campus(),
             walk_of({spawn_at({0, 20, 0}), wait_for(0.5), teleport_to({5, 0.5, 0}), wait_for(0.5)}));
-    EXPECT_EQ(outing.recorder.story(), std::vector<std::string>({"avatar.teleport elsewhere"}));
-    EXPECT_TRUE(outing.recorder.frames().back().avatar.grounded);
-    EXPECT_NEAR(outing.recorder.frames().back().avatar.position.y(), 0.0, 1e-3);
+    EXPECT_EQ(result.recorder.event_lines(), std::vector<std::string>({"avatar.teleport elsewhere"}));
+    EXPECT_TRUE(result.recorder.states().back().avatar.grounded);
+    EXPECT_NEAR(result.recorder.states().back().avatar.position.y(), 0.0, 1e-3);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "tests/support/dice.h"
 #include "tests/support/effort.h"
 
-// Random walks through random campuses: whatever happens, contacts follow ENTER STAY* EXIT and pop-ups their
-// contacts.
+// Random walks through random campuses: whatever happens, contacts follow the grammar ENTER STAY* EXIT, and
+// pop-ups follow their contacts.
 
 namespace campuswalk::engine {
 namespace {
@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr std::array kBuildings = {"hall", "tower", "shed"};
 
-/// Boxes of all kinds up to 4 m high, the origin left free. Some lie in the layer "hidden".
+/// Boxes in all detection modes, up to 4 m high, away from the origin. Some are in the layer "hidden".
 scene::Campus random_campus(support::Dice& dice) {
     scene::Campus campus = level_campus(30.0);
     for (const char* building : kBuildings) {
@@ -63,16 +63,16 @@ Walk random_walk(support::Dice& dice) {
                                                 : enable("box/*"));
         }
         if (dice.chance(0.2)) {
-            steps.emplace_back(be_tall(dice.between(0.6, 1.8)));
+            steps.emplace_back(set_height(dice.between(0.6, 1.8)));
         }
         if (dice.chance(0.2)) {
             steps.emplace_back(jump_up(dice.between(1.0, 5.0), dice.between(0.0, 4.0)));
         }
         if (dice.chance(0.2)) {
-            FollowStep way = follow({{dice.between(-9, 9), 0, 0}, {0, 0, dice.between(-9, 9)}});
-            way.if_blocked = IfBlocked::proceed;
-            way.timeout = 4.0;
-            steps.emplace_back(way);
+            FollowStep curve = follow({{dice.between(-9, 9), 0, 0}, {0, 0, dice.between(-9, 9)}});
+            curve.if_blocked = IfBlocked::proceed;
+            curve.timeout = 4.0;
+            steps.emplace_back(curve);
         }
         if (dice.chance(0.2)) {
             const bool in_the_air = dice.chance(0.5);
@@ -86,7 +86,7 @@ Walk random_walk(support::Dice& dice) {
     return walk;
 }
 
-/// Holds every event against the grammar.
+/// Checks every event against the grammar.
 class GrammarCheck final : public Observer {
 public:
     GrammarCheck(const scene::Campus& campus, Tick stay_ticks) : campus_(campus), stay_ticks_(stay_ticks) {}
@@ -98,7 +98,7 @@ public:
                 return;
             }
             EXPECT_EQ(event.tick, record.tick);
-            see(event);
+            check(event);
         }
         EXPECT_FALSE(opens_next_) << "an enter without its pop-up";
         EXPECT_FALSE(closed_) << "a pop-up that closed without an exit";
@@ -113,50 +113,50 @@ public:
         EXPECT_TRUE(open_.empty());
     }
 
-    std::map<std::string, int> seen;  ///< how often each kind came
+    std::map<std::string, int> seen;  ///< how often each kind occurred
 
 private:
-    using Contact = std::pair<std::string, std::string>;  // strategy, object
+    using Contact = std::pair<std::string, std::string>;  // mode, object
 
-    void see(const Event& event) {
+    void check(const Event& event) {
         const std::string kind(name_of(event.kind));
         ++seen[kind];
         const std::string mode = kind.substr(0, kind.find('.'));
         if (opens_next_) {
-            ASSERT_EQ(told(event), "popup.open " + *opens_next_);
+            ASSERT_EQ(event_line(event), "popup.open " + *opens_next_);
         }
         if (mode == "popup") {
-            see_popup(event);
+            check_popup(event);
         } else if (mode == "collision" || mode == "trigger" || mode == "ray") {
             ASSERT_FALSE(event.object.starts_with("hidden/"));
-            see_order(event);
-            see_contact(event, {mode, event.object});
+            check_order(event);
+            check_contact(event, {mode, event.object});
         } else if (kind == "avatar.teleport") {
-            ASSERT_TRUE(since_.empty()) << "still in contact with the place before";
+            ASSERT_TRUE(since_.empty()) << "still in contact with the old place";
             at_ = 0.0;
         }
     }
 
-    void see_order(const Event& event) {
-        ASSERT_GE(event.at, at_) << told(event);
+    void check_order(const Event& event) {
+        ASSERT_GE(event.at, at_) << event_line(event);
         ASSERT_LE(event.at, 1.0);
         at_ = event.at;
     }
 
-    void see_contact(const Event& event, const Contact& contact) {
+    void check_contact(const Event& event, const Contact& contact) {
         const std::string phase(name_of(event.kind).substr(contact.first.size() + 1));
         const auto known = since_.find(contact);
-        ASSERT_EQ(known != since_.end(), phase != "enter") << told(event);
+        ASSERT_EQ(known != since_.end(), phase != "enter") << event_line(event);
         if (phase == "enter") {
             since_[contact] = event.tick;
             count_enter(event);
             return;
         }
         const Tick ticks = event.tick - known->second;
-        ASSERT_EQ(field<std::int64_t>(event, "ticks"), ticks) << told(event);
+        ASSERT_EQ(field<std::int64_t>(event, "ticks"), ticks) << event_line(event);
         if (phase == "stay") {
             ASSERT_GT(ticks, 0);
-            ASSERT_EQ(ticks % stay_ticks_, 0) << told(event);
+            ASSERT_EQ(ticks % stay_ticks_, 0) << event_line(event);
         } else {
             since_.erase(known);
             count_exit(event);
@@ -170,47 +170,47 @@ private:
 
     void count_enter(const Event& event) {
         const auto building = shown_building(event);
-        if (building && met_[*building]++ == 0) {
+        if (building && touched_[*building]++ == 0) {
             opens_next_ = campus_.description.buildings[*building].id;
         }
     }
 
     void count_exit(const Event& event) {
         const auto building = shown_building(event);
-        const bool last = building && --met_[*building] == 0;
-        ASSERT_EQ(closed_.has_value(), last) << told(event);
+        const bool last = building && --touched_[*building] == 0;
+        ASSERT_EQ(closed_.has_value(), last) << event_line(event);
         if (last) {
             ASSERT_EQ(*closed_, campus_.description.buildings[*building].id);
         }
         closed_.reset();
     }
 
-    void see_popup(const Event& event) {
+    void check_popup(const Event& event) {
         const auto& buildings = campus_.description.buildings;
         const auto index = static_cast<std::size_t>(
             std::ranges::find(buildings, event.object, &scene::Building::id) - buildings.begin());
         if (event.kind == EventKind::popup_open) {
-            ASSERT_TRUE(opens_next_) << told(event);
+            ASSERT_TRUE(opens_next_) << event_line(event);
             opens_next_.reset();
             open_.push_back(index);
         } else {
             ASSERT_FALSE(closed_) << "two pop-ups closed before one exit";
             closed_ = event.object;
-            ASSERT_EQ(std::erase(open_, index), 1U) << told(event);
+            ASSERT_EQ(std::erase(open_, index), 1U) << event_line(event);
         }
     }
 
     const scene::Campus& campus_;
     Tick stay_ticks_;
     std::map<Contact, Tick> since_;
-    std::map<std::size_t, int> met_;
+    std::map<std::size_t, int> touched_;
     std::vector<std::size_t> open_;
     std::optional<std::string> opens_next_;
     std::optional<std::string> closed_;
     double at_ = 0.0;
 };
 
-TEST(Grammar, HoldsOnRandomWalks) {
+TEST(EventGrammar, HoldsOnRandomWalks) {
     std::map<std::string, int> seen;
     for (std::uint32_t seed = 1; seed <= static_cast<std::uint32_t>(support::repeats(60)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -218,10 +218,10 @@ TEST(Grammar, HoldsOnRandomWalks) {
         const scene::Campus campus = random_campus(dice);
         const Walk walk = random_walk(dice);
         const auto stay_ticks = std::max<Tick>(1, static_cast<Tick>(std::lround(walk.sim.stay_every * 60.0)));
-        GrammarCheck check(campus, stay_ticks);
-        const std::array<Observer*, 1> observers = {&check};
+        GrammarCheck grammar(campus, stay_ticks);
+        const std::array<Observer*, 1> observers = {&grammar};
         run_walk(campus, walk, observers);
-        for (const auto& [kind, times] : check.seen) {
+        for (const auto& [kind, times] : grammar.seen) {
             seen[kind] += times;
         }
         if (testing::Test::HasFailure()) {
@@ -232,7 +232,7 @@ TEST(Grammar, HoldsOnRandomWalks) {
          {"collision.enter", "collision.stay", "trigger.enter", "trigger.stay", "ray.enter", "ray.stay",
           "popup.open", "avatar.teleport", "avatar.blocked", "avatar.landed", "avatar.stuck", "avatar.jump",
           "avatar.crouch", "object.enable", "object.disable"}) {
-        EXPECT_GT(seen[kind], 5) << kind << " must happen for this to say anything";
+        EXPECT_GT(seen[kind], 5) << kind << " must occur often enough to be tested";
     }
 }
 

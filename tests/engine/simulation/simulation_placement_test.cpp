@@ -1,4 +1,4 @@
-// Spawns and teleports into something: pushed out and logged, or refused.
+// Spawns and teleports into solids: pushed out and logged, or rejected.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 namespace {
 
 using Eigen::Vector3d;
-using Story = std::vector<std::string>;
+using Lines = std::vector<std::string>;
 
 /// A wall whose face is at x = 4, and a table 0.4 m high.
 scene::Campus furnished_campus() {
@@ -21,44 +21,45 @@ scene::Campus furnished_campus() {
     return campus;
 }
 
-TEST(Placement, PushesATeleportOutOfAWallAndTellsIt) {
+TEST(Placement, PushesATeleportOutOfAWallAndLogsIt) {
     const scene::Campus campus = furnished_campus();
     const Walk walk = walk_of({spawn_at({0, 0, 0}), teleport_to({3.8, 0, 1}, {}, "door"), wait_for(0.1)});
     EXPECT_TRUE(check_walk(campus, walk).empty());
-    const Outing outing = run(campus, walk);
-    EXPECT_EQ(outing.recorder.story(), Story({"avatar.teleport door", "avatar.depenetrated door",
-                                              "collision.enter wall", "collision.exit wall"}));
-    const Event push = outing.recorder.of("avatar.depenetrated")[0];
+    const RecordedRun result = run(campus, walk);
+    EXPECT_EQ(result.recorder.event_lines(), Lines({"avatar.teleport door", "avatar.depenetrated door",
+                                                    "collision.enter wall", "collision.exit wall"}));
+    const Event push = result.recorder.events("avatar.depenetrated")[0];
     EXPECT_EQ(field<std::string>(push, "by"), "wall");
     EXPECT_EQ(field<Vector3d>(push, "from"), Vector3d(3.8, 0, 1));
-    EXPECT_NEAR(field<Decimal>(push, "distance").value, 0.1, 0.002) << "0.2 m of the radius were inside";
-    const Vector3d foot = outing.recorder.at(1).position;
+    EXPECT_NEAR(field<Decimal>(push, "distance").value, 0.1, 0.002)
+        << "0.1 m of the radius is inside the wall";
+    const Vector3d foot = result.recorder.at(1).position;
     EXPECT_EQ(foot, field<Vector3d>(push, "pos"));
     EXPECT_LE(support::PenetrationOracle(campus.world).worst_penetration(foot, 0.3, 1.8).depth, 0.0);
 }
 
-TEST(Placement, TellsOfTheFirstSpawnAfterTheWalksStart) {
-    const Outing outing = run(furnished_campus(), walk_of({spawn_at({3.8, 0, 1}), wait_for(0.1)}));
-    ASSERT_GE(outing.recorder.events().size(), 2U);
-    EXPECT_EQ(told(outing.recorder.events()[0]), "walk.start stroll");
-    EXPECT_EQ(told(outing.recorder.events()[1]), "avatar.depenetrated start");
-    EXPECT_LT(field<Vector3d>(outing.recorder.events()[0], "pos").x(), 3.701);
+TEST(Placement, LogsAPushOfTheFirstSpawnAfterTheWalksStart) {
+    const RecordedRun result = run(furnished_campus(), walk_of({spawn_at({3.8, 0, 1}), wait_for(0.1)}));
+    ASSERT_GE(result.recorder.events().size(), 2U);
+    EXPECT_EQ(event_line(result.recorder.events()[0]), "walk.start stroll");
+    EXPECT_EQ(event_line(result.recorder.events()[1]), "avatar.depenetrated start");
+    EXPECT_LT(field<Vector3d>(result.recorder.events()[0], "pos").x(), 3.701);
 }
 
-TEST(Placement, SaysNothingOfAPlaceThatIsFreeOrRounded) {
+TEST(Placement, LogsNothingForAFreeOrRoundedPlace) {
     for (const double y : {0.0, -0.001, -0.04, 0.3}) {
-        const Outing outing = run(furnished_campus(), walk_of({spawn_at({0, y, 0}), wait_for(0.1)}));
-        EXPECT_TRUE(outing.recorder.of("avatar.depenetrated").empty()) << y;
+        const RecordedRun result = run(furnished_campus(), walk_of({spawn_at({0, y, 0}), wait_for(0.1)}));
+        EXPECT_TRUE(result.recorder.events("avatar.depenetrated").empty()) << y;
     }
 }
 
-TEST(Placement, PutsSomeoneInATableOnIt) {
-    const Outing outing = run(furnished_campus(), walk_of({spawn_at({-5, 0, 0}), wait_for(0.1)}));
-    EXPECT_NEAR(outing.recorder.at(0).position.y(), 0.4, 1e-3);
-    EXPECT_EQ(outing.recorder.of("avatar.depenetrated start").size(), 1U);
+TEST(Placement, LiftsASpawnInATableOntoIt) {
+    const RecordedRun result = run(furnished_campus(), walk_of({spawn_at({-5, 0, 0}), wait_for(0.1)}));
+    EXPECT_NEAR(result.recorder.at(0).position.y(), 0.4, 1e-3);
+    EXPECT_EQ(result.recorder.events("avatar.depenetrated start").size(), 1U);
 }
 
-TEST(Placement, MeasuresACrouchedAvatarCrouched) {
+TEST(Placement, UsesTheHeightOfACrouchedAvatar) {
     scene::Campus campus = level_campus();
     add_box(campus, "loft", {-20, 1.3, -20}, {20, 5, -10});
     const auto codes = [&](std::vector<Step> steps) {
@@ -68,13 +69,13 @@ TEST(Placement, MeasuresACrouchedAvatarCrouched) {
         }
         return found;
     };
-    EXPECT_EQ(codes({spawn_at({0, 0, 0}), teleport_to({0, 0, -15})}), Story({"spawn-blocked"}));
-    EXPECT_EQ(codes({spawn_at({0, 0, 0}), be_tall(1.2), teleport_to({0, 0, -15})}), Story());
-    EXPECT_EQ(codes({spawn_at({0, 0, 0}), be_tall(1.2), be_tall(1.8), teleport_to({0, 0, -15})}),
-              Story({"spawn-blocked"}));
+    EXPECT_EQ(codes({spawn_at({0, 0, 0}), teleport_to({0, 0, -15})}), Lines({"spawn-blocked"}));
+    EXPECT_EQ(codes({spawn_at({0, 0, 0}), set_height(1.2), teleport_to({0, 0, -15})}), Lines());
+    EXPECT_EQ(codes({spawn_at({0, 0, 0}), set_height(1.2), set_height(1.8), teleport_to({0, 0, -15})}),
+              Lines({"spawn-blocked"}));
 }
 
-TEST(Placement, HeedsWhatIsDisabledByThen) {
+TEST(Placement, IgnoresObjectsThatAreDisabledByThen) {
     const auto diagnostics = [&](std::vector<Step> steps) {
         return check_walk(furnished_campus(), walk_of(std::move(steps))).size();
     };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/script/avatar_body.h"
@@ -13,7 +14,9 @@ namespace campuswalk::engine {
 namespace {
 
 using Eigen::Vector3d;
-using Story = std::vector<std::string>;
+using testing::AllOf;
+using testing::HasSubstr;
+using Lines = std::vector<std::string>;
 
 TEST(Simulation, BeginsWithTheSpawn) {
     const scene::Campus campus = level_campus();
@@ -27,7 +30,7 @@ TEST(Simulation, BeginsWithTheSpawn) {
     EXPECT_NEAR(record.avatar.yaw, radians(90), 1e-15);
     EXPECT_TRUE(record.avatar.grounded);
     ASSERT_EQ(record.events.size(), 1U);
-    EXPECT_EQ(told(record.events[0]), "walk.start stroll");
+    EXPECT_EQ(event_line(record.events[0]), "walk.start stroll");
     EXPECT_EQ(field<Vector3d>(record.events[0], "pos"), record.avatar.position);
     EXPECT_NEAR(field<Decimal>(record.events[0], "yaw").value, 90.0, 1e-12);
     EXPECT_EQ(field<Decimal>(record.events[0], "yaw").digits, 1);
@@ -42,11 +45,11 @@ TEST(Simulation, FindsGroundAndRoomForTheSpawn) {
     EXPECT_NEAR(foot_of(0.4), 0.4, 1e-3);
     EXPECT_NEAR(foot_of(0.0), 0.4, 1e-3) << "up onto the table";
     EXPECT_NEAR(foot_of(0.9), 0.4, 1e-3) << "down onto it";
-    EXPECT_NEAR(foot_of(1.3), 0.4, 1e-3) << "and no deeper than a metre";
-    EXPECT_NEAR(foot_of(1.5), 1.5, 1e-12) << "in the air";
+    EXPECT_NEAR(foot_of(1.3), 0.4, 1e-3) << "by at most a metre";
+    EXPECT_NEAR(foot_of(1.5), 1.5, 1e-12) << "left in the air";
 }
 
-TEST(Simulation, PlaysUntilTheScriptIsDone) {
+TEST(Simulation, RunsUntilTheScriptEnds) {
     const scene::Campus campus = level_campus();
     const Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(0.5)});
     Simulation simulation(campus, walk);
@@ -60,18 +63,18 @@ TEST(Simulation, PlaysUntilTheScriptIsDone) {
     EXPECT_EQ(simulation.distance(), 0.0);
 }
 
-TEST(Simulation, MeasuresTheWay) {
-    const Outing outing =
+TEST(Simulation, MeasuresTheDistanceWalked) {
+    const RecordedRun result =
         run(level_campus(),
             walk_of({spawn_at({0, 0, 0}), walk_to(0, -10), teleport_to({40, 0, 40}), walk_to(43, 44)}));
-    // 9.95 m and 4.95 m, each to the tick's end; the teleport is no way.
+    // 9.95 m and 4.95 m, each to the end of its tick; the teleport doesn't count.
     const double step = 1.4 / 60.0;
-    EXPECT_NEAR(outing.summary.distance, (std::ceil(9.95 / step) + std::ceil(4.95 / step)) * step, 1e-6);
+    EXPECT_NEAR(result.summary.distance, (std::ceil(9.95 / step) + std::ceil(4.95 / step)) * step, 1e-6);
 }
 
-TEST(Simulation, LooksAlongItsWay) {
-    const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(-10, 10)}));
-    EXPECT_NEAR(outing.recorder.frames().back().avatar.yaw, radians(135), 1e-9);
+TEST(Simulation, TurnsTheAvatarInItsWalkingDirection) {
+    const RecordedRun result = run(level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(-10, 10)}));
+    EXPECT_NEAR(result.recorder.states().back().avatar.yaw, radians(135), 1e-9);
 }
 
 TEST(Simulation, HashesEveryTick) {
@@ -82,7 +85,7 @@ TEST(Simulation, HashesEveryTick) {
     for (std::size_t i = 0; !simulation.finished(); ++i) {
         simulation.step();
         seen.insert(simulation.hash());
-        ASSERT_EQ(seen.size(), i + 2) << "standing still, but time goes on";
+        ASSERT_EQ(seen.size(), i + 2) << "the avatar stands still, but time goes on";
     }
 }
 
@@ -101,43 +104,45 @@ scene::Campus walled_campus() {
     return campus;
 }
 
-TEST(Simulation, TellsOfArrivals) {
-    const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(0, -1.4, "square")}));
-    const auto arrives = outing.recorder.of("avatar.arrive square");
+TEST(Simulation, LogsArrivals) {
+    const RecordedRun result =
+        run(level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(0, -1.4, "square")}));
+    const auto arrives = result.recorder.events("avatar.arrive square");
     ASSERT_EQ(arrives.size(), 1U);
-    EXPECT_EQ(arrives[0].tick, 58) << "1.35 m by 1.4 m a second are 57.9 ticks";
+    EXPECT_EQ(arrives[0].tick, 58) << "1.35 m at 1.4 m/s take 57.9 ticks";
     EXPECT_NEAR(field<Vector3d>(arrives[0], "pos").z(), -58 * 1.4 / 60, 1e-9);
-    EXPECT_TRUE(outing.summary.passed);
+    EXPECT_TRUE(result.summary.passed);
 }
 
 TEST(Simulation, StopsWhenBlocked) {
     WalkToStep step = walk_to(0, -10, "square");
     step.mark = {"a.walk.yaml", 7, 5};
-    const Outing outing =
+    const RecordedRun result =
         run(walled_campus(), walk_of({spawn_at({0, 0, 0}), step, walk_to(0, 5, "home"), snapshot("never")}));
-    EXPECT_EQ(outing.recorder.story(),
-              Story({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
+    EXPECT_EQ(result.recorder.event_lines(),
+              Lines({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
                      "avatar.blocked square", "collision.exit wall", "expect.fail blocked"}));
-    EXPECT_EQ(field<std::string>(outing.recorder.of("collision.exit")[0], "cause"), "end");
-    EXPECT_FALSE(outing.summary.passed);
-    ASSERT_EQ(outing.summary.failures.size(), 1U);
-    EXPECT_EQ(outing.summary.failures[0].code, "blocked");
-    EXPECT_EQ(outing.summary.failures[0].message, "walk_to square was not reached: blocked by wall");
-    EXPECT_EQ(outing.summary.failures[0].mark.line, 7);
+    EXPECT_EQ(field<std::string>(result.recorder.events("collision.exit")[0], "cause"), "end");
+    EXPECT_FALSE(result.summary.passed);
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_EQ(result.summary.failures[0].code, "blocked");
+    EXPECT_THAT(result.summary.failures[0].message, AllOf(HasSubstr("square"), HasSubstr("wall")));
+    EXPECT_EQ(result.summary.failures[0].mark.line, 7);
 }
 
-TEST(Simulation, GoesOnWhenBlockedIfAskedTo) {
+TEST(Simulation, ContinuesWhenBlockedIfConfiguredTo) {
     WalkToStep step = walk_to(0, -10, "square");
     step.if_blocked = IfBlocked::proceed;
-    const Outing outing = run(walled_campus(), walk_of({spawn_at({0, 0, 0}), step, walk_to(0, 5, "home")}));
-    EXPECT_EQ(outing.recorder.story(),
-              Story({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
+    const RecordedRun result =
+        run(walled_campus(), walk_of({spawn_at({0, 0, 0}), step, walk_to(0, 5, "home")}));
+    EXPECT_EQ(result.recorder.event_lines(),
+              Lines({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
                      "avatar.blocked square", "collision.exit wall", "avatar.arrive home"}));
-    EXPECT_TRUE(outing.summary.passed);
-    EXPECT_FALSE(has_field(outing.recorder.of("collision.exit")[0], "cause"));
+    EXPECT_TRUE(result.summary.passed);
+    EXPECT_FALSE(has_field(result.recorder.events("collision.exit")[0], "cause"));
 }
 
-TEST(Simulation, NamesTheNearestOfSeveralThatBlock) {
+TEST(Simulation, NamesTheNearestOfSeveralObstacles) {
     for (const bool post_first : {true, false}) {
         scene::Campus campus = level_campus();
         const auto add_post = [&] { add_box(campus, "post", {0.34, 0, -4}, {1, 3, 0}); };
@@ -148,65 +153,64 @@ TEST(Simulation, NamesTheNearestOfSeveralThatBlock) {
         if (!post_first) {
             add_post();
         }
-        const Outing outing = run(campus, walk_of({spawn_at({0, 0, -1}), walk_to(0, -10)}));
-        const auto blocked = outing.recorder.of("avatar.blocked");
+        const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, -1}), walk_to(0, -10)}));
+        const auto blocked = result.recorder.events("avatar.blocked");
         ASSERT_EQ(blocked.size(), 1U);
-        EXPECT_EQ(field<std::string>(blocked[0], "by"), "wall") << "2 cm away; the post is 4";
+        EXPECT_EQ(field<std::string>(blocked[0], "by"), "wall") << "2 cm away; the post is 4 cm away";
     }
 }
 
-TEST(Simulation, StopsAtATimeoutWithNothingInTheWay) {
+TEST(Simulation, StopsAtATimeoutWithoutAnObstacle) {
     WalkToStep step = walk_to(0, -10, "square");
     step.timeout = 2.0;
-    const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), step}));
-    const auto blocked = outing.recorder.of("avatar.blocked square");
+    const RecordedRun result = run(level_campus(), walk_of({spawn_at({0, 0, 0}), step}));
+    const auto blocked = result.recorder.events("avatar.blocked square");
     ASSERT_EQ(blocked.size(), 1U);
     EXPECT_NEAR(static_cast<double>(blocked[0].tick), 120, 1);
     EXPECT_FALSE(has_field(blocked[0], "by"));
-    ASSERT_EQ(outing.summary.failures.size(), 1U);
-    // 1.4 m/s for 121 ticks, spawn's included.
-    EXPECT_TRUE(outing.summary.failures[0].message.starts_with(
-        "walk_to square was not reached within 2.0 s, still 7.2"))
-        << outing.summary.failures[0].message;
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    // 1.4 m/s for 121 ticks, the spawn's included.
+    EXPECT_THAT(result.summary.failures[0].message,
+                AllOf(HasSubstr("square"), HasSubstr("2.0 s"), HasSubstr(" 7.2")));
 }
 
-TEST(Simulation, SaysWhenATargetIsOnAnotherLevel) {
+TEST(Simulation, ReportsATargetOnAnotherLevel) {
     WalkToStep step = walk_to(0, -2, "roof");
     step.target.point.y() = 0.75;
     step.target.has_height = true;
-    const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), step}));
-    ASSERT_EQ(outing.summary.failures.size(), 1U);
-    EXPECT_EQ(outing.summary.failures[0].message,
-              "walk_to roof was not reached: it is 0.750 m above the avatar's feet");
+    const RecordedRun result = run(level_campus(), walk_of({spawn_at({0, 0, 0}), step}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_THAT(result.summary.failures[0].message, AllOf(HasSubstr("roof"), HasSubstr("0.750 m above")));
 }
 
-TEST(Simulation, TellsOfImagesAndHandsThemToObservers) {
-    const Outing outing = run(level_campus(), walk_of({spawn_at({0, 0, 0}), snapshot("gate"), snapshot("map"),
-                                                       walk_to(0, -1.4), snapshot("end")}));
-    EXPECT_EQ(outing.recorder.story(),
-              Story({"snapshot.take gate", "snapshot.take map", "avatar.arrive goal", "snapshot.take end"}));
-    EXPECT_EQ(outing.recorder.frames()[0].snapshots, Story({"gate", "map"}));
-    EXPECT_EQ(outing.recorder.frames()[58].snapshots, Story({"end"}));
-    EXPECT_EQ(outing.recorder.frames().back().snapshots, Story()) << "and not again with the closing events";
-    const Event end = outing.recorder.of("snapshot.take end")[0];
-    EXPECT_EQ(field<Vector3d>(end, "pos"), outing.recorder.at(58).position);
+TEST(Simulation, LogsSnapshotsAndPassesThemToObservers) {
+    const RecordedRun result = run(
+        level_campus(),
+        walk_of({spawn_at({0, 0, 0}), snapshot("gate"), snapshot("map"), walk_to(0, -1.4), snapshot("end")}));
+    EXPECT_EQ(result.recorder.event_lines(),
+              Lines({"snapshot.take gate", "snapshot.take map", "avatar.arrive goal", "snapshot.take end"}));
+    EXPECT_EQ(result.recorder.states()[0].snapshots, Lines({"gate", "map"}));
+    EXPECT_EQ(result.recorder.states()[58].snapshots, Lines({"end"}));
+    EXPECT_EQ(result.recorder.states().back().snapshots, Lines()) << "not again with the closing events";
+    const Event end = result.recorder.events("snapshot.take end")[0];
+    EXPECT_EQ(field<Vector3d>(end, "pos"), result.recorder.at(58).position);
 }
 
-TEST(Simulation, TellsOfTeleports) {
-    const Outing outing =
+TEST(Simulation, LogsTeleports) {
+    const RecordedRun result =
         run(level_campus(),
             walk_of({spawn_at({0, 0, 0}), wait_for(0.5), teleport_to({5, 0, 6}, radians(-45), "yard")}));
-    const auto teleports = outing.recorder.of("avatar.teleport yard");
+    const auto teleports = result.recorder.events("avatar.teleport yard");
     ASSERT_EQ(teleports.size(), 1U);
     EXPECT_EQ(teleports[0].tick, 31);
     EXPECT_NEAR((field<Vector3d>(teleports[0], "pos") - Vector3d(5, 0, 6)).norm(), 0.0, 1e-3);
     EXPECT_NEAR(field<Decimal>(teleports[0], "yaw").value, -45.0, 1e-12);
-    EXPECT_TRUE(outing.recorder.of("avatar.spawn").empty());
+    EXPECT_TRUE(result.recorder.events("avatar.spawn").empty());
 }
 
 // ---- the avatar and the collision layer -----------------------------------------------------------------
 
-TEST(MoverSettings, AreTheProfiles) {
+TEST(MoverSettings, AreTakenFromTheProfile) {
     AvatarProfile avatar;
     avatar.height = 1.2;
     avatar.radius = 0.25;
@@ -228,7 +232,7 @@ TEST(IgnoredLayers, AreBitsOfTheCampusLayers) {
     AvatarProfile avatar;
     EXPECT_EQ(ignored_layers(campus, avatar), 0U);
     avatar.ignore_layers = {"water"};
-    EXPECT_EQ(ignored_layers(campus, avatar), 8U) << "bit 0 is for what has no layer";
+    EXPECT_EQ(ignored_layers(campus, avatar), 8U) << "bit 0 is for objects without a layer";
     avatar.ignore_layers = {"water", "ground"};
     EXPECT_EQ(ignored_layers(campus, avatar), 10U);
 }

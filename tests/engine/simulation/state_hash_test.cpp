@@ -9,7 +9,7 @@
 namespace campuswalk::engine {
 namespace {
 
-/// FNV-1a over bytes, from the numbers of its specification in decimal.
+/// FNV-1a over bytes, with the decimal constants of its specification.
 std::uint64_t fnv1a(const std::string& bytes) {
     std::uint64_t hash = 14695981039346656037ULL;
     for (const char c : bytes) {
@@ -36,13 +36,13 @@ std::uint64_t hash_of(const Values&... values) {
     return hash.value();
 }
 
-TEST(StateHash, ReferenceKnowsThePublishedValues) {
+TEST(StateHash, ReferenceYieldsThePublishedValues) {
     EXPECT_EQ(fnv1a(""), 0xcbf29ce484222325ULL);
     EXPECT_EQ(fnv1a("a"), 0xaf63dc4c8601ec8cULL);
     EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8ULL);
 }
 
-TEST(StateHash, IsFnv1aOverTheBytesOfWhatIsAdded) {
+TEST(StateHash, IsFnv1aOverTheAddedBytes) {
     EXPECT_EQ(StateHash().value(), fnv1a(""));
     constexpr std::uint64_t kBits = 0x0123456789abcdefULL;
     EXPECT_EQ(hash_of(kBits), fnv1a(bytes_of(kBits)));
@@ -53,7 +53,7 @@ TEST(StateHash, IsFnv1aOverTheBytesOfWhatIsAdded) {
     EXPECT_EQ(hash_of(std::string_view("foobar")), fnv1a("foobar" + bytes_of(6)));
 }
 
-TEST(StateHash, SeesEveryBitOfANumber) {
+TEST(StateHash, DependsOnEveryBitOfANumber) {
     constexpr std::uint64_t kBase = 0x3ff123456789abcdULL;
     std::set<std::uint64_t> as_integers = {hash_of(kBase)};
     std::set<std::uint64_t> as_doubles = {hash_of(std::bit_cast<double>(kBase))};
@@ -66,7 +66,7 @@ TEST(StateHash, SeesEveryBitOfANumber) {
     EXPECT_EQ(as_doubles.size(), 65U);
 }
 
-TEST(StateHash, SeesEveryBitOfAText) {
+TEST(StateHash, DependsOnEveryBitOfAString) {
     const std::string base = "library/door";
     std::set<std::uint64_t> seen = {hash_of(std::string_view(base))};
     for (std::size_t i = 0; i < base.size(); ++i) {
@@ -79,14 +79,14 @@ TEST(StateHash, SeesEveryBitOfAText) {
     EXPECT_EQ(seen.size(), 1 + 8 * base.size());
 }
 
-TEST(StateHash, SeesOrderAndWhereATextEnds) {
+TEST(StateHash, DependsOnOrderAndOnWhereAStringEnds) {
     EXPECT_NE(hash_of(1.0, 2.0), hash_of(2.0, 1.0));
     EXPECT_NE(hash_of(std::string_view("ab"), std::string_view("c")),
               hash_of(std::string_view("a"), std::string_view("bc")));
     EXPECT_NE(hash_of(std::string_view("")), StateHash().value());
 }
 
-TEST(StateHash, TakesBothZerosForOnePlace) {
+TEST(StateHash, TreatsBothZerosAsEqual) {
     EXPECT_EQ(hash_of(-0.0), hash_of(0.0));
     EXPECT_NE(hash_of(5e-324), hash_of(0.0));
 }
