@@ -108,7 +108,7 @@ TEST(Popups, AgreeWithANaiveModelOnRandomSequences) {
 constexpr std::size_t kDoor = 7;
 constexpr std::size_t kRoom = 8;
 
-TEST(Popups, WithOnceDoNotOpenAgain) {
+TEST(Popups, OpenOnlyOnceIfConfiguredTo) {
     Popups popups(1);
     const PopupTiming once{true, 0, 0};
     EXPECT_TRUE(popups.meet(0, kDoor, 10, once));

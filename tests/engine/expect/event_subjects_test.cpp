@@ -46,7 +46,7 @@ bool can_happen(const std::string& words) {
 
 using Names = std::vector<std::string>;
 
-TEST(EventSubjects, OfADetectionModeAreTheObjectsThatUseIt) {
+TEST(EventSubjects, IncludeObjectsByTheirDetectionModes) {
     for (const char* phase : {"enter", "stay", "exit"}) {
         EXPECT_EQ(names(std::string("collision.") + phase), Names({"ground", "hall/walls", "shed/walls"}));
         EXPECT_EQ(names(std::string("trigger.") + phase), Names({"hall/door"}));
@@ -54,12 +54,12 @@ TEST(EventSubjects, OfADetectionModeAreTheObjectsThatUseIt) {
     }
 }
 
-TEST(EventSubjects, OfPopupsAreBuildingsWithAnObjectThatOpensThem) {
+TEST(EventSubjects, IncludeBuildingsWithAnObjectThatOpensTheirPopup) {
     EXPECT_EQ(names("popup.open"), Names({"hall"}));
     EXPECT_EQ(names("popup.close"), Names({"hall"}));
 }
 
-TEST(EventSubjects, OfTheAvatarAreTheLabelsOfSteps) {
+TEST(EventSubjects, IncludeTheLabelsOfStepsForAvatarEvents) {
     EXPECT_EQ(names("avatar.arrive"), Names({"square"}));
     EXPECT_EQ(names("avatar.blocked"), Names({"square"}));
     EXPECT_EQ(names("avatar.teleport"), Names({"roof"}));
@@ -67,7 +67,7 @@ TEST(EventSubjects, OfTheAvatarAreTheLabelsOfSteps) {
     EXPECT_EQ(names("snapshot.take"), Names({"picture"}));
 }
 
-TEST(EventSubjects, OfBodyEventsExistOnlyForTheStepsOfTheWalk) {
+TEST(EventSubjects, IncludeBodyEventsOnlyIfTheWalkHasTheirSteps) {
     const scene::Campus campus = campus_of_each_mode();
     const Walk walk = walk_of({spawn_at({0, 0, 9}), jump_up(2.0), set_height(1.0), set_height(1.8),
                                follow({{1, 0, 1}, {2, 0, 2}}), disable("hall/*"), enable("hall/door")});
@@ -83,14 +83,14 @@ TEST(EventSubjects, OfBodyEventsExistOnlyForTheStepsOfTheWalk) {
     EXPECT_FALSE(can_happen("avatar.jump stroll"));
 }
 
-TEST(EventSubjects, AreTheWalksNameForWalkEvents) {
+TEST(EventSubjects, IncludeTheWalksNameForWalkEvents) {
     for (const char* kind : {"walk.start", "walk.end", "avatar.landed", "avatar.fell", "avatar.stuck"}) {
         EXPECT_EQ(names(kind), Names({"stroll"})) << kind;
     }
     EXPECT_EQ(names("expect.fail"), Names()) << "no evaluator sees a verdict";
 }
 
-TEST(EventSubjects, OfAGlobAreThoseOfAllMatchingKinds) {
+TEST(EventSubjects, IncludeThoseOfAllKindsThatMatchAGlob) {
     EXPECT_EQ(names("trigger.*"), Names({"hall/door"}));
     EXPECT_EQ(names("*.enter"), Names({"ground", "hall/door", "hall/walls", "shed/walls"}));
 }

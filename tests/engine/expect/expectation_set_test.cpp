@@ -99,7 +99,7 @@ TEST(StoppedWalk, PassesExpectationsThatHold) {
 
 // ---- not ------------------------------------------------------------------------------------------------
 
-TEST(Not, FailsIfTheExpectationHolds) {
+TEST(NotExpectation, FailsIfTheExpectationHolds) {
     SingleEvaluator evaluator(ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}});
     TickFeed feed(evaluator);
     feed.tick({"avatar.arrive goal"});
@@ -109,7 +109,7 @@ TEST(Not, FailsIfTheExpectationHolds) {
     EXPECT_EQ(evaluator.failure()->scene.tick, 1);
 }
 
-TEST(Not, DescribesWhatHappenedForEveryExpectation) {
+TEST(NotExpectation, DescribesWhatHappenedForEveryKind) {
     struct Case {
         PlainExpectation expectation;
         std::vector<std::string> facts;

@@ -66,7 +66,7 @@ TEST(FailureScene, ListsTheLastEventsAsInTheLog) {
     EXPECT_EQ(scene.time, 0.2);
 }
 
-TEST(FailureScene, OfAStepThatGaveUpIsTheEndOfTheWalk) {
+TEST(FailureScene, ShowsTheEndOfTheWalkIfAStepGaveUp) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-5, 0, -3}, {5, 3, -2});
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)}));

@@ -101,7 +101,7 @@ TEST(JsonLines, ReplaceBytesThatAreNotUtf8) {
     EXPECT_EQ(json.at("t"), "caf\xEF\xBF\xBD!");
 }
 
-/// A JSON value as the text log prints it, numbers with so many decimals.
+/// A JSON value as the text log prints it, with this many digits after the point.
 std::string as_text(const Json& value, int digits) {
     std::array<char, 64> text{};
     if (value.is_array()) {

@@ -187,7 +187,7 @@ TEST(ResultJson, RejectsFieldsOfTheWrongType) {
                 continue;
             }
             if (name == "timeout" && other.is_null()) {
-                continue;  // none
+                continue;  // null is no timeout
             }
             Json wrong = whole;
             wrong[name] = other;

@@ -135,7 +135,7 @@ TEST(ScriptPlayer, DoesNotGiveUpOnASlowAvatar) {
     Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -0.1)});
     walk.avatar.speed = 0.01;
     Puppet puppet(walk);
-    // 0.05 m at 0.01 m/s: 5 s of 60 ticks, give or take one of rounding.
+    // 0.05 m at 0.01 m/s: 5 s at 60 ticks per second, give or take one tick of rounding.
     EXPECT_NEAR(puppet.ticks_until_end(), 300, 1);
     EXPECT_EQ(puppet.end->kind, EventKind::avatar_arrive);
 }

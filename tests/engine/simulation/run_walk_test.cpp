@@ -81,7 +81,7 @@ TEST(RunWalk, NotifiesObserversInTheirOrder) {
                             "b frame 0", "a end", "b end"}));
 }
 
-/// Throws at a tick.
+/// Throws in tick 5.
 class Thrower final : public Observer {
 public:
     void frame(const TickRecord& record) override {

@@ -128,7 +128,7 @@ TEST(Rays, PassOverALowSolidAndThroughATrigger) {
     EXPECT_EQ(look_ahead(campus).recorder.events("ray.enter wall").size(), 1U);
 }
 
-TEST(Rays, HitAnObjectThatIsBothSolidAndRay) {
+TEST(Rays, HitAnObjectWithSolidAndRayDetection) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-1, 0, -8}, {1, 3, -6}, {Detection::solid | Detection::ray, "", true, ""});
     EXPECT_NEAR(distance_of(look_ahead(campus).recorder.events("ray.enter wall").at(0)), 6.0, 1e-12);

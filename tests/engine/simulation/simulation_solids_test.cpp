@@ -94,7 +94,7 @@ TEST(Solids, ExcludeTheGroundAndKerbs) {
     EXPECT_TRUE(result.recorder.states().back().avatar.grounded);
 }
 
-TEST(Solids, InIgnoredLayersAreWalkedThrough) {
+TEST(Solids, AreWalkedThroughInIgnoredLayers) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3}, {collision::Detection::solid, "", true, "buildings"});
     Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -8)});

@@ -123,7 +123,7 @@ TEST(Triggers, AreTouchedOnADiagonalPath) {
     expect_time(enters[0], after((1.5 - kRadius) / 0.6));
 }
 
-// ---- several in a tick ----------------------------------------------------------------------------------
+// ---- several within a tick ------------------------------------------------------------------------------
 
 /// Walks 20 m at 60 m/s: a metre per tick.
 RecordedRun dash(const scene::Campus& campus) {
@@ -147,7 +147,7 @@ TEST(Triggers, AreNotMissedByAFastAvatar) {
     EXPECT_EQ(field<std::int64_t>(exits[0], "ticks"), 0);
 }
 
-TEST(Triggers, WithinATickAreOrderedByTime) {
+TEST(Triggers, AreOrderedByTimeWithinATick) {
     scene::Campus campus = level_campus();
     // Entered at 2.1, 2.7 and 2.4 m, left at 2.8, 3.4 and 3.1 m.
     add_box(campus, "first", {-1, 0, -2.5}, {1, 2, -2.4}, kTrigger);
@@ -165,7 +165,7 @@ TEST(Triggers, WithinATickAreOrderedByTime) {
     expect_time(exits[2], {4, 0.4 + kLeaveSlack});
 }
 
-TEST(Triggers, AtTheSameTimeAreOrderedByObject) {
+TEST(Triggers, AreOrderedByObjectAtTheSameTime) {
     scene::Campus campus = level_campus();
     for (const char* name : {"zebra", "ape", "mule"}) {
         add_box(campus, name, {-1, 0, -3.5}, {1, 2, -2.5}, kTrigger);
@@ -299,7 +299,7 @@ TEST(Triggers, AreNotLeftWithinAMillimetre) {
     expect_time(exits[0], {4, 0.1 / 0.3});
 }
 
-TEST(Triggers, InIgnoredLayersAreNotTouched) {
+TEST(Triggers, AreNotTouchedInIgnoredLayers) {
     scene::Campus campus = level_campus();
     add_box(campus, "a", {-1, 0, -3.5}, {1, 2, -2.5}, {Detection::trigger, "", true, "water"});
     add_box(campus, "b", {-1, 0, -3.5}, {1, 2, -2.5}, {Detection::trigger, "", true, "sand"});

@@ -75,7 +75,7 @@ TEST(ThirdPerson, ComesCloserIfAWallIsBehind) {
     EXPECT_NEAR(distance_with(0.1), 0.3, 1e-12) << "never into the head";
 }
 
-TEST(Top, IsAMapWithNorthUpCentredOnTheGround) {
+TEST(TopView, IsAMapWithNorthUpCentredOnTheAvatar) {
     scene::Bounds campus;
     campus.extend({-50, -2, -50});
     campus.extend({50, 30, 50});
@@ -91,7 +91,7 @@ TEST(Top, IsAMapWithNorthUpCentredOnTheGround) {
     EXPECT_TRUE(pixel_of(view, 1280, 720, {10, 30, 20})) << "the highest roof is in front of the camera";
 }
 
-TEST(Plan, FitsTheWholeCampusAtAnyAspectRatio) {
+TEST(PlanView, FitsTheWholeCampusAtAnyAspectRatio) {
     scene::Bounds campus;
     campus.extend({-120, -2, -40});
     campus.extend({80, 30, 60});
@@ -110,7 +110,7 @@ TEST(Plan, FitsTheWholeCampusAtAnyAspectRatio) {
     }
 }
 
-TEST(Plan, IsValidForAnEmptyCampus) {
+TEST(PlanView, IsValidForAnEmptyCampus) {
     const Viewpoint view = plan({}, 1.5);
     EXPECT_GT(view.height, 0.0);
     EXPECT_TRUE(clip_from_world(view, 1.5).allFinite());

@@ -36,7 +36,7 @@ protected:
     }
 };
 
-TEST(RoundLength, IsTheLargestOneTwoOrFiveNotAbove) {
+TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
     for (const auto& [metres, expected] :
          {std::pair(1.0, 1.0), std::pair(1.9, 1.0), std::pair(2.0, 2.0), std::pair(49.0, 20.0),
           std::pair(50.0, 50.0), std::pair(999.0, 500.0), std::pair(0.03, 0.02)}) {

@@ -36,7 +36,7 @@ private:
     std::vector<Frame> frames_;
 };
 
-/// The frames of a walk of so many ticks.
+/// The frames of a walk that takes this many ticks.
 std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, const Walk& walk = {},
                              const SequenceShare& share = {}, std::unique_ptr<FrameSource> others = nullptr) {
     const scene::Campus campus = campus_of(tower_scene());
