@@ -75,7 +75,7 @@ TEST(ThirdPerson, ComesCloserIfAWallIsBehind) {
     EXPECT_NEAR(distance_with(0.1), 0.3, 1e-12) << "never into the head";
 }
 
-TEST(TopView, IsAMapWithNorthUpCentredOnTheAvatar) {
+TEST(TopView, IsAMapWithNorthUpCentredOnAGroundPoint) {
     scene::Bounds campus;
     campus.extend({-50, -2, -50});
     campus.extend({50, 30, 50});
