@@ -25,15 +25,15 @@ public:
     Run run() const { return load_run(path("a.walk.yaml"), {}); }
     scene::CampusDescription campus() const { return load_campus_description(path("a.campus.yaml")); }
 
-    /// What is said about a text in the file's place, a line each, paths relative to the folder; empty when
-    /// it loads.
+    /// The diagnostics of a text written to that file, one per line, paths relative to the folder; empty
+    /// when it loads.
     Lines about_campus(std::string_view text) const;
     Lines about_avatar(std::string_view text) const;
     Lines about_walk(std::string_view text) const;
-    /// What is said about the files as they are.
+    /// The diagnostics of the files as they are.
     Lines about_run() const;
 
-    // The same for a part of a file whose other lines are right.
+    // The same for a part of a file whose other lines are valid.
 
     /// List entries of `steps`, from line 3 on.
     Lines about_steps(const std::string& text) const;

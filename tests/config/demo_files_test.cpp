@@ -1,4 +1,4 @@
-// What the repository ships loads.
+// The configuration files in the repository load.
 
 #include <algorithm>
 

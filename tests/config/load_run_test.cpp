@@ -17,7 +17,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(LoadRun, ResolvesWhatTheWalkNames) {
+TEST_F(LoadRun, ResolvesTheFilesThatTheWalkNames) {
     folder_.write("walks/night_2.walk.yaml",
                   "campus: ../a.campus.yaml\n"
                   "avatar: {profile: adult, speed: 2, max_slope_deg: 45, ignore_layers: [trees]}\n"
@@ -33,7 +33,7 @@ TEST_F(LoadRun, ResolvesWhatTheWalkNames) {
     EXPECT_TRUE(run.walk.expectations.empty());
 }
 
-TEST_F(LoadRun, LooksForAvatarsNearTheWalkFirst) {
+TEST_F(LoadRun, SearchesForAvatarsNearTheWalkFirst) {
     folder_.write("deep/er/a.walk.yaml",
                   "campus: ../../a.campus.yaml\navatar: robot\nsteps: [{spawn: gate}]\n");
     folder_.write("config/avatars/robot.avatar.yaml", "speed: 1\n");
@@ -51,7 +51,7 @@ TEST_F(LoadRun, LooksForAvatarsNearTheWalkFirst) {
     EXPECT_EQ(speed(), 3.0);
 }
 
-TEST_F(LoadRun, TellsAllMistakesOfAllFilesAtOnceAndInOrder) {
+TEST_F(LoadRun, ReportsAllMistakesInAllFilesAtOnceInOrder) {
     folder_.write("a.campus.yaml",
                   "scenes: [{file: a.obj, unit: inch}]\n"
                   "colliders:\n"
@@ -84,7 +84,7 @@ TEST_F(LoadRun, TellsAllMistakesOfAllFilesAtOnceAndInOrder) {
                     says("avatars/adult.avatar.yaml:2:8: error wrong-type", {"'speed'", "'fast'"})));
 }
 
-TEST_F(LoadRun, LeavesNamesAloneWhenTheCampusCannotBeRead) {
+TEST_F(LoadRun, DoesNotCheckNamesWhenTheCampusCannotBeRead) {
     EXPECT_THAT(
         folder_.about_walk(
             "campus: none.campus.yaml\navatar: adult\nsteps: [{spawn: x}, {walk_to: y}, {wait: z}]\n"),
@@ -134,22 +134,22 @@ TEST_F(LoadRun, DiagnosesTheWalkFileItself) {
         const auto found = test::diagnostics_of([&] { load_run(folder_.path(name), {}); });
         return found.size() == 1 ? scene::to_string(found[0]) : "";
     };
-    const auto begins = [&](const std::string& name, const std::string& code) {
+    const auto start_of = [&](const std::string& name, const std::string& code) {
         return folder_.path(name).string() + ": error " + code;
     };
-    EXPECT_THAT(about("none.walk.yaml"), says(begins("none.walk.yaml", "missing-file")));
-    EXPECT_THAT(about("none.txt"), says(begins("none.txt", "missing-file")));
-    EXPECT_THAT(about("avatars"), says(begins("avatars", "missing-file")));
+    EXPECT_THAT(about("none.walk.yaml"), says(start_of("none.walk.yaml", "missing-file")));
+    EXPECT_THAT(about("none.txt"), says(start_of("none.txt", "missing-file")));
+    EXPECT_THAT(about("avatars"), says(start_of("avatars", "missing-file")));
     EXPECT_THAT(about("a.campus.yaml"),
-                says(begins("a.campus.yaml", "file-name"), {"'a.campus.yaml'", "NAME.walk.yaml"}));
+                says(start_of("a.campus.yaml", "file-name"), {"'a.campus.yaml'", "NAME.walk.yaml"}));
     for (const char* name : {".walk.yaml", "my tour.walk.yaml", "...walk.yaml"}) {
         folder_.write(name, "campus: a.campus.yaml\nsteps: [{spawn: gate}]\n");
         EXPECT_THAT(about(name),
-                    says(begins(name, "file-name"), {"'" + std::string(name) + "'", "NAME.walk.yaml"}));
+                    says(start_of(name, "file-name"), {"'" + std::string(name) + "'", "NAME.walk.yaml"}));
     }
 }
 
-TEST_F(LoadRun, ReadsWindowsFiles) {
+TEST_F(LoadRun, AcceptsByteOrderMarksAndWindowsLineEnds) {
     EXPECT_THAT(folder_.about_walk("\xEF\xBB\xBF"
                                    "campus: a.campus.yaml\r\nsteps:\r\n  - spawn: gate\r\n  - wait: x\r\n"),
                 ElementsAre(says("a.walk.yaml:4:11: error wrong-type", {"'wait'", "'x'"})));

@@ -1,4 +1,4 @@
-// Whatever happens to a file, loading it gives a result or diagnostics that point into it.
+// However a file is damaged, loading it returns a result or throws diagnostics that point into it.
 
 #include <algorithm>
 #include <fstream>
@@ -40,7 +40,7 @@ std::size_t index(Dice& dice, std::size_t count) {
     return static_cast<std::size_t>(dice.below(static_cast<int>(count)));
 }
 
-/// Replaces, inserts, removes, doubles or swaps a few bytes.
+/// Replaces, inserts, removes or repeats a few bytes, or cuts the text off.
 std::string with_other_bytes(std::string text, Dice& dice) {
     constexpr std::string_view kTroublesome =
         "{}[]:,-#&*!|>'\"%@`?~ \t\n\r\\0919.eE_azAZ/\0\x07\x7F\x80\xC3\xE9\xFF";
@@ -68,7 +68,7 @@ std::string with_other_bytes(std::string text, Dice& dice) {
     return text;
 }
 
-/// Removes, doubles, swaps, indents or empties a few lines.
+/// Removes, copies, swaps, indents or truncates a few lines.
 std::string with_other_lines(const std::string& text, Dice& dice) {
     std::vector<std::string> lines = lines_of(text);
     for (int changes = 1 + dice.below(3); changes > 0 && lines.size() > 1; --changes) {
@@ -98,7 +98,7 @@ std::string with_other_lines(const std::string& text, Dice& dice) {
     return result;
 }
 
-/// A copy of the repository's files of which one is written anew and again.
+/// A copy of the repository's files, one of which is overwritten with mutations of it.
 class MutatedFiles : public testing::Test {
 protected:
     MutatedFiles() {
@@ -114,10 +114,10 @@ protected:
         const std::string original = bytes_of(kConfig / name);
         Dice dice(1);
         int refusals = 0;
-        for (int turn = 0; turn < times && !HasFailure(); ++turn) {
+        for (int trial = 0; trial < times && !HasFailure(); ++trial) {
             folder_.write(
                 name, dice.chance(0.5) ? with_other_bytes(original, dice) : with_other_lines(original, dice));
-            SCOPED_TRACE("turn " + std::to_string(turn));
+            SCOPED_TRACE("trial " + std::to_string(trial));
             try {
                 load(folder_.path() / name);
             } catch (const scene::InputError& error) {
@@ -129,7 +129,7 @@ protected:
     }
 
     /// The names that a walk may use, without the buildings and colliders that take long to read.
-    void write_places_alone() {
+    void write_campus_of_places_only() {
         const std::string campus = bytes_of(kConfig / "demo.campus.yaml");
         folder_.write("demo.campus.yaml",
                       "scenes: [{file: a.glb}]\ncolliders: []\n" + campus.substr(campus.find("\nspawns:")));
@@ -155,21 +155,21 @@ private:
 };
 
 TEST_F(MutatedFiles, WalkIsReadOrRefused) {
-    write_places_alone();
+    write_campus_of_places_only();
     const int times = support::repeats(1500);
     EXPECT_GT(refused("walks/first-tour.walk.yaml", times, [](const fs::path& file) { load_run(file, {}); }),
               times / 4);
 }
 
 TEST_F(MutatedFiles, WalkOfEveryStepIsReadOrRefused) {
-    write_places_alone();
+    write_campus_of_places_only();
     const int times = support::repeats(1500);
     EXPECT_GT(refused("walks/every-step.walk.yaml", times, [](const fs::path& file) { load_run(file, {}); }),
               times / 4);
 }
 
 TEST_F(MutatedFiles, IncludedStepsAreReadOrRefused) {
-    write_places_alone();
+    write_campus_of_places_only();
     const int times = support::repeats(600);
     const auto load = [&](const fs::path&) { load_run(folder_.path() / "walks/every-step.walk.yaml", {}); };
     EXPECT_GT(refused("walks/fountain-lap.steps.yaml", times, load), times / 4);

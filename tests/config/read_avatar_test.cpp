@@ -27,7 +27,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadAvatar, PutsEveryKeyWhereItBelongs) {
+TEST_F(ReadAvatar, ReadsEveryKey) {
     const AvatarProfile avatar = read(R"(
 height: 1.2
 radius: 0.25
@@ -52,12 +52,12 @@ ignore_layers: [trees, glass-walls]
     EXPECT_THAT(avatar.ignore_layers, ElementsAre("trees", "glass-walls"));
 }
 
-TEST_F(ReadAvatar, LeavesTheRestAtItsDefault) {
-    const AvatarProfile usual;
+TEST_F(ReadAvatar, LeavesOtherKeysAtTheirDefaults) {
+    const AvatarProfile defaults;
     const AvatarProfile avatar = read("speed: 2\nignore_layers: trees\n");
     EXPECT_EQ(avatar.speed, 2.0);
-    EXPECT_EQ(avatar.height, usual.height);
-    EXPECT_EQ(avatar.max_slope, usual.max_slope);
+    EXPECT_EQ(avatar.height, defaults.height);
+    EXPECT_EQ(avatar.max_slope, defaults.max_slope);
     EXPECT_THAT(avatar.ignore_layers, ElementsAre("trees"));
 }
 
@@ -81,7 +81,7 @@ TEST_F(ReadAvatar, DiagnosesKeysAndNumbers) {
                             says("an.avatar.yaml:1:22: error wrong-type")));
 }
 
-TEST_F(ReadAvatar, DiagnosesBodiesThatCannotBe) {
+TEST_F(ReadAvatar, DiagnosesImpossibleBodies) {
     EXPECT_THAT(folder_.about_avatar("radius: 1\n"),
                 ElementsAre(says("an.avatar.yaml:1:9: error bad-value")));
     EXPECT_THAT(folder_.about_avatar("height: 1\n"),

@@ -28,7 +28,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadCamera, PutsEveryKeyWhereItBelongs) {
+TEST_F(ReadCamera, ReadsEveryKey) {
     ASSERT_THAT(
         folder_.about_walk(
             "campus: a.campus.yaml\n"
@@ -41,12 +41,12 @@ TEST_F(ReadCamera, PutsEveryKeyWhereItBelongs) {
     EXPECT_EQ(camera.height, 480);
     EXPECT_NEAR(camera.fov, 90 * kDegree, 1e-15);
     EXPECT_EQ(std::get<TopView>(camera.view).height_above, 25.0);
-    // Other views that a frame may take have the keys too.
+    // The other views, which video frames may use, have the keys too.
     EXPECT_EQ(std::get<ThirdPersonView>(walk.views[1]).distance, 3.0);
     EXPECT_EQ(std::get<OrbitView>(walk.views[3]).distance, 3.0);
 }
 
-TEST_F(ReadCamera, LetsASnapshotDiffer) {
+TEST_F(ReadCamera, LetsASnapshotOverrideTheCamera) {
     ASSERT_THAT(folder_.about_walk("campus: a.campus.yaml\n"
                                    "camera: {view: third_person, width: 640, distance: 3}\n"
                                    "steps: [{spawn: gate}, {snapshot: a}, {snapshot: {name: b, view: "
@@ -63,10 +63,10 @@ TEST_F(ReadCamera, LetsASnapshotDiffer) {
     EXPECT_NEAR(second.camera.fov, 45 * kDegree, 1e-15);
     EXPECT_EQ(second.camera.width, 640);
     const auto& third = std::get<SnapshotStep>(walk.steps.at(3));
-    EXPECT_EQ(std::get<OrbitView>(third.camera.view).distance, 3.0) << "of the walk's camera";
+    EXPECT_EQ(std::get<OrbitView>(third.camera.view).distance, 3.0) << "from the walk's camera";
 }
 
-TEST_F(ReadCamera, FindsWhatACameraLooksAt) {
+TEST_F(ReadCamera, ResolvesCameraTargets) {
     ASSERT_THAT(
         folder_.about_walk("campus: a.campus.yaml\n"
                            "camera: {view: orbit, around: hut, yaw_deg: 45, pitch_deg: -30}\n"
@@ -142,7 +142,7 @@ TEST_F(ReadCamera, DiagnosesTargetsAndChannels) {
                     says("a.walk.yaml:11:49: error bad-value", {"'pitch_deg'", "'91'"})));
 }
 
-TEST_F(ReadCamera, Complains) {
+TEST_F(ReadCamera, DiagnosesBadValues) {
     EXPECT_THAT(
         folder_.about_walk("campus: a.campus.yaml\n"
                            "camera: {view: third, width: 8, height: 0x10, fov_deg: 171, height_above: 0, "

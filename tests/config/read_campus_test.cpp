@@ -19,7 +19,7 @@ using testing::ElementsAre;
 
 class ReadCampus : public testing::Test {
 protected:
-    /// A campus of these lines and what every campus needs.
+    /// The diagnostics of a campus with these lines and the required keys.
     Lines about(const std::string& text) {
         return folder_.about_campus("scenes: [{file: a.obj}]\ncolliders: []\n" + text);
     }
@@ -32,7 +32,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadCampus, PutsEveryKeyWhereItBelongs) {
+TEST_F(ReadCampus, ReadsEveryKey) {
     const CampusDescription campus = read(R"(
 scenes:
   - {file: models/a.obj, up: z, unit: cm, scale: 2.5, position: [1, -2, 3]}
@@ -96,7 +96,7 @@ places:
     EXPECT_EQ(campus.places[0].position, Eigen::Vector3d(4, 5, -6));
 }
 
-TEST_F(ReadCampus, KnowsTheUnits) {
+TEST_F(ReadCampus, ReadsUnits) {
     for (const auto& [unit, metres] : std::vector<std::pair<std::string, double>>{
              {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}) {
         const CampusDescription campus = read("scenes: [{file: a.obj, unit: " + unit + "}]\ncolliders: []\n");
@@ -104,13 +104,13 @@ TEST_F(ReadCampus, KnowsTheUnits) {
     }
 }
 
-TEST_F(ReadCampus, TakesEmptySectionsAndSharedValues) {
+TEST_F(ReadCampus, AcceptsEmptySectionsAliasesAndQuotedKeys) {
     EXPECT_THAT(about("layers:\nbuildings:\nspawns:\nplaces: {}\n"), ElementsAre());
     EXPECT_THAT(about("spawns: {a: &a {at: [0, 0, 0]}, b: *a}\n"), ElementsAre());
     EXPECT_THAT(about("\"layers\": ['ground', \"trees\"]\n"), ElementsAre());
 }
 
-TEST_F(ReadCampus, DiagnosesTheFileAsAWhole) {
+TEST_F(ReadCampus, DiagnosesMissingAndUnknownTopLevelKeys) {
     EXPECT_THAT(folder_.about_campus("[]\n"), ElementsAre(says("a.campus.yaml:1:1: error wrong-type")));
     EXPECT_THAT(folder_.about_campus("{}\n"),
                 ElementsAre(says("a.campus.yaml:1:1: error missing-key"),

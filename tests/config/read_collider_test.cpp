@@ -25,7 +25,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadCollider, ReadsWhatAllShapesShare) {
+TEST_F(ReadCollider, ReadsKeysThatAllShapesShare) {
     const ColliderDescription wall = read(
         "{id: hut/wall-2, building: hut, nodes: [wall, 'wall_*'], each: true, shape: mesh, mode: [solid, "
         "ray], "
@@ -99,7 +99,7 @@ TEST_F(ReadCollider, DiagnosesMissingAndUnknownKeys) {
                 ElementsAre(says("a.campus.yaml:5:56: error missing-key")));
 }
 
-TEST_F(ReadCollider, DiagnosesWords) {
+TEST_F(ReadCollider, DiagnosesShapesModesAndIds) {
     EXPECT_THAT(folder_.about_collider("{id: a, shape: cube, mode: solid, radius: 1}"),
                 ElementsAre(says("a.campus.yaml:5:20: error bad-value", {"'shape'", "'cube'"})));
     EXPECT_THAT(
@@ -122,7 +122,7 @@ TEST_F(ReadCollider, DiagnosesWords) {
     }
 }
 
-TEST_F(ReadCollider, DiagnosesNames) {
+TEST_F(ReadCollider, DiagnosesUnknownAndDuplicateNames) {
     EXPECT_THAT(folder_.about_collider("{id: a, building: hat, layer: tres, shape: mesh, mode: solid}"),
                 ElementsAre(says("a.campus.yaml:5:23: error unknown-name", {"'hat'", "'hut'"}),
                             says("a.campus.yaml:5:35: error unknown-name", {"'tres'", "'trees'"})));

@@ -60,7 +60,7 @@ TEST_F(ReadExpectations, ReadsCountsAndGoals) {
     EXPECT_EQ(plain<ExpectReaches>(all, 3).within, 2.0);
 }
 
-TEST_F(ReadExpectations, WantsOneKeyEach) {
+TEST_F(ReadExpectations, RequiresOneKeyPerExpectation) {
     EXPECT_THAT(folder_.about_expectations("  - {}\n  - squence: [a]\n  - never: a\n    count: b\n"),
                 ElementsAre(says("a.walk.yaml:4:5: error bad-value"),
                             says("a.walk.yaml:5:5: error unknown-key", {"'squence'", "'sequence'"}),
@@ -69,7 +69,7 @@ TEST_F(ReadExpectations, WantsOneKeyEach) {
                 ElementsAre(says("a.walk.yaml:4:3: error wrong-type", {"'expect'"})));
 }
 
-TEST_F(ReadExpectations, DiagnosesEvents) {
+TEST_F(ReadExpectations, DiagnosesEventPatterns) {
     EXPECT_THAT(folder_.about_expectations("  - sequence: [popup.opne hut, popup.open a b, '']\n"),
                 ElementsAre(says("a.walk.yaml:4:16: error unknown-name", {"'popup.opne'", "'popup.open'"}),
                             says("a.walk.yaml:4:32: error bad-value", {"'b'"}),
@@ -96,7 +96,7 @@ TEST_F(ReadExpectations, DiagnosesCountsAndGoals) {
                             says("a.walk.yaml:5:23: error bad-value", {"'within'", "'0'"})));
 }
 
-TEST_F(ReadExpectations, ReadsWhatFollowsWhat) {
+TEST_F(ReadExpectations, ReadsWithin) {
     const auto within = plain<ExpectWithin>(
         read("  - within: {after: trigger.enter hut, event: popup.open hut, seconds: 2}\n"), 0);
     EXPECT_EQ(within.after.object, "hut");
@@ -140,7 +140,7 @@ TEST_F(ReadExpectations, ReadsVisits) {
                             says("a.walk.yaml:6:21: error bad-value", {"'ratio'", "'80'"})));
 }
 
-TEST_F(ReadExpectations, ReadsWhereTheAvatarIs) {
+TEST_F(ReadExpectations, ReadsNear) {
     const auto all = read(
         "  - near: square\n  - near: {place: square, within: 2, at: end}\n"
         "  - near: {place: [1, 2], at: avatar.stuck}\n");
@@ -154,7 +154,7 @@ TEST_F(ReadExpectations, ReadsWhereTheAvatarIs) {
                             says("a.walk.yaml:5:29: error unknown-name", {"'ende'"})));
 }
 
-TEST_F(ReadExpectations, ReadsTimesAndWays) {
+TEST_F(ReadExpectations, ReadsDurationsAndDistances) {
     const auto all =
         read("  - duration: 12.5\n  - duration: {at_least: 1, at_most: 2}\n  - distance: {at_most: 9}\n");
     EXPECT_EQ(plain<ExpectDuration>(all, 0).seconds.equals, 12.5);
@@ -169,7 +169,7 @@ TEST_F(ReadExpectations, ReadsTimesAndWays) {
                     says("a.walk.yaml:6:16: error unknown-key", {"'at_lest'", "'duration'", "'at_least'"})));
 }
 
-TEST_F(ReadExpectations, ReadsWordsWithAndWithoutAValue) {
+TEST_F(ReadExpectations, ReadsExpectationsWithAndWithoutAValue) {
     const auto all = read(
         "  - stuck\n  - stuck: {by: \"bench/*\"}\n  - fell\n  - fell:\n  - grounded\n  - grounded: always\n"
         "  - grounded: {ratio: 0.9}\n  - no_penetration\n  - no_penetration: {tolerance: 0.01}\n"
@@ -188,7 +188,7 @@ TEST_F(ReadExpectations, ReadsWordsWithAndWithoutAValue) {
     EXPECT_EQ(plain<ExpectBlockedBy>(all, 9).object.glob, "wall");
 }
 
-TEST_F(ReadExpectations, DiagnosesWords) {
+TEST_F(ReadExpectations, DiagnosesMissingAndWrongValues) {
     EXPECT_THAT(
         folder_.about_expectations("  - reaches\n  - grounded: never\n  - fell: far\n  - stuck: hut\n"),
         ElementsAre(says("a.walk.yaml:4:5: error wrong-type"),
@@ -197,7 +197,7 @@ TEST_F(ReadExpectations, DiagnosesWords) {
                     says("a.walk.yaml:7:12: error wrong-type", {"'stuck'"})));
 }
 
-TEST_F(ReadExpectations, ReadsWhatIsNotExpected) {
+TEST_F(ReadExpectations, ReadsNegations) {
     const auto all = read("  - not: fell\n  - not: {stuck: {by: hut}}\n  - not: {reaches: square}\n");
     EXPECT_TRUE(std::holds_alternative<ExpectFell>(std::get<ExpectNot>(all.at(0)).what));
     EXPECT_EQ(std::get<ExpectStuck>(std::get<ExpectNot>(all.at(1)).what).by.glob, "hut");
@@ -215,7 +215,7 @@ TEST_F(ReadExpectations, ReadsAGoldenLog) {
                             says("a.walk.yaml:5:10: error missing-key", {"'log'", "'golden'"})));
 }
 
-TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
+TEST_F(ReadExpectations, ReadsSnapshotsAndVisibility) {
     const auto all = read(
         "  - snapshot: desk\n"
         "  - snapshot: {name: desk, threshold: 0.1, max_diff_pixels: 7, max_diff_pixel_ratio: 0.5,\n"
@@ -224,9 +224,9 @@ TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
         "  - visible: {building: \"h*\", in: desk, min_pixels: 50, min_ratio: 0.25}\n"
         "  - not: {visible: {building: hut, in: desk}}\n");
     EXPECT_EQ(std::get<ExpectSnapshot>(all.at(0)).name, "desk");
-    const ImageTolerance as_it_was = changed({}, std::get<ExpectSnapshot>(all.at(0)).tolerance);
-    EXPECT_EQ(as_it_was.threshold, ImageTolerance().threshold);
-    EXPECT_FALSE(as_it_was.max_diff_pixels);
+    const ImageTolerance unchanged = changed({}, std::get<ExpectSnapshot>(all.at(0)).tolerance);
+    EXPECT_EQ(unchanged.threshold, ImageTolerance().threshold);
+    EXPECT_FALSE(unchanged.max_diff_pixels);
     ImageTolerance before;
     before.masks = {{0, 0, 9, 9}};
     const ImageTolerance tolerance = changed(before, std::get<ExpectSnapshot>(all.at(1)).tolerance);
@@ -236,16 +236,16 @@ TEST_F(ReadExpectations, ReadsWhatIsExpectedOfSnapshots) {
     EXPECT_EQ(tolerance.min_tile_ssim, 0.9);
     ASSERT_EQ(tolerance.masks.size(), 3U);
     EXPECT_EQ(tolerance.masks[2].height, 8);
-    const auto& plainly = std::get<ExpectVisible>(all.at(2));
-    EXPECT_EQ(plainly.building.glob + " " + plainly.snapshot, "hut desk");
-    EXPECT_EQ(plainly.min_pixels, 1);
-    EXPECT_FALSE(plainly.min_ratio || plainly.negated);
+    const auto& bare = std::get<ExpectVisible>(all.at(2));
+    EXPECT_EQ(bare.building.glob + " " + bare.snapshot, "hut desk");
+    EXPECT_EQ(bare.min_pixels, 1);
+    EXPECT_FALSE(bare.min_ratio || bare.negated);
     EXPECT_EQ(std::get<ExpectVisible>(all.at(3)).min_pixels, 50);
     EXPECT_EQ(std::get<ExpectVisible>(all.at(3)).min_ratio, 0.25);
     EXPECT_TRUE(std::get<ExpectVisible>(all.at(4)).negated);
 }
 
-TEST_F(ReadExpectations, DiagnosesWhatIsExpectedOfSnapshots) {
+TEST_F(ReadExpectations, DiagnosesSnapshotsAndVisibility) {
     EXPECT_THAT(folder_.about_expectations("  - snapshot: My Desk\n  - snapshot: {threshold: 2}\n"
                                            "  - snapshot: {name: desk, masks: [[1, 2, 3]]}\n"
                                            "  - visible: hut\n  - visible: {in: desk, min_pixels: -1}\n"
@@ -264,7 +264,7 @@ TEST_F(ReadExpectations, DiagnosesWhatIsExpectedOfSnapshots) {
                             says("a.walk.yaml:5:29: error bad-value", {"'visible'", "'expect'"})));
 }
 
-TEST_F(ReadExpectations, StandInStepsToo) {
+TEST_F(ReadExpectations, ReadsExpectationsInSteps) {
     EXPECT_THAT(folder_.about_steps("  - spawn: gate\n  - expect: stuck\n  - expect: {never: popup.open}\n"
                                     "  - expect:\n      - fell\n      - not: grounded\n"),
                 ElementsAre());

@@ -44,7 +44,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadLight, PutsEveryKeyWhereItBelongs) {
+TEST_F(ReadLight, ReadsEveryKey) {
     const LightSettings light = light_of("dusk");
     EXPECT_NEAR(*light.sun_azimuth, 250 * kDegree, 1e-12);
     EXPECT_NEAR(*light.sun_elevation, 5 * kDegree, 1e-12);
@@ -62,7 +62,7 @@ TEST_F(ReadLight, PutsEveryKeyWhereItBelongs) {
     EXPECT_EQ(light.anti_aliasing, AntiAliasing::fxaa);
 }
 
-TEST_F(ReadLight, AWalkMayDifferFromAProfileOrFromTheDay) {
+TEST_F(ReadLight, LetsAWalkOverrideAProfileOrTheDay) {
     const LightSettings light = light_of("{profile: dusk, shadows: true, sun: {disc: 0}}");
     EXPECT_EQ(light.shadows, true);
     EXPECT_EQ(light.sun_disc, 0.0);
@@ -72,7 +72,7 @@ TEST_F(ReadLight, AWalkMayDifferFromAProfileOrFromTheDay) {
     EXPECT_FALSE(day.shadows);
 }
 
-TEST_F(ReadLight, Complains) {
+TEST_F(ReadLight, DiagnosesBadValues) {
     EXPECT_THAT(about("dsuk"),
                 ElementsAre(says("a.walk.yaml:2:8: error unknown-name", {"'lights'", "'dusk'"})));
     EXPECT_THAT(about("[dusk]"), ElementsAre(says("a.walk.yaml:2:8: error wrong-type", {"'light'"})));

@@ -28,7 +28,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadPopup, ReadsWhenItOpens) {
+TEST_F(ReadPopup, ReadsWhenAPopUpOpens) {
     const scene::ColliderDescription door =
         read("title: Hut", ", popup: {once: true, cooldown: 5, dwell: 1.5}").colliders.at(0);
     EXPECT_TRUE(door.popup);
@@ -37,18 +37,18 @@ TEST_F(ReadPopup, ReadsWhenItOpens) {
     EXPECT_EQ(door.popup_rule.dwell, 1.5);
 }
 
-TEST_F(ReadPopup, IsTheBuildingsWhereTheColliderSaysNothing) {
+TEST_F(ReadPopup, TakesTheBuildingsRuleUnlessTheColliderHasOne) {
     EXPECT_EQ(read("title: Hut, popup: {dwell: 2}").colliders.at(0).popup_rule.dwell, 2.0);
     EXPECT_TRUE(read("title: Hut, popup: {dwell: 2}").colliders.at(0).popup);
     EXPECT_FALSE(read("title: Hut, popup: false").colliders.at(0).popup);
     EXPECT_TRUE(read("title: Hut, popup: false", ", popup: true").colliders.at(0).popup);
     const auto own = read("title: Hut, popup: {dwell: 2}", ", popup: {once: true}").colliders.at(0);
     EXPECT_TRUE(own.popup_rule.once);
-    EXPECT_EQ(own.popup_rule.dwell, 0.0) << "its own is all of its own";
+    EXPECT_EQ(own.popup_rule.dwell, 0.0) << "the collider's rule replaces the building's entirely";
     EXPECT_FALSE(read("title: Hut, popup: {dwell: 2}", ", popup: false").colliders.at(0).popup);
 }
 
-TEST_F(ReadPopup, DiagnosesOtherTimes) {
+TEST_F(ReadPopup, DiagnosesBadRules) {
     EXPECT_THAT(about("title: Hut, popup: {dwell: -1, onec: true}"),
                 ElementsAre(says("a.campus.yaml:3:42: error bad-value", {"'dwell'", "'-1'"}),
                             says("a.campus.yaml:3:46: error unknown-key", {"'onec'", "'popup'", "'once'"})));
@@ -68,7 +68,7 @@ TEST_F(ReadPopup, ReadsFreeFields) {
     EXPECT_EQ(building.info[1].value, "123");
 }
 
-TEST_F(ReadPopup, DiagnosesVariablesThatNothingStandsFor) {
+TEST_F(ReadPopup, DiagnosesUndefinedVariables) {
     EXPECT_THAT(about("title: \"{title}\", text: \"{visit} and {id\""),
                 ElementsAre(says("a.campus.yaml:3:22: error unknown-name", {"'title'", "{title}"}),
                             says("a.campus.yaml:3:39: error bad-value", {"'text'", "'{'"})));
@@ -76,7 +76,7 @@ TEST_F(ReadPopup, DiagnosesVariablesThatNothingStandsFor) {
                 ElementsAre(says("a.campus.yaml:3:33: error unknown-name", {"'text'", "{visit}"})));
 }
 
-TEST_F(ReadPopup, NamesEachUnknownVariableAtTheStartOfItsText) {
+TEST_F(ReadPopup, ReportsEachUnknownVariableAtTheStartOfItsText) {
     for (const std::string text : {"'{a}{visits}{b}'", "\"tab\\t{a}{b}\"", "'it''s {a} {b}'"}) {
         EXPECT_THAT(about("title: Hut, text: " + text),
                     ElementsAre(says("a.campus.yaml:3:33: error unknown-name", {"'text'", "{a}"}),
@@ -85,7 +85,7 @@ TEST_F(ReadPopup, NamesEachUnknownVariableAtTheStartOfItsText) {
     }
 }
 
-TEST_F(ReadPopup, DiagnosesFieldsThatAreThereAlready) {
+TEST_F(ReadPopup, DiagnosesDuplicateAndInvalidFieldNames) {
     EXPECT_THAT(about("title: Hut, info: {hours: 8, A: b}"),
                 ElementsAre(says("a.campus.yaml:3:34: error duplicate-name", {"'hours'"}),
                             says("a.campus.yaml:3:44: error bad-value")));

@@ -13,7 +13,7 @@ using engine::WalkStatus;
 using test::says;
 using testing::ElementsAre;
 
-/// What stands above a walk's steps, from line 2 on.
+/// Keys above a walk's steps, from line 2 on.
 class ReadStatus : public testing::Test {
 protected:
     test::Lines about(const std::string& keys) {
@@ -27,7 +27,7 @@ protected:
     test::ConfigFolder folder_;
 };
 
-TEST_F(ReadStatus, IsToRunUnlessSaidOtherwise) {
+TEST_F(ReadStatus, ReadsEveryStatusAndDefaultsToRun) {
     EXPECT_EQ(read("tags: []").status.kind, WalkStatus::Kind::run);
     EXPECT_EQ(read("status: run").status.kind, WalkStatus::Kind::run);
     EXPECT_EQ(read("status: skip").status.kind, WalkStatus::Kind::skip);
@@ -35,7 +35,7 @@ TEST_F(ReadStatus, IsToRunUnlessSaidOtherwise) {
     EXPECT_EQ(read("status: xfail").status.kind, WalkStatus::Kind::xfail);
 }
 
-TEST_F(ReadStatus, HasAReasonAndFailures) {
+TEST_F(ReadStatus, ReadsReasonAndFailures) {
     const WalkStatus status =
         read("status: {is: xfail, because: no ramp yet, failures: [blocked, not-fell]}").status;
     EXPECT_EQ(status.kind, WalkStatus::Kind::xfail);
@@ -46,7 +46,7 @@ TEST_F(ReadStatus, HasAReasonAndFailures) {
     EXPECT_EQ(read("status: {is: skip, because: it is winter}").status.reason, "it is winter");
 }
 
-TEST_F(ReadStatus, DiagnosesOthers) {
+TEST_F(ReadStatus, DiagnosesUnknownStatusesAndFailures) {
     EXPECT_THAT(about("status: xfial"),
                 ElementsAre(says("a.walk.yaml:2:9: error bad-value", {"'status'", "'xfial'", "'xfail'"})));
     EXPECT_THAT(about("status: {because: a, failures: []}"),
@@ -54,8 +54,7 @@ TEST_F(ReadStatus, DiagnosesOthers) {
                             says("a.walk.yaml:2:32: error bad-value", {"'failures'"}),
                             says("a.walk.yaml:2:32: error bad-value", {"'failures'"})));
     EXPECT_THAT(about("status: {is: xfail, failures: [stcuk]}"),
-                ElementsAre(testing::AllOf(says("a.walk.yaml:2:32: error bad-value"),
-                                           testing::EndsWith(" not 'stcuk' (did you mean 'stuck'?)"))));
+                ElementsAre(says("a.walk.yaml:2:32: error bad-value", {"'stcuk'", "'stuck'"})));
 }
 
 TEST_F(ReadStatus, ReadsTags) {
@@ -66,7 +65,7 @@ TEST_F(ReadStatus, ReadsTags) {
                             says("a.walk.yaml:2:18: error duplicate-name", {"'a'"})));
 }
 
-TEST_F(ReadStatus, ReadsTheTimeOut) {
+TEST_F(ReadStatus, ReadsTheTimeout) {
     EXPECT_EQ(read("timeout: 12.5").timeout, 12.5);
     EXPECT_FALSE(read("tags: []").timeout);
     EXPECT_THAT(about("timeout: 0"),

@@ -46,7 +46,7 @@ TEST_F(ReadSteps, SpawnsAtCoordinates) {
     EXPECT_NEAR(spawn.yaw, -90 * kDegree, 1e-15);
 }
 
-TEST_F(ReadSteps, ReadsWhereToWalk) {
+TEST_F(ReadSteps, ReadsWalkTo) {
     const auto steps = read(
         "  - spawn: gate\n"
         "  - walk_to: square\n"
@@ -79,7 +79,7 @@ TEST_F(ReadSteps, ReadsWhereToWalk) {
     EXPECT_EQ(full.mark.line, 8);
 }
 
-TEST_F(ReadSteps, ReadsTheRest) {
+TEST_F(ReadSteps, ReadsWaitTurnLookAtAndSnapshot) {
     const auto steps = read(
         "  - spawn: gate\n"
         "  - wait: 2.5\n"
@@ -98,7 +98,7 @@ TEST_F(ReadSteps, ReadsTheRest) {
     EXPECT_EQ(std::get<SnapshotStep>(steps.at(6)).name, "view-1");
 }
 
-TEST_F(ReadSteps, WantsASpawnFirstAndOnlyThere) {
+TEST_F(ReadSteps, RequiresASpawnFirstAndOnlyThere) {
     EXPECT_THAT(folder_.about_steps("  - wait: 1\n  - spawn: gate\n"),
                 ElementsAre(says("a.walk.yaml:3:5: error bad-value", {"'spawn'"}),
                             says("a.walk.yaml:4:12: error bad-value", {"'spawn'"})));
@@ -108,7 +108,7 @@ TEST_F(ReadSteps, WantsASpawnFirstAndOnlyThere) {
                 ElementsAre(says("a.walk.yaml:3:3: error wrong-type", {"'steps'"})));
 }
 
-TEST_F(ReadSteps, WantsOneKeyAStep) {
+TEST_F(ReadSteps, RequiresOneKeyPerStep) {
     EXPECT_THAT(folder_.about_steps("  - spawn: gate\n    wait: 1\n"),
                 ElementsAre(says("a.walk.yaml:3:5: error bad-value", {"'wait'"})));
     EXPECT_THAT(
@@ -141,7 +141,7 @@ TEST_F(ReadSteps, DiagnosesWalkTo) {
                             says("a.walk.yaml:4:71: error bad-value", {"'if_blocked'", "'go'"})));
 }
 
-TEST_F(ReadSteps, DiagnosesStandings) {
+TEST_F(ReadSteps, DiagnosesSpawnsAndTeleports) {
     EXPECT_THAT(about("teleport: square"),
                 ElementsAre(says("a.walk.yaml:4:15: error unknown-name", {"'square'"})));
     EXPECT_THAT(about("teleport: [1, 2, 3]"),
@@ -171,7 +171,7 @@ TEST_F(ReadSteps, DiagnosesNumbersAndSnapshots) {
 
 // ---- the body -------------------------------------------------------------------------------------------
 
-TEST_F(ReadSteps, ReadsWaysAlongACurve) {
+TEST_F(ReadSteps, ReadsFollow) {
     const auto steps = read(
         "  - spawn: gate\n"
         "  - follow: [square, [4, 5], [6, 1, 7]]\n"
@@ -192,7 +192,7 @@ TEST_F(ReadSteps, ReadsWaysAlongACurve) {
     EXPECT_EQ(full.if_blocked, IfBlocked::proceed);
 }
 
-TEST_F(ReadSteps, DiagnosesCurves) {
+TEST_F(ReadSteps, DiagnosesFollow) {
     EXPECT_THAT(about("follow: []"), ElementsAre(says("a.walk.yaml:4:13: error bad-value", {"'follow'"})));
     EXPECT_THAT(about("follow: square"),
                 ElementsAre(says("a.walk.yaml:4:13: error wrong-type", {"'follow'"})));
@@ -229,7 +229,7 @@ TEST_F(ReadSteps, DiagnosesJumps) {
                     says("a.walk.yaml:4:33: error unknown-key", {"'foward'", "'jump'", "'forward'"})));
 }
 
-TEST_F(ReadSteps, ReadsHowTallAndHowFast) {
+TEST_F(ReadSteps, ReadsCrouchRunAndSpeed) {
     const auto steps = read(
         "  - spawn: gate\n  - crouch: on\n  - crouch: off\n  - crouch: {height: 1}\n  - run: on\n"
         "  - run: off\n  - speed: 0.5\n");
@@ -245,7 +245,7 @@ TEST_F(ReadSteps, ReadsHowTallAndHowFast) {
     EXPECT_EQ(std::get<SpeedStep>(folder_.run().walk.steps.at(1)).speed, 5.0);
 }
 
-TEST_F(ReadSteps, DiagnosesHowTallAndHowFast) {
+TEST_F(ReadSteps, DiagnosesCrouchRunAndSpeed) {
     EXPECT_THAT(about("crouch: down"),
                 ElementsAre(says("a.walk.yaml:4:13: error bad-value", {"'crouch'", "'down'"})));
     EXPECT_THAT(about("crouch: {height: 0.5}"),
@@ -258,7 +258,7 @@ TEST_F(ReadSteps, DiagnosesHowTallAndHowFast) {
 
 // ---- waiting and changing the campus --------------------------------------------------------------------
 
-TEST_F(ReadSteps, ReadsWhatToWaitFor) {
+TEST_F(ReadSteps, ReadsWaitUntil) {
     const auto steps = read(
         "  - spawn: gate\n  - wait_until: popup.open hut\n"
         "  - wait_until: {event: avatar.landed, timeout: 4}\n");
@@ -272,7 +272,7 @@ TEST_F(ReadSteps, ReadsWhatToWaitFor) {
     EXPECT_EQ(full.timeout, 4.0);
 }
 
-TEST_F(ReadSteps, DiagnosesWhatToWaitFor) {
+TEST_F(ReadSteps, DiagnosesWaitUntil) {
     EXPECT_THAT(about("wait_until: popup.opne"),
                 ElementsAre(says("a.walk.yaml:4:17: error unknown-name", {"'popup.opne'", "'popup.open'"})));
     EXPECT_THAT(about("wait_until: {timeout: 0}"),
@@ -280,7 +280,7 @@ TEST_F(ReadSteps, DiagnosesWhatToWaitFor) {
                             says("a.walk.yaml:4:27: error bad-value", {"'timeout'", "'0'"})));
 }
 
-TEST_F(ReadSteps, ReadsWhatToEnable) {
+TEST_F(ReadSteps, ReadsEnableAndDisable) {
     const auto steps = read("  - spawn: gate\n  - disable: hut/door\n  - enable: [\"hut/*\", ground]\n");
     const auto& off = std::get<EnableStep>(steps.at(1));
     EXPECT_FALSE(off.enabled);
@@ -293,7 +293,7 @@ TEST_F(ReadSteps, ReadsWhatToEnable) {
     EXPECT_EQ(on.objects[1].mark.column, 23);
 }
 
-TEST_F(ReadSteps, DiagnosesWhatToEnable) {
+TEST_F(ReadSteps, DiagnosesEnableAndDisable) {
     EXPECT_THAT(about("disable: []"), ElementsAre(says("a.walk.yaml:4:14: error bad-value", {"'disable'"})));
     EXPECT_THAT(about("enable: {id: hut}"),
                 ElementsAre(says("a.walk.yaml:4:13: error wrong-type", {"'enable'"})));

@@ -41,7 +41,7 @@ TEST_F(ReadWalk, ReadsTheSimulation) {
                                                                        ::testing::HasSubstr("'tree'"))));
 }
 
-TEST_F(ReadWalk, WarnsOfASeed) {
+TEST_F(ReadWalk, WarnsAboutADeprecatedSeed) {
     EXPECT_THAT(about_sim("{seed: 7}"), ElementsAre());
     const SharedRun run = RunLoader({}).load(folder_.path("a.walk.yaml"));
     ASSERT_EQ(run.warnings.size(), 1U);
@@ -61,7 +61,7 @@ TEST_F(ReadWalk, DiagnosesTheSimulation) {
     EXPECT_THAT(about_sim("60"), ElementsAre(says("a.walk.yaml:2:6: error wrong-type", {"'sim'"})));
 }
 
-TEST_F(ReadWalk, DiagnosesTheFileAsAWhole) {
+TEST_F(ReadWalk, DiagnosesMissingAndUnknownTopLevelKeys) {
     EXPECT_THAT(folder_.about_walk("steps:\n"),
                 ElementsAre(says("a.walk.yaml:1:1: error missing-key", {"'campus'"}),
                             says("a.walk.yaml:1:1: error bad-value", {"'steps'"})));

@@ -7,8 +7,8 @@
 
 namespace campuswalk::config::test {
 
-/// A diagnostic that starts so (place, severity, code) and has these in this order, such as the names it
-/// quotes. Its sentence is free.
+/// Matches a diagnostic that starts with `start` (place, severity, code) and contains `names` in this order.
+/// The rest of its sentence is free.
 inline testing::Matcher<std::string> says(const std::string& start,
                                           const std::vector<std::string>& names = {}) {
     return testing::Truly([start, names](const std::string& line) {

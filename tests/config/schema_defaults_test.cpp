@@ -1,5 +1,5 @@
-// The schemas describe keys for help, editors and config/README.md; what they call a default is what the
-// loader leaves in the structs. tests/tools/schemas_test.py holds keys, words and limits to the loader.
+// The schemas describe keys for help, editors and config/README.md; their defaults are those that the loader
+// leaves in the structs. tests/tools/schemas_test.py compares keys, words and limits with the loader.
 
 #include <fstream>
 #include <map>
@@ -80,13 +80,13 @@ std::multimap<std::string, json> walk_defaults() {
     const engine::CameraSettings& camera = walk.camera;
     const bool runs = walk.status.kind == engine::WalkStatus::Kind::run;
     const bool descends_bvh8 = walk.sim.tree == collision::TreeKind::bvh8;
-    const bool sees = std::holds_alternative<engine::FirstPersonView>(camera.view);
+    const bool is_first_person = std::holds_alternative<engine::FirstPersonView>(camera.view);
     return {{"walk/definitions/status_word", runs ? "run" : "another"},
             {"walk/definitions/sim/properties/ticks_per_second", walk.sim.ticks_per_second},
             {"walk/definitions/sim/properties/stay_every", walk.sim.stay_every},
             {"walk/definitions/sim/properties/gaze_hold", walk.sim.gaze_hold},
             {"walk/definitions/sim/properties/tree", descends_bvh8 ? "bvh8" : "another"},
-            {"walk/definitions/view", sees ? "first_person" : "another"},
+            {"walk/definitions/view", is_first_person ? "first_person" : "another"},
             {"walk/definitions/width", camera.width},
             {"walk/definitions/height", camera.height},
             {"walk/definitions/fov_deg", degrees(camera.fov)},
@@ -119,7 +119,7 @@ std::multimap<std::string, json> expectation_defaults() {
             {definitions + "min_tile_ssim", tolerance.min_tile_ssim}};
 }
 
-/// An image without a light is one by day: tests/tools/images_test.py.
+/// Without a `light`, images are drawn by day: tests/tools/images_test.py.
 std::multimap<std::string, json> light_defaults() {
     const engine::LightSettings day = load_light(kSchemas / ".." / "lights" / "day.light.yaml");
     const bool smooth = day.anti_aliasing == engine::AntiAliasing::msaa;
@@ -141,15 +141,15 @@ std::multimap<std::string, json> loader_defaults() {
     return all;
 }
 
-TEST(SchemaDefaults, AreThoseOfTheLoader) {
-    const std::map<std::string, json> said = schema_defaults();
+TEST(SchemaDefaults, MatchTheLoader) {
+    const std::map<std::string, json> documented = schema_defaults();
     for (const auto& [place, value] : loader_defaults()) {
-        ASSERT_TRUE(said.contains(place)) << place;
+        ASSERT_TRUE(documented.contains(place)) << place;
         if (value.is_number()) {
-            ASSERT_TRUE(said.at(place).is_number()) << place;
-            EXPECT_DOUBLE_EQ(said.at(place).get<double>(), value.get<double>()) << place;
+            ASSERT_TRUE(documented.at(place).is_number()) << place;
+            EXPECT_DOUBLE_EQ(documented.at(place).get<double>(), value.get<double>()) << place;
         } else {
-            EXPECT_EQ(said.at(place), value) << place;
+            EXPECT_EQ(documented.at(place), value) << place;
         }
     }
 }

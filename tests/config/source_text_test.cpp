@@ -21,9 +21,9 @@ protected:
         return about_path("a.yaml");
     }
 
-    std::string about_path(const std::string& name, scene::SourceMark asked_at = {"a.walk.yaml", 3, 9}) {
+    std::string about_path(const std::string& name, scene::SourceMark referenced_at = {"a.walk.yaml", 3, 9}) {
         scene::DiagnosticList diagnostics;
-        text_ = read_source(folder_.path() / name, asked_at, diagnostics);
+        text_ = read_source(folder_.path() / name, referenced_at, diagnostics);
         EXPECT_EQ(text_.has_value(), diagnostics.all().empty());
         if (text_) {
             return "";
@@ -49,7 +49,7 @@ TEST_F(SourceText, DropsByteOrderMarkAndCarriageReturns) {
     EXPECT_EQ(text_, "");
 }
 
-TEST_F(SourceText, RefusesTabsThatIndent) {
+TEST_F(SourceText, RefusesTabsInIndentation) {
     EXPECT_THAT(about("a:\n\tb: 1\n"), says("a.yaml:2:1: error yaml-syntax"));
     EXPECT_THAT(about("a:\n  \tb: 1\n"), says("a.yaml:2:3: error yaml-syntax"));
     EXPECT_EQ(about("a:\t1\t# a comment\n"), "");
@@ -60,7 +60,7 @@ TEST_F(SourceText, RefusesDirectives) {
     EXPECT_EQ(about("a: 10 %\n"), "");
 }
 
-TEST_F(SourceText, RefusesBinary) {
+TEST_F(SourceText, RefusesControlCharactersAndInvalidUtf8) {
     EXPECT_THAT(about(std::string("a: \0\n", 5)), says("a.yaml:1:4: error yaml-syntax"));
     EXPECT_THAT(about("é: \x7F"), says("a.yaml:1:4: error yaml-syntax"));
     EXPECT_THAT(about("a\rb"), says("a.yaml:1:2: error yaml-syntax"));
@@ -70,7 +70,7 @@ TEST_F(SourceText, RefusesBinary) {
     EXPECT_THAT(about("a: caf\xE9\n"), says("a.yaml:1:7: error yaml-syntax"));
 }
 
-TEST_F(SourceText, SaysWhyAFileCannotBeRead) {
+TEST_F(SourceText, ReportsPathsThatAreNotRegularFiles) {
     EXPECT_THAT(about_path("none.yaml"), says("a.walk.yaml:3:9: error missing-file", {"'none.yaml'"}));
     folder_.write("folder/a.yaml", "");
     EXPECT_THAT(about_path("folder"), says("a.walk.yaml:3:9: error missing-file", {"'folder'"}));
@@ -81,7 +81,7 @@ TEST_F(SourceText, SaysWhyAFileCannotBeRead) {
     EXPECT_THAT(about_path("none.yaml", {"none.yaml", 0, 0}), says("none.yaml: error missing-file"));
 }
 
-TEST_F(SourceText, SaysThatAFileIsNotReadable) {
+TEST_F(SourceText, ReportsUnreadableFiles) {
     folder_.write("secret.yaml", "a: 1\n");
     ASSERT_EQ(chmod((folder_.path() / "secret.yaml").c_str(), 0), 0);
     if (access((folder_.path() / "secret.yaml").c_str(), R_OK) == 0) {
@@ -90,12 +90,12 @@ TEST_F(SourceText, SaysThatAFileIsNotReadable) {
     EXPECT_THAT(about_path("secret.yaml"), says("a.walk.yaml:3:9: error missing-file", {"'secret.yaml'"}));
 }
 
-TEST_F(SourceText, RefusesFilesThatAreNoConfiguration) {
+TEST_F(SourceText, RefusesFilesOverTwoMegabytes) {
     EXPECT_THAT(about(std::string(2'000'001, '#')), says("a.yaml: error too-large"));
     EXPECT_EQ(about(std::string(2'000'000, '#')), "");
 }
 
-TEST(Utf8Length, KnowsEveryForm) {
+TEST(Utf8Length, CountsTheBytesOfEveryForm) {
     EXPECT_EQ(utf8_length("a", 0), 1U);
     EXPECT_EQ(utf8_length("é", 0), 2U);
     EXPECT_EQ(utf8_length("总", 0), 3U);
@@ -103,7 +103,7 @@ TEST(Utf8Length, KnowsEveryForm) {
     EXPECT_EQ(utf8_length("\xF4\x8F\xBF\xBF", 0), 4U);  // the last code point
 }
 
-TEST(Utf8Length, RefusesWhatIsNone) {
+TEST(Utf8Length, IsZeroForInvalidSequences) {
     for (const char* bytes :
          {"\x80", "\xC3", "\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xE6\x80", "\xED\xA0\x80",
           "\xF0\x80\x80\x80", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF", "\xC3(", "\xE6\x80("}) {

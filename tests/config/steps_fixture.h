@@ -10,16 +10,16 @@
 
 namespace campuswalk::config::test {
 
-/// For stories about `steps` in a walk that has nothing else wrong.
+/// For tests of `steps` in a walk that is otherwise valid.
 class StepsFixture : public testing::Test {
 protected:
-    /// The steps that are played; the text must be right.
+    /// The unrolled steps; the text must be valid.
     std::vector<engine::Step> read(const std::string& text) {
         EXPECT_THAT(folder_.about_steps(text), testing::ElementsAre());
         return folder_.run().walk.steps;
     }
 
-    /// What is said about a second step.
+    /// The diagnostics of a second step, on line 4.
     Lines about(const std::string& step) const {
         return folder_.about_steps("  - spawn: gate\n  - " + step + "\n");
     }

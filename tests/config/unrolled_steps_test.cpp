@@ -33,7 +33,7 @@ protected:
     }
 };
 
-TEST_F(UnrolledSteps, GoRoundByRound) {
+TEST_F(UnrolledSteps, AreRepeatedRoundByRound) {
     const auto steps = read(
         "  - spawn: gate\n"
         "  - repeat:\n"
@@ -47,7 +47,7 @@ TEST_F(UnrolledSteps, GoRoundByRound) {
     EXPECT_EQ(mark_of(steps.at(5)).line, 7) << "in the second round too";
 }
 
-TEST_F(UnrolledSteps, DiagnoseRoundsOnce) {
+TEST_F(UnrolledSteps, AreDiagnosedOnceAndNotPerRound) {
     EXPECT_THAT(about("repeat: {times: 3, steps: [{wait: -1}]}"),
                 ElementsAre(says("a.walk.yaml:4:39: error bad-value", {"'wait'", "'-1'"})));
     EXPECT_THAT(about("repeat: {times: 0, step: []}"),
@@ -62,13 +62,13 @@ TEST_F(UnrolledSteps, DiagnoseRoundsOnce) {
                 ElementsAre(says("a.walk.yaml:4:43: error bad-value")));
 }
 
-TEST_F(UnrolledSteps, AreNotEndless) {
+TEST_F(UnrolledSteps, AreLimitedInNumber) {
     const std::string inner = "{repeat: {times: 400, steps: [{wait: 1}]}}";
     EXPECT_THAT(about("repeat: {times: 400, steps: [" + inner + "]}"),
                 ElementsAre(says("a.walk.yaml:4:13: error too-many-steps", {"'repeat'"})));
 }
 
-TEST_F(UnrolledSteps, AreReadFromTheFileThatIsNamed) {
+TEST_F(UnrolledSteps, AreIncludedFromFiles) {
     folder_.write("parts/lap.steps.yaml", "steps:\n  - wait: 1\n  - include: ../pause.steps.yaml\n");
     folder_.write("pause.steps.yaml", "steps: [{wait: 2}]\n");
     const auto steps = read(
@@ -81,7 +81,7 @@ TEST_F(UnrolledSteps, AreReadFromTheFileThatIsNamed) {
     EXPECT_TRUE(mark_of(steps.at(2)).file.ends_with("pause.steps.yaml"));
 }
 
-TEST_F(UnrolledSteps, DiagnoseAFileWhereItIsWrongAndOnce) {
+TEST_F(UnrolledSteps, DiagnoseAnIncludedFileOnceAtItsMistakes) {
     folder_.write("lap.steps.yaml", "steps:\n  - wait: long\n  - spawn: gate\nstep: 1\n");
     EXPECT_THAT(about("include: lap.steps.yaml\n  - include: lap.steps.yaml"),
                 ElementsAre(says("lap.steps.yaml:2:11: error wrong-type", {"'wait'", "'long'"}),
@@ -89,7 +89,7 @@ TEST_F(UnrolledSteps, DiagnoseAFileWhereItIsWrongAndOnce) {
                             says("lap.steps.yaml:4:1: error unknown-key", {"'step'", "'steps'"})));
 }
 
-TEST_F(UnrolledSteps, DiagnoseTheFileItself) {
+TEST_F(UnrolledSteps, DiagnoseMissingAndMisnamedFiles) {
     EXPECT_THAT(about("include: lap.steps.yaml"),
                 ElementsAre(says("a.walk.yaml:4:14: error missing-file", {"'lap.steps.yaml'"})));
     EXPECT_THAT(about("include: a.campus.yaml"),
@@ -98,13 +98,13 @@ TEST_F(UnrolledSteps, DiagnoseTheFileItself) {
                 ElementsAre(says("a.walk.yaml:4:14: error wrong-type", {"'include'"})));
 }
 
-TEST_F(UnrolledSteps, DoNotGoInCircles) {
+TEST_F(UnrolledSteps, RefuseIncludeCycles) {
     folder_.write("a.steps.yaml", "steps: [{include: b.steps.yaml}]\n");
     folder_.write("b.steps.yaml", "steps:\n  - wait: 1\n  - include: ./a.steps.yaml\n");
     EXPECT_THAT(about("include: a.steps.yaml"), ElementsAre(says("b.steps.yaml:3:14: error include-cycle")));
 }
 
-TEST_F(UnrolledSteps, DoNotGoTooDeep) {
+TEST_F(UnrolledSteps, RefuseDeepIncludes) {
     for (int i = 1; i <= 20; ++i) {
         folder_.write("s" + std::to_string(i) + ".steps.yaml",
                       "steps: [{include: s" + std::to_string(i + 1) + ".steps.yaml}]\n");
@@ -113,7 +113,7 @@ TEST_F(UnrolledSteps, DoNotGoTooDeep) {
                 ElementsAre(says("s16.steps.yaml:1:19: error include-depth")));
 }
 
-TEST_F(UnrolledSteps, TakeAImageOfANameOnce) {
+TEST_F(UnrolledSteps, TakeOneSnapshotPerName) {
     folder_.write("lap.steps.yaml", "steps: [{snapshot: view}]\n");
     EXPECT_EQ(read("  - spawn: gate\n  - include: lap.steps.yaml\n").size(), 2U);
     EXPECT_THAT(about("snapshot: view\n  - include: lap.steps.yaml"),

@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
+#include "tests/config/says.h"
 
 namespace campuswalk::config {
 namespace {
 
+using test::says;
 using testing::ElementsAre;
 
 class ReadWalksConfig : public testing::Test {
@@ -87,18 +89,17 @@ TEST_F(ReadWalksConfig, ReadsProjectsInTheOrderOfTheirNames) {
     EXPECT_EQ(read.projects[2].timeout, 10.0);
 }
 
-TEST_F(ReadWalksConfig, EveryMistakeHasItsPlace) {
+TEST_F(ReadWalksConfig, DiagnosesMistakesAtTheirPlaces) {
     EXPECT_THAT(
         about("workers: 0\nproject: {}\n"),
-        ElementsAre(":1:10: error bad-value: 'workers' must be from 1 to 1024, not '0'",
-                    ":2:1: error unknown-key: unknown key 'project' in a walks.config.yaml (did you mean "
-                    "'projects'?)"));
+        ElementsAre(says(":1:10: error bad-value", {"'workers'", "'0'"}),
+                    says(":2:1: error unknown-key", {"'project'", "'projects'"})));
     EXPECT_THAT(about("reporters: [{junit: a, tap: b}]\n"),
-                ElementsAre(":1:13: error wrong-type: a reporter must be a name or {NAME: FILE}"));
+                ElementsAre(says(":1:13: error wrong-type", {"{NAME: FILE}"})));
     EXPECT_THAT(about("projects: {Big One: {avatr: adult}}\n").size(), 2U);
     EXPECT_THAT(
         about("timeout: 0\n"),
-        ElementsAre(":1:10: error bad-value: 'timeout' must be more than 0 and at most 86400 s, not '0'"));
+        ElementsAre(says(":1:10: error bad-value", {"'timeout'", "'0'"})));
 }
 
 TEST_F(ReadWalksConfig, ReplacesAWalksAvatarAndSpawn) {
@@ -115,7 +116,7 @@ TEST_F(ReadWalksConfig, ReplacesAWalksAvatarAndSpawn) {
     EXPECT_EQ(moved.avatar.height, folder_.run().walk.avatar.height);
 }
 
-TEST_F(ReadWalksConfig, DiagnosesAProjectsValuesWhereTheyStand) {
+TEST_F(ReadWalksConfig, DiagnosesAProjectsValuesAtTheirPlaces) {
     const WalksConfig read =
         config("projects:\n  a: {avatar: chidl}\n  b: {spawn: gaet}\n  c: {campus: none.campus.yaml}\n");
     const std::vector<std::pair<int, int>> places = {{2, 15}, {3, 14}, {4, 15}};
@@ -127,7 +128,7 @@ TEST_F(ReadWalksConfig, DiagnosesAProjectsValuesWhereTheyStand) {
     }
 }
 
-TEST_F(ReadWalksConfig, ReadsAWalkAgainstAnotherCampus) {
+TEST_F(ReadWalksConfig, ReadsAWalkOnAnotherCampus) {
     // Everything of the other campus lies 100 m to the east.
     folder_.write("b.campus.yaml",
                   "scenes: [{file: a.obj}]\ncolliders: [{id: g, nodes: f, shape: mesh, mode: "
@@ -141,13 +142,13 @@ TEST_F(ReadWalksConfig, ReadsAWalkAgainstAnotherCampus) {
     EXPECT_EQ(loader.load(folder_.path("a.walk.yaml")).walk.campus_name, "a");
 }
 
-TEST_F(ReadWalksConfig, TwoWalksShareACampus) {
+TEST_F(ReadWalksConfig, SharesACampusBetweenWalks) {
     RunLoader loader({});
     const SharedRun first = loader.load(folder_.path("a.walk.yaml"));
     EXPECT_EQ(loader.load(folder_.path("a.walk.yaml")).campus, first.campus);
 }
 
-TEST_F(ReadWalksConfig, ABrokenCampusIsComplainedOfForEveryWalk) {
+TEST_F(ReadWalksConfig, ReportsABrokenCampusForEveryWalk) {
     folder_.write("a.campus.yaml", "scenes: 3\n");
     RunLoader loader({});
     const auto load = [&] { loader.load(folder_.path("a.walk.yaml")); };
@@ -156,7 +157,7 @@ TEST_F(ReadWalksConfig, ABrokenCampusIsComplainedOfForEveryWalk) {
     EXPECT_EQ(test::diagnostics_of(load).size(), once);
 }
 
-TEST_F(ReadWalksConfig, IsFoundInAFolderAbove) {
+TEST_F(ReadWalksConfig, FindsTheFileInAParentFolder) {
     config("workers: 1\n");
     folder_.write("deep/er/a.txt", "");
     const auto found = find_walks_config(folder_.path("deep/er"));

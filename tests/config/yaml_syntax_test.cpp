@@ -5,12 +5,12 @@
 namespace campuswalk::config {
 namespace {
 
-TEST(Explained, KeepsWordsItDoesNotKnow) {
+TEST(Explained, ReturnsUnknownMessagesUnchanged) {
     EXPECT_EQ(explained("something else"), "something else");
     EXPECT_NE(explained("end of map not found"), "end of map not found");
 }
 
-TEST(UnclosedQuote, IsSeenToTheEndOfTheFile) {
+TEST(UnclosedQuote, IsSearchedToTheEndOfTheFile) {
     EXPECT_TRUE(is_quote_unclosed("'abc\nb: c\n", 0));
     EXPECT_TRUE(is_quote_unclosed("\"abc\\\"", 0));
     EXPECT_TRUE(is_quote_unclosed("'it''s", 0));
@@ -18,7 +18,7 @@ TEST(UnclosedQuote, IsSeenToTheEndOfTheFile) {
     EXPECT_TRUE(is_quote_unclosed("&name !  'x", 0));
 }
 
-TEST(UnclosedQuote, IsNoClosedOne) {
+TEST(UnclosedQuote, IsNotFoundWhereTheQuoteCloses) {
     EXPECT_FALSE(is_quote_unclosed("'abc'", 0));
     EXPECT_FALSE(is_quote_unclosed("''", 0));
     EXPECT_FALSE(is_quote_unclosed("'it''s'", 0));
@@ -28,7 +28,7 @@ TEST(UnclosedQuote, IsNoClosedOne) {
     EXPECT_FALSE(is_quote_unclosed("&name 'x'", 0));
 }
 
-TEST(UnclosedQuote, IsOnlyAtTheStartOfTheValue) {
+TEST(UnclosedQuote, IsFoundOnlyAtTheStartOfTheValue) {
     EXPECT_FALSE(is_quote_unclosed("it's", 0));
     EXPECT_FALSE(is_quote_unclosed("|\n  it's\n", 0));
     EXPECT_FALSE(is_quote_unclosed("&name", 0));

@@ -13,7 +13,7 @@ using test::says;
 
 using scene::DiagnosticList;
 
-/// The diagnostics about a text, a line each.
+/// The diagnostics of a text, one per line.
 std::string about(const std::string& text) {
     DiagnosticList diagnostics;
     const auto root = parse_yaml(text, "a.yaml", diagnostics);
@@ -49,7 +49,7 @@ TEST(YamlTree, KeepsOrderAndPlaces) {
     EXPECT_EQ(list.items[1]->column, 5);
 }
 
-TEST(YamlTree, PutsEmptyValuesWhereTheyAreMissed) {
+TEST(YamlTree, PlacesEmptyValuesAtTheirKeyOrDash) {
     const auto root = parsed("a:\nb:\n  -\n  - c\n");
     EXPECT_EQ(root->entries[0].value->kind, YamlNode::Kind::null);
     EXPECT_EQ(root->entries[0].value->line, 1);
@@ -57,7 +57,7 @@ TEST(YamlTree, PutsEmptyValuesWhereTheyAreMissed) {
     EXPECT_EQ(root->entries[1].value->items[0]->column, 3);
 }
 
-TEST(YamlTree, PutsEmptyListEntriesAtTheirDash) {
+TEST(YamlTree, PlacesEmptyListEntriesAtTheirDash) {
     const auto at = [](const std::string& text, std::size_t index) {
         const auto root = parsed(text);
         const YamlNode& item = *root->entries.at(0).value->items.at(index);
@@ -80,7 +80,7 @@ TEST(YamlTree, CountsCharactersNotBytes) {
     EXPECT_EQ(parsed(line + "', b: 1}\n")->entries.at(1).column, 409);
 }
 
-TEST(YamlTree, SharesWhatAliasesName) {
+TEST(YamlTree, SharesTheNodeThatAnAliasNames) {
     const auto root = parsed("a: &camera {view: top}\nb: *camera\n");
     EXPECT_EQ(root->entries[0].value, root->entries[1].value);
 }
@@ -92,13 +92,10 @@ TEST(YamlTree, RefusesEmptyFiles) {
 }
 
 TEST(YamlTree, ExplainsSyntaxErrors) {
-    const std::string continues =
-        "this line doesn't fit the lines above: check its indentation, '-' and ':'\n";
-    EXPECT_EQ(about("a:\n  b: 1\n c: 2\n"), "a.yaml:3:2: error yaml-syntax: " + continues);
-    EXPECT_EQ(about("a: 1\n- b\n"), "a.yaml:2:1: error yaml-syntax: " + continues);
-    EXPECT_EQ(about("a:\n  - b\n  c: 2\n"), "a.yaml:3:3: error yaml-syntax: " + continues);
-    EXPECT_EQ(about("a: 1\nb: {c: 2\n"),
-              "a.yaml:2:4: error yaml-syntax: this '{' has no matching '}', or a ',' is missing after it\n");
+    EXPECT_THAT(about("a:\n  b: 1\n c: 2\n"), says("a.yaml:3:2: error yaml-syntax"));
+    EXPECT_THAT(about("a: 1\n- b\n"), says("a.yaml:2:1: error yaml-syntax"));
+    EXPECT_THAT(about("a:\n  - b\n  c: 2\n"), says("a.yaml:3:3: error yaml-syntax"));
+    EXPECT_THAT(about("a: 1\nb: {c: 2\n"), says("a.yaml:2:4: error yaml-syntax", {"'{'", "'}'"}));
     EXPECT_THAT(about("a: [1, 2\nb: 3\n"), says("a.yaml:1:4: error yaml-syntax", {"'['", "']'"}));
     EXPECT_THAT(about("a: 1]\nb: [2]]\n"), says("a.yaml:2:7: error yaml-syntax"));
     EXPECT_THAT(about("title: Hall: West\n"), says("a.yaml:1:12: error yaml-syntax"));
@@ -111,30 +108,28 @@ TEST(YamlTree, RefusesASecondDocument) {
     EXPECT_THAT(about("a: 1\n---\nb: 2\n"), says("a.yaml:2:1: error yaml-syntax", {"'---'"}));
 }
 
-TEST(YamlTree, RefusesQuotesThatNothingCloses) {
+TEST(YamlTree, RefusesUnclosedQuotes) {
     EXPECT_THAT(about("title: 'Main\nspawns: {}\n"), says("a.yaml:1:8: error yaml-syntax"));
     EXPECT_THAT(about("title: \"Main"), says("a.yaml:1:13: error yaml-syntax"));
     EXPECT_THAT(about("title: \"Main\n"), says("a.yaml:1:8: error yaml-syntax"));
 }
 
-TEST(YamlTree, DiagnosesEveryKeyThatIsGivenTwice) {
-    EXPECT_EQ(
-        about("a: 1\nb: {c: 1, c: 2}\na: 3\n"),
-        "a.yaml:2:11: error duplicate-key: duplicate key 'c', first given on line 2; remove one of the two\n"
-        "a.yaml:3:1: error duplicate-key: duplicate key 'a', first given on line 1; remove one of the two\n");
+TEST(YamlTree, DiagnosesEveryDuplicateKey) {
+    EXPECT_THAT(about("a: 1\nb: {c: 1, c: 2}\na: 3\n"),
+                testing::MatchesRegex("a.yaml:2:11: error duplicate-key: .*'c'.* line 2.*\n"
+                                      "a.yaml:3:1: error duplicate-key: .*'a'.* line 1.*\n"));
 }
 
-TEST(YamlTree, RefusesKeysThatAreNoWordsAndTags) {
+TEST(YamlTree, RefusesNonScalarKeysAndTags) {
     EXPECT_THAT(about("? [a]\n: b\n"), says("a.yaml:1:3: error wrong-type"));
     EXPECT_THAT(about("? {a: b}\n: b\n"), says("a.yaml:1:3: error wrong-type"));
     EXPECT_THAT(about("a: !!float 1\n"), says("a.yaml:1:4: error wrong-type"));
     EXPECT_THAT(about("a: !list [1]\n"), says("a.yaml:1:4: error wrong-type"));
 }
 
-TEST(YamlTree, RefusesAnAliasInsideWhatItNames) {
-    const char* inside = "this alias refers to a value that contains it; write the value out\n";
-    EXPECT_EQ(about("a: &a [*a]\n"), std::string("a.yaml:1:8: error yaml-syntax: ") + inside);
-    EXPECT_EQ(about("a: &a {b: [1, {c: *a}]}\n"), std::string("a.yaml:1:19: error yaml-syntax: ") + inside);
+TEST(YamlTree, RefusesAnAliasInsideItsAnchor) {
+    EXPECT_THAT(about("a: &a [*a]\n"), says("a.yaml:1:8: error yaml-syntax"));
+    EXPECT_THAT(about("a: &a {b: [1, {c: *a}]}\n"), says("a.yaml:1:19: error yaml-syntax"));
 }
 
 TEST(YamlTree, RefusesAliasBombs) {
@@ -151,7 +146,7 @@ TEST(YamlTree, RefusesAliasBombs) {
     EXPECT_THAT(about(text), says("a.yaml:6:5: error too-large"));
 }
 
-TEST(YamlTree, RefusesAnchorsByTheThousand) {
+TEST(YamlTree, RefusesThousandsOfAnchors) {
     std::string text;
     for (int i = 0; i < 10'001; ++i) {
         text += "a" + std::to_string(i) + ": &b" + std::to_string(i) + " 1\n";
@@ -159,7 +154,7 @@ TEST(YamlTree, RefusesAnchorsByTheThousand) {
     EXPECT_NE(about(text).find("error too-large: "), std::string::npos);
 }
 
-TEST(YamlTree, StopsComplainingAfterTwoHundredMistakes) {
+TEST(YamlTree, StopsReportingAfterTwoHundredMistakes) {
     std::string text;
     for (int i = 0; i < 100'000; ++i) {
         text += "a: 1\n";
@@ -174,7 +169,7 @@ TEST(YamlTree, RefusesDeepNesting) {
     EXPECT_THAT(about("a: " + std::string(64, '[') + std::string(64, ']') + "\n"),
                 says("a.yaml:1:67: error too-large"));
     for (const char bracket : {'[', '{'}) {
-        EXPECT_NE(about(std::string(100'000, bracket)).find("error too-large: nested"), std::string::npos);
+        EXPECT_NE(about(std::string(100'000, bracket)).find("error too-large: "), std::string::npos);
     }
 }
 

@@ -13,9 +13,9 @@ int main() {
     std::vector<TrianglePair> pairs;
     all_contacts(ground, sail, X_ground_sail, pairs);
     for (const TrianglePair& pair : pairs) {
-        std::printf("ground %u meets sail %u\n", pair.a, pair.b);
+        std::printf("ground %u overlaps sail %u\n", pair.a, pair.b);
     }
     if (const auto hit = first_on_ray(ground, {{3, 8, 1}, {3, -2, 1}})) {
-        std::printf("a ray down meets ground %u after %g of its way\n", hit->triangle, hit->fraction);
+        std::printf("a ray down hits ground %u at %g of its length\n", hit->triangle, hit->fraction);
     }
 }

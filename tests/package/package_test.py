@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`cmake --install` gives find_package(campuswalk) all it needs: the example beside this is built against it.
+"""`cmake --install` installs all that find_package(campuswalk) needs: the examples in this folder build against it.
 
 `package_test.py BUILD WORK CMAKE GENERATOR COMPILER CONFIGURATION`: the build to install from, and a folder to work in.
 """
@@ -14,7 +14,7 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 WALKS = os.path.join(HERE, "walks")
-OUTPUT = ["ground 0 meets sail 0", "ground 1 meets sail 0", "a ray down meets ground 1 after 0.8 of its way"]
+OUTPUT = ["ground 0 overlaps sail 0", "ground 1 overlaps sail 0", "a ray down hits ground 1 at 0.8 of its length"]
 
 
 class Package(unittest.TestCase):
@@ -35,7 +35,7 @@ class Package(unittest.TestCase):
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, timeout=300)
         text = done.stdout.decode("utf-8", "replace")
         if done.returncode != 0:
-            raise AssertionError("%s\nended with %d:\n%s" % (" ".join(command), done.returncode, text))
+            raise AssertionError("%s\nexited with %d:\n%s" % (" ".join(command), done.returncode, text))
         return text
 
     def installed_files(self):
@@ -54,8 +54,8 @@ class Package(unittest.TestCase):
         self.run_command(self.cmake, "--build", self.built)
         self.assertEqual(self.run_command(os.path.join(self.built, "two_meshes")).splitlines(), OUTPUT)
 
-        said = self.run_command(os.path.join(self.built, "vectorizing_consumer"))
-        self.assertEqual(said, "the consumer adds (x + y) + z, the library x + (y + z)\n")
+        output = self.run_command(os.path.join(self.built, "vectorizing_consumer"))
+        self.assertEqual(output, "the consumer adds (x + y) + z, the library x + (y + z)\n")
 
         with open(os.path.join(self.built, "compile_commands.json"), encoding="utf-8") as file:
             command = json.load(file)[0]["command"]
@@ -65,7 +65,7 @@ class Package(unittest.TestCase):
         self.assertNotIn("-ffp-contract", command)
         self.assertNotIn("EIGEN", command)
 
-    def test_headers_include_each_other_eigen_and_the_standard_library_alone(self):
+    def test_headers_include_only_each_other_eigen_and_the_standard_library(self):
         include = os.path.join("include", "campuswalk")
         headers = {os.path.relpath(name, include) for name in self.installed_files() if name.endswith(".h")}
         self.assertIn("collision/mesh/mesh_contacts.h", headers)
@@ -75,7 +75,7 @@ class Package(unittest.TestCase):
             for other in re.findall(r"#include <([^>]+)>", text):
                 self.assertRegex(other, r"^(Eigen/\w+|[a-z_]+)$", header)
 
-    def test_what_is_installed(self):
+    def test_only_headers_libraries_and_cmake_files_are_installed(self):
         files = list(self.installed_files())
         self.assertLessEqual({os.path.splitext(name)[1] for name in files}, {".h", ".cmake", ".a", ".so"})
         self.assertEqual([name for name in files if "kernels" in name or "bullet" in name], [])
@@ -104,8 +104,8 @@ class WalksPackage(unittest.TestCase):
                             "-DCMAKE_PREFIX_PATH=" + installed)
         Package.run_command(Package.cmake, "--build", built)
         os.environ["SCHOOL"] = school
-        said = Package.run_command(os.path.join(built, "school_walks"))
-        self.assertIn("2 passed | 0 failed", said)
+        output = Package.run_command(os.path.join(built, "school_walks"))
+        self.assertIn("2 passed | 0 failed", output)
         with open(os.path.join(school, "walks", "visit.walk.yaml"), "a", encoding="utf-8") as walk:
             walk.write("  - never: popup.open\n")
         failed = subprocess.run([os.path.join(built, "school_walks")], stdout=subprocess.PIPE, check=False, timeout=60)

@@ -5,7 +5,7 @@
 #include "collision/geometry/closest.h"
 
 #ifndef EIGEN_VECTORIZE
-#error "the library's own setting of Eigen has leaked, or this processor has no vectors"
+#error "the library's own setting of Eigen has leaked, or this processor has no vector unit"
 #endif
 
 using namespace campuswalk::collision;

@@ -16,7 +16,7 @@ namespace campuswalk::support {
 
 namespace {
 
-/// Rounding's worth, metres.
+/// Metres; allows for rounding.
 constexpr double kAllowed = 1e-6;
 
 }  // namespace
@@ -29,7 +29,7 @@ void TickAudit::frame(const engine::TickRecord& record) {
     if (std::ranges::any_of(record.events, [](const engine::Event& event) {
             return event.kind == engine::EventKind::avatar_teleport;
         })) {
-        last_.reset();  // it went no way
+        last_.reset();  // a teleport passes through nothing
     }
     check(record.avatar, record.time);
     last_ = record.avatar.position;

@@ -11,7 +11,7 @@
 
 namespace campuswalk::support {
 
-/// Shows the oracle where the avatar is at the end of every tick, and what its axis passed on the way there.
+/// Checks with the oracle, after every tick, whether the avatar is inside anything or its axis passed through it.
 class TickAudit final : public engine::Observer {
 public:
     TickAudit(const PenetrationOracle& oracle, const engine::AvatarProfile& avatar)
@@ -34,7 +34,7 @@ private:
     std::vector<std::string> diagnostics_;
 };
 
-/// A walk from its file, run with its log kept and every tick audited.
+/// A walk that was loaded from its file and run, with its log and every tick audited.
 struct AuditedRun {
     engine::Walk walk;
     scene::Campus campus;

@@ -1,4 +1,5 @@
-// The other walks of the demo campus: each passes its own expectations; together they take every step.
+// The other walks of the demo campus: each passes its own expectations; together they use every kind
+// of step.
 
 #include <algorithm>
 #include <filesystem>
@@ -18,7 +19,7 @@ AuditedRun run_of(const std::string& name) {
                        (name + ".walk.yaml"));
 }
 
-/// One that passes and never is in or goes through anything.
+/// A run that passes and is never inside anything or passes through it.
 AuditedRun clean_run_of(const std::string& name) {
     AuditedRun run = run_of(name);
     expect_passed(run);
@@ -31,7 +32,7 @@ std::size_t lines_with(const AuditedRun& run, const std::string& words) {
         run.log, [&](const std::string& line) { return line.find(words) != std::string::npos; }));
 }
 
-TEST(DemoWalks, TakeEveryStep) {
+TEST(DemoWalks, UseEveryKindOfStep) {
     const AuditedRun run = run_of("every-step");
     expect_passed(run);
     std::set<std::size_t> kinds;
@@ -39,7 +40,7 @@ TEST(DemoWalks, TakeEveryStep) {
         kinds.insert(step.index());
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<engine::Step>);
-    // What it walks through was disabled then; nothing else.
+    // It walks through the fountain while that is disabled, and through nothing else.
     for (const std::string& diagnostic : run.diagnostics) {
         const bool in_fountain =
             std::ranges::any_of(std::vector<std::string>{"fountain", "fountain/jet"}, [&](const auto& id) {
@@ -51,7 +52,7 @@ TEST(DemoWalks, TakeEveryStep) {
     EXPECT_FALSE(run.diagnostics.empty()) << "it does walk through the fountain";
 }
 
-// The same way for three bodies: a sign with its board 1.25 m above the ground, then steps of 17 cm.
+// The same path for three bodies: a sign with its board 1.25 m above the ground, then steps of 17 cm.
 
 TEST(DemoWalks, AnAdultDucksUnderASignAndClimbsSteps) {
     const AuditedRun run = clean_run_of("adult-visit");

@@ -1,5 +1,5 @@
-// The folder that teaches the language: every walk in it ends as its status says, and together they show
-// every expectation that holds and every one that doesn't.
+// The examples of expectations: every walk in the folder ends as its status says, and together they show every
+// expectation both passing and failing.
 
 #include <algorithm>
 #include <array>
@@ -43,16 +43,16 @@ std::vector<fs::path> files_in_folder() {
     return files;
 }
 
-struct Lesson {
+struct Example {
     fs::path file;
     Walk walk;
     scene::CampusDescription campus;
 };
 
 /// All of them, read once: the campus that they name takes longest.
-const std::vector<Lesson>& lessons() {
-    static const std::vector<Lesson> all = [] {
-        std::vector<Lesson> read;
+const std::vector<Example>& examples() {
+    static const std::vector<Example> all = [] {
+        std::vector<Example> read;
         for (const fs::path& file : files_in_folder()) {
             config::Run run = config::load_run(file, {});
             read.push_back({file, std::move(run.walk), std::move(run.campus)});
@@ -68,21 +68,21 @@ struct Played {
 };
 
 /// Each campus is built once.
-Played play(const Lesson& lesson) {
+Played play(const Example& example) {
     static std::map<std::string, std::unique_ptr<scene::Campus>> campuses;
-    std::unique_ptr<scene::Campus>& campus = campuses[lesson.campus.name];
+    std::unique_ptr<scene::Campus>& campus = campuses[example.campus.name];
     if (!campus) {
         std::vector<scene::Diagnostic> warnings;
         campus = std::make_unique<scene::Campus>(
-            scene::load_campus(lesson.campus, collision::make_bullet_broad_phase(), warnings));
+            scene::load_campus(example.campus, collision::make_bullet_broad_phase(), warnings));
     }
     Played played;
-    for (const scene::Diagnostic& mistake : check_walk(*campus, lesson.walk)) {
+    for (const scene::Diagnostic& mistake : check_walk(*campus, example.walk)) {
         ADD_FAILURE() << scene::to_string(mistake);
     }
     JsonLines log([&](std::string_view line) { played.log.append(line) += '\n'; });
     const std::array<Observer*, 1> observers = {&log};
-    played.summary = run_walk(*campus, lesson.walk, observers);
+    played.summary = run_walk(*campus, example.walk, observers);
     return played;
 }
 
@@ -96,14 +96,14 @@ std::string without_end(const std::string& log) {
     return log.substr(0, log.rfind("\"event\":\"walk.end\""));
 }
 
-/// All failures, those of a golden log too, which is held against the file here.
-std::vector<Failure> failures_of(const Played& played, const Lesson& lesson) {
-    const fs::path kept = fs::path(lesson.file.string() + "-snapshots") / "log.jsonl";
+/// All failures, including that of a golden log, which is compared with its file here.
+std::vector<Failure> failures_of(const Played& played, const Example& example) {
+    const fs::path recorded = fs::path(example.file.string() + "-snapshots") / "log.jsonl";
     std::vector<Failure> failures = played.summary.failures;
-    for (const Expectation& expectation : lesson.walk.expectations) {
+    for (const Expectation& expectation : example.walk.expectations) {
         const auto* log = std::get_if<ExpectLog>(&expectation);
-        if (log != nullptr && without_end(contents(kept)) != without_end(played.log)) {
-            failures.push_back({log->mark, "log", "not the log that was kept", {}});
+        if (log != nullptr && without_end(contents(recorded)) != without_end(played.log)) {
+            failures.push_back({log->mark, "log", "differs from the recorded log", {}});
         }
     }
     return failures;
@@ -113,7 +113,7 @@ std::string name_of_plain(const PlainExpectation& plain) {
     return std::visit([](const auto& expected) { return std::string(expected.kName); }, plain);
 }
 
-/// Names of what is expected below `expect` and in steps, with `not-` where it is not.
+/// The names of the expectations below `expect` and in steps, with `not-` before negated ones.
 std::set<std::string> names_in(const Walk& walk) {
     std::vector<Expectation> all = walk.expectations;
     for (const Step& step : walk.steps) {
@@ -138,17 +138,17 @@ std::set<std::string> names_in(const Walk& walk) {
 }
 
 TEST(ExpectationWalks, EndAsTheirStatusSays) {
-    EXPECT_GE(lessons().size(), 60U);
-    for (const Lesson& lesson : lessons()) {
-        SCOPED_TRACE(lesson.file.filename().string());
-        const Played played = play(lesson);
-        // Those about images are judged by the program, which draws: image_expectations_test.py.
-        if (lesson.walk.status.kind == WalkStatus::Kind::skip ||
-            std::ranges::any_of(lesson.walk.expectations, is_about_images)) {
+    EXPECT_GE(examples().size(), 60U);
+    for (const Example& example : examples()) {
+        SCOPED_TRACE(example.file.filename().string());
+        const Played played = play(example);
+        // Expectations about images are evaluated by the program, which draws: image_expectations_test.py.
+        if (example.walk.status.kind == WalkStatus::Kind::skip ||
+            std::ranges::any_of(example.walk.expectations, is_about_images)) {
             continue;
         }
         const EvaluatedWalk evaluated =
-            outcome_of_evaluators(failures_of(played, lesson), lesson.walk.status);
+            outcome_of_evaluators(failures_of(played, example), example.walk.status);
         EXPECT_EQ(evaluated.outcome, Outcome::passed);
         for (const Failure& failure : evaluated.failures) {
             if (evaluated.outcome != Outcome::passed) {
@@ -162,8 +162,8 @@ TEST(ExpectationWalks, ShowEveryExpectationPassingAndFailing) {
     std::set<std::string> passing;
     std::set<std::string> failing;
     std::set<WalkStatus::Kind> statuses;
-    for (const Lesson& lesson : lessons()) {
-        const Walk& walk = lesson.walk;
+    for (const Example& example : examples()) {
+        const Walk& walk = example.walk;
         statuses.insert(walk.status.kind);
         if (walk.status.kind == WalkStatus::Kind::xfail) {
             failing.insert(walk.status.codes.begin(), walk.status.codes.end());
@@ -175,7 +175,7 @@ TEST(ExpectationWalks, ShowEveryExpectationPassingAndFailing) {
             }
         }
     }
-    // That an avatar fell ends its walk, so no walk where it did can pass.
+    // A fall ends the walk, so no walk with one can pass.
     passing.insert(std::string(ExpectFell::kName));
     for (const std::string& code : failure_codes()) {
         const bool ends_walks = code == "blocked" || code == "enclosed" || code == "timeout";
@@ -189,10 +189,10 @@ TEST(ExpectationWalks, ShowEveryExpectationPassingAndFailing) {
     EXPECT_TRUE(statuses.contains(WalkStatus::Kind::skip));
 }
 
-/// A name that ends so is a promise.
-TEST(ExpectationWalks, AreNamedForHowTheyEnd) {
-    for (const Lesson& lesson : lessons()) {
-        const Walk& walk = lesson.walk;
+/// A name with `-passes` or `-fails` promises that verdict.
+TEST(ExpectationWalks, AreNamedAfterTheirVerdicts) {
+    for (const Example& example : examples()) {
+        const Walk& walk = example.walk;
         if (walk.name.ends_with("-passes") && walk.name != "fell-passes") {
             EXPECT_EQ(walk.status.kind, WalkStatus::Kind::run) << walk.name;
         }

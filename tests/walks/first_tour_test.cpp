@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
     return lines;
 }
 
-/// Second and third word after the time: what happened, and to what.
+/// The two words after the time: what happened, and to what.
 std::pair<std::string, std::string> kind_and_object(const std::string& line) {
     std::istringstream words(line);
     std::string tick;
@@ -95,14 +95,14 @@ TEST(FirstTour, BumpsIntoAWallATreeABedAndABench) {
     EXPECT_FALSE(objects_of("ray.enter").empty());
 }
 
-TEST(FirstTour, OpensFourPopUpsAndTakesFiveImages) {
+TEST(FirstTour, OpensFourPopUpsAndTakesFiveSnapshots) {
     EXPECT_GE(objects_of("popup.open").size(), 4U);
     EXPECT_EQ(objects_of("popup.open"), objects_of("popup.close"));
     EXPECT_GE(objects_of("snapshot.take").size(), 5U);
 }
 
 /// A mover that goes straight to each target, at its height, through whatever is in between.
-TEST(FirstTour, AMoverThroughWallsIsCaught) {
+TEST(FirstTour, AuditCatchesAMoverThatIgnoresWalls) {
     const AuditedRun& run = tour();
     const PenetrationOracle oracle(run.campus.world);
     TickAudit audit(oracle, run.walk.avatar);
@@ -113,10 +113,10 @@ TEST(FirstTour, AMoverThroughWallsIsCaught) {
         if (walk_to == nullptr) {
             continue;
         }
-        const Point way = walk_to->target.point - foot;
-        const int ticks = static_cast<int>(way.norm() / (run.walk.avatar.speed / 60.0)) + 1;
+        const Point leg = walk_to->target.point - foot;
+        const int ticks = static_cast<int>(leg.norm() / (run.walk.avatar.speed / 60.0)) + 1;
         for (int i = 1; i <= ticks; ++i) {
-            record.avatar.position = foot + way * (static_cast<double>(i) / ticks);
+            record.avatar.position = foot + leg * (static_cast<double>(i) / ticks);
             record.time = static_cast<double>(record.tick) / 60.0;
             audit.frame(record);
             ++record.tick;

@@ -1,5 +1,5 @@
-// The conformance course on models that nobody here wrote: what is told to be reachable is reached, what
-// isn't stops the avatar, and no tick ends inside anything or has passed through it.
+// The conformance course on third-party models: goals marked as reachable are reached, the others are not, and
+// no tick ends inside anything or passes through it.
 
 #include <filesystem>
 #include <ostream>
@@ -56,7 +56,7 @@ World load_world(const RealCourse& course, const fs::path& model) {
 
 class RealCourses : public testing::TestWithParam<RealCourse> {};
 
-TEST_P(RealCourses, IsWalkedAsFarAsItCanBe) {
+TEST_P(RealCourses, ReachesExactlyTheReachableGoals) {
     const RealCourse& course = GetParam();
     const fs::path model = fs::path(CAMPUSWALK_SOURCE_DIR) / ".." / "shared" / "data" / course.model;
     if (!fs::exists(model)) {
@@ -85,7 +85,7 @@ MoverSettings body_of(double step_height, double max_slope_degrees = 50.0) {
     return body;
 }
 
-/// Up the ramps, round and round, to where the last one ends at a parapet; from deck to deck it is 5.57 m.
+/// Up all ramps to where the last one ends at a parapet; the decks are 5.57 m apart.
 std::vector<Vec3> garage_route() {
     std::vector<Vec3> route = {{20, 0.23, 0}};
     for (int deck = 0; deck < 7; ++deck) {

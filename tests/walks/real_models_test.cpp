@@ -1,5 +1,4 @@
-// Walks over models that nobody here wrote: each passes its own expectations, goes far, and is never inside
-// anything.
+// Walks over third-party models: each passes its own expectations, goes far, and is never inside anything.
 
 #include <algorithm>
 #include <filesystem>
@@ -18,8 +17,8 @@ namespace fs = std::filesystem;
 struct RealWalk {
     std::string name;
     std::string model;      ///< below the shared data
-    double climb = 0.0;     ///< metres that it ends above its start, at least; negative: may be below
-    double distance = 0.0;  ///< metres from its start to its end as the crow flies, at least
+    double climb = 0.0;     ///< least metres from its start up to its end; negative: it may end below
+    double distance = 0.0;  ///< least metres from its start to its end in a straight line
 };
 
 void PrintTo(const RealWalk& walk, std::ostream* out) {

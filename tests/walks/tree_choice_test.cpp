@@ -1,4 +1,4 @@
-// Which tree finds the triangles changes how long a walk takes, and nothing else.
+// The choice of tree changes how long a walk takes, and nothing else.
 
 #include <algorithm>
 #include <array>
@@ -71,7 +71,7 @@ std::vector<fs::path> walk_files() {
     return files;
 }
 
-TEST(TreeChoice, EveryWalkIsTheSameToTheByteOnEitherTree) {
+TEST(TreeChoice, DoesNotChangeTheLogOfAnyWalk) {
     Walker walker;
     std::size_t walks = 0;
     collision::QueryStatistics on_bvh8;
@@ -89,8 +89,8 @@ TEST(TreeChoice, EveryWalkIsTheSameToTheByteOnEitherTree) {
     }
     EXPECT_GT(walks, 60U);
     EXPECT_LT(on_bvh8.sphere_tests, on_bvh8.box_tests);
-    EXPECT_EQ(on_hybrid.sphere_tests, on_hybrid.volume_tests) << "each node's outer sphere comes first";
-    EXPECT_LT(on_hybrid.box_tests, on_hybrid.sphere_tests) << "and some are decided by it";
+    EXPECT_EQ(on_hybrid.sphere_tests, on_hybrid.volume_tests) << "each node's outer sphere is tested first";
+    EXPECT_LT(on_hybrid.box_tests, on_hybrid.sphere_tests) << "and decides some of them";
 }
 
 }  // namespace

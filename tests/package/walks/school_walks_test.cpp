@@ -30,7 +30,7 @@ struct School {
 
 }  // namespace
 
-TEST_CASE("the visit is what its file says") {
+TEST_CASE("the visit passes and logs the expected events") {
     School school("visit.walk.yaml");
     REQUIRE(engine::check_walk(school.campus, school.run.walk).empty());
     engine::EventLog log;

@@ -29,7 +29,7 @@ protected:
         const std::vector<std::byte> bytes(size, std::byte{7});
         cache.store(key, "model", BufferSequence{bytes});
     }
-    CacheFolder diagnosing(const fs::path& where) {
+    CacheFolder reporting_cache(const fs::path& where) {
         return CacheFolder(where, CacheFolder::kDefaultLimit,
                            [this](const std::string& reason) { diagnostics_.push_back(reason); });
     }
@@ -49,7 +49,7 @@ protected:
 };
 
 TEST_F(CacheFolderTest, FindsFilesByKeyAndKind) {
-    const CacheFolder cache = diagnosing(where_);
+    const CacheFolder cache = reporting_cache(where_);
     EXPECT_FALSE(cache.find(kA, "model"));
     store(cache, kA, 5);
     EXPECT_TRUE(diagnostics_.empty());
@@ -101,7 +101,7 @@ TEST_F(CacheFolderTest, NeverRemovesForeignFiles) {
 
 TEST_F(CacheFolderTest, ReportsWriteErrors) {
     folder_.write("file", "not a folder");
-    const CacheFolder cache = diagnosing(folder_.path() / "file" / "cache");
+    const CacheFolder cache = reporting_cache(folder_.path() / "file" / "cache");
     store(cache, kA, 1);
     ASSERT_EQ(diagnostics_.size(), 1U);
     EXPECT_NE(diagnostics_[0].find("cache"), std::string::npos) << diagnostics_[0];
@@ -109,7 +109,7 @@ TEST_F(CacheFolderTest, ReportsWriteErrors) {
 }
 
 TEST_F(CacheFolderTest, ReadsRegularFilesOnly) {
-    const CacheFolder cache = diagnosing(where_);
+    const CacheFolder cache = reporting_cache(where_);
     fs::create_directories(where_);
     ASSERT_EQ(mkfifo(file_of(kA).c_str(), 0600), 0);
     EXPECT_FALSE(cache.find(kA, "model")) << "and does not block";

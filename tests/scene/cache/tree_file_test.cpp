@@ -179,7 +179,7 @@ TEST(TreeFile, IsRejectedOrSafeToQueryWhenForged) {
 TEST(TreeFile, RejectsAnInvalidBool) {
     const std::vector<PlacedMesh> made = {placed(1, 4)};
     std::vector<std::byte> bytes = write_tree_file(made);
-    ASSERT_TRUE(made[0].collider->closed_parts().empty()) << "else it would end with these";
+    ASSERT_TRUE(made[0].collider->closed_parts().empty()) << "otherwise the file would end with these";
     bytes[bytes.size() - sizeof(collision::Bvh8Leaf) + offsetof(collision::Bvh8Leaf, exact)] = std::byte{2};
     fix_header(bytes);
     EXPECT_FALSE(can_be_read(bytes));

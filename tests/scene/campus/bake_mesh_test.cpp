@@ -7,7 +7,7 @@ namespace {
 
 using collision::Vec3;
 
-TEST(BakeMesh, KeepsMillimetresFarFromTheWorldsOrigin) {
+TEST(BakeMesh, KeepsMillimetresFarFromTheWorldOrigin) {
     const Vec3 far(84616.0004, 12.5, 447750.0004);
     WorldGeometry geometry;
     geometry.positions = {far, far + Vec3(1.001, 0, 0), far + Vec3(0, 0, 2.002)};
@@ -32,7 +32,7 @@ TEST(BakeMesh, JoinsEqualPositionsAndDropsUnusedOnes) {
     EXPECT_EQ(baked.p_world_origin, Vec3(0.5, 0.5, 0));  // the unused (9, 9, 9) doesn't count
 }
 
-TEST(BakeMesh, LeavesZeroAreaTrianglesOut) {
+TEST(BakeMesh, DropsZeroAreaTriangles) {
     WorldGeometry geometry;
     geometry.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {1, 1e-9, 0}, {1, 1e-4, 0}};
     geometry.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 1, 3}, {0, 4, 3}, {0, 3, 5}};
@@ -41,12 +41,12 @@ TEST(BakeMesh, LeavesZeroAreaTrianglesOut) {
     EXPECT_EQ(baked.mesh.triangles.size(), 2U);  // a sliver of a tenth of a millimetre is kept
 }
 
-TEST(BakeMesh, OfNothingIsNothing) {
+TEST(BakeMesh, IsEmptyWithoutTriangles) {
     EXPECT_TRUE(bake_mesh(WorldGeometry{}).mesh.triangles.empty());
     EXPECT_TRUE(bake_every_triangle(WorldGeometry{}).mesh.triangles.empty());
 }
 
-TEST(BakeEveryTriangle, KeepsThinOnesAndTheirNumbers) {
+TEST(BakeEveryTriangle, KeepsThinTrianglesAndAllIndices) {
     WorldGeometry geometry;
     geometry.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
     geometry.triangles = {{0, 0, 1}, {0, 1, 2}, {0, 1, 3}};
@@ -56,7 +56,7 @@ TEST(BakeEveryTriangle, KeepsThinOnesAndTheirNumbers) {
     EXPECT_EQ(baked.zero_area, 0U);
 }
 
-TEST(BakeEveryTriangle, KeepsWhatFloatHoldsToTheBit) {
+TEST(BakeEveryTriangle, KeepsPositionsThatFitIntoFloatsExactly) {
     WorldGeometry geometry;
     geometry.positions = {{0.1F, 0, 1000.3F}, {0.7F, 0, 0}, {0, 1e-20F, 0}};
     geometry.triangles = {{0, 1, 2}};

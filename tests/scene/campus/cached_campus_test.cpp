@@ -104,13 +104,13 @@ TEST_F(CachedCampus, ImportsAgainWhenAnyOfItsFilesHasChanged) {
     fs::remove(folder_.path() / "a/x.mtl");
     EXPECT_TRUE(imports());
     folder_.write("a/x.mtl", "newmtl wood\n");
-    EXPECT_TRUE(imports()) << "what was missing has come";
-    std::ofstream(folder_.path() / "a/x.obj", std::ios::app) << "# said\n";
+    EXPECT_TRUE(imports()) << "a file that was missing has appeared";
+    std::ofstream(folder_.path() / "a/x.obj", std::ios::app) << "# a comment\n";
     EXPECT_TRUE(imports());
     EXPECT_FALSE(imports());
 }
 
-/// An image that is nearer than the one that was found takes its place.
+/// An image in a nearer folder takes precedence over the one that was found before.
 TEST_F(CachedCampus, ImportsAgainWhenAnotherFileIsFound) {
     fs::create_directories(folder_.path() / "a/textures");
     fs::rename(folder_.path() / "a/wood.tga", folder_.path() / "a/textures/wood.tga");
@@ -135,7 +135,7 @@ TEST_F(CachedCampus, ImportsAgainForOtherSettings) {
     EXPECT_FALSE(imports());
 }
 
-TEST_F(CachedCampus, MarksWarningsWhereTheFileIsNamedNow) {
+TEST_F(CachedCampus, MarksCachedWarningsAtTheCurrentReference) {
     load();
     file_.mark = {"other.campus.yaml", 7, 3};
     const LoadedModel warm = load();
@@ -144,7 +144,7 @@ TEST_F(CachedCampus, MarksWarningsWhereTheFileIsNamedNow) {
     EXPECT_EQ(warm.imported.warnings.at(0).mark.line, 7);
 }
 
-TEST_F(CachedCampus, KeepsNoMistakes) {
+TEST_F(CachedCampus, DoesNotCacheFailedImports) {
     folder_.write("a/x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n");
     for (int i = 1; i <= 2; ++i) {
         EXPECT_FALSE(test::errors_of([&] { load(); }).empty());
@@ -152,7 +152,7 @@ TEST_F(CachedCampus, KeepsNoMistakes) {
     }
 }
 
-TEST_F(CachedCampus, MakesDamagedFilesAnew) {
+TEST_F(CachedCampus, ReplacesDamagedFiles) {
     load();
     for (const char* kind : {"model", "requests"}) {
         ASSERT_EQ(files(kind).size(), 1U);
@@ -162,7 +162,7 @@ TEST_F(CachedCampus, MakesDamagedFilesAnew) {
     }
 }
 
-TEST_F(CachedCampus, IsTheSameFromTheCache) {
+TEST_F(CachedCampus, EqualsTheCampusThatIsLoadedWithoutACache) {
     std::vector<Diagnostic> without_warnings;
     const Campus without = campus(without_warnings, nullptr);
     EXPECT_FALSE(fs::exists(where_));
@@ -187,7 +187,7 @@ TEST_F(CachedCampus, IsTheSameFromTheCache) {
     }
 }
 
-/// Of the meshes that another campus has made, whoever is built first, each object gets its own.
+/// Each object gets its own mesh from the cache, in whatever order they are stored and found.
 TEST_F(CachedCampus, FindsMeshesByTheirObjects) {
     CampusDescription description;
     description.scenes = {file_};
@@ -222,7 +222,7 @@ TEST_F(CachedCampus, FindsMeshesByTheirObjects) {
     EXPECT_FALSE(warm.find("roof"));
 }
 
-TEST_F(CachedCampus, BuildsDamagedTreesAnew) {
+TEST_F(CachedCampus, RebuildsDamagedTrees) {
     std::vector<Diagnostic> warnings;
     campus(warnings, &cache_);
     const fs::path trees = files("trees").at(0);
@@ -232,7 +232,7 @@ TEST_F(CachedCampus, BuildsDamagedTreesAnew) {
     EXPECT_EQ(fs::file_size(trees), size);
 }
 
-TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
+TEST_F(CachedCampus, WorksWithoutAWritableCacheFolder) {
     folder_.write("file", "not a folder");
     const CacheFolder nowhere(folder_.path() / "file" / "cache");
     std::vector<Diagnostic> warnings;
@@ -241,7 +241,7 @@ TEST_F(CachedCampus, WorksWhereNothingCanBeKept) {
     EXPECT_EQ(imports_, 2);
 }
 
-TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
+TEST_F(CachedCampus, LeavesNoPartialFilesOnAFullDisk) {
     std::vector<Diagnostic> warnings;
     std::vector<std::string> diagnostics;
     const CacheFolder cache(where_, CacheFolder::kDefaultLimit,
@@ -250,7 +250,7 @@ TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
         const campuswalk::test::FullDisk full(bytes);
         EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
         EXPECT_EQ(diagnostics.size(),
-                  bytes == 0 ? 3U : 5U);  // what is looked for beside it fits into 200 bytes
+                  bytes == 0 ? 3U : 5U);  // the file of requests fits into 200 bytes
     }
     for (const auto& entry : fs::directory_iterator(where_)) {
         EXPECT_TRUE(entry.path().string().ends_with(".requests.campuswalk")) << entry.path();
@@ -261,9 +261,9 @@ TEST_F(CachedCampus, LeavesNothingHalfWrittenWhereTheDiskIsFull) {
     EXPECT_EQ(imports_, 3);
 }
 
-/// What comes first is told first, whoever is done first.
-TEST_F(CachedCampus, TellsTheSameHoweverManyImportsAreAtOnce) {
-    const auto told = [&](std::size_t at_once, bool broken) {
+/// Diagnostics come in the order of the scenes, whichever import finishes first.
+TEST_F(CachedCampus, ReportsTheSameWithConcurrentImports) {
+    const auto reported = [&](std::size_t concurrent, bool broken) {
         const Importer slow_at_first = [&](const SceneFile& file, EmptyModel if_empty) {
             const int number = file.file.back() - '0';
             std::this_thread::sleep_for(std::chrono::milliseconds(4 * (5 - number)));
@@ -282,15 +282,15 @@ TEST_F(CachedCampus, TellsTheSameHoweverManyImportsAreAtOnce) {
         std::vector<Diagnostic> all;
         try {
             load_campus(description, std::make_unique<collision::LinearBroadPhase>(), all, slow_at_first,
-                        nullptr, at_once);
+                        nullptr, concurrent);
         } catch (const InputError& error) {
             all.insert(all.end(), error.diagnostics().begin(), error.diagnostics().end());
         }
         return test::text_of(all);
     };
-    EXPECT_EQ(told(4, false), told(1, false));
-    EXPECT_EQ(told(4, true), told(1, true));
-    EXPECT_NE(told(4, true).find("m4 is broken"), std::string::npos);
+    EXPECT_EQ(reported(4, false), reported(1, false));
+    EXPECT_EQ(reported(4, true), reported(1, true));
+    EXPECT_NE(reported(4, true).find("m4 is broken"), std::string::npos);
 }
 
 }  // namespace

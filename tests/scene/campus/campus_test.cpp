@@ -1,5 +1,6 @@
 #include "scene/campus/campus.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
@@ -72,7 +73,7 @@ protected:
     std::vector<Diagnostic> warnings_;
 };
 
-TEST_F(CampusTest, MakesOneObjectACollider) {
+TEST_F(CampusTest, MakesOneObjectPerCollider) {
     auto& ground = add("ground", MeshShape{}, {"terrain"});
     ground.layer = "ground";
     ground.modes.ray = true;
@@ -117,7 +118,7 @@ TEST_F(CampusTest, FitsABoxInItsNodesFrame) {
     EXPECT_LT((bench.X_world_shape.rotation - rotation_about_y(0.5)).norm(), 1e-6);
 }
 
-TEST_F(CampusTest, TakesABuildingsNodesWhenAShapeNeedsSome) {
+TEST_F(CampusTest, UsesTheBuildingsNodesForShapesThatNeedNodes) {
     auto& walls = add("library/walls", MeshShape{});
     walls.building = "library";
     walls.popup = true;
@@ -132,7 +133,7 @@ TEST_F(CampusTest, TakesABuildingsNodesWhenAShapeNeedsSome) {
     EXPECT_EQ(campus.objects[0].building, 0U);
     EXPECT_TRUE(campus.objects[0].popup);
     EXPECT_LT((campus.world.bounds(collision::ObjectId{0}).max - collision::Vec3(25, 6, 4)).norm(), 1e-5);
-    // A door that is all numbers stays where they say, in the world.
+    // A door that is given by numbers alone is placed in the world frame.
     const collision::Object& placed = campus.world.object(collision::ObjectId{1});
     EXPECT_EQ(placed.X_world_shape.translation, collision::Vec3(15, 1.2, 0));
     EXPECT_EQ(placed.detection, collision::Detection::trigger);
@@ -148,7 +149,7 @@ TEST_F(CampusTest, SearchesAllScenesForNodes) {
     EXPECT_NEAR(campus.world.object(collision::ObjectId{1}).X_world_shape.translation.x(), 30.5, 1e-6);
 }
 
-TEST_F(CampusTest, LeavesOutWhatIsExcepted) {
+TEST_F(CampusTest, ExcludesNodesThatMatchExcept) {
     const auto triangles_of = [](const Campus& campus, std::size_t object) {
         const auto& shape =
             campus.world.object(collision::ObjectId{static_cast<std::uint32_t>(object)}).shape;
@@ -167,7 +168,7 @@ TEST_F(CampusTest, LeavesOutWhatIsExcepted) {
     EXPECT_EQ(triangles_of(campus, 2), 12U);
 }
 
-TEST_F(CampusTest, LeavesOutNodesBelowThoseItTakes) {
+TEST_F(CampusTest, ExcludesNodesBelowIncludedOnes) {
     add("hull", BoxShape{}, {"library"}).except = {{mark_at(30), "library_walls"}};
     EXPECT_TRUE(has_code(errors(), "empty-mesh"));
 }
@@ -176,11 +177,10 @@ TEST_F(CampusTest, ReportsExceptionsThatLeaveNothing) {
     add("none", MeshShape{}, {"library_walls"}).except = {{mark_at(30), "library"}};
     add("wrong", MeshShape{}, {"library"}).except = {{mark_at(31), "libary"}};
     add("numbers", SphereShape{Eigen::Vector3d(1, 2, 3), 1.0}).except = {{mark_at(32), "library"}};
-    EXPECT_EQ(text_of(errors()),
-              "demo.campus.yaml:30:9: error empty-mesh: 'except' excludes every node of collider 'none'\n"
-              "demo.campus.yaml:31:9: error no-node: no node is named 'libary'; did you mean 'library'?\n"
-              "demo.campus.yaml:32:9: error missing-nodes: 'except' filters 'nodes', but collider 'numbers' "
-              "has no 'nodes'\n");
+    EXPECT_THAT(text_of(errors()),
+                testing::MatchesRegex("demo.campus.yaml:30:9: error empty-mesh: .*'except'.*'none'.*\n"
+                                      "demo.campus.yaml:31:9: error no-node: .*'libary'.*'library'.*\n"
+                                      "demo.campus.yaml:32:9: error missing-nodes: .*'numbers'.*\n"));
 }
 
 TEST_F(CampusTest, NumbersLayersFromOne) {

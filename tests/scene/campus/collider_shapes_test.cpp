@@ -12,7 +12,7 @@ namespace {
 
 using collision::Vec3;
 
-/// The corners of a box of edge lengths `size` about the frame's point `centre`, as a soup of triangles.
+/// The vertices of a box of edge lengths `size` about the frame's point `centre`, with arbitrary triangles.
 ShapeSource box_source(const collision::Pose& frame, const Vec3& centre, const Vec3& size) {
     ShapeSource source;
     source.frame = frame;

@@ -15,7 +15,7 @@ TEST(ObjectWord, IsKebabCase) {
     EXPECT_EQ(object_word("bench"), "bench");
 }
 
-TEST(ObjectWord, KeepsOtherScriptsAndNamesTheNameless) {
+TEST(ObjectWord, KeepsOtherScriptsAndDefaultsToNode) {
     EXPECT_EQ(object_word("도서관_1"), "도서관-1");
     EXPECT_EQ(object_word(""), "node");
     EXPECT_EQ(object_word("***"), "node");
@@ -26,7 +26,7 @@ TEST(DistinctWords, NumbersRepeatsInOrder) {
               (Words{"tree", "bench", "tree-2", "tree-3"}));
 }
 
-TEST(DistinctWords, LeavesNamesThatLookNumberedAlone) {
+TEST(DistinctWords, KeepsNamesThatLookNumbered) {
     EXPECT_EQ(distinct_words({"tree", "tree", "tree_2"}), (Words{"tree", "tree-3", "tree-2"}));
     EXPECT_EQ(distinct_words({"tree_2", "tree", "tree_2", "tree"}),
               (Words{"tree-2", "tree", "tree-2-2", "tree-3"}));

@@ -73,11 +73,11 @@ TEST_F(FarModels, KeepMicrometres) {
     EXPECT_LT((place_of(import("matrix.glb")) - written).norm(), kMicrometre);
 }
 
-TEST_F(FarModels, RoundTripThroughHelperAndCacheToTheBit) {
+TEST_F(FarModels, RoundTripBitExactlyThroughHelperAndCache) {
     const SceneFile file = test::scene_file(folder_, "far.glb");
     const Vector3d here = place_of(import("far.glb"));
-    const Importer apart = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
-    EXPECT_EQ(place_of(apart(file, EmptyModel::refuse).model), here);
+    const Importer in_helper = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
+    EXPECT_EQ(place_of(in_helper(file, EmptyModel::refuse).model), here);
     const CacheFolder cache(folder_.path() / "cache");
     for (int time = 0; time < 2; ++time) {
         EXPECT_EQ(place_of(load_model(file, EmptyModel::refuse, import_model, &cache).imported.model), here);
@@ -92,9 +92,9 @@ TEST_F(FarModels, KeepTheirOriginByDefault) {
 
 TEST_F(FarModels, MoveNearTheOriginOnRequest) {
     const CacheFolder cache(folder_.path() / "cache");
-    for (const CacheFolder* kept : {static_cast<const CacheFolder*>(nullptr), &cache, &cache}) {
-        const Campus there = campus("far.glb", {}, kept);
-        const Campus near = campus("far.glb", {.near = true, .origin = {}}, kept);
+    for (const CacheFolder* cache_or_none : {static_cast<const CacheFolder*>(nullptr), &cache, &cache}) {
+        const Campus there = campus("far.glb", {}, cache_or_none);
+        const Campus near = campus("far.glb", {.near = true, .origin = {}}, cache_or_none);
         EXPECT_EQ(near.origin.at, Vector3d(85000, 0, -447000));
         EXPECT_LT((place_of(near.models[0]) - Vector3d(-487.876544, 1.5, -321.654321)).norm(), kMicrometre);
         const auto world = [](const Campus& campus) {
@@ -107,7 +107,7 @@ TEST_F(FarModels, MoveNearTheOriginOnRequest) {
     EXPECT_LT((place_of(given.models[0]) - Vector3d(0.123456, 1.5, 0.345679)).norm(), kMicrometre);
 }
 
-TEST_F(FarModels, KeepsNearModelsInPlace) {
+TEST_F(FarModels, NearModelsStayInPlace) {
     place("near.glb", {{"translation", {9000, 0, -20}}});
     EXPECT_FALSE(campus("near.glb", {.near = true, .origin = {}}).origin.is_known());
 }
@@ -138,10 +138,9 @@ TEST_F(FarModels, AreTranslatedByACenterInMapCoordinates) {
     EXPECT_FALSE(model.geographic);
     EXPECT_LT((place_of(model) - Vector3d(84512.123456, 3.5, -447321.654321)).norm(), kMicrometre);
     place_about("none.glb", nullptr);
-    EXPECT_NE(test::text_of(test::errors_of([&] {
-                  import("none.glb");
-              })).find("extensions/CESIUM_RTC has 'center', which must be 3 numbers"),
-              std::string::npos);
+    const std::string refusal = test::text_of(test::errors_of([&] { import("none.glb"); }));
+    EXPECT_NE(refusal.find("extensions/CESIUM_RTC"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("'center'"), std::string::npos) << refusal;
 }
 
 std::string collada_at(const std::string& location) {
@@ -171,8 +170,8 @@ TEST_F(FarModels, ReadTheGeographicLocationOfCollada) {
     EXPECT_EQ(test::text_of(warnings_), "");
     EXPECT_EQ(model.geographic, (GeographicPlace{40.017, -105.283, 1655.5, {10, 0, -20}}));
     // The campus file overrides the model; its location is that of the campus origin.
-    const GeographicPlace said = {1.0, 2.0, 3.0, {0, 0, 0}};
-    EXPECT_EQ(campus("a.dae", {.near = false, .origin = {{5, 0, 0}, said}}).origin.geographic, said);
+    const GeographicPlace given = {1.0, 2.0, 3.0, {0, 0, 0}};
+    EXPECT_EQ(campus("a.dae", {.near = false, .origin = {{5, 0, 0}, given}}).origin.geographic, given);
     EXPECT_EQ(campus("a.dae", {.near = false, .origin = {{5, 0, 0}, {}}}).origin.geographic->at,
               Vector3d(-5, 0, 0));
 }

@@ -92,7 +92,7 @@ TEST_F(ImportModelTest, CorrectsTheWindingOfMirroredNodes) {
     test::write_gltf(folder_, "pair", {{.name = "mirrored", .size = {1, 2, 3}, .X_parent_node = mirror}});
     EXPECT_NEAR(test::signed_volume(import("pair.gltf")), 6.0, 1e-6);
 
-    // A mesh that an upright node uses too is copied, not flipped under its feet.
+    // A mesh that an upright node uses, too, is copied and not flipped.
     test::write_gltf(folder_, "shared",
                      {{.name = "upright", .size = {1, 2, 3}},
                       {.name = "mirrored", .size = {1, 1, 1}, .X_parent_node = mirror}});
@@ -158,7 +158,7 @@ TEST_F(ImportModelTest, ReportsAMissingFileAtItsMark) {
     EXPECT_TRUE(has_code(errors("."), "missing-file"));  // a folder
 }
 
-TEST_F(ImportModelTest, ReportsUnreadableFormatsAndDamage) {
+TEST_F(ImportModelTest, ReportsUnsupportedFormatsAndDamagedFiles) {
     folder_.write("broken.gltf", "{\"asset\":");
     const auto found = errors("broken.gltf");
     ASSERT_EQ(found.size(), 1U);
@@ -228,7 +228,7 @@ TEST_F(ImportModelTest, ReportsAllErrorsTogether) {
     EXPECT_TRUE(has_code(found, "bad-texture"));
 }
 
-TEST_F(ImportModelTest, WarnsOfAMissingMaterialFile) {
+TEST_F(ImportModelTest, WarnsAboutAMissingMaterialFile) {
     folder_.write("plain.obj", "mtllib gone.mtl\n" + test::obj_box("box", {0, 0, 0}, {1, 1, 1}));
     EXPECT_EQ(count_triangles(import("plain.obj")), 12U);
     EXPECT_TRUE(has_code(warnings_, "missing-materials")) << text_of(warnings_);

@@ -1,4 +1,4 @@
-// Features of real files, each in a small file that is encoded with the same libraries.
+// Features that real files use, each in a small file that is written with the same encoders.
 
 #include <cmath>
 #include <cstring>
@@ -134,7 +134,7 @@ TEST_F(GltfSourceTest, ReadsInterleavedSparseAndQuantizedPositions) {
     EXPECT_EQ(model.meshes[1].positions[2], Eigen::Vector3f(1, 0, -1));
 }
 
-TEST_F(GltfSourceTest, StripsAndFansFaceTheSameWay) {
+TEST_F(GltfSourceTest, StripsAndFansHaveTheSameWinding) {
     GltfText text;
     const std::size_t strip = text.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 2, 0, 0}, "VEC3");
     const std::size_t fan = text.add_floats({0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0}, "VEC3");
@@ -202,7 +202,7 @@ TEST_F(GltfSourceTest, PlacesInstances) {
     EXPECT_EQ(warnings(), "");
 }
 
-TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndWarnsOfOthers) {
+TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndWarnsAboutOthers) {
     GltfText text;
     const std::size_t mesh = text.add_triangle_mesh();
     text.add_node({{"name", "here"}, {"mesh", mesh}});
@@ -296,8 +296,8 @@ TEST_F(GltfSourceTest, RejectsKtxUnlessThereIsAFallback) {
     Json texture = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
     GltfText text = textured_triangle({{"uri", "wood.ktx2"}}, texture);
     text.json["extensionsUsed"] = {"KHR_texture_basisu"};
-    const std::string said = refusal(text);
-    EXPECT_TRUE(contains(said, "KTX") && contains(said, "PNG") && contains(said, "'wall'")) << said;
+    const std::string diagnostic = refusal(text);
+    EXPECT_TRUE(contains(diagnostic, "KTX") && contains(diagnostic, "PNG") && contains(diagnostic, "'wall'")) << diagnostic;
     texture["source"] = 1;
     text.json["textures"] = Json::array({texture});
     text.json["images"].push_back({{"uri", "wood.tga"}});
@@ -334,7 +334,7 @@ TEST_F(GltfSourceTest, ReadsAllImagesOfAMaterial) {
     EXPECT_TRUE(material.unlit);
 }
 
-TEST_F(GltfSourceTest, IgnoresImagesWithAnotherLayoutWithAWarning) {
+TEST_F(GltfSourceTest, IgnoresTexturesOnOtherUvSetsWithAWarning) {
     folder_.write("wood.tga", test::tga_image(1, 1, {1, 2, 3, 255}));
     GltfText text = textured_triangle({{"uri", "wood.tga"}}, {{"source", 0}});
     Json& wall = text.json["materials"][0];
@@ -345,7 +345,7 @@ TEST_F(GltfSourceTest, IgnoresImagesWithAnotherLayoutWithAWarning) {
                 contains(warnings(), "'wall': emissiveTexture"))
         << warnings();
     EXPECT_FALSE(material.emissive_texture);
-    EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0})) << "nowhere without the texture";
+    EXPECT_EQ(material.emissive, (std::array<float, 3>{0, 0, 0})) << "no emission without the texture";
 }
 
 TEST_F(GltfSourceTest, ToleratesMissingEmissiveAndNormalImages) {
@@ -380,7 +380,7 @@ TEST_F(GltfSourceTest, NamesUnsupportedExtensionsAndVersions) {
     EXPECT_TRUE(contains(refusal(text), "error bad-model") && contains(refusal(text), "'1.0'"));
 }
 
-TEST_F(GltfSourceTest, WarnsOfSkinsAndMorphTargets) {
+TEST_F(GltfSourceTest, WarnsAboutSkinsAndMorphTargets) {
     GltfText text;
     const std::size_t positions = text.add_triangle_positions();
     const Json targets = Json::array({{{"POSITION", positions}}});

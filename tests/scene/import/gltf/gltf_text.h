@@ -13,12 +13,12 @@ namespace campuswalk::scene::test {
 
 using Json = nlohmann::json;
 
-/// A glTF file in the making: change `json` as you like, then write it.
+/// Builds a glTF file: change `json` as needed, then write it.
 class GltfText {
 public:
     GltfText();
 
-    /// Appends bytes to the one buffer; the number of their view.
+    /// Appends bytes to the only buffer. Returns the index of their view.
     std::size_t add_view(std::span<const std::uint8_t> bytes);
     template <typename T>
     std::size_t add_view(const std::vector<T>& values) {
@@ -27,14 +27,14 @@ public:
     }
     std::size_t add_accessor(std::size_t view, int component, std::size_t count, const char* type);
     std::size_t add_floats(const std::vector<float>& values, const char* type);
-    /// A mesh of one primitive, without a node.
+    /// Adds a mesh of one primitive, without a node.
     std::size_t add_mesh(Json primitive);
-    /// Positions of a triangle in the plane y = 0 with legs of 1 m, facing up; a mesh of it, if asked for.
+    /// Adds a right triangle with legs of 1 m in the plane y = 0, facing up: its positions, or a mesh of it.
     std::size_t add_triangle_positions();
     std::size_t add_triangle_mesh() {
         return add_mesh({{"attributes", {{"POSITION", add_triangle_positions()}}}});
     }
-    /// A node of the scene.
+    /// Adds a node to the scene.
     std::size_t add_node(Json node);
 
     void write_gltf(const support::TemporaryFolder& folder, const std::string& name) const;

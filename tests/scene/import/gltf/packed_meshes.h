@@ -18,11 +18,11 @@ struct GridMesh {
 /// `side` x `side` vertices.
 GridMesh grid_mesh(std::size_t side);
 
-/// Its positions (attribute 0) and triangles as Draco packs them.
+/// The positions (attribute 0) and triangles, encoded by Draco.
 std::vector<std::uint8_t> draco_of(const GridMesh& mesh);
 
-std::vector<std::uint8_t> meshopt_vertices_of(const GridMesh& mesh);  ///< 12 bytes a vertex
-std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh);   ///< 4 bytes an index
+std::vector<std::uint8_t> meshopt_vertices_of(const GridMesh& mesh);  ///< 12 bytes per vertex
+std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh);   ///< 4 bytes per index
 
 /// Files with one node called `packed`; meshopt's with a fallback buffer that has no data.
 GltfText draco_gltf(const GridMesh& mesh);

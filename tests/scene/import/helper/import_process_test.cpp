@@ -50,10 +50,10 @@ TEST_F(ImportProcess, ThrowsTheErrorsOfTheHelper) {
             test::errors_of([&] { importer(test::scene_file(folder_, name), EmptyModel::refuse); }));
     };
     folder_.write("nan.obj", "o a\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 0 inf 0\nf 2 3 4\n");
-    const Importer apart = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
+    const Importer in_helper = import_in_process({ODD_IMPORT_HELPER, {"serve"}});
     for (const char* name : {"nan.obj", "gone.glb", "box.ifc"}) {
-        EXPECT_EQ(errors_of(apart, name), errors_of(import_model, name));
-        EXPECT_NE(errors_of(apart, name), "");
+        EXPECT_EQ(errors_of(in_helper, name), errors_of(import_model, name));
+        EXPECT_NE(errors_of(in_helper, name), "");
     }
 }
 

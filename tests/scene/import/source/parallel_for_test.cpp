@@ -30,7 +30,7 @@ TEST(ParallelFor, LimitsTheNumberOfThreads) {
         --now;
     });
     EXPECT_LE(highest, 3);
-    EXPECT_GE(highest, 2) << "they wait side by side";
+    EXPECT_GE(highest, 2) << "the threads wait concurrently";
 }
 
 }  // namespace

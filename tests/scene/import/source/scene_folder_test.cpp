@@ -50,16 +50,16 @@ TEST_F(SceneFolderTest, RejectsFilesOutside) {
 }
 
 TEST_F(SceneFolderTest, RecordsLookups) {
-    const SceneFolder asked = folder();
-    const SceneFolder copy = asked;  // NOLINT(performance-unnecessary-copy-initialization): tests the copy
-    EXPECT_TRUE(asked.find_file("a%20b.bin"));
+    const SceneFolder original = folder();
+    const SceneFolder copy = original;  // NOLINT(performance-unnecessary-copy-initialization): tests the copy
+    EXPECT_TRUE(original.find_file("a%20b.bin"));
     EXPECT_FALSE(copy.find_image("nothing.png"));
     EXPECT_FALSE(copy.find_file("nothing.png"));
     EXPECT_TRUE(copy.find_file("a%20b.bin"));
     const std::vector<FileRequest> expected = {
         {"a%20b.bin", false}, {"nothing.png", true}, {"nothing.png", false}};
-    EXPECT_EQ(asked.requests(), expected);
-    EXPECT_TRUE(asked.find(expected[0]));
+    EXPECT_EQ(original.requests(), expected);
+    EXPECT_TRUE(original.find(expected[0]));
     EXPECT_TRUE(folder().requests().empty());
 }
 
