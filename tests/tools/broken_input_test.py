@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Broken input of every kind: the message that a user sees, the exit code, and that nothing was written."""
+"""Broken input of every kind: the diagnostics, the exit code, and that nothing was written."""
 
 import base64
 import json
@@ -10,11 +10,11 @@ from program import CAMPUS, ROOM, WALK, ProgramCase, main
 PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
 
 
-def triangle_gltf(texture=None, corners=((-10, 0, -10), (-10, 0, 30), (30, 0, -10))):
+def triangle_gltf(texture=None, vertices=((-10, 0, -10), (-10, 0, 30), (30, 0, -10))):
     """A glTF file with one triangle in a node called floor, and its buffer in the file itself."""
-    data = b"".join(struct.pack("<3f", *corner) for corner in corners)
+    data = b"".join(struct.pack("<3f", *vertex) for vertex in vertices)
     data += b"".join(struct.pack("<2f", *uv) for uv in ((0, 0), (1, 0), (0, 1)))
-    finite = [[c for c in column if c == c] for column in zip(*corners)]
+    finite = [[c for c in column if c == c] for column in zip(*vertices)]
     scene = {
         "asset": {"version": "2.0"},
         "scene": 0,
@@ -49,25 +49,24 @@ FIELD_WALK = "campus: field.campus.yaml\navatar: adult\nsteps: [{spawn: start}, 
 
 
 class BrokenInput(ProgramCase):
-    """Each test breaks one thing of a campus that works."""
+    """Each test breaks one thing in a campus that works."""
 
-    def refused(self, *complaints, arguments=("run", "short.walk.yaml"), code=2):
-        """Runs the program: these lines on standard error, nothing on standard output, nothing written."""
+    def refused(self, *diagnostics, arguments=("run", "short.walk.yaml"), code=2):
+        """Runs the program: these diagnostics on standard error, nothing on standard output, nothing written."""
         before = self.contents()
         outcome = self.run_program(*arguments)
-        self.assertEqual(outcome.complaints, list(complaints))
-        self.assertEqual(outcome.code, code)
+        self.assert_refused(outcome, *diagnostics, code=code)
         self.assertEqual(outcome.out, "")
         self.assertEqual(self.contents(), before)
 
     def refused_model(self, place_and_code, *names, arguments=("run", "short.walk.yaml")):
-        """One line that begins with the place and the code and contains these names; nothing else is written."""
+        """One diagnostic with this place and code and these names; nothing else is written."""
         before = self.contents()
         outcome = self.run_program(*arguments)
-        self.assertEqual((len(outcome.complaints), outcome.code, outcome.out), (1, 2, ""), outcome.complaints)
-        self.assertTrue(outcome.complaints[0].startswith(place_and_code + ": "), outcome.complaints)
+        self.assertEqual((len(outcome.err_lines), outcome.code, outcome.out), (1, 2, ""), outcome.err_lines)
+        self.assertTrue(outcome.err_lines[0].startswith(place_and_code + ": "), outcome.err_lines)
         for name in names:
-            self.assertIn(name, outcome.complaints[0])
+            self.assertIn(name, outcome.err_lines[0])
         self.assertEqual(self.contents(), before)
 
     def campus(self, old, new):
@@ -83,7 +82,7 @@ class BrokenInput(ProgramCase):
         self.write("field.campus.yaml", FIELD)
         self.write("field.walk.yaml", FIELD_WALK)
 
-    def test_what_is_not_broken_works(self):
+    def test_unbroken_input_works(self):
         self.passes("run", "short.walk.yaml")
         self.write("grass.png", PNG)
         self.field(triangle_gltf("grass.png"))
@@ -92,87 +91,77 @@ class BrokenInput(ProgramCase):
     # ---- missing files
 
     def test_missing_walk(self):
-        self.refused("shrot.walk.yaml: error missing-file: no such file; check the path",
+        self.refused("shrot.walk.yaml: error missing-file:",
                      arguments=("run", "shrot.walk.yaml"))
 
     def test_missing_campus(self):
         self.walk("small.campus.yaml", "smal.campus.yaml")
-        self.refused("short.walk.yaml:1:9: error missing-file: 'smal.campus.yaml': no such file; check the path")
+        self.refused("short.walk.yaml:1:9: error missing-file: 'smal.campus.yaml'")
 
     def test_missing_avatar(self):
         self.walk("avatar: adult", "avatar: adlt")
-        self.refused("short.walk.yaml:2:9: error unknown-name: there is no adlt.avatar.yaml in 'avatars' or "
-                     "'config/avatars' next to the walk or above it, nor among the program's own (did you mean 'adult'?)")
+        self.refused("short.walk.yaml:2:9: error unknown-name: adlt.avatar.yaml 'avatars' 'config/avatars' 'adult'")
 
     def test_missing_scene(self):
         self.campus("room.obj", "models/room.obj")
-        self.refused("small.campus.yaml:2:11: error missing-file: 'models/room.obj': no such file; check the path")
+        self.refused("small.campus.yaml:2:11: error missing-file: 'models/room.obj'")
 
     def test_missing_scene_of_a_campus_elsewhere(self):
         self.write("north/small.campus.yaml", CAMPUS)
         self.walk("small.campus.yaml", "north/small.campus.yaml")
-        self.refused("north/small.campus.yaml:2:11: error missing-file: 'north/room.obj': no such file; check the "
-                     "path")
+        self.refused("north/small.campus.yaml:2:11: error missing-file: 'north/room.obj'")
 
-    def test_other_file_for_a_walk(self):
-        self.refused("small.campus.yaml: error file-name: 'small.campus.yaml' must be named NAME.walk.yaml; "
-                     "rename it, or name another file", arguments=("run", "small.campus.yaml"))
+    def test_campus_given_as_a_walk(self):
+        self.refused("small.campus.yaml: error file-name: 'small.campus.yaml' NAME.walk.yaml", arguments=("run", "small.campus.yaml"))
 
     # ---- YAML
 
     def test_bad_yaml(self):
         self.walk("  - walk_to: end\n", "   - walk_to: end\n")
-        self.refused("short.walk.yaml:5:4: error yaml-syntax: this line doesn't fit the lines above: check its "
-                     "indentation, '-' and ':'")
+        self.refused("short.walk.yaml:5:4: error yaml-syntax:")
 
     def test_wrong_type(self):
         self.walk("turn: 180", "turn: around")
-        self.refused("short.walk.yaml:6:11: error wrong-type: 'turn' must be a number, not 'around'")
+        self.refused("short.walk.yaml:6:11: error wrong-type: 'turn' 'around'")
 
     def test_unknown_key(self):
         self.walk("walk_to:", "walkto:")
-        self.refused("short.walk.yaml:5:5: error unknown-key: unknown key 'walkto' for a step (did you mean "
-                     "'walk_to'?)")
+        self.refused("short.walk.yaml:5:5: error unknown-key: 'walkto' 'walk_to'")
 
     # ---- steps of other files, objects by name
 
-    def test_steps_file_that_is_missing_or_another_thing(self):
+    def test_steps_file_that_is_missing_or_includes_itself(self):
         self.walk("turn: 180", "include: lap.steps.yaml")
-        self.refused("short.walk.yaml:6:14: error missing-file: 'lap.steps.yaml': no such file; check the path")
+        self.refused("short.walk.yaml:6:14: error missing-file: 'lap.steps.yaml'")
         self.write("short.walk.yaml", WALK.replace("turn: 180", "include: short.walk.yaml"))
-        self.refused("short.walk.yaml:6:14: error include-cycle: short.walk.yaml includes itself through this line")
+        self.refused("short.walk.yaml:6:14: error include-cycle: short.walk.yaml")
 
     def test_mistake_in_a_steps_file(self):
         self.walk("turn: 180", "repeat: {times: 2, steps: [{include: parts/lap.steps.yaml}]}")
         self.write("parts/lap.steps.yaml", "steps:\n  - wait: 1\n  - crouch: down\n")
-        self.refused("parts/lap.steps.yaml:3:13: error bad-value: 'crouch' must be one of on, off, not 'down'")
+        self.refused("parts/lap.steps.yaml:3:13: error bad-value: 'crouch' on off 'down'")
 
-    def test_object_that_is_not_there(self):
+    def test_unknown_object(self):
         self.walk("turn: 180", "disable: [gate, hut/wal]")
-        self.refused("short.walk.yaml:6:21: error unknown-name: the campus has no object 'hut/wal' (did you mean "
-                     "'hut/wall'?)")
+        self.refused("short.walk.yaml:6:21: error unknown-name: 'hut/wal' 'hut/wall'")
 
-    def test_waiting_for_what_can_not_happen(self):
+    def test_waiting_for_an_impossible_event(self):
         self.walk("turn: 180", "wait_until: {event: trigger.enter hut/wall}")
-        self.refused("short.walk.yaml:6:25: error unknown-name: 'trigger.enter hut/wall' can't happen: nothing of "
-                     "that name has such events")
+        self.refused("short.walk.yaml:6:25: error unknown-name: 'trigger.enter hut/wall'")
 
     def test_all_mistakes_at_once(self):
         self.walk("turn: 180\nexpect", "turm: 180\nexpct")
         self.campus("mode: trigger", "mode: triger")
-        self.refused("short.walk.yaml:6:5: error unknown-key: unknown key 'turm' for a step (did you mean 'turn'?)",
-                     "short.walk.yaml:7:1: error unknown-key: unknown key 'expct' in a walk (did you mean "
-                     "'expect'?)",
-                     "small.campus.yaml:12:70: error bad-value: 'mode' must be one of solid, trigger, ray, not "
-                     "'triger' (did you mean 'trigger'?)")
+        self.refused("short.walk.yaml:6:5: error unknown-key: 'turm' 'turn'",
+                     "short.walk.yaml:7:1: error unknown-key: 'expct' 'expect'",
+                     "small.campus.yaml:12:70: error bad-value: 'mode' solid trigger ray 'triger' 'trigger'")
 
     # ---- models
 
     def test_glob_that_matches_nothing(self):
         self.campus("nodes: floor", "nodes: [flor, 'gravel_*']")
-        self.refused("small.campus.yaml:10:26: error no-node: no node is named 'flor'; did you mean 'floor'?",
-                     "small.campus.yaml:10:32: error no-node: no node is named 'gravel_*'; the scenes contain "
-                     "'floor', 'room.obj', 'wall'")
+        self.refused("small.campus.yaml:10:26: error no-node: 'flor' 'floor'",
+                     "small.campus.yaml:10:32: error no-node: 'gravel_*' 'floor' 'room.obj' 'wall'")
 
     def test_collider_without_a_triangle(self):
         self.write("room.obj", ROOM + "o rail\nv 0 0 0\nv 1 0 0\nl 13 14\n")
@@ -188,11 +177,11 @@ class BrokenInput(ProgramCase):
         self.refused_model("small.campus.yaml:2:11: error bad-vertex", "room.obj: ", "'wall'")
 
     def test_infinite_vertex_in_gltf(self):
-        self.field(triangle_gltf(corners=((0, 0, 0), (0, float("nan"), 1), (1, 0, 0))))
+        self.field(triangle_gltf(vertices=((0, 0, 0), (0, float("nan"), 1), (1, 0, 0))))
         self.refused_model("field.campus.yaml:1:17: error bad-vertex", "field.gltf: ", "'floor'",
                            arguments=("run", "field.walk.yaml"))
 
-    def test_no_model_at_all(self):
+    def test_file_that_is_not_a_model(self):
         self.write("room.obj", "%PDF-1.7 this is not a model, and it is longer than any header of one\n" * 4)
         self.refused_model("small.campus.yaml:2:11: error empty-mesh", "'room.obj'")
 
@@ -211,32 +200,30 @@ class BrokenInput(ProgramCase):
 
     def test_spawn_deep_inside_a_wall(self):
         self.campus("at: [0, 0, 5]", "at: [0, 0, -4.5]")
-        self.refused("short.walk.yaml:4:12: error spawn-blocked: start at 0.000,0.000,-4.500 is inside hut/wall: put "
-                     "it where a capsule of 0.30 m radius and 1.80 m height fits")
+        self.refused("short.walk.yaml:4:12: error spawn-blocked: start 0.000,0.000,-4.500 hut/wall")
 
-    # ---- what can't be written
+    # ---- output that can't be written
 
     def test_log_that_is_a_folder(self):
-        self.refused("avatars: error log-unwritable: the log can't be written here: it is a folder; name a file",
+        self.refused("avatars: error log-unwritable:",
                      arguments=("run", "short.walk.yaml", "--log", "avatars"))
 
     def test_log_below_a_file(self):
-        self.refused("room.obj/a.log: error log-unwritable: the log can't be written here: 'room.obj' is not a folder",
+        self.refused("room.obj/a.log: error log-unwritable: 'room.obj'",
                      arguments=("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "room.obj/a.log"))
 
     def test_log_over_a_walk(self):
         self.write("other.walk.yaml", WALK)
-        self.refused("other.walk.yaml: error log-unwritable: a log would overwrite this YAML file; name another",
+        self.refused("other.walk.yaml: error log-unwritable:",
                      arguments=("run", "--log", "other.walk.yaml", "short.walk.yaml"))
 
     def test_one_file_for_both_logs(self):
-        self.refused("./a.log: error log-unwritable: another log or report goes here already; each needs a file of its "
-                     "own",
+        self.refused("./a.log: error log-unwritable:",
                      arguments=("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "./a.log"))
 
     def test_log_on_a_full_disk(self):
         for option in ("--log", "--jsonl"):
-            self.refused("error: Failed flush to file /dev/full: No space left on device",
+            self.refused("error: /dev/full",
                          arguments=("run", "-q", "short.walk.yaml", option, "/dev/full"), code=3)
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The citation check finds what a document or a comment names and nobody has, and passes this checkout."""
+"""The citation check finds files and names that are cited and don't exist, and passes this checkout."""
 
 import os
 import subprocess
@@ -38,7 +38,7 @@ class CheckCitations(unittest.TestCase):
     def test_this_checkout_is_in_order(self):
         self.assertEqual(run_check(ROOT), (0, []))
 
-    def test_what_exists(self):
+    def test_citations_of_what_exists_pass(self):
         self.assertEqual(self.found({
             "README.md": "[all](scene/base) [one](scene/base/glob.h#L2) [far](https://example.org/x.md) `glob.h` `scene/base/`\n"
                          "`glob_matches` in `scene/base/glob.h`, `scene::GlobList`, `scene/base/{glob,list}.*`"
@@ -46,26 +46,26 @@ class CheckCitations(unittest.TestCase):
             "docs/walk.md": "`../scene/base/glob.h` `school.glb` `NAME.walk.yaml` `walk_to`\n",
             "tools/words.py": "walk_to = 1\n"}), [])
 
-    def test_links(self):
+    def test_broken_links_are_found(self):
         self.assertEqual(self.found({"README.md": "see [the\ndoor](scene/door.h)\n"}), [("README.md:2:7", "scene/door.h")])
 
-    def test_paths_in_code_spans(self):
+    def test_unknown_paths_in_code_spans_are_found(self):
         self.assertEqual(self.found({"CONTRIBUTING.md": "`scene/base/glob.hpp` `scene/{base,top}/` `lists.cpp` `tops/`\n"}),
                          [("CONTRIBUTING.md:1:2", "scene/base/glob.hpp"), ("CONTRIBUTING.md:1:24", "scene/{base,top}/"),
                           ("CONTRIBUTING.md:1:44", "lists.cpp"), ("CONTRIBUTING.md:1:56", "tops/")])
 
-    def test_names_of_code(self):
+    def test_unknown_names_of_code_are_found(self):
         self.assertEqual(self.found({"docs/deep/a.md": "`glob_match` `scene::GlobLists` `kGlobs`\n"}),
                          [("docs/deep/a.md:1:2", "glob_match"), ("docs/deep/a.md:1:15", "GlobLists"),
                           ("docs/deep/a.md:1:34", "kGlobs")])
 
-    def test_a_name_that_only_a_comment_has(self):
+    def test_names_that_only_comments_have_are_found(self):
         self.assertEqual(self.found({"README.md": "`old_name`\n", "scene/a.cpp": "// old_name\n"}), [("README.md:1:2", "old_name")])
 
-    def test_a_name_in_another_file(self):
+    def test_names_that_are_in_another_file_are_found(self):
         self.assertEqual(self.found({"README.md": "`pattern_length` in `scene/base/glob.h`\n"}), [("README.md:1:2", "pattern_length")])
 
-    def test_files_in_comments(self):
+    def test_unknown_files_in_comments_are_found(self):
         self.assertEqual(self.found({"scene/b.h": "#pragma once\n// as base/glob.h, not scene/glob.h or globs.cpp\n"
                                                   'const char* text = "none.h";  /* none.cpp */\n'}),
                          [("scene/b.h:2:24", "scene/glob.h"), ("scene/b.h:2:40", "globs.cpp"), ("scene/b.h:3:34", "none.cpp")])

@@ -63,7 +63,7 @@ class CheckGlossary(unittest.TestCase):
         self.assertEqual(self.found("docs/a.md", "In every\nframe\n"), ["docs/a.md:1:4: every frame → tick"] + [
             "scene/a.h:1:8: every frame → tick", "scene/a.h:2:11: every frame → tick"])
 
-    def test_what_is_quoted_or_of_the_user(self):
+    def test_quoted_words_and_user_facing_names_are_allowed(self):
         self.assertEqual(self.found("README.md", "`every frame` and 'every frame'\n```\nevery frame\n```\n"), [])
         self.assertEqual(self.found("scene/a.cpp", 'auto key = "corner";  // a corner\n'), [])
 

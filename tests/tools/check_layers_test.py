@@ -18,32 +18,32 @@ def run_check(root):
     done = subprocess.run([sys.executable, os.path.join(ROOT, "tools", "check-layers"), "--root", root],
                           capture_output=True, text=True, check=False)
     assert not done.stderr, done.stderr
-    *complaints, summary = done.stdout.splitlines()
-    return done.returncode, complaints, summary
+    *diagnostics, summary = done.stdout.splitlines()
+    return done.returncode, diagnostics, summary
 
 
 class CheckLayers(unittest.TestCase):
-    """A small tree each."""
+    """Each test checks a small tree."""
 
-    def complaints(self, files):
-        """What the check prints about a tree of these files; its exit code must agree."""
+    def diagnostics(self, files):
+        """What the check prints for a tree of these files; its exit code must agree."""
         with tempfile.TemporaryDirectory() as root:
             for name, text in files.items():
                 path = os.path.join(root, name)
                 os.makedirs(os.path.dirname(path), exist_ok=True)
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
-            code, complaints, _ = run_check(root)
-        self.assertEqual(code, 1 if complaints else 0)
-        return complaints
+            code, diagnostics, _ = run_check(root)
+        self.assertEqual(code, 1 if diagnostics else 0)
+        return diagnostics
 
     def finds(self, files, *expected):
-        """These complaints and no others."""
-        self.assertEqual(self.complaints(files), list(expected))
+        """The check finds these and nothing else."""
+        self.assertEqual(self.diagnostics(files), list(expected))
 
     def test_this_checkout_is_in_order(self):
-        code, complaints, summary = run_check(ROOT)
-        self.assertEqual((code, complaints), (0, []))
+        code, diagnostics, summary = run_check(ROOT)
+        self.assertEqual((code, diagnostics), (0, []))
         self.assertRegex(summary, r"^layers: \d{3,} C\+\+ files, \d+ build files, all in order$")
 
     def test_an_empty_tree_is_in_order(self):
@@ -61,40 +61,40 @@ class CheckLayers(unittest.TestCase):
             self.assertTrue(lowest, "these depend on one another: %s" % sorted(below))
             below = {place: others - lowest for place, others in below.items() if place not in lowest}
 
-    def test_a_lower_layer_includes_a_higher_one(self):
-        [complaint] = self.complaints({"scene/campus/campus.h": HEADER,
+    def test_a_lower_layer_may_not_include_a_higher_one(self):
+        [diagnostic] = self.diagnostics({"scene/campus/campus.h": HEADER,
                                        "collision/world/world.cpp": '\n  #include "scene/campus/campus.h"\n'})
-        self.assertTrue(complaint.startswith(
+        self.assertTrue(diagnostic.startswith(
             'collision/world/world.cpp:2:12: error layer: collision/world may not include "scene/campus/campus.h"; '
-            'it may include collision/world, '), complaint)
+            'it may include collision/world, '), diagnostic)
 
-    def test_the_core_includes_the_renderer(self):
-        [complaint] = self.complaints({"engine/render/overlay/canvas.h": HEADER,
+    def test_the_core_may_not_include_the_renderer(self):
+        [diagnostic] = self.diagnostics({"engine/render/overlay/canvas.h": HEADER,
                                        "engine/simulation/simulation.cpp": '#include "engine/render/overlay/canvas.h"\n'})
-        self.assertTrue(complaint.startswith(
-            'engine/simulation/simulation.cpp:1:10: error layer: engine/simulation may not include "engine/render/overlay/canvas.h"; '), complaint)
+        self.assertTrue(diagnostic.startswith(
+            'engine/simulation/simulation.cpp:1:10: error layer: engine/simulation may not include "engine/render/overlay/canvas.h"; '), diagnostic)
 
-    def test_the_core_knows_the_observer_but_no_observers(self):
-        [complaint] = self.complaints({
+    def test_the_core_may_include_the_observer_interface_only(self):
+        [diagnostic] = self.diagnostics({
             "engine/record/observer.h": HEADER, "engine/observers/text_log.h": HEADER,
             "engine/simulation/run_walk.cpp": '#include "engine/record/observer.h"\n#include "engine/observers/text_log.h"\n'})
-        self.assertTrue(complaint.startswith(
-            'engine/simulation/run_walk.cpp:2:10: error layer: engine/simulation may not include "engine/observers/text_log.h"; '), complaint)
+        self.assertTrue(diagnostic.startswith(
+            'engine/simulation/run_walk.cpp:2:10: error layer: engine/simulation may not include "engine/observers/text_log.h"; '), diagnostic)
 
-    def test_the_product_includes_tests(self):
-        [complaint] = self.complaints({"tests/support/village.h": HEADER,
+    def test_the_product_may_not_include_tests(self):
+        [diagnostic] = self.diagnostics({"tests/support/village.h": HEADER,
                                        "scene/import/x.cpp": '#include "tests/support/village.h"\n'})
-        self.assertTrue(complaint.startswith(
-            'scene/import/x.cpp:1:10: error layer: scene/import may not include "tests/support/village.h"; '), complaint)
+        self.assertTrue(diagnostic.startswith(
+            'scene/import/x.cpp:1:10: error layer: scene/import may not include "tests/support/village.h"; '), diagnostic)
 
-    def test_the_oracle_includes_the_mover(self):
-        [complaint] = self.complaints({"collision/mover/mover.h": HEADER,
+    def test_the_oracle_may_not_include_the_mover(self):
+        [diagnostic] = self.diagnostics({"collision/mover/mover.h": HEADER,
                                        "tests/support/penetration_oracle.cpp": '#include "collision/mover/mover.h"\n'})
-        self.assertTrue(complaint.startswith(
+        self.assertTrue(diagnostic.startswith(
             "tests/support/penetration_oracle.cpp:1:10: error layer: tests/support/penetration_oracle.cpp "
-            'may not include "collision/mover/mover.h"; '), complaint)
+            'may not include "collision/mover/mover.h"; '), diagnostic)
 
-    def test_the_narrow_phase_of_bullet(self):
+    def test_bullets_narrow_phase_is_for_tests_and_peers(self):
         narrow = "#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>\n"
         message = "<BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h> may be included in tests, " \
                   "tools/campuswalk_bench/peers only"
@@ -103,14 +103,14 @@ class CheckLayers(unittest.TestCase):
                    "collision/world/bullet_broad_phase.cpp:1:10: error third-party: " + message,
                    "collision/world/cast.cpp:1:10: error third-party: " + message)
 
-    def test_the_broad_phase_of_bullet(self):
+    def test_bullets_broad_phase_has_one_place(self):
         broad = "#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>\n"
         self.finds({"collision/world/bullet_broad_phase.cpp": broad, "collision/mover/mover.h": HEADER + broad},
                    "collision/mover/mover.h:2:10: error third-party: "
                    "<BulletCollision/BroadphaseCollision/btDbvtBroadphase.h> may be included in "
                    "collision/world, tools/campuswalk_bench/peers only")
 
-    def test_a_folder_of_the_distribution_hides_nothing(self):
+    def test_include_folders_of_the_distribution_are_ignored(self):
         self.finds({"engine/simulation/x.cpp": "#include <bullet/btBulletDynamicsCommon.h>\n#include <eigen3/Eigen/Core>\n"},
                    "engine/simulation/x.cpp:1:10: error third-party: <btBulletDynamicsCommon.h> may be included in tests only")
 
@@ -124,7 +124,7 @@ class CheckLayers(unittest.TestCase):
                            "engine/simulation/contact_detector.cpp:1:10: error third-party: <%s> may be included in %s only"
                            % (header, place))
 
-    def test_a_benchmark_may_hold_us_to_a_library(self):
+    def test_a_benchmarks_peers_may_include_our_libraries(self):
         line = "#include <assimp/scene.h>\n"
         self.finds({"engine/simulation/contact_detector.cpp": line, "scene/import/x.cpp": line, "tools/campuswalk_bench/peers/x.cpp": line},
                    "engine/simulation/contact_detector.cpp:1:10: error third-party: <assimp/scene.h> may be included in "
@@ -142,19 +142,19 @@ class CheckLayers(unittest.TestCase):
         for header in ("fcl/fcl.h", "ode/ode.h", "embree3/rtcore.h", "tbb/global_control.h"):
             with self.subTest(header):
                 line = "#include <%s>\n" % header
-                [complaint] = self.complaints({"tools/campuswalk_bench/benchmarks.cpp": line,
+                [diagnostic] = self.diagnostics({"tools/campuswalk_bench/benchmarks.cpp": line,
                                                "tools/campuswalk_bench/peers/x.cpp": line})
-                self.assertTrue(complaint.startswith("tools/campuswalk_bench/benchmarks.cpp:1:10: error "
-                                                     "third-party: "), complaint)
+                self.assertTrue(diagnostic.startswith("tools/campuswalk_bench/benchmarks.cpp:1:10: error "
+                                                     "third-party: "), diagnostic)
 
     def test_peers_see_one_header_of_the_benchmark(self):
-        [complaint] = self.complaints({
+        [diagnostic] = self.diagnostics({
             "tools/campuswalk_bench/engine/engine.h": HEADER, "tools/campuswalk_bench/measure/measurement.h": HEADER,
             "tools/campuswalk_bench/peers/x.cpp":
                 '#include "tools/campuswalk_bench/engine/engine.h"\n#include "tools/campuswalk_bench/measure/measurement.h"\n'})
-        self.assertTrue(complaint.startswith("tools/campuswalk_bench/peers/x.cpp:2:10: error layer: "), complaint)
+        self.assertTrue(diagnostic.startswith("tools/campuswalk_bench/peers/x.cpp:2:10: error layer: "), diagnostic)
 
-    def test_a_header_nobody_declared(self):
+    def test_undeclared_headers_are_found(self):
         self.finds({"engine/simulation/x.cpp": "#include <boost/asio.hpp>\n"},
                    "engine/simulation/x.cpp:1:10: error third-party: <boost/asio.hpp> has no place in "
                    "tools/check_layers/table.py")
@@ -164,16 +164,16 @@ class CheckLayers(unittest.TestCase):
                    'engine/simulation/x.cpp:1:10: error include-path: "avatar.h" is no file from the repository\'s root',
                    'engine/simulation/x.cpp:2:10: error include-path: files of the project are included as "engine/script/avatar.h"')
 
-    def test_files_that_include_each_other(self):
+    def test_include_cycles_are_found(self):
         self.finds({"scene/model/a.h": HEADER + '#include "scene/model/b.h"\n', "scene/model/b.h": HEADER + '#include "scene/model/c.h"\n',
                     "scene/model/c.h": HEADER + '#include "scene/model/a.h"\n'},
                    "scene/model/c.h:2:10: error include-cycle: scene/model/a.h -> scene/model/b.h -> scene/model/c.h -> scene/model/a.h")
 
-    def test_a_header_without_pragma_once(self):
+    def test_headers_without_pragma_once_are_found(self):
         self.finds({"scene/model/a.h": "// #pragma once\n", "scene/model/b.h": "// why\n" + HEADER},
                    "scene/model/a.h:1:1: error pragma-once: a header needs #pragma once")
 
-    def test_libm_in_the_core(self):
+    def test_libm_in_the_core_is_found(self):
         ends = " differs between machines; see collision/geometry/trigonometry.h for what doesn't"
         for code, column, name in (("a = std::sin(b);", 10, "sin"), ("a = 1 + pow(b, 2);", 9, "pow"),
                                    ("return ::atan2(y, x);", 10, "atan2"), ("a = std::fma (b, c, d);", 10, "fma"),
@@ -184,17 +184,17 @@ class CheckLayers(unittest.TestCase):
                 self.finds({"engine/simulation/x.cpp": code, "engine/render/x.cpp": code, "tests/x.cpp": code},
                            "engine/simulation/x.cpp:1:%d: error same-bits: %s%s" % (column, name, ends))
 
-    def test_what_is_exact_is_allowed(self):
+    def test_exact_functions_are_allowed(self):
         self.finds({"collision/geometry/x.cpp": "a = std::sqrt(b) + std::abs(c) + std::floor(d) + std::nextafter(e, f);\n"
                                        "b = angle.sin + trace.log(c) + sin_cos(d).cos + text_log(e);\n"
                                        "if (std::isfinite(a)) {}  // no std::sin(x) here\n"
                                        'const char* s = "std::cos(x)"; /* pow(\n a, b) */ auto t = R"(exp(x))";\n'})
 
-    def test_clocks_and_chance_in_the_core(self):
+    def test_clocks_in_the_core_are_found(self):
         self.finds({"engine/simulation/x.cpp": "#include <chrono>\n", "engine/render/x.cpp": "#include <chrono>\n"},
                    "engine/simulation/x.cpp:1:10: error same-bits: <chrono> is not for engine/simulation: a walk knows no clock but its ticks")
 
-    def test_compiler_flags_that_change_results(self):
+    def test_compiler_flags_that_change_results_are_found(self):
         self.finds({"CMakeLists.txt": "# never -march=native\nadd_compile_options(-O2 -march=native)\n",
                     "CMakePresets.json": '{"CMAKE_CXX_FLAGS": "-ffast-math"}\n',
                     "collision/bvh8/kernels/CMakeLists.txt": "target_compile_options(k PRIVATE -mavx2 -Ofast)\n",
@@ -203,7 +203,7 @@ class CheckLayers(unittest.TestCase):
                    "CMakePresets.json:1:22: error compiler-flag: -ffast-math changes results",
                    "collision/bvh8/kernels/CMakeLists.txt:1:41: error compiler-flag: -Ofast changes results")
 
-    def test_comments_include_nothing(self):
+    def test_includes_in_comments_are_ignored(self):
         self.finds({"collision/geometry/x.cpp": '// #include "engine/a.h"\n/*\n#include <GL/gl.h>\n*/\nint a = 1\'000;\n'})
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the command line says and which exit code it ends with."""
+"""What the command line prints and which exit code it ends with."""
 
 import json
 import os
@@ -25,8 +25,8 @@ class Help(ProgramCase):
             self.assertIn(f"Usage: campuswalk {command} ", outcome.out)
             self.assertEqual(outcome.err, "")
 
-    def test_help_of_run_tells_the_exit_codes(self):
-        self.assertIn("Exit code: 0 all passed, 1 an expectation failed, 2 bad usage", self.passes("run", "--help").out)
+    def test_help_of_run_lists_the_exit_codes(self):
+        self.assertRegex(self.passes("run", "--help").out, "Exit code: 0 .* 1 .* 2 ")
 
     def test_version_everywhere(self):
         versions = {self.passes("--version").out}
@@ -36,38 +36,32 @@ class Help(ProgramCase):
 
 
 class Usage(ProgramCase):
-    """Bad usage ends with 2, a line that says why and one that says where to look."""
+    """Bad usage ends with 2, a line that says why, and one that points to the help."""
 
-    def refused(self, arguments, complaint, command=""):
-        outcome = self.run_program(*arguments)
-        self.assertEqual(outcome.complaints, ["error: " + complaint, f"see campuswalk {command}--help"])
-        self.assertEqual((outcome.code, outcome.out), (2, ""))
+    def refused(self, arguments, expected, command=""):
+        self.assert_bad_usage(self.run_program(*arguments), f"campuswalk {command}".strip(), expected)
 
     def test_commands(self):
-        self.refused([], "a command is needed: init, validate, run, merge-reports, diff, imgdiff, replay, info, "
-                          "snapshot, collide, completion, help")
-        self.refused(["rum"], "there is no command 'rum' (did you mean 'run'?)")
-        self.refused(["dance"], "there is no command 'dance'")
-        self.refused(["--verbose"], "there is no option '--verbose'")
+        self.refused([], "init validate run merge-reports diff imgdiff replay info snapshot collide completion help")
+        self.refused(["rum"], "'rum' 'run'")
+        self.refused(["dance"], "'dance'")
+        self.refused(["--verbose"], "'--verbose'")
 
     def test_arguments(self):
-        self.refused(["merge-reports"], "REPORT is required", "merge-reports ")
-        self.refused(["validate"], "PATH is required", "validate ")
-        self.refused(["info"], "SCENE is required", "info ")
-        self.refused(["snapshot", "-o", "a.png"], "CAMPUS is required", "snapshot ")
-        self.refused(["snapshot", "a.campus.yaml"], "--output is required", "snapshot ")
-        self.refused(["run", "--zoom", "a"], "The following argument was not expected: --zoom", "run ")
-        self.refused(["run", "--tags=a"], "The following argument was not expected: --tags=a (did you mean '--tag'?)",
-                     "run ")
-        self.refused(["info", "a.obj", "b.obj"], "The following argument was not expected: b.obj", "info ")
-        self.refused(["run", "a", "--log"], "--log: 1 required FILE missing", "run ")
+        self.refused(["merge-reports"], "REPORT", "merge-reports ")
+        self.refused(["validate"], "PATH", "validate ")
+        self.refused(["info"], "SCENE", "info ")
+        self.refused(["snapshot", "-o", "a.png"], "CAMPUS", "snapshot ")
+        self.refused(["snapshot", "a.campus.yaml"], "--output", "snapshot ")
+        self.refused(["run", "--zoom", "a"], "--zoom", "run ")
+        self.refused(["run", "--tags=a"], "--tags=a '--tag'", "run ")
+        self.refused(["info", "a.obj", "b.obj"], "b.obj", "info ")
+        self.refused(["run", "a", "--log"], "--log FILE", "run ")
 
     def test_values(self):
-        self.refused(["run", "a", "--rendering-backend", "gpu"],
-                     "--rendering-backend: 'gpu' is none of auto|egl|none|osmesa", "run ")
-        self.refused(["info", "a", "--up", "x"], "--up: 'x' is none of y|z", "info ")
-        self.refused(["snapshot", "a", "-o", "b", "--width", "8193"], "--width: Value 8193 not in range 16 to 8192",
-                     "snapshot ")
+        self.refused(["run", "a", "--rendering-backend", "gpu"], "--rendering-backend 'gpu' auto|egl|none|osmesa", "run ")
+        self.refused(["info", "a", "--up", "x"], "--up 'x' y|z", "info ")
+        self.refused(["snapshot", "a", "-o", "b", "--width", "8193"], "--width 8193 16 8192", "snapshot ")
 
 
 class Run(ProgramCase):
@@ -88,14 +82,14 @@ class Run(ProgramCase):
                    + "  - reaches: end\n")
         outcome = self.run_program("run", "short.walk.yaml")
         self.assertEqual(outcome.code, 1)
-        starts = [line.split(": ")[:2] for line in outcome.complaints]
+        starts = [line.split(": ")[:2] for line in outcome.err_lines]
         self.assertEqual(starts[:2], [["short.walk.yaml:9:12", "error never"], ["short.walk.yaml:10:12", "error count"]])
-        self.assertRegex(outcome.complaints[-1], r"^short: FAIL after ")
-        pictures = [line.partition(": ")[2] for line in outcome.complaints[2:-1]]
+        self.assertRegex(outcome.err_lines[-1], r"^short: FAIL after ")
+        pictures = [line.partition(": ")[2] for line in outcome.err_lines[2:-1]]
         self.assertIn(pictures, ([], [f"out/short/failure-{name}.png" for name in ("eyes", "above", "2-eyes", "2-above")]))
         for name in pictures:  # none where nothing can be drawn
             self.assertTrue(self.read(name).startswith(b"\x89PNG"))
-        self.assertIn("'trigger.enter' happened once, expected exactly 3", outcome.complaints[1])
+        self.assertRegex(outcome.err_lines[1], "'trigger.enter' .* 3")
         failures = [line for line in outcome.lines if " expect.fail " in line]
         self.assertEqual(len(failures), 2)
         self.assertIn(" line=9 ", failures[0])
@@ -106,16 +100,14 @@ class Run(ProgramCase):
         self.write("short.walk.yaml", WALK.replace("walk_to: end", "walk_to: [0, -9]"))
         outcome = self.run_program("run", "-q", "short.walk.yaml")
         self.assertEqual(outcome.code, 1)
-        self.assertEqual(outcome.complaints[0],
-                         "short.walk.yaml:5:14: error blocked: walk_to 0,-9 was not reached: blocked by hut/wall")
+        self.assert_diagnostics(outcome.err_lines[:1], "short.walk.yaml:5:14: error blocked: 0,-9 hut/wall")
 
     def test_one_bad_walk_among_several(self):
         self.write("bad.walk.yaml", WALK.replace("walk_to: end", "walk_to: nowhere"))
         self.write("last.walk.yaml", WALK)
         outcome = self.run_program("run", "--reporter", "log", "short.walk.yaml", "bad.walk.yaml", "last.walk.yaml")
         self.assertEqual(outcome.code, 2)
-        self.assertEqual(outcome.complaints[0], "bad.walk.yaml:5:14: error unknown-name: the campus has no place or "
-                                                "spawn 'nowhere'; known here: end, start")
+        self.assert_diagnostics(outcome.err_lines[:1], "bad.walk.yaml:5:14: error unknown-name: 'nowhere' end, start")
         self.assertEqual([line.split()[3] for line in outcome.lines if line.startswith("#")],
                          ["walk=last", "walk=short"])
 
@@ -123,12 +115,12 @@ class Run(ProgramCase):
         self.write("fails.walk.yaml", WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut"))
         outcome = self.run_program("run", "-q", "fails.walk.yaml", "short.walk.yaml")
         self.assertEqual(outcome.code, 1)
-        self.assertRegex(outcome.complaints[-1], "^short: pass ")
+        self.assertRegex(outcome.err_lines[-1], "^short: pass ")
 
     def test_two_walks_of_one_name(self):
         self.write("walks/short.walk.yaml", WALK.replace("small.campus", "../small.campus"))
         outcome = self.passes("run", "-q", "short.walk.yaml", "walks/short.walk.yaml")
-        self.assertEqual(len(outcome.complaints), 2)
+        self.assertEqual(len(outcome.err_lines), 2)
 
     def test_from_another_folder(self):
         here = self.passes("run", "short.walk.yaml").out
@@ -159,14 +151,13 @@ class Validate(ProgramCase):
         self.write("small.campus.yaml", CAMPUS.replace("[0, 0, 5]", "[0, 0]"))
         self.write("avatars/adult.avatar.yaml", "heigth: 1.8\n")
         outcome = self.run_program("validate", "avatars/adult.avatar.yaml", "small.campus.yaml", "room.obj", "none")
-        self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertEqual(outcome.complaints, [
-            "avatars/adult.avatar.yaml:1:1: error unknown-key: unknown key 'heigth' in an avatar (did you mean "
-            "'height'?)",
-            "small.campus.yaml:14:15: error wrong-type: 'at' must be three numbers, as in [0, 1.5, -2]",
-            "room.obj: error file-name: only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
-            "NAME.steps.yaml are checked; name another file or rename this one",
-            "none: error missing-file: no such file; check the path"])
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(
+            outcome,
+            "avatars/adult.avatar.yaml:1:1: error unknown-key: 'heigth' 'height'",
+            "small.campus.yaml:14:15: error wrong-type: 'at'",
+            "room.obj: error file-name: NAME.walk.yaml NAME.campus.yaml NAME.avatar.yaml NAME.light.yaml NAME.steps.yaml",
+            "none: error missing-file:")
 
     def test_the_others_are_still_checked(self):
         outcome = self.run_program("validate", "none.walk.yaml", "short.walk.yaml")
@@ -199,25 +190,27 @@ class Info(ProgramCase):
                       outcome.lines)
         self.assertIn("warnings   0", outcome.lines)
 
-    def test_what_looks_odd(self):
+    def test_model_lints(self):
         self.write("odd.obj", "mtllib none.mtl\n" + ROOM)
         found = json.loads(self.passes("info", "odd.obj", "--json").out)
-        self.assertEqual(found["warnings"], [{
-            "code": "missing-materials",
-            "message": "odd.obj: the material file 'none.mtl' was not found; its materials are drawn in a plain colour"}])
+        [warning] = found["warnings"]
+        self.assertEqual(set(warning), {"code", "message"})
+        self.assertEqual(warning["code"], "missing-materials")
+        self.assertRegex(warning["message"], "^odd.obj: .*'none.mtl'")
 
-    def test_what_is_no_model(self):
-        for name, complaint in (("none.obj", "none.obj: error missing-file: 'none.obj': no such file; check the path"),
-                                ("avatars", "avatars: error missing-file: 'avatars': is not a file; name a model file")):
+    def test_files_that_are_not_models_are_refused(self):
+        for name, expected in (("none.obj", "none.obj: error missing-file: 'none.obj'"),
+                               ("avatars", "avatars: error missing-file: 'avatars'")):
             outcome = self.run_program("info", name)
-            self.assertEqual((outcome.code, outcome.complaints, outcome.out), (2, [complaint], ""))
+            self.assertEqual(outcome.out, "")
+            self.assert_refused(outcome, expected)
         outcome = self.run_program("info", "short.walk.yaml")
         self.assertEqual(outcome.code, 2)
-        self.assertRegex(outcome.err, "^short.walk.yaml: error bad-model: 'short.walk.yaml' is not in a supported format")
+        self.assertRegex(outcome.err, "^short.walk.yaml: error bad-model: 'short.walk.yaml'")
 
 
 class StandardOutput(ProgramCase):
-    """A standard output that takes nothing is a failure while running."""
+    """A standard output that can't be written is an error while running."""
 
     COMMANDS = (("run", "short.walk.yaml"), ("validate", "short.walk.yaml"), ("info", "room.obj"), ("--help",),
                 ("--version",))
@@ -226,12 +219,12 @@ class StandardOutput(ProgramCase):
         for arguments in self.COMMANDS:
             with open("/dev/full", "wb") as full:
                 outcome = self.run_program(*arguments, stdout=full)
-            self.assertEqual((outcome.code, outcome.err), (3, "error: standard output can't be written\n"), arguments)
+            self.assert_refused(outcome, "error: standard output", code=3)
 
     def test_closed(self):
         for arguments in self.COMMANDS:
             outcome = self.run_program(*arguments, stdout=None, preexec_fn=lambda: os.close(1))
-            self.assertEqual((outcome.code, outcome.err), (3, "error: standard output can't be written\n"), arguments)
+            self.assert_refused(outcome, "error: standard output", code=3)
 
     def test_quiet_run_needs_none(self):
         outcome = self.run_program("run", "-q", "short.walk.yaml", "--log", "a.log", stdout=None,
@@ -246,7 +239,7 @@ class StandardOutput(ProgramCase):
         self.addCleanup(done.stderr.close)
         self.assertTrue(done.stdout.readline().startswith(b"# walk-log 1"))
         done.stdout.close()
-        self.assertEqual(done.stderr.read(), b"error: standard output can't be written\n")
+        self.assert_diagnostics(done.stderr.read().decode().splitlines(), "error: standard output")
         self.assertEqual(done.wait(timeout=60), 3)
 
 

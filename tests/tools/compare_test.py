@@ -11,7 +11,7 @@ WITHOUT_RENDERING = "--without-rendering" in sys.argv
 
 
 class Compare(ProgramCase):
-    """a.jsonl is a log of short.walk.yaml, b.jsonl one of a walk of that name that ends 0.5 m beside."""
+    """a.jsonl is a log of short.walk.yaml, and b.jsonl that of a walk of the same name that ends 0.5 m to its side."""
 
     def setUp(self):
         super().setUp()
@@ -23,20 +23,21 @@ class Compare(ProgramCase):
     def lines(self, name):
         return self.read(name).decode().splitlines()
 
-    def refused(self, arguments, complaint):
+    def refused(self, arguments, expected):
         before = self.contents()
         outcome = self.run_program(*arguments)
-        self.assertEqual((outcome.code, outcome.out, outcome.complaints), (2, "", [complaint]))
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(outcome, expected)
         self.assertEqual(self.contents(), before)
 
 
 class Diff(Compare):
-    """Where two logs part."""
+    """Where two logs diverge."""
 
     def test_equal_logs(self):
-        self.assertEqual(self.passes("diff", "a.jsonl", "a.jsonl", "--no-cache").out, "a.jsonl and a.jsonl are the same: 16 lines\n")
-        respelled = "\n".join(json.dumps(json.loads(line)) for line in self.lines("a.jsonl"))
-        self.write("c.jsonl", respelled)
+        self.assertRegex(self.passes("diff", "a.jsonl", "a.jsonl", "--no-cache").out, "^a.jsonl .*a.jsonl .* 16 .*\n$")
+        reformatted = "\n".join(json.dumps(json.loads(line)) for line in self.lines("a.jsonl"))
+        self.write("c.jsonl", reformatted)
         self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
 
     def test_logs_that_still_have_a_seed(self):
@@ -51,8 +52,8 @@ class Diff(Compare):
         self.assertEqual((outcome.code, outcome.err), (1, ""))
         pairs = zip(self.lines("a.jsonl"), self.lines("b.jsonl"))
         first = next(i for i, (a, b) in enumerate(pairs, 1) if a != b)
-        self.assertIn(f"a.jsonl and b.jsonl part in line {first}, in the walk short: in B 1.000000 s ray.stay hut/wall: "
-                      "pos is 0.100,0.000,3.604 instead of 0.000,0.000,3.600", outcome.lines[0])
+        self.assertRegex(outcome.lines[0], rf"^a.jsonl .*b.jsonl .* line {first}\b.* short\b.* 1\.000000 s ray.stay hut/wall\b.* pos "
+                                           r".*0\.100,0\.000,3\.604 .*0\.000,0\.000,3\.600")
         text = self.passes("run", "short.walk.yaml").lines
         around = [f"  {i:6}  {text[i - 1]}" for i in range(first - 3, first)]
         around += [f"A {i:6}  {text[i - 1]}" for i in range(first, first + 3)]
@@ -64,14 +65,14 @@ class Diff(Compare):
         self.write("c.jsonl", "\n".join(lines[:5]) + "\n")
         outcome = self.run_program("diff", "a.jsonl", "c.jsonl")
         self.assertEqual(outcome.code, 1)
-        self.assertIn("part in line 6, in the walk short: B ends", outcome.lines[0])
-        self.assertEqual(outcome.lines[-1], "B      6  (the log ends)")
+        self.assertRegex(outcome.lines[0], r" line 6\b.* short: B ")
+        self.assertRegex(outcome.lines[-1], r"^B      6  \(")
         outcome = self.run_program("diff", "c.jsonl", "a.jsonl")
-        self.assertIn(": A ends", outcome.lines[0])
+        self.assertRegex(outcome.lines[0], r" line 6\b.* short: A ")
         self.write("c.jsonl", "\n".join(lines[:5]) + "\n" + lines[5][:20])
         outcome = self.run_program("diff", "a.jsonl", "c.jsonl")
         self.assertEqual(outcome.code, 1)
-        self.assertIn("part in line 6, in the walk short: in B a line that is no JSON instead of", outcome.lines[0])
+        self.assertRegex(outcome.lines[0], r" line 6\b.* short: .*\bB\b.*JSON")
 
     def test_names_the_walk_of_several(self):
         self.write("tardy.walk.yaml", WALK)
@@ -81,35 +82,33 @@ class Diff(Compare):
         self.write("d.jsonl", "\n".join(changed) + "\n")
         outcome = self.run_program("diff", "c.jsonl", "d.jsonl")
         self.assertEqual(outcome.code, 1)
-        self.assertIn(f"part in line {len(lines)}, in the walk tardy: ", outcome.lines[0])
-        self.assertIn("result is fail instead of pass", outcome.lines[0])
+        self.assertRegex(outcome.lines[0], rf" line {len(lines)}\b.* tardy: .*result .*fail .*pass")
 
-    def test_what_is_no_log(self):
-        no_log = ":1:1: error no-log: this is no event log as JSON lines; make one with campuswalk run --jsonl FILE"
+    def test_files_that_are_not_logs_are_refused(self):
+        no_log = ":1:1: error no-log: --jsonl"
         for text in ("", "{}\n", "[" * 100000, b"\x00\xff\n", "# walk-log 1 walk=a\n"):
             self.write("c.jsonl", text)
             self.refused(("diff", "a.jsonl", "c.jsonl"), "c.jsonl" + no_log)
             self.refused(("diff", "c.jsonl", "a.jsonl"), "c.jsonl" + no_log)
-        self.refused(("diff", "a.jsonl", "none.jsonl"), "none.jsonl: error unreadable: there is no such file")
-        self.refused(("diff", "a.jsonl", "other"), "other: error unreadable: the file can't be read")
+        self.refused(("diff", "a.jsonl", "none.jsonl"), "none.jsonl: error unreadable:")
+        self.refused(("diff", "a.jsonl", "other"), "other: error unreadable:")
 
-    def test_pictures_need_a_walk_and_a_place(self):
+    def test_images_need_a_walk_and_a_folder(self):
         both = ("diff", "a.jsonl", "b.jsonl")
         self.refused(both + ("--pictures", "p"),
-                     "--pictures: error bad-value: name the walk of these logs, for its campus: --walk FILE")
+                     "--pictures: error bad-value: --walk")
         self.refused(both + ("--walk", "short.walk.yaml"),
-                     "--walk: error bad-value: it is for pictures: add --pictures DIR")
+                     "--walk: error bad-value: --pictures")
         if WITHOUT_RENDERING:
             self.refused(both + ("--pictures", "p", "--walk", "short.walk.yaml"),
-                         "--pictures: error bad-value: this build has no rendering")
+                         "--pictures: error bad-value:")
             return
         self.refused(both + ("--pictures", "p", "--walk", "short.walk.yaml", "--rendering-backend", "none"),
-                     "--rendering-backend: error bad-value: 'none' draws nothing, and a picture is asked for: use auto, "
-                     "osmesa or egl")
+                     "--rendering-backend: error bad-value: 'none'")
         self.refused(both + ("--pictures", "a.jsonl", "--walk", "short.walk.yaml"),
-                     "a.jsonl: error output-unwritable: pictures can't be saved here: 'a.jsonl' is not a folder")
+                     "a.jsonl: error output-unwritable: 'a.jsonl'")
 
-    def test_pictures_of_both_sides(self):
+    def test_images_of_both_sides(self):
         if WITHOUT_RENDERING:
             self.skipTest("this build has no rendering")
         outcome = self.run_program("diff", "a.jsonl", "b.jsonl", "--pictures", "p", "--walk", "short.walk.yaml")
@@ -122,7 +121,7 @@ class Diff(Compare):
 
 
 class Replay(Compare):
-    """Whether what was walked is walked again."""
+    """Whether walks from logs and reports play the same again."""
 
     def result(self, **changes):
         """A line of a report about short.walk.yaml."""
@@ -136,22 +135,22 @@ class Replay(Compare):
     def report(self, *results):
         self.write("r.jsonl", "\n".join((json.dumps({"campuswalk_results": 1, "cases": len(results)}), *results)))
 
-    def test_a_log_prints_again(self):
+    def test_a_replayed_log_prints_the_same(self):
         outcome = self.passes("replay", "--walk", "short.walk.yaml", "a.jsonl", "--no-cache")
         self.assertEqual(outcome.out, self.passes("run", "short.walk.yaml").out)
 
     def test_a_log_is_verified(self):
         verify = ("replay", "a.jsonl", "--verify", "--walk")
-        self.assertEqual(self.passes(*verify, "short.walk.yaml").lines,
-                         ["same    short.walk.yaml", "1 of 1 walks went the same again"])
+        lines = self.passes(*verify, "short.walk.yaml").lines
+        self.assertEqual((lines[0], lines[1][:6]), ("same    short.walk.yaml", "1 of 1"))
         outcome = self.run_program(*verify, "other/short.walk.yaml")
         was = json.loads(self.lines("a.jsonl")[-1])["hash"]
         now = json.loads(self.lines("b.jsonl")[-1])["hash"]
-        self.assertEqual((outcome.code, outcome.lines),
-                         (1, [f"DIFFERS other/short.walk.yaml: hash {now}, was {was}",
-                              "0 of 1 walks went the same again"]))
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.lines[0], f"^DIFFERS other/short.walk.yaml: .*{now}.*{was}")
+        self.assertTrue(outcome.lines[1].startswith("0 of 1 "), outcome.out)
 
-    def test_a_walk_is_the_same_on_either_tree(self):
+    def test_a_walk_is_the_same_with_either_tree(self):
         for tree in "bvh8", "hybrid":
             self.assertEqual(self.passes("replay", "a.jsonl", "--verify", "--walk", "short.walk.yaml", "--tree",
                                          tree).lines[0], "same    short.walk.yaml")
@@ -166,13 +165,13 @@ class Replay(Compare):
 
     def test_a_report_is_verified(self):
         self.report(self.result(), self.result(outcome="skipped", hash="0" * 16))
-        self.assertEqual(self.passes("replay", "r.jsonl", "--verify").lines,
-                         ["same    short.walk.yaml", "no hash short.walk.yaml: skipped",
-                          "1 of 2 walks went the same again"])
+        lines = self.passes("replay", "r.jsonl", "--verify").lines
+        self.assertEqual(lines[:2], ["same    short.walk.yaml", "no hash short.walk.yaml: skipped"])
+        self.assertTrue(lines[2].startswith("1 of 2 "), lines)
         self.report(self.result(), self.result(hash="00000000000000ab"))
         outcome = self.run_program("replay", "r.jsonl", "--verify")
         self.assertEqual(outcome.code, 1)
-        self.assertRegex(outcome.lines[1], "^DIFFERS short.walk.yaml: hash [0-9a-f]{16}, was 00000000000000ab$")
+        self.assertRegex(outcome.lines[1], "^DIFFERS short.walk.yaml: .*[0-9a-f]{16}.* 00000000000000ab$")
 
     def test_a_run_in_projects_with_a_timeout(self):
         self.write("walks.config.yaml", "timeout: 50\nprojects: {near: {spawn: {at: [0, 0, 3]}}, plain: }\n")
@@ -184,39 +183,34 @@ class Replay(Compare):
                                    f"project={name} timeout=1.500" for name in ("near", "plain")])
         ends = [json.loads(line)["tick"] for line in self.lines("c.jsonl") if "walk.end" in line]
         self.assertEqual(ends, [90, 90])
-        same = ["same    short.walk.yaml near", "same    short.walk.yaml plain", "2 of 2 walks went the same again"]
-        self.assertEqual(self.passes("replay", "r.jsonl", "--verify").lines, same)
+        same = ["same    short.walk.yaml near", "same    short.walk.yaml plain"]
+        self.assertEqual(self.passes("replay", "r.jsonl", "--verify").lines[:2], same)
         log = ("replay", "c.jsonl", "--walk", "short.walk.yaml")
-        self.assertEqual(self.passes(*log, "--verify").lines, same)
+        self.assertEqual(self.passes(*log, "--verify").lines[:2], same)
         self.assertEqual([line for line in self.passes(*log).lines if "expect.fail" not in line],
                          [line for line in self.lines("c.log") if "expect.fail" not in line])
-        # What the project says now decides, and which file it is in.
+        # The project is taken from today's configuration file, or from the one that is given.
         os.rename(self.path("walks.config.yaml"), self.path("other/old.config.yaml"))
-        self.refused((*log, "--verify"), "c.jsonl:1:1: error missing-file: it was run in the project 'near', and there "
-                     "is no walks.config.yaml here or above; name it with --config")
-        self.assertEqual(self.passes("replay", "r.jsonl", "--verify", "--config", "other/old.config.yaml").lines, same)
+        self.refused((*log, "--verify"), "c.jsonl:1:1: error missing-file: 'near' walks.config.yaml --config")
+        self.assertEqual(self.passes("replay", "r.jsonl", "--verify", "--config", "other/old.config.yaml").lines[:2], same)
         self.write("walks.config.yaml", "projects: {near: {spawn: {at: [0, 0, 4]}}, plain: }\n")
         self.assertEqual(self.run_program(*log, "--verify").code, 1)
         self.write("walks.config.yaml", "projects: {plain: }\n")
-        self.refused(("replay", "r.jsonl", "--verify"), "r.jsonl:2:1: error unknown-name: walks.config.yaml has no "
-                     "project 'near' any more; name another file with --config")
+        self.refused(("replay", "r.jsonl", "--verify"), "r.jsonl:2:1: error unknown-name: walks.config.yaml 'near' --config")
 
-    def test_what_can_not_be_replayed(self):
-        self.refused(("replay", "a.jsonl", "--verify"), "a.jsonl:1:1: error unknown-walk: a log doesn't say where its "
-                     "walk is: add --walk .../short.walk.yaml")
-        self.refused(("replay", "short.walk.yaml", "--verify"), "short.walk.yaml:1:1: error no-log: this is neither a "
-                     "log (run --jsonl FILE) nor a report (run --reporter jsonl=FILE)")
+    def test_files_that_cannot_be_replayed_are_refused(self):
+        self.refused(("replay", "a.jsonl", "--verify"), "a.jsonl:1:1: error unknown-walk: --walk short.walk.yaml")
+        self.refused(("replay", "short.walk.yaml", "--verify"), "short.walk.yaml:1:1: error no-log: --jsonl --reporter")
         self.refused(("replay", "a.jsonl", "--walk", "short.walk.yaml", "--walk", "other/short.walk.yaml"),
-                     "other/short.walk.yaml: error duplicate-name: two walks called short: give --walk one of them")
+                     "other/short.walk.yaml: error duplicate-name: short --walk")
         self.write("c.jsonl", self.lines("a.jsonl")[0] + "\n")
         self.refused(("replay", "c.jsonl", "--verify", "--walk", "short.walk.yaml"),
-                     "c.jsonl: error nothing-to-replay: no walk in it has come to its end")
+                     "c.jsonl: error nothing-to-replay:")
         self.report(self.result(), self.result()[:40])
-        self.assertIn("r.jsonl:3:1: error no-result: not a walk's result: ",
-                      self.run_program("replay", "r.jsonl", "--verify").err)
+        self.assertIn("r.jsonl:3:1: error no-result: ", self.run_program("replay", "r.jsonl", "--verify").err)
         self.report(self.result())
         self.refused(("replay", "r.jsonl", "--verify", "--walk", "short.walk.yaml"),
-                     "--walk: error bad-value: a report names its walks itself")
+                     "--walk: error bad-value:")
 
 
 if __name__ == "__main__":

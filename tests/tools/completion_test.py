@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`completion`: the shells themselves offer what the help shows."""
+"""`completion`: the shells offer what the help shows."""
 
 import os
 import re
@@ -17,7 +17,7 @@ _campuswalk 2>/dev/null
 printf '%s\n' "${COMPREPLY[@]}"
 """
 
-# zsh's completion functions do their work inside the line editor alone: these say what they were asked for.
+# zsh's completion functions work only inside its line editor: these print their arguments instead.
 ASK_ZSH = r"""
 compdef() { : }
 compadd() { shift; print -l -- "$@" }
@@ -57,7 +57,7 @@ class Completion(ProgramCase):
         return [entry.split("\t")[0] for entry in done.stdout.decode().splitlines()]
 
     def shells(self):
-        """Those that are installed; bash always is."""
+        """The installed shells; bash always is one."""
         return [("bash", self.bash)] + [(name, ask) for name, ask in (("zsh", self.zsh), ("fish", self.fish))
                                         if shutil.which(name)]
 
@@ -68,7 +68,7 @@ class Completion(ProgramCase):
     def options(self, *command):
         return set(re.findall(r"(?m)^  (?:-\w,)?(--[a-z-]+)", self.passes(*command, "--help").out))
 
-    def test_commands(self):
+    def test_commands_are_completed(self):
         commands = self.commands()
         self.assertIn("run", commands)
         for name, ask in self.shells():
@@ -76,7 +76,7 @@ class Completion(ProgramCase):
                 self.assertLessEqual(set(commands), set(ask("")))
                 self.assertEqual(ask("val")[:1] if name != "zsh" else ["validate"], ["validate"])
 
-    def test_options_of_every_command(self):
+    def test_options_of_every_command_are_completed(self):
         for command in self.commands():
             expected = self.options(command)
             self.assertIn("--help", expected)
@@ -85,25 +85,24 @@ class Completion(ProgramCase):
                     offered = {word for word in ask(command, "--") if word.startswith("--")}
                     self.assertEqual(offered, expected)
 
-    def test_words_of_an_option(self):
+    def test_values_of_options_are_completed(self):
         for name, ask in self.shells():
             with self.subTest(shell=name):
                 self.assertEqual(sorted(ask("validate", "--format", "")), ["github", "json", "sarif", "text"])
                 self.assertEqual(sorted(set(ask("completion", "")) & {"bash", "zsh", "fish"}), ["bash", "fish", "zsh"])
 
-    def test_files_and_folders(self):
+    def test_files_and_folders_are_completed(self):
         self.assertEqual(self.bash("validate", "small"), ["small.campus.yaml"])
         self.assertEqual(self.bash("init", "av"), ["avatars"])
         self.assertEqual(self.bash("snapshot", "--output", "ro"), ["room.obj"])
         self.assertEqual(self.bash("snapshot", "--output", "=", "ro"), ["room.obj"])
         self.assertEqual(self.bash("snapshot", "--width", ""), [])
 
-    def test_unknown_shell(self):
-        outcome = self.run_program("completion", "ksh")
-        self.assertEqual(outcome.complaints[0], "error: SHELL: 'ksh' is none of bash|fish|zsh")
+    def test_an_unknown_shell_is_refused(self):
+        self.assert_bad_usage(self.run_program("completion", "ksh"), "campuswalk completion", "SHELL 'ksh' bash|fish|zsh")
 
     @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
-    def test_zsh_takes_the_script(self):
+    def test_zsh_parses_the_script(self):
         self.ask(["zsh", "-f", "-n", "/dev/stdin"], self.scripts["zsh"])
 
 

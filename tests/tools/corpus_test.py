@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Every file of the corpora that nobody here wrote loads, or ends in one clear message: exit code 2, in bounded time.
+"""Every file of the third-party corpora loads, or is refused with one clear message and exit code 2, in bounded time.
 
-`corpus_test.py PROGRAM FOLDER [--table]`: FOLDER has gltf_validator/ and trimesh/. With --table, file by file what came
-of it, for reading. A gltf_validator file whose report has no error loads with the report's triangles.
+`corpus_test.py PROGRAM FOLDER [--table]`: FOLDER has gltf_validator/ and trimesh/. --table prints the outcome of each
+file. A gltf_validator file whose report has no error loads with the report's triangles.
 """
 
 import concurrent.futures
@@ -14,7 +14,7 @@ import sys
 
 SKIPPED = 77
 SECONDS = 170  # what an import may take and wait; see ImportLimits
-# They lie beside models or describe them: not asked for.
+# Files beside models, which aren't models themselves.
 NO_MODELS = (".json", ".bin", ".mtl", ".md", ".jpg", ".png", ".webp", ".dart", "LICENSE")
 
 
@@ -26,14 +26,14 @@ def models_in(folder):
 
 
 def look_into(program, folder, name):
-    """The exit code, the triangles and what was said."""
+    """The exit code, the triangles and the messages."""
     done = subprocess.run([program, "info", "--json", "--no-cache", name], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
                           check=False, timeout=SECONDS)
-    said = done.stderr.decode("utf-8").splitlines()
+    messages = done.stderr.decode("utf-8").splitlines()
     if done.returncode != 0:
-        return done.returncode, None, said
+        return done.returncode, None, messages
     info = json.loads(done.stdout)
-    return 0, info["triangles"], said + ["%s: %s" % (w["code"], w["message"]) for w in info["warnings"]]
+    return 0, info["triangles"], messages + ["%s: %s" % (w["code"], w["message"]) for w in info["warnings"]]
 
 
 def expected_triangles(folder, name):
@@ -46,14 +46,14 @@ def expected_triangles(folder, name):
     return None if report["issues"]["numErrors"] else report.get("info", {}).get("totalTriangleCount", 0)
 
 
-def wrong_with(code, triangles, said, expected):
+def wrong_with(code, triangles, messages, expected):
     if code not in (0, 2):
         return "exit code %d" % code
-    if code == 2 and not (len(said) == 1 and re.search(r": error [a-z-]+: .{10}", said[0])):
+    if code == 2 and not (len(messages) == 1 and re.search(r": error [a-z-]+: .{10}", messages[0])):
         return "not one clear message"
     if expected is not None and triangles != expected:
         return "%s triangles, %d in its report" % (triangles, expected)
-    if code == 0 and triangles == 0 and not said:
+    if code == 0 and triangles == 0 and not messages:
         return "no triangles and no warning"
     return None
 
@@ -67,17 +67,17 @@ def main():
              for name in models_in(os.path.join(folder, part))]
     failed = loaded = refused = reported = 0
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        for name, (code, triangles, said) in zip(names, pool.map(lambda n: look_into(program, folder, n), names)):
+        for name, (code, triangles, messages) in zip(names, pool.map(lambda n: look_into(program, folder, n), names)):
             expected = expected_triangles(folder, name)
-            wrong = wrong_with(code, triangles, said, expected)
+            wrong = wrong_with(code, triangles, messages, expected)
             loaded, refused, reported = loaded + (code == 0), refused + (code == 2), reported + (expected is not None)
             failed += wrong is not None
             if "--table" in sys.argv:
                 print("%-96s %-7s %9s  %s" % (name, "loaded" if code == 0 else "refused",
                                               "" if triangles is None else triangles,
-                                              "; ".join(said).replace(name + ": ", "")))
+                                              "; ".join(messages).replace(name + ": ", "")))
             if wrong:
-                print("FAILED %s: %s: %s" % (name, wrong, said))
+                print("FAILED %s: %s: %s" % (name, wrong, messages))
     print("%d files: %d loaded, %d refused with a message; %d have a report without errors; %d wrong"
           % (len(names), loaded, refused, reported, failed))
     return 1 if failed or reported != 129 else 0

@@ -1,4 +1,4 @@
-// What `campuswalk-bench draw` makes of times, on ones made up for it.
+// How `campuswalk-bench draw` reports times, tested on made-up ones.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ DrawTimes times_of(const std::string& engine, const std::string& look, double ms
     return {engine, look, {{0, ms}, {1, 3.0 * ms}, {0, 2.0 * ms}, {1, 2.0 * ms}}, {}};
 }
 
-TEST(DrawTimes, AreTheMeanTheMiddleAndTheLeastOfEachView) {
+TEST(DrawTimes, AreTheMeanTheMedianAndTheLeastOfEachView) {
     const DrawTimes times{"a", "fxaa", {{0, 10.0}, {1, 40.0}, {0, 30.0}, {1, 20.0}, {1, 50.0}}, {}};
     EXPECT_DOUBLE_EQ(mean_ms(times), 30.0);
     EXPECT_DOUBLE_EQ(median_ms(times), 30.0);
@@ -28,7 +28,7 @@ TEST(DrawTimes, AreTheMeanTheMiddleAndTheLeastOfEachView) {
     EXPECT_DOUBLE_EQ(median_ms(times_of("a", "fxaa", 10.0)), 20.0);
 }
 
-TEST(DrawPeers, AreReadLineByLine) {
+TEST(DrawPeers, FramesAreReadLineByLine) {
     const auto looks =
         read_frames("three.js",
                     "# three.js 187\nframe fxaa 0 12.5\nframe msaa4 0 50\nframe fxaa 1 13\nframe\n"
@@ -64,7 +64,7 @@ const DrawVerdict& verdict(const std::vector<DrawVerdict>& all, const std::strin
     throw std::out_of_range(what);
 }
 
-TEST(DrawVerdicts, SayWhatIsReached) {
+TEST(DrawVerdicts, CompareTimesWithTargets) {
     const auto all =
         draw_verdicts({made_up_campus(500000, 24.0, 100000000), made_up_campus(2000000, 50.0, 500000000)});
     EXPECT_DOUBLE_EQ(*verdict(all, "a frame, shadows+fxaa, hills of 500000", " ms").value, 48.0);
@@ -86,7 +86,7 @@ TEST(DrawVerdicts, SayWhatIsReached) {
         verdict(draw_verdicts({made_up_campus(500000, 24.0, 1)}), "memory", " bytes").value.has_value());
 }
 
-TEST(DrawCsv, HasALineACampusEngineAndLook) {
+TEST(DrawCsv, HasALinePerCampusEngineAndLook) {
     const support::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "new" / "draw.csv";
     DrawnCampus campus = made_up_campus(500000, 24.0, 1);
@@ -107,31 +107,31 @@ void expect_whole(const collision::TriangleMesh& of, std::span<const CampusRun> 
     const scene::Model model = drawn_campus(of, runs, lot);
     EXPECT_EQ(scene::count_triangles(model), of.triangles.size());
     const scene::Bounds box = scene::world_bounds(model);
-    scene::Bounds wanted;
+    scene::Bounds expected;
     for (const Eigen::Vector3f& position : of.positions) {
-        wanted.extend(position.cast<double>());
+        expected.extend(position.cast<double>());
     }
-    EXPECT_EQ(box.min, wanted.min);
-    EXPECT_EQ(box.max, wanted.max);
+    EXPECT_EQ(box.min, expected.min);
+    EXPECT_EQ(box.max, expected.max);
     EXPECT_EQ(model.textures.size() + 1, model.materials.size());
     for (const scene::Mesh& mesh : model.meshes) {
         ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
         ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
-        EXPECT_LT(mesh.positions.size(), 3 * mesh.triangles.size()) << mesh.name << " shares no corner";
+        EXPECT_LT(mesh.positions.size(), 3 * mesh.triangles.size()) << mesh.name << " shares no vertices";
         for (const Eigen::Vector3f& normal : mesh.normals) {
             ASSERT_NEAR(normal.norm(), 1.0, 1e-4) << mesh.name;
         }
     }
 }
 
-TEST(DrawnCampus, IsTheWholeCampus) {
+TEST(DrawnCampus, HasAllTrianglesOfTheCampus) {
     const WalkableCampus hills = walkable_campus(1);
     expect_whole(hills.mesh, hills.runs, scene::kWalkableLot);
     const GeneratedCampus houses = generated_campus(1);
     expect_whole(houses.mesh, houses.runs, scene::kGeneratedLot);
 }
 
-TEST(DrawnCampus, IsSeenFromAPersonsEyes) {
+TEST(DrawnCampus, ViewsOverHillsAreAtEyeHeight) {
     const auto views = views_over_hills(walkable_campus(1));
     ASSERT_EQ(views.size(), 3U);
     for (const DrawnView& view : views) {
@@ -141,7 +141,7 @@ TEST(DrawnCampus, IsSeenFromAPersonsEyes) {
     EXPECT_EQ(views_over_hills(walkable_campus(3)).size(), 24U);
 }
 
-TEST(DrawnCampus, IsWalkedThroughBetweenTheHouses) {
+TEST(DrawnCampus, ViewsAmongHousesCrossTheCampusOnTheGround) {
     for (const int lots : {2, 3}) {
         const GeneratedCampus campus = generated_campus(lots);
         const collision::MeshCollider mesh(campus.mesh);

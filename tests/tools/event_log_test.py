@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The two logs: what stands in them, that they agree, and that they are the same every time."""
+"""The two logs: what they contain, that they agree, and that they are the same every time."""
 
 import json
 import os
@@ -25,7 +25,7 @@ def parsed(line):
 
 
 def as_text(value, shown):
-    """A JSON value spelled as the text log does, with the decimals that stand there."""
+    """A JSON value as the text log writes it, with the decimals shown there."""
     if isinstance(value, list):
         return ",".join(as_text(each, part) for each, part in zip(value, shown.split(",")))
     if isinstance(value, float):
@@ -36,7 +36,7 @@ def as_text(value, shown):
 
 
 class EventLog(ProgramCase):
-    """Logs of the small campus' walk, and of one that fails."""
+    """Logs of the small campus' walk and of one that fails."""
 
     def setUp(self):
         super().setUp()
@@ -51,21 +51,20 @@ class EventLog(ProgramCase):
         return text.splitlines(), self.read("a.jsonl").decode().splitlines()
 
     def test_the_log_is_the_same_on_every_instruction_set(self):
-        usual = self.passes("run", "short.walk.yaml").out
+        expected = self.passes("run", "short.walk.yaml").out
         for instructions in ("sse42", "avx2", "avx512"):
             with self.subTest(instructions):
                 environment = dict(os.environ, CAMPUSWALK_INSTRUCTIONS=instructions)
                 outcome = self.run_program("run", "short.walk.yaml", env=environment)
-                if outcome.err == (f"CAMPUSWALK_INSTRUCTIONS: error bad-value: '{instructions}': "
-                                   "this processor can't\n"):
+                if outcome.err.startswith(f"CAMPUSWALK_INSTRUCTIONS: error bad-value: '{instructions}'"):
                     self.skipTest(outcome.err)
-                self.assertEqual((outcome.code, outcome.out), (0, usual))
+                self.assertEqual((outcome.code, outcome.out), (0, expected))
 
     def test_an_unknown_instruction_set_is_refused(self):
         outcome = self.run_program("run", "short.walk.yaml",
                                    env=dict(os.environ, CAMPUSWALK_INSTRUCTIONS="mmx"))
-        self.assertEqual((outcome.code, outcome.out, outcome.complaints),
-                         (2, "", ["CAMPUSWALK_INSTRUCTIONS: error bad-value: 'mmx' is none of sse42, avx2, avx512"]))
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(outcome, "CAMPUSWALK_INSTRUCTIONS: error bad-value: 'mmx' sse42 avx2 avx512")
 
     def test_both_logs_agree_event_by_event(self):
         text, jsonl = self.logs("short.walk.yaml", "fails.walk.yaml")
@@ -83,12 +82,12 @@ class EventLog(ProgramCase):
             for name in list(event)[1:]:
                 self.assertEqual(event[name], as_text(data[name], event[name]), line)
 
-    def test_time_is_ticks(self):
+    def test_times_are_ticks_divided_by_the_rate(self):
         for line in self.logs("short.walk.yaml")[0][1:]:
             event = parsed(line)
             self.assertEqual(event["time"], f"{int(event['tick']) / 60:.6f}")
 
-    def test_story(self):
+    def test_events_of_the_short_walk(self):
         events = [parsed(line) for line in self.logs("short.walk.yaml")[0][1:]]
         kinds = [(event["event"], event["object"]) for event in events if not event["event"].endswith(".stay")]
         self.assertEqual(kinds, [
@@ -99,17 +98,17 @@ class EventLog(ProgramCase):
         self.assertEqual(events[2]["body"], '"Open 08-22. A wall and nothing behind it."')
         self.assertEqual(int(events[-1]["events"]), len(events) - 2)
 
-    def test_same_bytes_every_time(self):
+    def test_logs_are_the_same_bytes_every_time(self):
         first = self.logs("short.walk.yaml", "fails.walk.yaml")
         self.assertEqual(self.logs("short.walk.yaml", "fails.walk.yaml"), first)
 
-    def test_no_place_on_this_machine(self):
+    def test_logs_contain_no_path_of_this_machine(self):
         text, jsonl = self.logs(self.path("short.walk.yaml"), self.path("fails.walk.yaml"))
         for line in text + jsonl:
             self.assertNotIn(self.folder, line)
             self.assertNotIn(".yaml", line)
 
-    def test_no_minus_zero(self):
+    def test_logs_contain_no_minus_zero(self):
         for line in self.logs("short.walk.yaml")[0]:
             self.assertNotRegex(line, r"-0\.0*(?![0-9])")
 
@@ -121,7 +120,7 @@ class EventLog(ProgramCase):
         ticks = [int(stay["tick"]) for stay in stays]
         self.assertEqual(ticks, list(range(1, len(ticks) + 1)))
 
-    def test_interrupt_leaves_whole_logs(self):
+    def test_an_interrupt_leaves_complete_logs(self):
         self.write("short.walk.yaml", WALK.replace("turn: 180", "wait: 86400"))
         running = subprocess.Popen([self.program, "run", "short.walk.yaml", "--log", "a.log", "--jsonl", "a.jsonl"],
                                    cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,

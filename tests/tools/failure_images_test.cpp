@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using namespace engine::render::test;
 using engine::render::Image;
 
-/// Grey ground with a red wall ahead of the origin; under a green roof, 3 m up, when asked.
+/// Grey ground with a red wall ahead of the origin; if `roofed`, under a green roof 3 m up.
 scene::Campus small_campus(bool roofed) {
     SceneBuilder builder;
     builder.paint(kGrey).ground(60.0).paint(kRed).box({-3, 0, -6}, {3, 2, -5});
@@ -61,9 +61,9 @@ bool is_green(int r, int g, int b) {
     return g > 2 * r && g > 2 * b;
 }
 
-TEST(MapImage, CutsAwayWhatIsOverTheAvatarsHead) {
+TEST(MapImage, HidesWhatIsAboveTheAvatar) {
     EXPECT_EQ(count(map_of(small_campus(true), {}), is_green), 0);
-    // Beside the roof there is nothing to cut away.
+    // Beside the roof there is nothing to hide.
     const scene::Campus campus = small_campus(true);
     engine::render::SnapshotRenderer snapshot_renderer(campus, quick());
     MapState beside;
@@ -71,7 +71,7 @@ TEST(MapImage, CutsAwayWhatIsOverTheAvatarsHead) {
     EXPECT_GT(count(draw_map(campus, snapshot_renderer, beside, 320, 180), is_green), 2000);
 }
 
-TEST(MapImage, ShowsTheWayWalkedAndTheAvatarAtItsEnd) {
+TEST(MapImage, ShowsThePathWalkedAndTheAvatarAtItsEnd) {
     const auto yellow = [](int r, int g, int b) { return r > b + 50 && g > b + 25; };
     const scene::Campus campus = small_campus(false);
     EXPECT_EQ(count(map_of(campus, {}), yellow), 0);
@@ -80,7 +80,7 @@ TEST(MapImage, ShowsTheWayWalkedAndTheAvatarAtItsEnd) {
     EXPECT_TRUE(r > 2 * g && r > 2 * b) << int{r} << " " << int{g} << " " << int{b};
 }
 
-/// A walk into the wall, with what came of it.
+/// A walk into the wall, and its failures.
 class DrawnFailures : public testing::Test {
 protected:
     DrawnFailures() { failures_ = engine::run_walk(campus_, walk_, {}).failures; }
@@ -109,14 +109,14 @@ protected:
 
     support::TemporaryFolder folder_;
     scene::Campus campus_ = small_campus(false);
-    // Must go before the campus.
+    // Must be destroyed before the campus.
     std::shared_ptr<engine::render::RendererStore> renderers_ =
         make_renderers(engine::render::RenderingBackend::automatic);
     engine::Walk walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), engine::walk_to(0, -10)});
     std::vector<engine::Failure> failures_;
 };
 
-TEST_F(DrawnFailures, AreTwoAMoment) {
+TEST_F(DrawnFailures, AreTwoPerTickWithFailures) {
     ASSERT_EQ(failures_.size(), 1U);
     failures_.clear();
     fail_at(30);
@@ -128,7 +128,7 @@ TEST_F(DrawnFailures, AreTwoAMoment) {
                                               "failure at 1.00 s from above: stroll/failure-2-above.png"));
 }
 
-TEST_F(DrawnFailures, AreTheSameAfterThoseOfOtherWalks) {
+TEST_F(DrawnFailures, DoNotDependOnFailuresOfOtherWalks) {
     failures_.clear();
     fail_at(60);
     drawn("first");
@@ -152,7 +152,7 @@ TEST_F(DrawnFailures, AreNoneWithoutAFailure) {
     EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
 
-TEST_F(DrawnFailures, OfAMomentAfterTheLastTickAreThoseOfTheLast) {
+TEST_F(DrawnFailures, AfterTheLastTickShowTheLastTick) {
     failures_.clear();
     fail_at(1000000);
     const std::vector<std::string> last = drawn();
@@ -160,7 +160,7 @@ TEST_F(DrawnFailures, OfAMomentAfterTheLastTickAreThoseOfTheLast) {
     EXPECT_THAT(last[0], testing::EndsWith("stroll/failure-eyes.png"));
 }
 
-TEST_F(DrawnFailures, ThatCannotBeWrittenSaySo) {
+TEST_F(DrawnFailures, ThrowIfTheyCannotBeWritten) {
     folder_.write("out/stroll", "in the way");
     EXPECT_THROW(drawn(), std::runtime_error);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every flag that some --help shows is given to that command by a test."""
+"""Every flag in the help of a command is passed to that command by some test."""
 
 import ast
 import glob
@@ -13,7 +13,7 @@ RUNNERS = {"run_program", "passes", "Popen"}  # what starts the program
 
 
 def words_in(node):
-    """Words of the texts that a piece of a test hands on: '--flag', '--flag=value' as '--flag', 'run'."""
+    """The words in the string literals of a part of a test: 'run', '--flag', and '--flag=value' as '--flag'."""
     words = set()
 
     def look(part):
@@ -35,7 +35,7 @@ def words_in(node):
 
 
 class Piece:
-    """A function of a test, or a constant: its words, and the names of others that it uses."""
+    """A function or a constant of a test: its words, and the names of others that it uses."""
 
     def __init__(self, node):
         body = node.body if isinstance(node, ast.FunctionDef) else [node.value]
@@ -47,7 +47,7 @@ class Piece:
 
 
 def command_lines(path):
-    """For each function that runs the program: all words that it, and what it uses, may hand to it."""
+    """For each test that runs the program: all words that it, and what it uses, may pass to the program."""
     with open(path, encoding="utf-8") as file:
         tree = ast.parse(file.read())
     pieces = {}
@@ -83,11 +83,11 @@ class Flags(ProgramCase):
             yield from self.commands(*above, name)
 
     def flags(self, command):
-        """The spellings of each flag of a command: {'-o', '--output'}."""
-        for names in re.findall(r"(?m)^  (-[^ ]+)", self.passes(*command, "--help").out):
-            yield set(names.split(","))
+        """The names of each flag of a command: {'-o', '--output'}."""
+        for each in re.findall(r"(?m)^  (-[^ ]+)", self.passes(*command, "--help").out):
+            yield set(each.split(","))
 
-    def test_every_flag_is_given_to_its_command_by_a_test(self):
+    def test_every_flag_is_passed_to_its_command_by_a_test(self):
         given = [words for path in glob.glob(os.path.join(TESTS, "**", "*_test.py"), recursive=True)
                  if os.path.basename(path) not in ("flags_test.py", "completion_test.py")
                  for words in command_lines(path)]
@@ -95,14 +95,14 @@ class Flags(ProgramCase):
         seen = 0
         missing = []
         for command in self.commands():
-            for spellings in self.flags(command):
+            for names in self.flags(command):
                 seen += 1
                 # Help and version are the same code everywhere.
-                where = set() if spellings & {"--help", "--version"} else set(command)
-                if not any(where <= words and spellings & words for words in given):
-                    missing.append(" ".join(("campuswalk",) + command) + ": " + ",".join(sorted(spellings)))
+                where = set() if names & {"--help", "--version"} else set(command)
+                if not any(where <= words and names & words for words in given):
+                    missing.append(" ".join(("campuswalk",) + command) + ": " + ",".join(sorted(names)))
         self.assertGreater(seen, 60)
-        self.assertEqual(missing, [], "flags that no test gives to the command")
+        self.assertEqual(missing, [], "flags that no test passes to the command")
 
 
 if __name__ == "__main__":

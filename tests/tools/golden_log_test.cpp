@@ -14,6 +14,7 @@ namespace campuswalk::tools {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 using Lines = std::vector<std::string>;
@@ -40,7 +41,7 @@ protected:
         std::ifstream stream(folder_.path() / "visit.walk.yaml-snapshots" / name);
         return {std::istreambuf_iterator<char>(stream), {}};
     }
-    /// What is wrong with these lines beside kLog.
+    /// The failure's message for these lines when kLog is the golden log; empty if there is none.
     std::string diagnostic(const Lines& lines) const {
         check(kLog, UpdateSnapshots::all);
         const GoldenCheck checked = check(lines, UpdateSnapshots::none);
@@ -53,7 +54,7 @@ protected:
     const Lines other_ = {kHeader, kStart, end_line("pass", 0)};
 };
 
-TEST_F(GoldenLog, IsNotWrittenOfAWalkThatFails) {
+TEST_F(GoldenLog, IsNotWrittenForAWalkThatFails) {
     for (const UpdateSnapshots mode :
          {UpdateSnapshots::all, UpdateSnapshots::changed, UpdateSnapshots::missing}) {
         const GoldenCheck checked = check_golden(walk_, "", kLog, mode, true);
@@ -66,20 +67,20 @@ TEST_F(GoldenLog, IsNotWrittenOfAWalkThatFails) {
     EXPECT_FALSE(check_golden(walk_, "", other_, UpdateSnapshots::changed, true).withheld.empty());
     EXPECT_EQ(file(), text_);
     EXPECT_TRUE(check_golden(walk_, "", kLog, UpdateSnapshots::changed, true).withheld.empty())
-        << "is as it was";
-    EXPECT_TRUE(check_golden(walk_, "", other_, UpdateSnapshots::missing, true).failure) << "is compared";
+        << "unchanged";
+    EXPECT_TRUE(check_golden(walk_, "", other_, UpdateSnapshots::missing, true).failure) << "compared";
 }
 
-TEST_F(GoldenLog, IsTheSameAsOneThatStillHasASeed) {
+TEST_F(GoldenLog, IgnoresASeedInTheHeader) {
     const std::string header = kHeader.substr(0, kHeader.size() - 1);
     EXPECT_EQ(diagnostic({header + R"(,"seed":0})", kStart, kEnter, end_line("pass", 1)}), "");
 }
 
-TEST_F(GoldenLog, IsTheSameWithATimeoutThatWasNotReached) {
+TEST_F(GoldenLog, IgnoresATimeoutThatWasNotReached) {
     const std::string header = kHeader.substr(0, kHeader.size() - 1);
     EXPECT_EQ(diagnostic({header + R"(,"timeout":60.0})", kStart, kEnter, end_line("pass", 1)}), "");
     EXPECT_THAT(diagnostic({header + R"(,"project":"near"})", kStart, kEnter, end_line("pass", 1)}),
-                HasSubstr("project=near is new"));
+                HasSubstr("project=near"));
 }
 
 TEST_F(GoldenLog, IsWrittenWhereItIsMissing) {
@@ -90,7 +91,7 @@ TEST_F(GoldenLog, IsWrittenWhereItIsMissing) {
     EXPECT_TRUE(check(kLog, UpdateSnapshots::missing).written.empty());
 }
 
-TEST_F(GoldenLog, IsAFileAProject) {
+TEST_F(GoldenLog, IsOneFilePerProject) {
     check(kLog, UpdateSnapshots::missing);
     check(other_, UpdateSnapshots::missing, "kiosk");
     EXPECT_EQ(file(), text_);
@@ -98,7 +99,7 @@ TEST_F(GoldenLog, IsAFileAProject) {
     EXPECT_TRUE(check(other_, UpdateSnapshots::none).failure);
 }
 
-TEST_F(GoldenLog, MissingIsAFailureWhereNoneMayBeWritten) {
+TEST_F(GoldenLog, FailsIfMissingAndMayNotBeWritten) {
     const GoldenCheck checked = check(kLog, UpdateSnapshots::none);
     ASSERT_TRUE(checked.failure);
     EXPECT_EQ(checked.failure->code, "log");
@@ -106,7 +107,7 @@ TEST_F(GoldenLog, MissingIsAFailureWhereNoneMayBeWritten) {
     EXPECT_FALSE(fs::exists(folder_.path() / "visit.walk.yaml-snapshots"));
 }
 
-TEST_F(GoldenLog, IsOnlyReplacedWhenAsked) {
+TEST_F(GoldenLog, IsReplacedOnlyOnRequest) {
     check(kLog, UpdateSnapshots::missing);
     for (const UpdateSnapshots mode : {UpdateSnapshots::missing, UpdateSnapshots::none}) {
         const GoldenCheck checked = check(other_, mode);
@@ -123,36 +124,33 @@ TEST_F(GoldenLog, IsOnlyReplacedWhenAsked) {
     EXPECT_EQ(file(), text_);
 }
 
-TEST_F(GoldenLog, TakesNoNoticeOfVerdicts) {
+TEST_F(GoldenLog, IgnoresVerdicts) {
     const std::string fail =
         R"({"tick":90,"time":1.5,"event":"expect.fail","object":"never","line":7,"message":"x"})";
     EXPECT_EQ(diagnostic({kHeader, kStart, kEnter, fail, end_line("fail", 2)}), "");
     EXPECT_THAT(diagnostic({kHeader, kStart, kEnter, fail, end_line("fail", 2, "00000000000000ac")}),
-                HasSubstr("hash is 00000000000000ac instead of 00000000000000ab"));
+                testing::ContainsRegex("hash .*00000000000000ac .*00000000000000ab"));
 }
 
-TEST_F(GoldenLog, SaysWhatIsDifferentAndWhere) {
+TEST_F(GoldenLog, ReportsTheFirstDifferenceAndItsPlace) {
     std::string farther = kEnter;
     farther.replace(farther.find("3.6"), 3, "3.7");
-    EXPECT_EQ(diagnostic({kHeader, kStart, farther, end_line("pass", 1)}),
-              "the log is not the golden one (log.jsonl, line 3): 1.000000 s trigger.enter door: pos is "
-              "0.000,0.000,3.700 instead of 0.000,0.000,3.600; if that is meant, run with "
-              "--update-snapshots=changed");
-    EXPECT_THAT(diagnostic(other_), HasSubstr("line 3): 1.500000 s walk.end visit instead of "
-                                              "1.000000 s trigger.enter door;"));
+    EXPECT_THAT(diagnostic({kHeader, kStart, farther, end_line("pass", 1)}),
+                ContainsRegex("log.jsonl, line 3.*1\\.000000 s trigger.enter door.*pos .*0\\.000,0\\.000,3\\.700 "
+                              ".*0\\.000,0\\.000,3\\.600.*--update-snapshots=changed"));
+    EXPECT_THAT(diagnostic(other_), ContainsRegex("line 3.*1\\.500000 s walk.end visit .*1\\.000000 s trigger.enter door"));
     EXPECT_THAT(diagnostic({kHeader, kStart}),
-                HasSubstr("line 3): the run ends there, and the golden log goes on "
-                          "with 000060    1.000000 trigger.enter    door"));
+                ContainsRegex("line 3.*000060    1\\.000000 trigger.enter    door"));
     Lines more = kLog;
     more.push_back(kEnter);
-    EXPECT_THAT(diagnostic(more), HasSubstr("line 5): the golden log ends there, and the run goes on with"));
+    EXPECT_THAT(diagnostic(more), ContainsRegex("line 5.*trigger.enter"));
     std::string faster = kHeader;
     faster.replace(faster.find("60"), 2, "120");
     EXPECT_THAT(diagnostic({faster, kStart, kEnter, end_line("pass", 1)}),
-                HasSubstr("line 1): what it ran with: tps is 120 instead of 60;"));
+                ContainsRegex("line 1.*tps .*120 .*60"));
 }
 
-TEST_F(GoldenLog, ShowsTheMomentAndTheEventsBefore) {
+TEST_F(GoldenLog, FailureHasItsTickAndTheEventsBefore) {
     check(kLog, UpdateSnapshots::missing);
     const GoldenCheck checked =
         check({kHeader, kStart, kEnter, end_line("pass", 1, "ff")}, UpdateSnapshots::none);
@@ -168,7 +166,7 @@ TEST_F(GoldenLog, ShowsTheMomentAndTheEventsBefore) {
                              "pos=0.000,0.000,3.600 at=0.250"));
 }
 
-TEST_F(GoldenLog, MayBeSpelledInAnotherWay) {
+TEST_F(GoldenLog, MayBeFormattedDifferently) {
     folder_.write(
         "visit.walk.yaml-snapshots/log.jsonl",
         kHeader + "\n" +
@@ -177,7 +175,7 @@ TEST_F(GoldenLog, MayBeSpelledInAnotherWay) {
     EXPECT_FALSE(check(kLog, UpdateSnapshots::none).failure);
 }
 
-TEST_F(GoldenLog, ThatIsGarbageIsADifferenceAndNoCrash) {
+TEST_F(GoldenLog, FailsWithoutACrashIfItIsGarbage) {
     for (const std::string& text :
          {std::string(), std::string("\n"), std::string("{\"walk_log\":1"), std::string(5000, '['),
           std::string(300, '\0'), kHeader + "\n[]\n",
@@ -187,7 +185,7 @@ TEST_F(GoldenLog, ThatIsGarbageIsADifferenceAndNoCrash) {
     }
 }
 
-TEST_F(GoldenLog, ThatCannotBeWrittenLeavesNothingBehind) {
+TEST_F(GoldenLog, LeavesNothingBehindIfItCannotBeWritten) {
     folder_.write("visit.walk.yaml-snapshots/log.jsonl/in-the-way", "");
     EXPECT_THROW(check(kLog, UpdateSnapshots::all), std::runtime_error);
     EXPECT_THROW(check(kLog, UpdateSnapshots::none), std::runtime_error);

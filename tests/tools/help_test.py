@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`help TOPIC`: every topic says something, and names all that there is."""
+"""`help TOPIC`: every topic has a text, and together they name every key, event, variable and reporter."""
 
 import re
 
@@ -13,7 +13,7 @@ class Help(ProgramCase):
     def topics(self):
         return re.findall(r"(?m)^  ([a-z-]+)  +\S", self.passes("help").out)
 
-    def test_list(self):
+    def test_topics_are_listed(self):
         self.assertLessEqual({"walks", "steps", "expectations", "events", "campus", "avatars", "exit-codes"},
                              set(self.topics()))
 
@@ -39,8 +39,8 @@ class Help(ProgramCase):
             named = set(re.findall(r"(?m)^  ([a-z_]+)  ", self.passes("help", topic).out))
             self.assertEqual(keys - named, set(), topic)
 
-    def test_events_that_the_log_has(self):
-        """The loader lists its kinds of events when it meets one that it doesn't know."""
+    def test_events_are_named(self):
+        """The loader lists the known kinds of events when it finds an unknown one."""
         self.write("short.walk.yaml", "campus: small.campus.yaml\nsteps: [{spawn: start}]\nexpect: [{never: qqqq}]\n")
         known = self.run_program("validate", "short.walk.yaml").err.partition("known here: ")[2].strip().split(", ")
         self.assertGreater(len(known), 15)
@@ -51,8 +51,8 @@ class Help(ProgramCase):
             named |= {first} | {first.split(".")[0] + other for other in others}
         self.assertEqual(set(known) - {"…"} - named, set())
 
-    def test_variables_that_windows_have(self):
-        """The loader lists them when it meets one that it doesn't know."""
+    def test_variables_of_popups_are_named(self):
+        """The loader lists the known variables when it finds an unknown one."""
         self.write("small.campus.yaml", CAMPUS.replace("A wall", "'{qqqq}'").replace("text: '{qqqq}'", "text: '{qqqq}' #"))
         known = self.run_program("validate", "small.campus.yaml").err.partition("known here: ")[2].strip().split(", ")
         self.assertGreater(len(known), 5)
@@ -60,7 +60,7 @@ class Help(ProgramCase):
         self.assertEqual([name for name in known if "{" + name + "}" not in text], [])
         self.assertLessEqual({"once", "cooldown", "dwell"}, set(re.findall(r"(?m)^  ([a-z_]+)  ", text)))
 
-    def test_reporters_that_there_are(self):
+    def test_reporters_are_named(self):
         known = self.run_program("run", "--reporter", "qqqq").err.partition("must be one of ")[2].partition(", not")[0].split(", ")
         self.assertGreater(len(known), 6)
         named = re.findall(r"(?m)^  ([a-z]+)  ", self.passes("help", "reports").out)
@@ -69,7 +69,7 @@ class Help(ProgramCase):
         self.assertEqual(set(in_schema[0]["enum"]), set(known))
         self.assertEqual(in_schema[1]["propertyNames"]["enum"], in_schema[0]["enum"])
 
-    def test_unknown_topic(self):
+    def test_an_unknown_topic_is_refused(self):
         outcome = self.run_program("help", "stesp")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
         self.assertRegex(outcome.err, r"^error: .*'stesp' .*'steps'.*\n.*campuswalk help\n$")

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""YAML that is made to hurt: refused at once and with a bounded amount of memory, whatever file it is."""
+"""Malicious YAML is refused quickly and with a bounded amount of memory, in every kind of file."""
 
 import resource
 
 from program import CAMPUS, WALK, ProgramCase, main
 
 MEMORY = 600 << 20  # bytes of address space, libraries included
-SECONDS = 2.0  # of a processor; half of it on a machine that does nothing else
+SECONDS = 2.0  # of processor time; an idle machine takes half of it
 
 # The file that is replaced, and the command that reads it.
 TARGETS = [
@@ -26,9 +26,9 @@ def bomb(levels, width):
     return "\n".join(lines) + "\n"
 
 
-# What takes the parser a while: tried on one kind of file.
+# Slow for the parser, so only tried on one kind of file.
 def large(size):
-    """`size` is in bytes, below what is read at most."""
+    """`size` is in bytes, below the largest size that is read."""
     return {
         "many anchors": "".join("k%d: &k%d 1\n" % (i, i) for i in range(size // 18)),
         "many keys": "".join("k%d: 1\n" % i for i in range(size // 11)),
@@ -46,7 +46,7 @@ SMALL = {
     "deep brackets": "a: " + "[" * 20_000,
     "deep indentation": "".join(" " * depth + "a:\n" for depth in range(500)),
     "deep dashes": "- " * 20_000 + "a",
-    "keys that are keys": "? " * 20_000,
+    "nested complex keys": "? " * 20_000,
     "a billion laughs": bomb(40, 9),
     "a billion laughs in a list": bomb(12, 300),
     "an anchor that names itself": "a: &a\n  b: *a\n",
@@ -81,7 +81,7 @@ class HostileYaml(ProgramCase):
         self.write("laps.walk.yaml", WALK.replace("turn: 180", "include: lap.steps.yaml"))
 
     def refuses(self, arguments, what):
-        """Ends with 2 and complaints that aren't long, in time, with little memory."""
+        """Ends with 2 and short diagnostics, in time, with little memory."""
         before = self.processor_seconds()
         outcome = self.run_program(*arguments, preexec_fn=self.limit_memory)
         seconds = self.processor_seconds() - before
@@ -93,7 +93,7 @@ class HostileYaml(ProgramCase):
 
     @staticmethod
     def processor_seconds():
-        """Of all children: others on the machine don't count."""
+        """Of all child processes, so that other programs don't count."""
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         return used.ru_utime + used.ru_stime
 
@@ -101,7 +101,7 @@ class HostileYaml(ProgramCase):
         if not self.is_sanitized:  # a sanitizer reserves terabytes
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
-    def test_small_files(self):
+    def test_small_files_are_refused(self):
         for name, arguments in TARGETS:
             original = self.read(name)
             for what, content in SMALL.items():
@@ -110,13 +110,13 @@ class HostileYaml(ProgramCase):
                     self.refuses(arguments, what)
             self.write(name, original)
 
-    def test_large_files(self):
+    def test_large_files_are_refused(self):
         for what, content in large(190_000 if self.is_sanitized else 1_900_000).items():
             with self.subTest(what):
                 self.write("large.avatar.yaml", content)
                 self.refuses(("validate", "large.avatar.yaml"), what)
 
-    def test_hostile_numbers(self):
+    def test_hostile_numbers_are_refused(self):
         for number in NUMBERS:
             with self.subTest(number=number[:30]):
                 self.write("short.walk.yaml", WALK.replace("turn: 180", "turn: " + number))
@@ -129,8 +129,8 @@ class HostileYaml(ProgramCase):
                 self.refuses(("run", "short.walk.yaml"), number[:30])
                 self.write("avatars/adult.avatar.yaml", "height: 1.8\n")
 
-    def test_what_is_taken(self):
-        """A byte order mark, \\r\\n and aliases within measure are no mistakes."""
+    def test_byte_order_marks_and_windows_line_ends_are_accepted(self):
+        """A byte order mark and \\r\\n."""
         self.write("short.walk.yaml", "\ufeff" + WALK.replace("\n", "\r\n"))
         self.passes("run", "-q", "short.walk.yaml")
 

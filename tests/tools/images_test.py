@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures from the command line. `images_test.py PROGRAM [--without-rendering]`."""
+"""Images from the command line. `images_test.py PROGRAM [--without-rendering]`."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import sys
 from program import SKIPPED, WALK, ProgramCase, main
 
 
-class Pictures(ProgramCase):
+class Images(ProgramCase):
     """PNG files of `snapshot` and of a walk's snapshot steps."""
 
     def size_of(self, name):
@@ -28,23 +28,22 @@ class Pictures(ProgramCase):
         self.assertEqual(self.size_of("maps/plan.png"), (320, 200))
 
     def test_map_of_a_model(self):
-        told = self.passes("info", "room.obj").out
+        plain = self.passes("info", "room.obj").out
         outcome = self.passes("info", "room.obj", "--map", "maps/room.png")
-        self.assertEqual(outcome.out, told)
+        self.assertEqual(outcome.out, plain)
         self.assertEqual(self.size_of("maps/room.png"), (1280, 720))
         # From above north is up: turned about x, the room shows another side.
         self.passes("info", "room.obj", "--up", "z", "--map", "side.png", "--rendering-backend", "osmesa")
         self.assertNotEqual(self.read("side.png"), self.read("maps/room.png"))
 
-    def test_no_map(self):
+    def test_maps_that_cannot_be_drawn_are_refused(self):
         self.write("bare.gltf", '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"name": "bare"}]}')
         outcome = self.run_program("info", "bare.gltf", "--map", "bare.png")
-        self.assertEqual((outcome.code, outcome.complaints),
-                         (2, ["bare.gltf: error empty-mesh: 'bare.gltf' has no triangle, so there is no map of it"]))
+        self.assert_refused(outcome, "bare.gltf: error empty-mesh: 'bare.gltf'")
         before = self.contents()
         outcome = self.run_program("info", "room.obj", "--map", "room.obj/map.png")
         self.assertEqual((outcome.code, outcome.out, self.contents()), (2, "", before))
-        self.assertIn("error output-unwritable: the picture can't be written here", outcome.err)
+        self.assertIn("error output-unwritable: ", outcome.err)
 
     def test_view_from_a_spawn(self):
         self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "view.png", "--width", "64", "--height", "48")
@@ -55,9 +54,7 @@ class Pictures(ProgramCase):
     def test_unknown_camera(self):
         before = self.contents()
         outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", "strat", "-o", "a.png", "--no-cache")
-        self.assertEqual(outcome.complaints, ["--camera: error unknown-name: 'strat' is neither 'top' nor a spawn of "
-                                              "small (did you mean 'start'?)"])
-        self.assertEqual(outcome.code, 2)
+        self.assert_refused(outcome, "--camera: error unknown-name: 'strat' 'top' small 'start'")
         self.assertEqual(self.contents(), before)
 
     def test_view_by_a_cameras_keys(self):
@@ -65,18 +62,15 @@ class Pictures(ProgramCase):
             self.passes("snapshot", "small.campus.yaml", "--camera", camera, "-o", "a.png", "--width", "64", "--height", "48")
             self.assertEqual(self.size_of("a.png"), (80 if "80" in camera else 64, 48))
         before = self.contents()
-        for camera, complaint in (
-                ("{view: orbit}", "--camera:1:1: error bad-value: nobody walks here whom a camera could follow: use "
-                                  "{view: orbit, around: NAME} or {view: fixed, position: [x, y, z]}"),
-                ("{view: orbit, around: htu}", "--camera:1:23: error unknown-name: the campus has no building, place or "
-                                               "spawn 'htu' (did you mean 'hut'?)"),
-                ("{view: fixed, position: [0, 1, 0], width: 0}", "--camera:1:43: error bad-value: 'width' must be from 16 "
-                                                                 "to 8192, not '0'")):
+        for camera, expected in (
+                ("{view: orbit}", "--camera:1:1: error bad-value:"),
+                ("{view: orbit, around: htu}", "--camera:1:23: error unknown-name: 'htu' 'hut'"),
+                ("{view: fixed, position: [0, 1, 0], width: 0}", "--camera:1:43: error bad-value: 'width' 16 8192 '0'")):
             outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", camera, "-o", "b.png")
-            self.assertEqual((outcome.code, outcome.complaints), (2, [complaint]))
+            self.assert_refused(outcome, expected)
         self.assertEqual(self.contents(), before)
 
-    def test_channels_stand_beside_the_picture(self):
+    def test_channels_are_files_beside_the_image(self):
         self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "out/view.png", "--width", "64", "--height",
                     "48", "--channels", "depth,ids,normals")
         self.assertEqual({name for name in self.contents() if name.startswith("out/")},
@@ -88,7 +82,7 @@ class Pictures(ProgramCase):
         self.assertEqual(sum(entry["pixels"] for entry in names["ids"]), 64 * 48)
         outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "a.png", "--channels", "ids,colors")
         self.assertEqual(outcome.code, 2)
-        self.assertIn("--channels: 'ids,colors' is no list of depth, ids and normals, as in depth,ids", outcome.err)
+        self.assertRegex(outcome.err, "--channels: 'ids,colors' .*depth.*ids.*normals")
 
     def test_channels_of_a_walk(self):
         self.write("short.walk.yaml", WALK.replace(
@@ -111,11 +105,10 @@ class Pictures(ProgramCase):
                               drawn("--light", "{profile: night, shadows: false}"),
                               drawn("--light", "{anti_aliasing: fxaa}")}), 5)
         outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "b.png", "--light", "{sun: {disc: bright}}")
-        self.assertEqual((outcome.code, outcome.complaints),
-                         (2, ["--light:1:14: error wrong-type: 'disc' must be a number, not 'bright'"]))
+        self.assert_refused(outcome, "--light:1:14: error wrong-type: 'disc' 'bright'")
         outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "b.png", "--light", "nihgt")
-        self.assertEqual((outcome.code, len(outcome.complaints)), (2, 1))
-        self.assertIn("did you mean 'night'?", outcome.err)
+        self.assertEqual((outcome.code, len(outcome.err_lines)), (2, 1))
+        self.assertRegex(outcome.err, "^--light.*: error .*'night'")
 
     def test_overlays(self):
         def drawn(*overlays):
@@ -127,76 +120,73 @@ class Pictures(ProgramCase):
                               drawn("--overlay", "labels", "--overlay", "compass")}), 7)
 
     def test_every_backend_draws_the_same_bytes(self):
-        pictures = set()
+        images = set()
         for backend in ("osmesa", "egl", "auto"):
             for threads in ("0", "2"):
                 self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "a.png", "--width", "64", "--height",
                             "48", env=dict(os.environ, CAMPUSWALK_RENDERING_BACKEND=backend, LP_NUM_THREADS=threads))
-                pictures.add(self.read("a.png"))
-        self.assertEqual(len(pictures), 1)
+                images.add(self.read("a.png"))
+        self.assertEqual(len(images), 1)
 
-    def test_backends_that_are_missing(self):
+    def test_missing_backends_are_reported(self):
         os.mkdir(self.path("no-osmesa"))
         os.mkdir(self.path("no-gl"))
         for name in ("no-osmesa/libOSMesa.so.8", "no-osmesa/libOSMesa.so", "no-gl/libOSMesa.so.8", "no-gl/libOSMesa.so",
                      "no-gl/libEGL.so.1", "no-gl/libEGL.so"):
-            self.write(name, "")  # found first, and no library
+            self.write(name, "")  # found first, and not a library
         arguments = ("snapshot", "small.campus.yaml", "-o", "a.png", "--width", "64", "--height", "48", "--rendering-backend")
         without = {folder: dict(os.environ, LD_LIBRARY_PATH=self.path(folder)) for folder in ("no-osmesa", "no-gl")}
         self.passes(*arguments, "auto", env=without["no-osmesa"])
         outcome = self.run_program(*arguments, "osmesa", env=without["no-osmesa"])
         self.assertEqual(outcome.code, 3)
-        self.assertRegex(outcome.err, "^error: Mesa's off-screen library libOSMesa.so.8 can't be opened: .*libosmesa6")
+        self.assertRegex(outcome.err, "^error: .*libOSMesa.so.8.*libosmesa6")
         outcome = self.run_program(*arguments, "auto", env=without["no-gl"])
         self.assertEqual(outcome.code, 3)
-        self.assertRegex(outcome.err, "(?s)^error: pictures need OSMesa or EGL, and neither can be used.*libosmesa6"
+        self.assertRegex(outcome.err, "(?s)^error: .*OSMesa.*EGL.*libosmesa6"
                                       ".*libegl1 libgl1-mesa-dri.*--rendering-backend none")
         outcome = self.run_program(*arguments, "none")
-        self.assertEqual((outcome.code, outcome.complaints),
-                         (2, ["--rendering-backend: error bad-value: 'none' draws nothing, and a picture is asked for: use "
-                              "auto, osmesa or egl"]))
+        self.assert_refused(outcome, "--rendering-backend: error bad-value: 'none' auto osmesa egl")
 
-    def test_picture_that_cannot_be_written(self):
+    def test_unwritable_images_are_refused(self):
         for name in ("avatars", "room.obj/a.png"):
             outcome = self.run_program("snapshot", "small.campus.yaml", "-o", name)
             self.assertEqual(outcome.code, 2)
-            self.assertRegex(outcome.err, f"^{name}: error output-unwritable: the picture can't be written here: ")
+            self.assertRegex(outcome.err, f"^{name}: error output-unwritable: ")
 
-    def test_picture_in_the_place_of_a_pipe(self):
+    def test_an_image_does_not_replace_a_pipe(self):
         os.mkfifo(self.path("pipe"))
         outcome = self.run_program("snapshot", "small.campus.yaml", "-o", "pipe", "--width", "64", "--height", "64")
         self.assertEqual(outcome.code, 3)
-        self.assertRegex(outcome.err, "^error: .*pipe.*: it is not a regular file")
+        self.assertRegex(outcome.err, "^error: .*pipe")
         self.assertTrue(stat.S_ISFIFO(os.stat(self.path("pipe")).st_mode))
 
-    def test_walk_takes_the_same_pictures_every_time(self):
+    def test_walk_takes_the_same_images_every_time(self):
         self.write("short.walk.yaml", WALK.replace(
             "  - turn: 180", "  - snapshot: {name: gate, width: 80, height: 60}\n  - turn: 180\n"
                              "  - snapshot: {name: from-above, view: top, width: 60, height: 80}"))
-        pictures = []
+        images = []
         for folder in ("out", "elsewhere"):
             outcome = self.passes("run", "short.walk.yaml", "--output", folder)
             self.assertEqual([line.split()[3] for line in outcome.lines if " snapshot.take " in line],
                              ["gate", "from-above"])
             self.assertEqual(self.size_of(f"{folder}/short/gate.png"), (80, 60))
             self.assertEqual(self.size_of(f"{folder}/short/from-above.png"), (60, 80))
-            pictures.append((self.read(f"{folder}/short/gate.png"), self.read(f"{folder}/short/from-above.png")))
-        self.assertEqual(pictures[0], pictures[1])
+            images.append((self.read(f"{folder}/short/gate.png"), self.read(f"{folder}/short/from-above.png")))
+        self.assertEqual(images[0], images[1])
 
-    def test_pictures_do_not_change_the_log(self):
+    def test_drawing_does_not_change_the_log(self):
         self.write("short.walk.yaml", WALK.replace("turn: 180", "snapshot: {name: a, width: 64, height: 64}"))
         drawn = self.passes("run", "short.walk.yaml").out
         self.assertEqual(self.passes("run", "short.walk.yaml", "--rendering-backend", "none", "--output", "none").out, drawn)
         self.assertIn("out/short/a.png", self.contents())
         self.assertNotIn("none", self.contents())
 
-    def test_output_below_a_file(self):
+    def test_output_below_a_file_is_refused(self):
         self.write("short.walk.yaml", WALK.replace("turn: 180", "snapshot: a"))
         before = self.contents()
         outcome = self.run_program("run", "short.walk.yaml", "--output", "room.obj", "--log", "a.log")
-        self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertEqual(outcome.complaints, ["room.obj/short: error output-unwritable: pictures can't be saved here: "
-                                              "'room.obj' is not a folder"])
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(outcome, "room.obj/short: error output-unwritable: 'room.obj'")
         self.assertEqual(self.contents(), before)
 
 

@@ -13,7 +13,7 @@ WITHOUT_RENDERING = "--without-rendering" in sys.argv
 
 
 def png(width, height, color_at):
-    """A picture of the colours that `color_at(x, y)` gives."""
+    """A PNG file with the colours that `color_at(x, y)` returns."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     rows = b"".join(b"\0" + bytes(c for x in range(width) for c in color_at(x, y)) for y in range(height))
@@ -31,7 +31,7 @@ def spotted(x, y):
 
 
 def striped(x, y):
-    """What the pixel rule doesn't see."""
+    """Stripes below the threshold of the pixel rule."""
     return (115, 115, 115) if x % 2 else grey(x, y)
 
 
@@ -48,17 +48,17 @@ class Imgdiff(ProgramCase):
         self.assertEqual(outcome.err, "")
         return outcome
 
-    def refused(self, complaint, *arguments):
+    def refused(self, expected, *arguments):
         before = self.contents()
         outcome = self.run_program("imgdiff", *arguments)
         self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertRegex(outcome.err, complaint)
+        self.assertRegex(outcome.err, expected)
         self.assertEqual(self.contents(), before)
 
     def test_same(self):
         outcome = self.imgdiff("grey.png", "grey.png")
-        self.assertEqual((outcome.code, outcome.out), (0, "grey.png and grey.png are the same: 0 pixels differ, the "
-                                                          "least similar tile has 1.0000\n"))
+        self.assertEqual(outcome.code, 0)
+        self.assertRegex(outcome.out, "^grey.png and grey.png .*: 0 pixels .* 1[.]0000\n$")
 
     def test_pixels(self):
         outcome = self.imgdiff("grey.png", "spotted.png", "--min-tile-ssim", "-1")
@@ -94,29 +94,29 @@ class Imgdiff(ProgramCase):
         self.assertLess(found["tile_ssim"], 1)
         self.assertEqual(json.loads(self.imgdiff("grey.png", "grey.png", "--json").out)["same"], True)
 
-    def test_picture_of_the_difference(self):
+    def test_image_of_the_difference(self):
         self.imgdiff("grey.png", "spotted.png", "--diff", "new/diff.png")
         drawn = self.read("new/diff.png")
         self.assertEqual(struct.unpack(">II", drawn[16:24]), (128, 64))
         self.assertEqual(self.imgdiff("new/diff.png", "grey.png").code, 1)
-        self.refused("^small.campus.yaml/a.png: error output-unwritable: the difference can't be drawn here: ",
+        self.refused("^small.campus.yaml/a.png: error output-unwritable: ",
                      "grey.png", "spotted.png", "--diff", "small.campus.yaml/a.png")
 
     def test_sizes(self):
         outcome = self.imgdiff("grey.png", "small.png", "--diff", "diff.png")
-        self.assertEqual((outcome.code, outcome.out), (1, "grey.png and small.png differ: one has 128x64 pixels, the other "
-                                                          "20x10\n"))
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.out, "^grey.png and small.png .*128x64.*20x10\n$")
         self.assertNotIn("diff.png", self.contents())
         self.assertEqual(json.loads(self.imgdiff("grey.png", "small.png", "--json").out)["same"], False)
 
-    def test_what_is_no_picture(self):
-        self.refused("^none.png: error missing-file: can't read the picture: No such file", "none.png", "grey.png")
+    def test_files_that_are_not_images_are_refused(self):
+        self.refused("^none.png: error missing-file: ", "none.png", "grey.png")
         self.refused("^room.obj: error bad-picture: ", "grey.png", "room.obj")
         self.refused("^avatars: error unreadable-file: ", "avatars", "grey.png")
         self.write("cut.png", self.read("grey.png")[:-30])
         self.refused("^cut.png: error bad-picture: ", "grey.png", "cut.png")
 
-    def test_numbers_out_of_range(self):
+    def test_numbers_out_of_range_are_refused(self):
         self.refused("--threshold", "grey.png", "grey.png", "--threshold", "1.5")
         self.refused("--min-tile-ssim", "grey.png", "grey.png", "--min-tile-ssim", "2")
         self.refused("--max-diff-pixels", "grey.png", "grey.png", "--max-diff-pixels", "-1")
@@ -125,10 +125,8 @@ class Imgdiff(ProgramCase):
 
 @unittest.skipUnless(WITHOUT_RENDERING, "this build reads pictures")
 class WithoutRendering(ProgramCase):
-    def test_it_says_so(self):
-        outcome = self.run_program("imgdiff", "a.png", "b.png")
-        self.assertEqual((outcome.code, outcome.err), (3, "error: this build reads no pictures: configure with "
-                                                          "CAMPUSWALK_RENDER=ON\n"))
+    def test_the_build_option_is_named(self):
+        self.assert_refused(self.run_program("imgdiff", "a.png", "b.png"), "error: CAMPUSWALK_RENDER=ON", code=3)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
-"""Runs the campuswalk program on a small campus in a temporary folder. Python's standard library alone."""
+"""Runs the campuswalk program on a small campus in a temporary folder. Needs only Python's standard library."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -78,9 +79,28 @@ FILES = {
 
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 
+HEAD = re.compile(r"(?:\S.*?: )?(?:error|warning)(?: [a-z-]+)?: ?")
+
+
+def resembles(line, expected):
+    """Whether a diagnostic has the place, severity and code of `expected` and then its names in this order.
+
+    `expected` is such as "a.walk.yaml:5:14: error unknown-name: 'nowhere' 'end'": the sentence is free.
+    """
+    head = HEAD.match(expected)[0]
+    if not line.startswith(head):
+        return False
+    at = len(head)
+    for name in re.findall(r"'[^']*'|\S+", expected[len(head):]):
+        at = line.find(name, at)
+        if at < 0:
+            return False
+        at += len(name)
+    return True
+
 
 class Outcome:
-    """What a run of the program gave."""
+    """The exit code and the output of a run of the program."""
 
     def __init__(self, done):
         self.code = done.returncode
@@ -92,7 +112,7 @@ class Outcome:
         return self.out.splitlines()
 
     @property
-    def complaints(self):
+    def err_lines(self):
         return self.err.splitlines()
 
 
@@ -140,6 +160,23 @@ class ProgramCase(unittest.TestCase):
         done.stdout = done.stdout or b""
         return Outcome(done)
 
+    def assert_diagnostics(self, lines, *expected):
+        """One line for each expected diagnostic; see resembles()."""
+        self.assertEqual(len(lines), len(expected), lines)
+        for line, each in zip(lines, expected):
+            self.assertTrue(resembles(line, each), "%s\ndoesn't resemble\n%s" % (line, each))
+
+    def assert_refused(self, outcome, *expected, code=2):
+        """The exit code, and these diagnostics on standard error."""
+        self.assertEqual(outcome.code, code, outcome.err)
+        self.assert_diagnostics(outcome.err_lines, *expected)
+
+    def assert_bad_usage(self, outcome, command, expected):
+        """One error without a code that has these names in this order, and where to read more."""
+        self.assertEqual((outcome.code, outcome.out, len(outcome.err_lines)), (2, "", 2), outcome.err)
+        self.assert_diagnostics(outcome.err_lines[:1], "error: " + expected)
+        self.assertTrue(outcome.err_lines[1].endswith(f"{command} --help"), outcome.err)
+
     def passes(self, *arguments, **options):
         """Runs it and expects exit code 0."""
         outcome = self.run_program(*arguments, **options)
@@ -151,5 +188,5 @@ def main():
     """`TEST.py PROGRAM [unittest's arguments]`."""
     ProgramCase.program = os.path.abspath(sys.argv.pop(1))
     with tempfile.TemporaryDirectory(prefix="campuswalk-cache-") as cache:
-        os.environ["CAMPUSWALK_CACHE_DIR"] = cache  # the user's own is none of a test's business
+        os.environ["CAMPUSWALK_CACHE_DIR"] = cache  # not the user's own
         unittest.main(verbosity=2)

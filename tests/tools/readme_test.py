@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The README's example is what it says: its files load, and the walk passes on such a school."""
+"""The README's example works: its files load, and its walk passes on a school built here."""
 
 import os
 import re
@@ -11,9 +11,9 @@ README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "R
 
 def slab(name, low, high, first):
     """A box as an OBJ object whose vertices count from `first`."""
-    corners = [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
+    vertices = [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
     faces = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
-    lines = ["o " + name] + ["v %g %g %g" % corner for corner in corners]
+    lines = ["o " + name] + ["v %g %g %g" % vertex for vertex in vertices]
     lines += ["f " + " ".join(str(first - 1 + i) for i in face) for face in faces]
     return "\n".join(lines) + "\n"
 
@@ -47,7 +47,7 @@ class Readme(ProgramCase):
         self.assertIn("trigger.enter    library/door", log)
         self.assertIn("result=pass", log)
 
-    def test_the_ten_lines_as_they_stand(self):
+    def test_the_ten_steps_run_as_written(self):
         for name in ("school.campus.yaml", "visit.walk.yaml"):
             os.remove(self.path(name))
         section = re.search(r"### Bring your own campus\n(.*?)\n\n[A-Z]", self.readme, re.DOTALL).group(1)
@@ -60,7 +60,7 @@ class Readme(ProgramCase):
                 arguments = command.replace("school.glb", "school.obj").split()
                 outcome = self.run_program(*arguments)
                 if outcome.code == 3 and "OpenGL" in outcome.err:
-                    continue  # a machine without pictures
+                    continue  # a machine that can't draw
                 self.assertEqual(outcome.code, 0, outcome.err)
 
     def events_in(self, lines):
@@ -71,15 +71,15 @@ class Readme(ProgramCase):
         return named
 
     def test_events_are_those_of_the_help(self):
-        helped = self.events_in(re.findall(r"(?m)^  (\w+\.\w+(?: \.\w+)*)  ", self.passes("help", "events").out))
-        self.assertEqual(self.events_in(re.findall(r"(?m)^\| (`\w+\.\w+`[^|]*)\|", self.readme)), helped)
+        in_help = self.events_in(re.findall(r"(?m)^  (\w+\.\w+(?: \.\w+)*)  ", self.passes("help", "events").out))
+        self.assertEqual(self.events_in(re.findall(r"(?m)^\| (`\w+\.\w+`[^|]*)\|", self.readme)), in_help)
 
     def test_exit_codes_are_those_of_the_help(self):
         table = self.readme.partition("| exit code |")[2].partition("\n\n")[0]
-        helped = re.findall(r"(?m)^(\d+) ", self.passes("help", "exit-codes").out)
-        self.assertEqual(re.findall(r"(?m)^\| (\d+) \|", table), helped)
+        in_help = re.findall(r"(?m)^(\d+) ", self.passes("help", "exit-codes").out)
+        self.assertEqual(re.findall(r"(?m)^\| (\d+) \|", table), in_help)
 
-    def test_what_collide_prints(self):
+    def test_collide_prints_what_the_readme_shows(self):
         arguments, printed = re.search(r"```\n\$ campuswalk (collide .*)\n((?:.*\n)*?)```", self.readme).groups()
         outcome = self.run_program(*arguments.replace("school.glb", "school.obj").split())
         self.assertEqual((outcome.code, outcome.err), (1, ""))

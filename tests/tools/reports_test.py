@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Reports as others read them: JSON by its schema, JUnit by its, and both by plain parsers.
+"""Reports as other programs read them: JSON and JUnit conform to their schemas and agree with each other.
 
-`reports_test.py REPORT_SAMPLES`, the program that writes some of each.
+`reports_test.py REPORT_SAMPLES`, the program that writes samples of each.
 """
 
 import copy
@@ -34,17 +34,17 @@ def validator(name):
     return jsonschema.Draft7Validator(content, resolver=resolver)
 
 
-def places(value, way=()):
-    """Every object in a JSON value, as the way to it."""
+def places(value, path=()):
+    """The path to every object in a JSON value."""
     if isinstance(value, dict):
-        yield way
+        yield path
     children = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, child in children:
-        yield from places(child, way + (key,))
+        yield from places(child, path + (key,))
 
 
-def at(value, way):
-    for key in way:
+def at(value, path):
+    for key in path:
         value = value[key]
     return value
 
@@ -66,14 +66,14 @@ class Reports(unittest.TestCase):
 
 
 class Json(Reports):
-    """The JSON report and its schema hold each other."""
+    """The JSON report conforms to its schema, and the schema accepts nothing else."""
 
-    def test_every_report_is_as_the_schema_has_it(self):
+    def test_every_report_conforms_to_the_schema(self):
         check = validator("report.schema.json")
         for run in RUNS:
             check.validate(json.loads(self.text(run + ".json")))
 
-    def test_every_line_is_as_the_schema_has_it(self):
+    def test_every_line_conforms_to_the_schema(self):
         check = validator("report-line.schema.json")
         for run in RUNS:
             lines = self.text(run + ".jsonl").split("\n")
@@ -86,15 +86,15 @@ class Json(Reports):
         check = validator("report.schema.json")
         whole = json.loads(self.text("full.json"))
         seen = 0
-        for way in places(whole):
-            for key in at(whole, way):
+        for path in places(whole):
+            for key in at(whole, path):
                 less = copy.deepcopy(whole)
-                del at(less, way)[key]
-                self.assertFalse(check.is_valid(less), (way, key))
+                del at(less, path)[key]
+                self.assertFalse(check.is_valid(less), (path, key))
                 seen += 1
             more = copy.deepcopy(whole)
-            at(more, way)["surprise"] = 1
-            self.assertFalse(check.is_valid(more), way)
+            at(more, path)["unknown_key"] = 1
+            self.assertFalse(check.is_valid(more), path)
         described = schema("report.schema.json")
         parts = [described, *described["definitions"].values()]
         self.assertEqual(seen, sum(len(part["properties"]) for part in parts))
@@ -102,37 +102,37 @@ class Json(Reports):
     def test_no_key_may_have_another_type(self):
         check = validator("report.schema.json")
         whole = json.loads(self.text("full.json"))
-        for way in places(whole):
-            for key in at(whole, way):
+        for path in places(whole):
+            for key in at(whole, path):
                 wrong = copy.deepcopy(whole)
-                part = at(wrong, way)
+                part = at(wrong, path)
                 part[key] = [] if isinstance(part[key], dict) else {}
-                self.assertFalse(check.is_valid(wrong), (way, key))
+                self.assertFalse(check.is_valid(wrong), (path, key))
 
     def test_outcomes_are_those_of_the_code(self):
         outcomes = schema("report.schema.json")["definitions"]["result"]["properties"]["outcome"]["enum"]
         seen = {result["outcome"] for result in json.loads(self.text("mixed.json"))["results"]}
         self.assertEqual(seen, set(outcomes))
 
-    def test_everything_is_described(self):
+    def test_every_key_has_a_description(self):
         for name in ("report.schema.json", "report-line.schema.json"):
             content = schema(name)
-            for way in places(content):
-                for key, value in at(content, way).get("properties", {}).items():
+            for path in places(content):
+                for key, value in at(content, path).get("properties", {}).items():
                     described = value.get("description") or "$ref" in value
-                    self.assertTrue(described, (name, way, key))
+                    self.assertTrue(described, (name, path, key))
 
 
 class Junit(Reports):
     """The JUnit report."""
 
-    def test_every_report_is_as_the_schema_has_it(self):
+    def test_every_report_conforms_to_the_schema(self):
         files = [os.path.join(self.folder, run + ".junit") for run in RUNS]
         done = subprocess.run(["xmllint", "--noout", "--schema", os.path.join(HERE, "junit.xsd"), *files],
                               stderr=subprocess.PIPE, check=False)
         self.assertEqual(done.returncode, 0, done.stderr.decode())
 
-    def test_the_schema_can_refuse(self):
+    def test_the_schema_refuses_unknown_elements(self):
         broken = self.text("mixed.junit").replace("<skipped message", "<skip message", 1)
         done = subprocess.run(["xmllint", "--noout", "--schema", os.path.join(HERE, "junit.xsd"), "-"],
                               input=broken.encode(), stderr=subprocess.DEVNULL, check=False)
@@ -146,7 +146,7 @@ class Junit(Reports):
                 for attribute, element in counted.items():
                     self.assertEqual(int(suite.get(attribute)), len(list(suite.iter(element))), (run, attribute))
 
-    def test_a_file_is_a_suite_and_tells_what_json_tells(self):
+    def test_suites_are_files_and_agree_with_json(self):
         for run in ("mixed", "full"):
             root = ElementTree.fromstring(self.text(run + ".junit"))
             results = json.loads(self.text(run + ".json"))["results"]

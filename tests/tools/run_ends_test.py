@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How a run of many walks ends: in order, stopped, killed, gone on with."""
+"""Runs of many walks: their order, and runs that are stopped, killed, resumed or watched."""
 
 import json
 import os
@@ -17,7 +17,7 @@ WAITING = ENDLESS.replace("wait: 86400", "wait_until: {event: popup.open hut, ti
 
 
 class ManyWalks(ProgramCase):
-    """Six walks, c among them failing."""
+    """Six walks, of which c fails."""
 
     def setUp(self):
         super().setUp()
@@ -43,10 +43,10 @@ class ManyWalks(ProgramCase):
     def wait_for(self, condition):
         end = time.monotonic() + 60
         while not condition():
-            self.assertLess(time.monotonic(), end, "waited in vain")
+            self.assertLess(time.monotonic(), end, "timed out")
             time.sleep(0.01)
 
-    def kept(self):
+    def recorded_lines(self):
         try:
             return self.read("out/last-run.jsonl").count(b"\n")
         except FileNotFoundError:
@@ -54,21 +54,21 @@ class ManyWalks(ProgramCase):
 
 
 class Order(ManyWalks):
-    def test_same_bytes_whatever_the_number_of_workers(self):
-        told = []
+    def test_output_is_the_same_with_any_number_of_workers(self):
+        outputs = []
         for workers in ("1", "2", "5"):
             outcome = self.run_walks("-j", workers, "--log", "all.log", "--jsonl", "all.jsonl", "--reporter", "list",
                                      "--reporter", "jsonl=r.jsonl", "--reporter", "junit=r.xml", "--reporter", "tap=r.tap",
                                      "--reporter", "json=r.json")
             self.assertEqual((outcome.code, outcome.err), (1, ""))
             files = ("all.log", "all.jsonl", "r.jsonl", "r.xml", "r.tap", "r.json")
-            told.append((outcome.out, [self.read(file) for file in files]))
-        self.assertEqual(told[1], told[0])
-        self.assertEqual(told[2], told[0])
+            outputs.append((outcome.out, [self.read(file) for file in files]))
+        self.assertEqual(outputs[1], outputs[0])
+        self.assertEqual(outputs[2], outputs[0])
         self.assertEqual([result["name"] for result in self.results("r.jsonl")], list("abcdef"))
-        self.assertEqual(told[0][1][0].count(b"walk.end"), 6)
+        self.assertEqual(outputs[0][1][0].count(b"walk.end"), 6)
 
-    def test_stops_after_failures(self):
+    def test_a_run_stops_after_failures(self):
         for arguments in (("-x",), ("--max-failures", "1")):
             for workers in ("1", "4"):
                 outcome = self.run_walks("-j", workers, "--reporter", "jsonl=r.jsonl", *arguments)
@@ -84,7 +84,7 @@ class Order(ManyWalks):
     def test_colors(self):
         plain = self.run_walks("--color", "never").out
         self.assertNotIn("\x1b", plain)
-        self.assertEqual(self.run_walks().out, plain)  # a pipe is no terminal
+        self.assertEqual(self.run_walks().out, plain)  # a pipe isn't a terminal
         self.assertIn("\x1b[", self.run_walks("--color=always").out)
 
     def test_repetitions(self):
@@ -95,13 +95,13 @@ class Order(ManyWalks):
                          ["a.walk.yaml #1", "a.walk.yaml #2", "a.walk.yaml #3"])
         self.assertEqual(len({result["hash"] for result in self.results("r.jsonl")}), 1)
 
-    def test_seed(self):
+    def test_a_seed_is_deprecated(self):
         outcome = self.run_walks("a.walk.yaml", "--seed", "7")
         self.assertEqual(outcome.code, 0)
         self.assertNotIn("seed", outcome.out)
         self.assertRegex(outcome.err, "deprecated.*--seed")
 
-    def test_reports_that_cannot_be_written(self):
+    def test_unwritable_reports_are_refused(self):
         before = self.contents()
         for target, code in (("avatars", "report-unwritable"), ("room.obj/a.xml", "report-unwritable"),
                              ("a.walk.yaml", "report-unwritable")):
@@ -141,15 +141,15 @@ class Order(ManyWalks):
             self.assertAlmostEqual(shown, float(exact), delta=6e-4)
         self.assertGreater(len(json.loads(self.read("out/" + paths["trace"]))), 0)
 
-    def test_an_unknown_record(self):
+    def test_an_unknown_record_is_refused(self):
         outcome = self.run_walks("--record", "video")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertIn("'video' is none of csv|tum|trace", outcome.err)
+        self.assertRegex(outcome.err, r"'video' .*csv\|tum\|trace")
 
-    def test_unknown_reporter(self):
+    def test_an_unknown_reporter_is_refused(self):
         outcome = self.run_walks("--reporter", "junti=a.xml")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertIn("(did you mean 'junit'?)", outcome.err)
+        self.assertIn("'junit'", outcome.err)
 
 
 class Again(ManyWalks):
@@ -161,7 +161,7 @@ class Again(ManyWalks):
         self.assertEqual(self.run_walks("--last-failed").code, 0)
         self.assertEqual(self.run_walks("--last-failed").code, 5)
 
-    def test_nothing_known_of_a_last_run(self):
+    def test_without_a_last_run_nothing_can_be_repeated(self):
         for option in ("--last-failed", "--resume"):
             outcome = self.run_walks(option)
             self.assertEqual((outcome.code, outcome.out), (2, ""))
@@ -178,17 +178,17 @@ class Again(ManyWalks):
         whole = self.run_walks("--reporter", "jsonl=whole.jsonl")
         self.write("e.walk.yaml", ENDLESS)
         running = self.start("-j", "1")
-        self.wait_for(lambda: self.kept() == 5)  # what it is, then a to d
+        self.wait_for(lambda: self.recorded_lines() == 5)  # its header, then a to d
         running.kill()
         running.wait(timeout=60)
         with open(self.path("out/last-run.jsonl"), "ab") as file:
             file.write(b'{"id":"e.walk.ya')  # as if it had been killed while writing
         self.write("e.walk.yaml", WALK)
-        changed = self.run_walks("--resume")  # it would be another run
+        changed = self.run_walks("--resume")  # the run has changed
         self.assertEqual((changed.code, changed.out), (2, ""))
         self.assertIn("out/last-run.jsonl: error other-run: ", changed.err)
         self.run_walks("-x", "-j", "1")
-        self.assertGreaterEqual(self.kept(), 4)  # what it is, then a to c
+        self.assertGreaterEqual(self.recorded_lines(), 4)  # its header, then a to c
         with open(self.path("out/last-run.jsonl"), "ab") as file:
             file.write(b'{"id":"d.walk.ya')
         before = self.read("out/last-run.jsonl")
@@ -197,26 +197,26 @@ class Again(ManyWalks):
         self.assertEqual(self.read("resumed.jsonl"), self.read("whole.jsonl"))
         after = self.read("out/last-run.jsonl")
         self.assertTrue(after.startswith(before[:before.rindex(b"\n") + 1]))
-        self.assertEqual(len(after.splitlines()), 7)  # none was played twice
+        self.assertEqual(len(after.splitlines()), 7)  # no walk was played twice
 
     def test_watch(self):
         watching = self.start("--watch", "--reporter", "dot")
         lines = []
 
-        def told(count):
+        def wait_for_lines(count):
             while len(lines) < count:
                 lines.append(watching.stderr.readline())
-        told(1)
-        self.assertEqual(lines[0], b"watching; Ctrl-C ends it\n")
+        wait_for_lines(1)
+        self.assertTrue(lines[0].startswith(b"watching"), lines)
         self.write("c.walk.yaml", WALK)
-        told(2)
+        wait_for_lines(2)
         watching.send_signal(signal.SIGINT)
         out = watching.stdout.read().decode()
         self.assertEqual(watching.wait(timeout=60), 130)
         self.assertIn("5 passed, 1 failed", out)
         self.assertIn("\n1 passed", out)  # the one that changed
 
-    def test_watch_plays_what_a_file_is_for(self):
+    def test_watch_plays_the_walks_that_use_a_changed_file(self):
         self.write("avatars/child.avatar.yaml", "height: 1.3\nradius: 0.2\neye_height: 1.2\n")
         self.write("lap.steps.yaml", "steps: [{wait: 0.1}]\n")
         self.write("models/room.obj", self.read("room.obj"))
@@ -228,7 +228,7 @@ class Again(ManyWalks):
         watching = self.start("--watch", "--reporter", "dot", "--reporter", "jsonl=r.jsonl")
 
         def played():
-            self.assertEqual(watching.stderr.readline(), b"watching; Ctrl-C ends it\n")
+            self.assertTrue(watching.stderr.readline().startswith(b"watching"))
             return "".join(result["name"] for result in self.results("r.jsonl"))
         self.assertEqual(played(), "abcdef")
         for file, walks in (("avatars/child.avatar.yaml", "a"), ("lap.steps.yaml", "b"), ("models/own.campus.yaml", "cd"),
@@ -246,7 +246,7 @@ class CutShort(ManyWalks):
     def test_interrupt_keeps_what_is_finished(self):
         self.write("e.walk.yaml", ENDLESS)
         running = self.start("-j", "2", "--reporter", "dot", "--reporter", "jsonl=r.jsonl")
-        self.wait_for(lambda: self.kept() == 6)  # all but e
+        self.wait_for(lambda: self.recorded_lines() == 6)  # all but e
         running.send_signal(signal.SIGINT)
         _, err = running.communicate(timeout=60)
         self.assertEqual((running.returncode, err), (130, b"interrupted\n"))
@@ -254,23 +254,23 @@ class CutShort(ManyWalks):
                          [("a", "passed"), ("b", "passed"), ("c", "failed"), ("d", "passed"), ("e", "interrupted"),
                           ("f", "passed")])
 
-    def test_a_process_that_dies_takes_one_walk_along(self):
+    def test_a_process_that_dies_breaks_one_walk(self):
         self.write("b.walk.yaml", ENDLESS)
         running = self.start("-j", "1", "--reporter", "jsonl=r.jsonl")
-        self.wait_for(lambda: self.kept() == 2)  # a
+        self.wait_for(lambda: self.recorded_lines() == 2)  # a
         with open(f"/proc/{running.pid}/task/{running.pid}/children", encoding="ascii") as file:
             os.kill(int(file.read().split()[0]), signal.SIGKILL)
         _, err = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 3)
-        self.assertIn(b"b.walk.yaml: the process that played the walk is gone: it was ended by signal 9 (Killed)", err)
+        self.assertRegex(err, rb"b\.walk\.yaml: .*signal 9 \(Killed\)")
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")],
                          ["passed", "broken", "failed", "passed", "passed", "passed"])
 
     def test_memory_stays_flat(self):
-        """A worker's, after 200 walks and after 1,800."""
+        """A worker's memory, after 200 walks and after 1,800."""
         with open(self.program, "rb") as file:
             if b"__asan_init" in file.read():
-                self.skipTest("AddressSanitizer keeps what is freed for a while")
+                self.skipTest("AddressSanitizer delays the reuse of freed memory")
         running = self.start("-j", "1", "--repeat-each", "2000", "--reporter", "dot", "a.walk.yaml")
 
         def memory():
@@ -278,15 +278,15 @@ class CutShort(ManyWalks):
                 worker = int(file.read().split()[0])
             with open(f"/proc/{worker}/status", encoding="ascii") as file:
                 return next(int(line.split()[1]) for line in file if line.startswith("VmRSS"))  # KiB
-        self.wait_for(lambda: self.kept() > 200)
+        self.wait_for(lambda: self.recorded_lines() > 200)
         early = memory()
-        self.wait_for(lambda: self.kept() > 1800)
+        self.wait_for(lambda: self.recorded_lines() > 1800)
         late = memory()
         running.communicate(timeout=60)
         self.assertEqual(running.returncode, 0)
         self.assertLess(late - early, 512)
 
-    def test_simulated_time_is_up(self):
+    def test_a_timeout_is_a_failure(self):
         self.write("b.walk.yaml", ENDLESS)
         outcome = self.run_walks("--timeout", "2", "-q", "b.walk.yaml")
         self.assertEqual(outcome.code, 1)
@@ -294,7 +294,7 @@ class CutShort(ManyWalks):
         self.assertIn("b: FAIL after 2.0 s", outcome.err)
 
     def seen_on_a_terminal(self, until, *arguments, walk=ENDLESS):
-        """What a run that doesn't end shows until it shows `until`, and then when it is interrupted."""
+        """What an endless run prints until `until` matches, and then when it is interrupted."""
         mine, theirs = os.openpty()
         self.addCleanup(os.close, mine)
         self.write("b.walk.yaml", walk)
@@ -315,28 +315,28 @@ class CutShort(ManyWalks):
         seen = self.seen_on_a_terminal(rb"1/6, b at \d+\.\d of 86\d+\.\d s", "-j", "1")
         self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d of 86\d+\.\d s\r\x1b\[K")
 
-    def test_where_a_single_walk_is_shows_on_a_terminal(self):
+    def test_progress_of_a_single_walk_on_a_terminal(self):
         place = rb"\[#*\.+\] b at \d+\.\d of 86\d+\.\d s"
         seen = self.seen_on_a_terminal(place + rb"\r\x1b\[K" + place, "--reporter", "list", "b.walk.yaml")
         for bar in re.findall(rb"\[(#*\.*)\]", seen):
             self.assertEqual(len(bar), 30)
 
-    def test_the_bar_fills_as_the_walk_goes_on(self):
+    def test_the_bar_fills_during_the_walk(self):
         seen = self.seen_on_a_terminal(rb"\[##", "--reporter", "list", "b.walk.yaml", walk=LONG)
         steps = [len(bar) for bar in re.findall(rb"\[(#*)\.+\] b at", seen)]
         self.assertEqual(steps, sorted(steps))
         self.assertGreaterEqual(steps[-1], 2)
 
-    def test_a_walk_whose_length_nobody_knows_has_no_bar(self):
+    def test_a_walk_of_unknown_length_has_no_bar(self):
         seen = self.seen_on_a_terminal(rb"b at \d+\.\d s\r\x1b\[Kb at", "--reporter", "list", "b.walk.yaml", walk=WAITING)
         self.assertNotIn(b"[#", seen)
         self.assertNotIn(b"..]", seen)
 
-    def test_a_walk_that_takes_too_long(self):
+    def test_a_walk_that_takes_too_long_is_killed(self):
         self.write("b.walk.yaml", ENDLESS)
         outcome = self.run_walks("--kill-after", "0.5", "--reporter", "jsonl=r.jsonl", "a.walk.yaml", "b.walk.yaml")
         self.assertEqual(outcome.code, 3)
-        self.assertIn("it took more than 0.5 s of wall clock", outcome.err)
+        self.assertRegex(outcome.err, r"b\.walk\.yaml: .*0\.5 s")
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")], ["passed", "broken"])
 
 

@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::MatchesRegex;
 
-// ---- finding ----------------------------------------------------------------------------------------------
+// ---- finding walks ----------------------------------------------------------------------------------------------
 
 class FindWalks : public testing::Test {
 protected:
@@ -40,7 +41,7 @@ protected:
     support::TemporaryFolder folder_;
 };
 
-TEST_F(FindWalks, LooksBelowFoldersAndSortsWhatItFinds) {
+TEST_F(FindWalks, SearchesFoldersRecursivelyAndSorts) {
     for (const char* name : {"b.walk.yaml", "a/z.walk.yaml", "a/b/c.walk.yaml", "a/not.campus.yaml",
                              ".hidden/h.walk.yaml", ".h.walk.yaml", ".walk.yaml"}) {
         folder_.write(name, "");
@@ -48,24 +49,24 @@ TEST_F(FindWalks, LooksBelowFoldersAndSortsWhatItFinds) {
     EXPECT_THAT(found({folder_.path()}), ElementsAre("a/b/c.walk.yaml", "a/z.walk.yaml", "b.walk.yaml"));
 }
 
-TEST_F(FindWalks, TakesAFileOnceThatIsNamedTwice) {
+TEST_F(FindWalks, ReturnsAFileOnceThatIsNamedTwice) {
     folder_.write("a/z.walk.yaml", "");
     EXPECT_THAT(found({folder_.path() / "a/z.walk.yaml", folder_.path() / "a", folder_.path() / "a/../a"}),
                 ElementsAre("a/z.walk.yaml"));
 }
 
-TEST_F(FindWalks, LinksMayFormACircle) {
+TEST_F(FindWalks, IgnoresCyclesOfLinks) {
     folder_.write("a/z.walk.yaml", "");
     fs::create_directory_symlink(folder_.path(), folder_.path() / "a/up");
     fs::create_directory_symlink(folder_.path() / "a", folder_.path() / "again");
     EXPECT_THAT(found({folder_.path()}), ElementsAre("a/z.walk.yaml"));
 }
 
-TEST_F(FindWalks, LeavesAFileThatIsNotThereToTheLoader) {
+TEST_F(FindWalks, ReturnsMissingFilesForTheLoaderToReport) {
     EXPECT_THAT(found({folder_.path() / "none.walk.yaml"}), ElementsAre("none.walk.yaml"));
 }
 
-TEST(OutputNames, AreThePathsFromTheFolderThatHoldsAll) {
+TEST(OutputNames, AreRelativeToTheCommonFolder) {
     EXPECT_THAT(output_names({"w/a/x.walk.yaml", "w/a/b/x.walk.yaml", "w/y.walk.yaml"}),
                 ElementsAre("a/x", "a/b/x", "y"));
     EXPECT_THAT(output_names({"w/a/x.walk.yaml"}), ElementsAre("x"));
@@ -75,7 +76,7 @@ TEST(OutputNames, AreThePathsFromTheFolderThatHoldsAll) {
 
 // ---- shards -----------------------------------------------------------------------------------------------
 
-TEST(Shard, PartsFollowOneAnotherAndDifferByOneAtMost) {
+TEST(Shard, SlicesAreConsecutiveAndDifferByAtMostOne) {
     for (std::size_t total = 0; total < 40; ++total) {
         for (int count = 1; count < 10; ++count) {
             std::size_t at = 0;
@@ -92,7 +93,7 @@ TEST(Shard, PartsFollowOneAnotherAndDifferByOneAtMost) {
     }
 }
 
-TEST(Shard, IsWrittenFromOneOn) {
+TEST(Shard, IsWrittenWithOneBasedIndex) {
     EXPECT_EQ(parse_shard("1/4").value().index, 0);
     EXPECT_EQ(parse_shard("4/4").value().index, 3);
     for (const char* wrong : {"0/4", "5/4", "1", "/", "1/", "/1", "-1/2", "1/2/3", "a/b", " 1/2", "1/0",
@@ -115,7 +116,7 @@ void expect_shard(const std::map<std::string, std::string>& set, int index, int 
     EXPECT_EQ(shard->count, count);
 }
 
-TEST(Shard, ComesFromTheVariablesOfWhateverStartedIt) {
+TEST(Shard, IsReadFromTheVariablesOfKnownSchedulers) {
     expect_shard({{"CAMPUSWALK_SHARD_INDEX", "0"}, {"CAMPUSWALK_SHARD_COUNT", "3"}}, 0, 3);
     expect_shard({{"TEST_SHARD_INDEX", "2"}, {"TEST_TOTAL_SHARDS", "3"}}, 2, 3);
     expect_shard(
@@ -130,7 +131,7 @@ TEST(Shard, ComesFromTheVariablesOfWhateverStartedIt) {
     EXPECT_FALSE(shard_from(variables({{"JOB_COMPLETION_INDEX", "4"}})));  // a job that isn't about shards
 }
 
-TEST(Shard, VariablesThatMakeNoSenseAreRefused) {
+TEST(Shard, RefusesInvalidVariables) {
     using Set = std::map<std::string, std::string>;
     for (const Set& set :
          {Set{{"CAMPUSWALK_SHARD_INDEX", "3"}, {"CAMPUSWALK_SHARD_COUNT", "3"}},
@@ -146,10 +147,9 @@ TEST(Shard, VariablesThatMakeNoSenseAreRefused) {
     }
 }
 
-// ---- selecting
-// ---------------------------------------------------------------------------------------------
+// ---- selecting walks --------------------------------------------------------------------------------------
 
-TEST(Selector, LooksAtFileNameAndTags) {
+TEST(Selector, MatchesFileNameAndTags) {
     Selector selector;
     selector.require("stairs|smoke", {});
     EXPECT_TRUE(selector.takes("walks/stairs/a.walk.yaml", "a", {}));
@@ -157,7 +157,7 @@ TEST(Selector, LooksAtFileNameAndTags) {
     EXPECT_FALSE(selector.takes("walks/a.walk.yaml", "a", {"slow"}));
 }
 
-TEST(Selector, EveryDemandCounts) {
+TEST(Selector, CombinesAllRequirements) {
     Selector selector;
     selector.require("^walks/", {});
     selector.refuse("slow$", {});
@@ -170,27 +170,26 @@ TEST(Selector, EveryDemandCounts) {
     EXPECT_FALSE(selector.may_take("a.walk.yaml", "a"));
 }
 
-TEST(Selector, AnExpressionThatIsNoneHasItsPlace) {
+TEST(Selector, RefusesInvalidExpressionsWithTheirPlace) {
     Selector selector;
     try {
         selector.require("a(", {"walks.config.yaml", 3, 9});
-        FAIL() << "it was taken";
+        FAIL() << "it was accepted";
     } catch (const scene::InputError& error) {
         EXPECT_EQ(error.diagnostics().at(0).code, "bad-regex");
         EXPECT_EQ(error.diagnostics().at(0).mark.line, 3);
     }
 }
 
-TEST(Selector, NoExpressionTakesForEver) {
+TEST(Selector, MatchesPathologicalExpressionsInLinearTime) {
     Selector selector;
     selector.require("(a+)+$", {});
     EXPECT_FALSE(selector.takes(std::string(100'000, 'a') + "b", "", {"b"}));
 }
 
-// ---- messages
-// ----------------------------------------------------------------------------------------------
+// ---- messages ---------------------------------------------------------------------------------------------
 
-TEST(Messages, ComeOutWholeHoweverTheyAreCut) {
+TEST(Messages, AreReassembledFromPiecesOfAnySize) {
     const std::string bytes = framed(Topic::log, "one\n") + framed(Topic::events, "") +
                               framed(Topic::result, std::string("\0\xff{}", 4));
     for (std::size_t piece = 1; piece <= bytes.size(); ++piece) {
@@ -206,17 +205,16 @@ TEST(Messages, ComeOutWholeHoweverTheyAreCut) {
     }
 }
 
-TEST(Messages, WhatNoWorkerSendsIsRefused) {
+TEST(Messages, OfUnknownTopicsAreRefused) {
     MessageReader reader;
     reader.add(std::string("\x7f\0\0\0\0", 5));
     EXPECT_THROW(reader.next(), std::runtime_error);
 }
 
-// ---- workers
-// -----------------------------------------------------------------------------------------------
+// ---- workers ----------------------------------------------------------------------------------------------
 
-/// What a pool tells, in order; a line each.
-struct Told {
+/// Records the events of a pool in their order, one per line.
+struct PoolLog {
     std::vector<std::string> lines;
     std::size_t enough = 1'000'000;
 
@@ -236,7 +234,7 @@ struct Told {
     }
 };
 
-/// Late tasks are fast, so that they come in the wrong order.
+/// Later tasks are faster, so that they finish in the wrong order.
 void talk(std::size_t task, const Say& say) {
     say(Topic::log, "a");
     usleep(static_cast<useconds_t>(2000 * (10 - task % 10)));
@@ -244,22 +242,22 @@ void talk(std::size_t task, const Say& say) {
     say(Topic::result, std::to_string(task * task));
 }
 
-TEST(WorkerPool, TellsTheSameWhateverTheNumberOfWorkers) {
+TEST(WorkerPool, ReportsTheSameWithAnyNumberOfWorkers) {
     const std::vector<std::size_t> tasks = {3, 4, 5, 19, 20, 27, 28, 29};
-    std::vector<std::vector<std::string>> told;
+    std::vector<std::vector<std::string>> logs;
     for (const std::size_t workers : {1U, 2U, 5U}) {
-        Told each;
-        EXPECT_TRUE(each.run(talk, tasks, {workers, std::nullopt, std::size_t{1} << 20U}));
-        told.push_back(each.lines);
+        PoolLog log;
+        EXPECT_TRUE(log.run(talk, tasks, {workers, std::nullopt, std::size_t{1} << 20U}));
+        logs.push_back(log.lines);
     }
-    ASSERT_EQ(told[0].size(), 3 * tasks.size());
-    EXPECT_EQ(told[0][3], "4 says a");
-    EXPECT_EQ(told[0][5], "4 answers 16");
-    EXPECT_EQ(told[1], told[0]);
-    EXPECT_EQ(told[2], told[0]);
+    ASSERT_EQ(logs[0].size(), 3 * tasks.size());
+    EXPECT_EQ(logs[0][3], "4 says a");
+    EXPECT_EQ(logs[0][5], "4 answers 16");
+    EXPECT_EQ(logs[1], logs[0]);
+    EXPECT_EQ(logs[2], logs[0]);
 }
 
-TEST(WorkerPool, KeepsNoMoreThanItMayOfWhatCameTooEarly) {
+TEST(WorkerPool, LimitsTheBufferOfEarlyResults) {
     const std::string much(200'000, 'x');
     const Work work = [&](std::size_t task, const Say& say) {
         usleep(task == 0 ? 100'000 : 0);
@@ -268,10 +266,10 @@ TEST(WorkerPool, KeepsNoMoreThanItMayOfWhatCameTooEarly) {
         }
         say(Topic::result, "done");
     };
-    Told told;
-    EXPECT_TRUE(told.run(work, {0, 1, 2, 3, 4, 5}, {3, std::nullopt, 1000}));
-    EXPECT_EQ(told.lines.size(), 6U * 6U);
-    EXPECT_EQ(told.lines.back(), "5 answers done");
+    PoolLog log;
+    EXPECT_TRUE(log.run(work, {0, 1, 2, 3, 4, 5}, {3, std::nullopt, 1000}));
+    EXPECT_EQ(log.lines.size(), 6U * 6U);
+    EXPECT_EQ(log.lines.back(), "5 answers done");
 }
 
 TEST(WorkerPool, ReplacesAWorkerThatDies) {
@@ -282,38 +280,35 @@ TEST(WorkerPool, ReplacesAWorkerThatDies) {
         }
         say(Topic::result, "done");
     };
-    Told told;
-    EXPECT_TRUE(told.run(work, {0, 1, 2}, {1, std::nullopt, std::size_t{1} << 20U}));
-    ASSERT_EQ(told.lines.size(), 6U);
-    EXPECT_EQ(told.lines[1], "0 answers done");
-    EXPECT_EQ(told.lines[2], "1 says a");
-    EXPECT_EQ(told.lines[3],
-              "1 is lost: the process that played the walk is gone: it was ended by signal 9 (Killed)");
-    EXPECT_EQ(told.lines[5], "2 answers done");
+    PoolLog log;
+    EXPECT_TRUE(log.run(work, {0, 1, 2}, {1, std::nullopt, std::size_t{1} << 20U}));
+    ASSERT_EQ(log.lines.size(), 6U);
+    EXPECT_EQ(log.lines[1], "0 answers done");
+    EXPECT_EQ(log.lines[2], "1 says a");
+    EXPECT_THAT(log.lines[3], MatchesRegex("1 is lost: .*signal 9 \\(Killed\\)"));
+    EXPECT_EQ(log.lines[5], "2 answers done");
 }
 
-TEST(WorkerPool, StopsWhatTakesTooLong) {
+TEST(WorkerPool, StopsTasksThatTakeTooLong) {
     const Work work = [](std::size_t task, const Say& say) {
         usleep(task == 0 ? 60'000'000 : 0);
         say(Topic::result, "done");
     };
-    Told told;
-    EXPECT_TRUE(told.run(work, {0, 1}, {1, 0.3, std::size_t{1} << 20U}));
-    EXPECT_THAT(told.lines,
-                ElementsAre("0 is lost: stopped: it took more than 0.3 s of wall clock (--kill-after)",
-                            "1 answers done"));
+    PoolLog log;
+    EXPECT_TRUE(log.run(work, {0, 1}, {1, 0.3, std::size_t{1} << 20U}));
+    EXPECT_THAT(log.lines, ElementsAre(MatchesRegex("0 is lost: .*0\\.3 s.*--kill-after.*"), "1 answers done"));
 }
 
-TEST(WorkerPool, LeavesOutTheRestWhenThereHasBeenEnough) {
-    Told told;
-    told.enough = 3;
-    EXPECT_TRUE(told.run(talk, {7, 8, 9, 9, 9, 9}, {2, std::nullopt, std::size_t{1} << 20U}));
-    EXPECT_THAT(told.lines, ElementsAre("7 says a", "7 says b", "7 answers 49"));
+TEST(WorkerPool, SkipsTheRestWhenTheListenerStops) {
+    PoolLog log;
+    log.enough = 3;
+    EXPECT_TRUE(log.run(talk, {7, 8, 9, 9, 9, 9}, {2, std::nullopt, std::size_t{1} << 20U}));
+    EXPECT_THAT(log.lines, ElementsAre("7 says a", "7 says b", "7 answers 49"));
 }
 
-// ---- helpers that draw ------------------------------------------------------------------------------------
+// ---- processes that draw frames ------------------------------------------------------------------------------------
 
-TEST(FrameHelpers, GiveTheFramesOfEachPartInTurn) {
+TEST(FrameHelpers, ReturnTheFramesOfEachPartInOrder) {
     FrameHelpers helpers(3, [](std::size_t part, const Say& say) {
         for (int i = 0; i < 3; ++i) {
             say(Topic::frame, std::to_string(part) + ' ' + std::to_string(i));
@@ -339,25 +334,25 @@ std::string diagnostic_of(const FrameHelpers::Draw& draw) {
     }
 }
 
-TEST(FrameHelpers, SayWhyThereAreNoMoreFrames) {
+TEST(FrameHelpers, ReportWhyThereAreNoMoreFrames) {
     EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   say(Topic::result, "no driver here");
               }),
               "no driver here");
-    EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
+    EXPECT_NE(diagnostic_of([](std::size_t, const Say& say) {
                   say(Topic::frame, "one");
                   say(Topic::result, "");
               }),
-              "a frame is missing");
-    EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
-                  say(Topic::frame, "one");
-                  raise(SIGKILL);
-              }),
-              "a process that drew frames is gone: it was ended by signal 9 (Killed)");
+              "");
+    EXPECT_THAT(diagnostic_of([](std::size_t, const Say& say) {
+                    say(Topic::frame, "one");
+                    raise(SIGKILL);
+                }),
+                testing::HasSubstr("signal 9 (Killed)"));
 }
 
-TEST(FrameHelpers, EndWithTheirWalkUnfinished) {
+TEST(FrameHelpers, CanBeDestroyedBeforeTheyFinish) {
     FrameHelpers helpers(2, [](std::size_t, const Say& say) {
         while (true) {
             say(Topic::frame, std::string(100'000, 'x'));
@@ -366,8 +361,7 @@ TEST(FrameHelpers, EndWithTheirWalkUnfinished) {
     EXPECT_EQ(helpers.next_frame(1).size(), 100'000U);
 }
 
-// ---- verdicts
-// ----------------------------------------------------------------------------------------------
+// ---- verdicts ---------------------------------------------------------------------------------------------
 
 engine::WalkResult ended(engine::Outcome outcome) {
     engine::WalkResult result;
@@ -376,7 +370,7 @@ engine::WalkResult ended(engine::Outcome outcome) {
     return result;
 }
 
-TEST(Verdict, TheExitCodeIsThatOfTheWorst) {
+TEST(Verdict, ExitCodeIsThatOfTheWorstOutcome) {
     using engine::Outcome;
     EXPECT_EQ(exit_code_for({}), 0);
     EXPECT_EQ(exit_code_for({ended(Outcome::passed), ended(Outcome::skipped)}), 0);
@@ -386,7 +380,7 @@ TEST(Verdict, TheExitCodeIsThatOfTheWorst) {
     EXPECT_EQ(exit_code_for({ended(Outcome::interrupted), ended(Outcome::broken)}), 130);
 }
 
-TEST(Verdict, RepetitionsThatDifferAreAFailure) {
+TEST(Verdict, FailsRepetitionsThatDiffer) {
     engine::WalkResult first = ended(engine::Outcome::passed);
     first.hash = 7;
     engine::WalkResult same = first;
@@ -399,10 +393,8 @@ TEST(Verdict, RepetitionsThatDifferAreAFailure) {
     EXPECT_EQ(other.outcome, engine::Outcome::failed);
     ASSERT_EQ(other.failures.size(), 1U);
     EXPECT_EQ(other.failures[0].code, "not-identical");
-    EXPECT_EQ(
-        other.failures[0].message,
-        "repetition 2 ended with hash 0000000000000008 after 0 ticks, the first with 0000000000000007 after "
-        "0");
+    EXPECT_THAT(other.failures[0].message,
+                MatchesRegex("repetition 2 .*0000000000000008 .*0000000000000007 .*"));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class Selection(ProgramCase):
         self.assertEqual(self.listed("walks", "other", "walks/ramp.walk.yaml"), everything)
         self.assertEqual(self.listed("other"), everything[:1])
 
-    def test_paths_are_told_from_where_one_stands(self):
+    def test_paths_are_relative_to_the_current_folder(self):
         self.assertEqual(self.listed(self.path("walks/lift.walk.yaml")), ["walks/lift.walk.yaml"])
         self.assertEqual(self.listed("..", cwd=self.path("avatars"))[0], "../walks/lift.walk.yaml")
 
@@ -39,16 +39,16 @@ class Selection(ProgramCase):
         self.assertEqual(self.listed("--grep", "walks", "--grep-invert", "(st|r)a"), ["walks/lift.walk.yaml"])
         self.assertEqual(self.listed("-G", "walks/[^s]"), ["walks/stairs.walk.yaml"])
 
-    def test_an_expression_that_is_none(self):
+    def test_an_invalid_expression_is_refused(self):
         outcome = self.run_program("run", "-g", "lift(")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertRegex(outcome.err, r"^--grep: error bad-regex: 'lift\(' is no regular expression: ")
+        self.assertRegex(outcome.err, r"^--grep: error bad-regex: 'lift\('")
 
-    def test_nothing_selected(self):
+    def test_an_empty_selection_has_its_own_exit_code(self):
         for arguments in (("-g", "none"), ("--tag", "none"), ("avatars",)):
             outcome = self.run_program("run", *arguments)
             self.assertEqual((outcome.code, outcome.out), (5, ""), arguments)
-            self.assertEqual(len(outcome.complaints), 1)
+            self.assertEqual(len(outcome.err_lines), 1)
             self.passes("run", "--pass-with-no-tests", *arguments)
 
     def test_listing_plays_and_writes_nothing(self):
@@ -56,7 +56,7 @@ class Selection(ProgramCase):
         self.listed()
         self.assertEqual(self.contents(), before)
 
-    def test_a_walk_with_mistakes_is_among_them(self):
+    def test_walks_with_mistakes_are_listed(self):
         self.write("walks/lift.walk.yaml", NESTED.replace("walk_to: end", "walk_to: nowhere"))
         outcome = self.run_program("run", "--list")
         self.assertEqual((outcome.code, outcome.lines[0]), (2, "walks/lift.walk.yaml (has mistakes)"))
@@ -73,7 +73,7 @@ class Selection(ProgramCase):
         self.assertEqual(self.listed("--shard=2/2"), parts[1])
         self.assertEqual(self.listed("--shard", "4/4"), ["walks/stairs.walk.yaml"])
 
-    def test_bad_shards(self):
+    def test_invalid_shards_are_refused(self):
         for arguments, variables in ((("--shard=3/2",), {}), ((), {"CAMPUSWALK_SHARD_INDEX": "1"})):
             outcome = self.run_program("run", *arguments, env={**os.environ, **variables})
             self.assertEqual((outcome.code, outcome.out), (2, ""))
@@ -81,7 +81,7 @@ class Selection(ProgramCase):
 
 
 class Status(ProgramCase):
-    """What a walk says of itself: `status`, `tags`."""
+    """The keys `status` and `tags` of a walk."""
 
     FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
 
@@ -98,20 +98,20 @@ class Status(ProgramCase):
         self.write("short.walk.yaml", WALK.replace("walk_to: end", "walk_to: nowhere"))
         self.assertEqual(self.run_walks("--tag", "door").code, 2)
 
-    def test_skip(self):
+    def test_skipped_walks_do_not_run(self):
         self.write("short.walk.yaml", WALK + "status: {is: skip, because: the door is being painted}\n")
         self.assertEqual(self.passes("run", "--list").lines, ["short.walk.yaml (skip: the door is being painted)"])
         outcome = self.run_walks("short.walk.yaml")
         self.assertEqual((outcome.code, outcome.out, outcome.err), (0, "", "short: skipped: the door is being painted\n"))
 
-    def test_only(self):
+    def test_only_excludes_other_walks(self):
         self.write("other.walk.yaml", WALK + "status: only\n")
         self.assertEqual(self.passes("run", "--list").lines, ["other.walk.yaml"])
         outcome = self.run_walks("--forbid-only")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
         self.assertRegex(outcome.err, r"^other.walk.yaml:\d+:\d+: error only-forbidden: ")
 
-    def test_xfail(self):
+    def test_expected_failures_pass(self):
         self.write("short.walk.yaml", self.FAILING + "status: {is: xfail, because: the hut has a window, "
                                                      "failures: [never]}\n")
         outcome = self.run_walks("-q", "short.walk.yaml")
@@ -134,31 +134,32 @@ class GoldenLog(ProgramCase):
         environment = {**os.environ, "CI": ci}
         return self.run_program("run", "-q", "--rendering-backend", "none", *arguments, "short.walk.yaml", env=environment)
 
-    def test_is_written_once_and_compared_from_then_on(self):
+    def test_is_written_once_and_then_compared(self):
         first = self.run_walk()
-        self.assertEqual((first.code, first.complaints[0]), (0, "wrote " + self.GOLDEN))
+        self.assertEqual((first.code, first.err_lines[0]), (0, "wrote " + self.GOLDEN))
         golden = self.read(self.GOLDEN)
-        self.assertEqual(len(self.run_walk().complaints), 1)
+        self.assertEqual(len(self.run_walk().err_lines), 1)
         self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"turn: 180", b"turn: 170"))
         changed = self.run_walk()
         self.assertEqual(changed.code, 1)
-        self.assertRegex(changed.complaints[0], r"^short.walk.yaml:10:\d+: error log: ")
+        self.assertRegex(changed.err_lines[0], r"^short.walk.yaml:10:\d+: error log: ")
         self.assertEqual(self.read(self.GOLDEN), golden)
         self.assertEqual(self.run_walk("--update-snapshots=none").code, 1)
         self.assertEqual(self.run_walk("-u").code, 0)
         self.assertNotEqual(self.read(self.GOLDEN), golden)
         self.assertEqual(self.run_walk().code, 0)
 
-    def test_is_not_written_of_a_walk_that_fails(self):
+    def test_is_not_written_for_a_walk_that_fails(self):
         self.write("short.walk.yaml", WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut") +
                    "  - log: {golden: true}\n")
         for arguments in ((), ("-u",), ("--update-snapshots=all",)):
             outcome = self.run_walk(*arguments)
-            self.assertEqual((outcome.code, outcome.complaints[0]), (1, "not written, because the walk fails: " + self.GOLDEN))
+            self.assertEqual(outcome.code, 1)
+            self.assertIn(self.GOLDEN, outcome.err_lines[0])
             self.assertNotIn(self.GOLDEN, self.contents())
         self.write("short.walk.yaml", self.read("short.walk.yaml") + b"status: {is: xfail, failures: [never]}\n")
-        outcome = self.run_walk()  # fails as it should
-        self.assertEqual((outcome.code, outcome.complaints[0]), (0, "wrote " + self.GOLDEN))
+        outcome = self.run_walk()  # fails as expected
+        self.assertEqual((outcome.code, outcome.err_lines[0]), (0, "wrote " + self.GOLDEN))
 
     def test_is_never_written_in_ci(self):
         before = self.contents()
@@ -168,12 +169,12 @@ class GoldenLog(ProgramCase):
         self.assertIn("--update-snapshots: error bad-value: ", outcome.err)
         self.assertEqual(self.contents(), before)
 
-    def test_modes(self):
+    def test_update_modes(self):
         self.assertEqual(self.run_walk("--update-snapshots=sometimes").code, 2)
         self.assertEqual(json.loads(self.passes("run", "-u", "--print-config", env={**os.environ, "CI": ""}).out)
                          ["update_snapshots"], "changed")
 
-    def test_projects_have_one_each(self):
+    def test_each_project_has_its_own(self):
         self.write("walks.config.yaml", "projects: {plain: , near: {spawn: {at: [0, 0, 3]}}}\n")
         self.assertEqual(self.run_walk().code, 0)
         self.assertEqual(self.run_walk("--workers", "2", ci="true").code, 0)
@@ -201,19 +202,19 @@ class Config(ProgramCase):
                          ["../" + line for line in expected])
         self.assertEqual(self.passes("run", "--list", "--project", "young").lines, ["walks/one.walk.yaml young"])
 
-    def test_what_a_project_changes_is_played(self):
+    def test_overrides_of_a_project_apply(self):
         def log(project):
             return self.run_program("run", "--reporter", "log", "--project", project, "walks/one.walk.yaml").lines
         self.assertIn(" pos=3.000,0.000,5.000 ", log("east")[1])
         self.assertIn(" pos=0.000,0.000,3.000 ", log("near")[1])
         self.assertIn(" campus=east ", log("east")[0])
-        self.assertGreater(int(log("young")[-1].split()[0]), int(log("near")[-1].split()[0]))  # a slow one
+        self.assertGreater(int(log("young")[-1].split()[0]), int(log("near")[-1].split()[0]))  # a slow avatar
 
-    def test_reporters_of_the_file_and_of_the_command_line(self):
+    def test_reporters_of_the_command_line_replace_those_of_the_file(self):
         self.assertEqual(self.run_program("run").lines[0], "TAP version 14")
         self.assertNotIn("TAP", self.run_program("run", "--reporter", "dot").out)
 
-    def test_reporters_of_the_file_hold_for_one_walk_too(self):
+    def test_reporters_of_the_file_apply_to_a_single_walk(self):
         self.write("walks.config.yaml", "reporters: [{tap: out/one.tap}]\n")
         outcome = self.passes("run", "walks/one.walk.yaml")
         self.assertTrue(outcome.lines[0].startswith("# walk-log 1 walk=one "), outcome.lines[0])
@@ -222,30 +223,30 @@ class Config(ProgramCase):
         self.assertEqual(self.passes("run", "walks/one.walk.yaml").lines[0], "TAP version 14")
         self.assertEqual(self.passes("run", "--reporter", "dot", "walks/one.walk.yaml").out.count("TAP"), 0)
 
-    def test_a_report_of_one_walk_that_cannot_be_read(self):
+    def test_a_walk_that_cannot_be_read_is_reported(self):
         self.write("walks.config.yaml", "reporters: [{tap: out/one.tap}]\n")
         self.write("walks/one.walk.yaml", "campus: none.campus.yaml\n")
         self.assertEqual(self.run_program("run", "walks/one.walk.yaml").code, 2)
         self.assertIn(b"\nnot ok 1 ", self.read("out/one.tap"))
 
-    def test_another_file(self):
+    def test_another_configuration_file(self):
         self.write("ci/walks.config.yaml", "walks: ../walks\nworkers: 3\noutput: ../results\n")
         outcome = self.passes("run", "--config", "ci/walks.config.yaml", "--print-config", "-j", "1")
         found = json.loads(outcome.out)
         self.assertEqual((found["walks"], found["workers"], found["output"]), (["walks"], 1, "results"))
 
-    def test_mistakes_are_told_at_their_place(self):
+    def test_mistakes_are_reported_once_at_their_place(self):
         self.write("walks.config.yaml", "projects:\n  young: {avatar: chidl}\n")
         outcome = self.run_program("run")
         self.assertEqual(outcome.code, 2)
-        self.assertEqual(len(outcome.complaints), 1)  # once for all walks
+        self.assertEqual(len(outcome.err_lines), 1)  # once for all walks
         self.assertRegex(outcome.err, r"^walks.config.yaml:2:19: error unknown-name: ")
         outcome = self.run_program("run", "--project", "yuong")
         self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertIn("did you mean 'young'?", outcome.err)
+        self.assertIn("'young'", outcome.err)
         self.write("walks.config.yaml", "reporters: [junti]\n")
         outcome = self.run_program("run")
-        self.assertRegex(outcome.err, r"^walks.config.yaml:1:13: error unknown-name: .*did you mean 'junit'")
+        self.assertRegex(outcome.err, r"^walks.config.yaml:1:13: error unknown-name: .*'junit'")
         self.assertEqual(outcome.code, 2)
 
 

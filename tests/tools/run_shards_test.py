@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The shards of a run together are the run: `run --shard`, `merge-reports`."""
+"""The merged shards of a run equal the whole run: `run --shard`, `merge-reports`."""
 
 import os
 
@@ -9,7 +9,7 @@ FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open h
 
 
 class Shards(ProgramCase):
-    """Nine walks in two projects, some with mistakes; every report of the whole and of its parts merged."""
+    """Walks in two projects, some with mistakes: every report of the whole run, and of its merged parts."""
 
     REPORTERS = ("json", "jsonl", "junit", "tap", "dot", "list", "github")
 
@@ -27,7 +27,7 @@ class Shards(ProgramCase):
     def reports(self, folder):
         return [argument for name in self.REPORTERS for argument in ("--reporter", f"{name}={folder}/{name}")]
 
-    def test_merged_report_is_that_of_the_whole_run(self):
+    def test_merged_reports_equal_those_of_the_whole_run(self):
         whole = self.run_walks(*self.reports("whole"))
         self.assertEqual(whole.code, 2)
         for count in range(1, 8):
@@ -53,20 +53,19 @@ class Shards(ProgramCase):
         self.assertEqual(outcome.code, 1)
         self.assertIn("4 passed, 2 failed", outcome.out)
 
-    def refused(self, complaint, *arguments):
+    def refused(self, expected, *arguments):
         outcome = self.run_program("merge-reports", *arguments)
-        self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertEqual(outcome.complaints, [complaint])
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(outcome, expected)
 
-    def test_what_is_no_report(self):
+    def test_files_that_are_not_reports_are_refused(self):
         self.run_walks("--reporter", "jsonl=a.jsonl", "-g", "w0")
         self.write("b.jsonl", self.read("a.jsonl"))
-        self.refused("none.jsonl: error missing-file: no such file; check the path", "none.jsonl")
-        self.refused("room.obj:1:1: error bad-report: this isn't what --reporter jsonl=FILE writes", "room.obj")
-        self.refused("avatars: error bad-report: there is no jsonl report in here; make some with --reporter jsonl=FILE",
+        self.refused("none.jsonl: error missing-file:", "none.jsonl")
+        self.refused("room.obj:1:1: error bad-report: --reporter", "room.obj")
+        self.refused("avatars: error bad-report: --reporter",
                      "avatars")
-        self.refused("b.jsonl: error bad-report: another report has 'sub/w0.walk.yaml near' too; give each shard's "
-                     "report once, and those of one run only", "a.jsonl", "b.jsonl")
+        self.refused("b.jsonl: error bad-report: 'sub/w0.walk.yaml near'", "a.jsonl", "b.jsonl")
         self.write("b.jsonl", self.read("a.jsonl") + b'{"id":')
         outcome = self.run_program("merge-reports", "b.jsonl")
         self.assertEqual((outcome.code, outcome.out), (2, ""))

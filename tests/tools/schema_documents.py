@@ -1,10 +1,10 @@
-"""Documents made from a JSON Schema: one for every value it describes, wrapped into as little as makes a file."""
+"""Documents made from a JSON Schema: one for every value it describes, wrapped into a minimal file."""
 
 import json
 import os
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "config", "schema")
-STRANGER = "no-such-key-here"  # near to no key there is, so that the loader lists all it knows
+UNKNOWN_KEY = "no-such-key-here"  # similar to no known key, so that the loader lists them all
 
 
 def load_all():
@@ -29,20 +29,20 @@ class Node:
 
 
 class Documents:
-    """What one schema file describes."""
+    """The documents that one schema file describes."""
 
     def __init__(self, schemas, name, base):
-        """`base` is a document that is right; its keys stand beside those that are looked at."""
+        """`base` is a valid document; its keys are added to those under test."""
         self.schemas = schemas
         self.name = name
         self.base = base
 
     def nodes(self):
-        """Every value, each alternative for itself; what contains itself is entered once."""
+        """Every value, with each alternative on its own; recursive schemas are entered once."""
         return list(self._below(self.name, self.schemas[self.name], (), lambda value: value, ()))
 
     def resolve(self, name, schema):
-        """Follows $ref; a description beside it is kept."""
+        """Follows $ref; a description beside it takes precedence."""
         while "$ref" in schema:
             file, _, pointer = schema["$ref"].partition("#")
             name = file or name
@@ -53,7 +53,7 @@ class Documents:
         return name, schema
 
     def minimal(self, name, schema):
-        """A value that holds."""
+        """A valid value."""
         name, schema = self.resolve(name, schema)
         for key in ("examples", "enum"):
             if key in schema:
@@ -113,16 +113,16 @@ class Documents:
             return [{"spawn": "gate"}] + value
         return value
 
-    def with_stranger(self, node):
-        """The document with one key more than there is in this object."""
+    def with_unknown_key(self, node):
+        """The document with an unknown key in this object."""
         beside = {} if node.schema.get("maxProperties") == 1 else self.minimal(node.file, node.schema)
         if node.trail == "the file":
             beside = self.base
-        return node.wrap({**beside, STRANGER: 1})
+        return node.wrap({**beside, UNKNOWN_KEY: 1})
 
 
 def accepted(schema):
-    """Values of a leaf that hold: its examples, its words, its limits."""
+    """Valid values of a leaf: its examples and its words."""
     values = list(schema.get("examples", [])) + list(schema.get("enum", []))
     return values + ([schema["const"]] if "const" in schema else [])
 
@@ -132,8 +132,8 @@ def limits(schema):
 
 
 def suspects(schema):
-    """Values that some schema refuses."""
-    values = [{STRANGER: 1}, [[[]]], "no such word", 0.4999, 1e300, -1e300, None, True]
+    """Values that some schemas refuse."""
+    values = [{UNKNOWN_KEY: 1}, [[[]]], "no such word", 0.4999, 1e300, -1e300, None, True]
     if "minimum" in schema:
         values.append(schema["minimum"] - 0.001 * abs(schema["minimum"]) - 0.0001)
     if "exclusiveMinimum" in schema:

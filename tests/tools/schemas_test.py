@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The JSON Schemas in config/schema and the loader say the same of every key.
+"""The JSON Schemas in config/schema and the loader agree on every key.
 
-The loader tells which keys it knows when it meets one that it doesn't; the schemas are judged by jsonschema.
-A key that was added to the loader alone, or to a schema alone, is named by what fails here.
+The loader lists the known keys when it finds an unknown one; jsonschema evaluates the schemas.
+A key that was added only to the loader, or only to a schema, is named in the failure.
 """
 
 import glob
@@ -24,7 +24,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 ADDRESS = "https://campuswalk.invalid/"
 SCHEMAS = schema_documents.load_all()
 
-# The loader is asked about keys and not about models: there is none.
+# Only keys are checked, so the model doesn't exist.
 CAMPUS = {
     "scenes": [{"file": "none.glb"}],
     "layers": ["trees"],
@@ -36,7 +36,7 @@ CAMPUS = {
 WALK = {"campus": "a.campus.yaml", "avatar": "adult", "steps": [{"spawn": "gate"}]}
 STEPS = {"steps": [{"wait": 1}]}
 AVATAR = {"height": 1.8}
-# Schema, ending of the files it is for, a document that is right.
+# Schema, suffix of its files, a valid document.
 KINDS = [
     ("campus.schema.json", ".campus.yaml", CAMPUS),
     ("walk.schema.json", ".walk.yaml", WALK),
@@ -45,10 +45,10 @@ KINDS = [
     ("light.schema.json", ".light.yaml", {"shadows": True}),
     ("walks-config.schema.json", ".config.yaml", {}),
 ]
-# What the loader says of a file's form; what comes after it, of models and places, is no matter of keys.
+# The loader's codes about the form of a file; later ones, about models and places, have nothing to do with keys.
 FORM = {"unknown-key", "missing-key", "duplicate-key", "wrong-type", "bad-value", "unknown-name", "duplicate-name",
         "yaml-syntax", "empty-file"}
-COMPLAINT = re.compile(r"(?P<file>[^:]+)(:\d+:\d+)?: error (?P<code>\S+): (?P<message>.*)")
+DIAGNOSTIC = re.compile(r"(?P<file>[^:]+)(:\d+:\d+)?: error (?P<code>\S+): (?P<message>.*)")
 
 
 class Yaml12(yaml.SafeLoader):
@@ -73,11 +73,11 @@ class Schemas(ProgramCase):
         super().setUp()
         self.write("a.campus.yaml", json.dumps(CAMPUS))
         self.write("lap.steps.yaml", json.dumps(STEPS))
-        # A walks.config.yaml is held against the walks beside it.
+        # A walks.config.yaml is checked with the walks beside it.
         self.write("short.walk.yaml", json.dumps({**WALK, "campus": "small.campus.yaml"}))
         self.write("small.campus.yaml", CAMPUS_FILE.replace("start:", "gate:"))
 
-    def complaints_about(self, documents, suffix):
+    def diagnostics_of(self, documents, suffix):
         """The loader's (code, message) pairs for each document; all are read in one run of the program."""
         names = ["d%d%s" % (i, suffix) for i in range(len(documents))]
         for name, document in zip(names, documents):
@@ -86,42 +86,42 @@ class Schemas(ProgramCase):
         outcome = self.run_program("validate", *names)
         for name in names:
             os.remove(self.path(name))
-        for line in outcome.complaints:
-            complaint = COMPLAINT.fullmatch(line)
-            if complaint and complaint["code"] in FORM and complaint["file"] in found:
-                found[complaint["file"]].append((complaint["code"], complaint["message"]))
+        for line in outcome.err_lines:
+            diagnostic = DIAGNOSTIC.fullmatch(line)
+            if diagnostic and diagnostic["code"] in FORM and diagnostic["file"] in found:
+                found[diagnostic["file"]].append((diagnostic["code"], diagnostic["message"]))
         self.assertIn(outcome.code, (0, 2), outcome.err)
         return [found[name] for name in names]
 
-    def for_every_kind(self, look):
+    def for_every_kind(self, check):
         for name, suffix, base in KINDS:
             documents = schema_documents.Documents(SCHEMAS, name, base)
             with self.subTest(schema=name):
-                look(documents, suffix, validator(name))
+                check(documents, suffix, validator(name))
 
     # ---- the schemas by themselves
 
-    def test_every_schema_is_one_and_is_looked_at(self):
+    def test_every_schema_is_valid_and_tested(self):
         for name, schema in SCHEMAS.items():
             jsonschema.Draft7Validator.check_schema(schema)
             self.assertIn("description", schema, name)
         self.assertLessEqual({name for name, _, _ in KINDS}, set(SCHEMAS))
 
     def test_every_key_has_a_description(self):
-        def look(documents, _suffix, _judge):
+        def check(documents, _suffix, _validator):
             bare = [node.trail for node in documents.nodes() if node.is_property and "description" not in node.schema]
             self.assertEqual(bare, [])
-        self.for_every_kind(look)
+        self.for_every_kind(check)
 
     def reference(self, root, *flags):
         return subprocess.run([sys.executable, os.path.join(ROOT, "tools", "config-reference"), "--root", root, *flags],
                               capture_output=True, text=True, check=False)
 
-    def test_the_reference_is_what_the_schemas_say(self):
+    def test_the_reference_is_up_to_date(self):
         done = self.reference(ROOT, "--check")
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
 
-    def test_a_reference_that_differs_is_found_and_written(self):
+    def test_an_outdated_reference_is_found_and_rewritten(self):
         shutil.copytree(os.path.join(ROOT, "config"), self.path("copy/config"))
         changed = self.read("copy/config/schema/avatar.schema.json").decode().replace("Radius of the capsule", "Half its width")
         self.write("copy/config/schema/avatar.schema.json", changed)
@@ -139,79 +139,79 @@ class Schemas(ProgramCase):
 
     # ---- schema and loader
 
-    def test_loader_and_schema_know_the_same_keys(self):
-        def look(documents, suffix, _judge):
+    def test_loader_and_schema_have_the_same_keys(self):
+        def check(documents, suffix, _validator):
             nodes = [node for node in documents.nodes()
                      if node.schema.get("type") == "object" and "properties" in node.schema]
-            said = self.complaints_about([documents.with_stranger(node) for node in nodes], suffix)
-            for node, complaints in zip(nodes, said):
+            found = self.diagnostics_of([documents.with_unknown_key(node) for node in nodes], suffix)
+            for node, diagnostics in zip(nodes, found):
                 with self.subTest(map=node.trail):
-                    told = [text for code, text in complaints
-                            if code == "unknown-key" and schema_documents.STRANGER in text]
-                    self.assertEqual(len(told), 1, complaints)
-                    known = told[0].partition("; known here: ")[2].split(", ")
+                    unknown = [text for code, text in diagnostics
+                            if code == "unknown-key" and schema_documents.UNKNOWN_KEY in text]
+                    self.assertEqual(len(unknown), 1, diagnostics)
+                    known = unknown[0].partition("; known here: ")[2].split(", ")
                     self.assertNotIn("…", known, "the loader doesn't list all; see kMostListed in wording.cpp")
                     in_schema = set(node.schema["properties"])
                     self.assertEqual((set(known) - in_schema, in_schema - set(known)), (set(), set()),
-                                     "keys that only the loader knows, keys that only the schema knows")
-        self.for_every_kind(look)
+                                     "keys that only the loader has, keys that only the schema has")
+        self.for_every_kind(check)
 
-    def test_what_the_schema_shows_is_taken_by_both(self):
-        def look(documents, suffix, judge):
+    def test_examples_of_the_schema_are_accepted_by_both(self):
+        def check(documents, suffix, schema_validator):
             shown = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
                      if not is_out_of_place(node, suffix) for value in schema_documents.accepted(node.schema)]
             self.assertGreater(len(shown), 8)
-            said = self.complaints_about([document for _, _, document in shown], suffix)
-            for (trail, value, document), complaints in zip(shown, said):
+            found = self.diagnostics_of([document for _, _, document in shown], suffix)
+            for (trail, value, document), diagnostics in zip(shown, found):
                 with self.subTest(key=trail, value=value):
-                    self.assertEqual([error.message for error in judge.iter_errors(document)], [])
-                    self.assertEqual(complaints, [])
-        self.for_every_kind(look)
+                    self.assertEqual([error.message for error in schema_validator.iter_errors(document)], [])
+                    self.assertEqual(diagnostics, [])
+        self.for_every_kind(check)
 
     def test_limits_are_the_same(self):
-        def look(documents, suffix, judge):
+        def check(documents, suffix, schema_validator):
             shown = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
                      for value in schema_documents.limits(node.schema) if "items" not in node.schema]
-            said = self.complaints_about([document for _, _, document in shown], suffix)
-            for (trail, value, document), complaints in zip(shown, said):
+            found = self.diagnostics_of([document for _, _, document in shown], suffix)
+            for (trail, value, document), diagnostics in zip(shown, found):
                 with self.subTest(key=trail, value=value):
-                    self.assertEqual([error.message for error in judge.iter_errors(document)], [])
-                    out_of_range = [text for _, text in complaints
+                    self.assertEqual([error.message for error in schema_validator.iter_errors(document)], [])
+                    out_of_range = [text for _, text in diagnostics
                                     if re.search(r" must be (from|more than|a whole|a number)", text)]
                     self.assertEqual(out_of_range, [])
-        self.for_every_kind(look)
+        self.for_every_kind(check)
 
-    def test_what_the_schema_refuses_the_loader_refuses(self):
-        def look(documents, suffix, judge):
+    def test_the_loader_refuses_what_the_schema_refuses(self):
+        def check(documents, suffix, schema_validator):
             refused = [(node.trail, value, node.wrap(value)) for node in documents.nodes()
                        if (node.is_property or node.trail.endswith("-")) for value in suspects_of(documents, node)
-                       if not judge.is_valid(node.wrap(value))]
-            said = self.complaints_about([document for _, _, document in refused], suffix)
-            for (trail, value, document), complaints in zip(refused, said):
+                       if not schema_validator.is_valid(node.wrap(value))]
+            found = self.diagnostics_of([document for _, _, document in refused], suffix)
+            for (trail, value, document), diagnostics in zip(refused, found):
                 with self.subTest(key=trail, value=value):
-                    self.assertNotEqual(complaints, [], document)
+                    self.assertNotEqual(diagnostics, [], document)
             keys = {node.trail for node in documents.nodes() if node.is_property}
-            self.assertEqual(keys - {trail for trail, _, _ in refused}, set(), "keys that nothing was wrong for")
-        self.for_every_kind(look)
+            self.assertEqual(keys - {trail for trail, _, _ in refused}, set(), "keys without a refused value")
+        self.for_every_kind(check)
 
     def test_words_are_the_same(self):
-        """The loader lists the words it takes in a key's place, where it is not told one of them."""
-        def look(documents, suffix, _judge):
+        """The loader lists the accepted words when it finds another."""
+        def check(documents, suffix, _validator):
             nodes = [node for node in documents.nodes() if "enum" in node.schema]
-            said = self.complaints_about([node.wrap("no-such-word") for node in nodes], suffix)
-            for node, complaints in zip(nodes, said):
-                lists = [re.search(r" must be one of (.*), not 'no-such-word'", text) for _, text in complaints]
+            found = self.diagnostics_of([node.wrap("no-such-word") for node in nodes], suffix)
+            for node, diagnostics in zip(nodes, found):
+                lists = [re.search(r" must be one of (.*), not 'no-such-word'", text) for _, text in diagnostics]
                 for words in filter(None, lists):
                     with self.subTest(key=node.trail):
                         listed = words[1].split(", ")
                         cut = listed[-1] == "…"
                         self.assertEqual(set(listed[:-1] if cut else listed) - set(node.schema["enum"]), set())
                         self.assertTrue(cut or len(listed) == len(node.schema["enum"]), listed)
-        self.for_every_kind(look)
+        self.for_every_kind(check)
 
-    # ---- files that the repository ships
+    # ---- files in the repository
 
-    def test_shipped_files_hold_and_name_their_schema(self):
+    def test_repository_files_conform_and_name_their_schema(self):
         files = glob.glob(os.path.join(ROOT, "config", "**", "*.yaml"), recursive=True)
         self.assertGreater(len(files), 8)
         for path in files:
@@ -221,19 +221,19 @@ class Schemas(ProgramCase):
                 self.assertTrue(modeline, "the first line names no schema")
                 named = os.path.normpath(os.path.join(os.path.dirname(path), modeline[1]))
                 self.assertEqual(os.path.dirname(named), os.path.normpath(schema_documents.FOLDER))
-                judge = validator(os.path.basename(named))
-                self.assertEqual([error.message for error in judge.iter_errors(yaml.load(text, Yaml12))], [])
+                schema_validator = validator(os.path.basename(named))
+                self.assertEqual([error.message for error in schema_validator.iter_errors(yaml.load(text, Yaml12))], [])
 
 
 def is_out_of_place(node, suffix):
-    """What a file may say elsewhere: a steps file never comes first; logs and pictures are judged after the walk."""
+    """Valid, but not here: a steps file has no spawn; logs and images are evaluated after the walk."""
     late = suffix == ".steps.yaml" and node.trail.startswith("steps/-/spawn")
     return late or (node.trail.startswith("steps/-/expect") and
                     any("/" + key in node.trail for key in ("log", "snapshot", "visible")))
 
 
 def alternatives(documents, file, schema):
-    """The schema and everything that it may be instead."""
+    """The schema and all its alternatives."""
     found = [schema]
     for key in ("anyOf", "oneOf"):
         for each in schema.get(key, []):
@@ -243,7 +243,7 @@ def alternatives(documents, file, schema):
 
 
 def suspects_of(documents, node):
-    """Values to be refused. In YAML any scalar is a text, and an empty section an empty list or map."""
+    """Values to refuse. In YAML, any scalar is a text, and an empty section is an empty list or map."""
     forms = alternatives(documents, node.file, node.schema)
     types = {kind for form in forms for kind in ([form["type"]] if isinstance(form.get("type"), str)
                                                  else form.get("type", []))}

@@ -145,7 +145,7 @@ TEST_F(TextureTest, ReadsGltfAlphaSidesWrapModeAndEmbeddedImages) {
     EXPECT_FALSE(texture.repeat);
 }
 
-TEST(DecodeImage, GivesAReasonForFailure) {
+TEST(DecodeImage, ReportsAReasonForFailure) {
     std::string reason;
     EXPECT_FALSE(decode_image({}, reason));
     EXPECT_FALSE(reason.empty());

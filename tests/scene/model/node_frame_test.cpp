@@ -67,7 +67,7 @@ TEST(UprightFrame, IsOrthonormalForACollapsedNode) {
     expect_near(flat.transpose() * flat, Mat3::Identity());
 }
 
-TEST(RotationAboutY, AgreesWithLibmToTheLastBits) {
+TEST(RotationAboutY, AgreesWithLibmWithinRounding) {
     for (int i = -2000; i < 2000; ++i) {
         const double angle = i * 0.01;
         const Mat3 rotation = rotation_about_y(angle);

@@ -59,7 +59,7 @@ TEST(UprightBox, ContainsAllPointsWithTheSmallestFootprint) {
     support::Dice dice(7);
     std::vector<Vector3d> points;
     UprightBoxFit fit;
-    for (int i = 0; i < 5000; ++i) {  // many times what is kept between two hulls
+    for (int i = 0; i < 5000; ++i) {  // many times the points that are stored between two hulls
         const Vector3d cube = dice.in_cube(1.0);
         points.emplace_back(9.0 * cube.x() + 0.5 * cube.z(), cube.y(), 6.0 * cube.x() + cube.z());
         fit.add(points.back());

@@ -59,18 +59,18 @@ TEST(StartProgram, InheritsNoPipe) {
     EXPECT_EQ(process.wait().exit_code, 1);
 }
 
-TEST(ChildProcess, TellsHowItEnded) {
+TEST(ChildProcess, ReportsHowItEnded) {
     const ExitStatus code = start_program(shell("exit 7")).wait();
     EXPECT_EQ(code.exit_code, 7);
     EXPECT_FALSE(code.success());
-    EXPECT_EQ(to_string(code), "it ended with code 7");
+    EXPECT_NE(to_string(code).find("code 7"), std::string::npos) << to_string(code);
     const ExitStatus killed = start_program(shell("kill -SEGV $$")).wait();
     EXPECT_EQ(killed.signal, SIGSEGV);
     EXPECT_FALSE(killed.success());
-    EXPECT_EQ(to_string(killed), "it was ended by signal 11 (Segmentation fault)");
+    EXPECT_NE(to_string(killed).find("signal 11 (Segmentation fault)"), std::string::npos) << to_string(killed);
 }
 
-TEST(ChildProcess, IsWaitedForNoLongerThanAsked) {
+TEST(ChildProcess, IsWaitedForNoLongerThanTheTimeout) {
     ChildProcess process = start_program(shell("exec sleep 60"));
     EXPECT_FALSE(process.ends_within(milliseconds(20)));
     EXPECT_TRUE(process.running());

@@ -30,7 +30,7 @@ TEST(FirstView, AvoidsFacingANearbyWall) {
     Model model;
     test::add_box(model, "wall", {-50, 0, -2}, {50, 5, -1.5});
     const double yaw = degrees_of(model, {0, 0, 0}, {0, 2, -30});
-    EXPECT_GE(std::abs(yaw), 80.0);  // the building lies behind the wall: along it, not away from all
+    EXPECT_GE(std::abs(yaw), 80.0);  // the target is behind the wall: looks along it, not away
     EXPECT_LE(std::abs(yaw), 120.0);
 }
 

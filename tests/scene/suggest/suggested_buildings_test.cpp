@@ -58,7 +58,7 @@ TEST(SuggestedBuildings, AreTheTopmostCandidates) {
     EXPECT_EQ(ids_of(model), Ids{"library"});
 }
 
-TEST(SuggestedBuildings, AreNotMostOfTheModel) {
+TEST(SuggestedBuildings, NeverCoverMostOfTheModel) {
     Model model;
     const auto campus = static_cast<int>(test::add_group(model, "campus"));
     test::add_box(model, "east", {20, 0, 0}, {30, 5, 20}, campus);
@@ -69,7 +69,7 @@ TEST(SuggestedBuildings, AreNotMostOfTheModel) {
 TEST(SuggestedBuildings, HaveWalls) {
     Model model = with_lawn();
     test::add_box(model, "house", {0, 0, 0}, {8, 4, 8});
-    // A pitched sheet as large as the house has height and ground, and no wall.
+    // A sloped sheet of the house's size has height and a footprint, but no walls.
     const std::size_t sheet = test::add_turned_box(model, "slope", {30, 2, 0}, {8, 0.1, 8}, 0);
     Eigen::Matrix4d& X = model.nodes[sheet].X_world_node;
     X.topLeftCorner<3, 3>() << 0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1;

@@ -118,7 +118,7 @@ TEST(WalkableGround, PathsGoAroundWalls) {
     ASSERT_GE(path.size(), 3U);
     EXPECT_EQ(path.front(), ground.spots()[start].foot);
     EXPECT_EQ(path.back(), ground.spots()[end].foot);
-    for (std::size_t i = 1; i < path.size(); ++i) {  // no piece crosses the wall
+    for (std::size_t i = 1; i < path.size(); ++i) {  // no segment crosses the wall
         const Vector3d& a = path[i - 1];
         const Vector3d& b = path[i];
         if ((a.z() > 0.0) != (b.z() > 0.0)) {

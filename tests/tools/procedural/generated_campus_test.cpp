@@ -34,7 +34,7 @@ TEST(GeneratedCampus, FeetAreOutdoorsOnTheGround) {
     EXPECT_GT(under_trees, 0U);
 }
 
-TEST(GeneratedCampus, RunsTellTheKindsOfTriangles) {
+TEST(GeneratedCampus, RunsHaveTheKindsOfTriangles) {
     const GeneratedCampus campus = generated_campus(1);
     const auto& runs = campus.runs;
     ASSERT_EQ(runs.size(), 5U);

@@ -19,7 +19,7 @@ struct FloodBody {
     double min_up = 0.6427876096865393;  ///< cosine of the steepest walkable slope
 };
 
-/// A flood fill of the places that a walker can reach in a mesh, independent of the mover: places are
+/// A flood fill of the placements that a walker can reach in a mesh, independent of the mover: places are
 /// surfaces at the centres of square cells where an upright capsule, from step height up, is clear of all
 /// triangles. From a place the walker gets to the highest surface of an adjacent cell that is at most a step
 /// above, at any depth below; from a steep one never upwards.

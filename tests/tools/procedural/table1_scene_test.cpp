@@ -65,7 +65,7 @@ TEST(Cylinder, HasTheRequestedSizes) {
     }
 }
 
-TEST(Teapot, HasTheSizesOfNewells) {
+TEST(Teapot, HasTheSizesOfNewellsTeapot) {
     const TriangleMesh mesh = teapot();
     EXPECT_EQ(mesh.triangles.size(), 8680U);
     Eigen::Vector3f low = mesh.positions.front();
@@ -100,7 +100,7 @@ TEST(Teapot, FinenessMultipliesTheQuads) {
     EXPECT_EQ(teapot(2).triangles.size(), 4U * quads - 2U * at_poles);
 }
 
-TEST(Table1Scene, HasThePapersNumbersOfOverlappingPairs) {
+TEST(Table1Scene, HasThePapersCountsOfOverlappingPairs) {
     const Table1Scene scene = table1_scene();
     const collision::MeshCollider cylinder(scene.cylinder);
     const collision::MeshCollider teapot(scene.teapot);

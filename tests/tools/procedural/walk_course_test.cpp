@@ -115,7 +115,7 @@ TEST(WalkableCampus, HillPathsAreReachable) {
     expect_reachable(campus.mesh, hills);
 }
 
-TEST(WalkableCampus, AllOfThreeByThreeLotsHavePaths) {
+TEST(WalkableCampus, AllLotsOfAThreeByThreeCampusHavePaths) {
     const WalkableCampus campus = walkable_campus(3);
     EXPECT_NEAR(static_cast<double>(campus.mesh.triangles.size()), 65e3, 3e3);
     std::size_t goals = 0;
