@@ -90,16 +90,13 @@ TEST_F(ReadWalksConfig, ReadsProjectsInTheOrderOfTheirNames) {
 }
 
 TEST_F(ReadWalksConfig, DiagnosesMistakesAtTheirPlaces) {
-    EXPECT_THAT(
-        about("workers: 0\nproject: {}\n"),
-        ElementsAre(says(":1:10: error bad-value", {"'workers'", "'0'"}),
-                    says(":2:1: error unknown-key", {"'project'", "'projects'"})));
+    EXPECT_THAT(about("workers: 0\nproject: {}\n"),
+                ElementsAre(says(":1:10: error bad-value", {"'workers'", "'0'"}),
+                            says(":2:1: error unknown-key", {"'project'", "'projects'"})));
     EXPECT_THAT(about("reporters: [{junit: a, tap: b}]\n"),
                 ElementsAre(says(":1:13: error wrong-type", {"{NAME: FILE}"})));
     EXPECT_THAT(about("projects: {Big One: {avatr: adult}}\n").size(), 2U);
-    EXPECT_THAT(
-        about("timeout: 0\n"),
-        ElementsAre(says(":1:10: error bad-value", {"'timeout'", "'0'"})));
+    EXPECT_THAT(about("timeout: 0\n"), ElementsAre(says(":1:10: error bad-value", {"'timeout'", "'0'"})));
 }
 
 TEST_F(ReadWalksConfig, ReplacesAWalksAvatarAndSpawn) {

@@ -5,8 +5,8 @@
 #include "collision/mesh/mesh_contacts.h"
 #include "collision/mesh/mesh_query.h"
 #include "tools/campuswalk_bench/campus/answer_check.h"
-#include "tools/campuswalk_bench/campus/differ.h"
-#include "tools/campuswalk_bench/campus/survey.h"
+#include "tools/campuswalk_bench/campus/compare_answers.h"
+#include "tools/campuswalk_bench/campus/query_runs.h"
 #include "tools/campuswalk_bench/measure/heap.h"
 #include "tools/campuswalk_bench/measure/targets.h"
 #include "tools/campuswalk_bench/pairs/pair_scenes.h"
@@ -37,21 +37,21 @@ TEST(ShuffledRuns, TimeTheSecondOfTwoRuns) {
     }
 }
 
-TEST(Survey, AsksEverybodyEverything) {
-    std::vector<Respondent<int, double>> respondents;
-    respondents.push_back({"doubles", true, [](int question, double& answer, QueryStatistics& counters) {
-                               answer = 2.0 * question;
-                               counters.volume_tests += 1;
-                           }});
-    respondents.push_back(
-        {"halves", false, [](int question, double& answer, QueryStatistics&) { answer = 0.5 * question; }});
-    const auto replies = survey<int, double>({1, 2, 5}, respondents, 4);
-    EXPECT_EQ(replies[0].answers, (std::vector<double>{2.0, 4.0, 10.0}));
-    EXPECT_EQ(replies[1].answers, (std::vector<double>{0.5, 1.0, 2.5}));
-    EXPECT_EQ(replies[0].work.volume_tests, 3U) << "of one run";
+TEST(RunQueries, EveryEngineAnswersEveryQuery) {
+    std::vector<QueryEngine<int, double>> engines;
+    engines.push_back({"doubles", true, [](int input, double& answer, QueryStatistics& counters) {
+                           answer = 2.0 * input;
+                           counters.volume_tests += 1;
+                       }});
+    engines.push_back(
+        {"halves", false, [](int input, double& answer, QueryStatistics&) { answer = 0.5 * input; }});
+    const auto runs = run_queries<int, double>({1, 2, 5}, engines, 4);
+    EXPECT_EQ(runs[0].answers, (std::vector<double>{2.0, 4.0, 10.0}));
+    EXPECT_EQ(runs[1].answers, (std::vector<double>{0.5, 1.0, 2.5}));
+    EXPECT_EQ(runs[0].work.volume_tests, 3U) << "of one run";
 }
 
-TEST(PairScenes, NestedCylindersAreApartByTheGap) {
+TEST(PairScenes, NestedCylindersAreSeparatedByTheGap) {
     const PairScene scene = nested_scene();
     const MeshCollider outer(scene.a);
     const MeshCollider inner(scene.b);
@@ -66,8 +66,8 @@ TEST(PairScenes, NestedCylindersAreApartByTheGap) {
     EXPECT_LT(closest_point(outer, Vec3::Zero()).distance, 1.4) << "the outer one is around it";
 }
 
-TEST(PairScenes, FinerOnesAreTable1s) {
-    const PairScene table = table1_scene();
+TEST(PairScenes, FinerSceneHasOnePlacementOfTable1) {
+    const PairScene table = table1_pair_scene();
     const PairScene finer = finer_scene(2);
     EXPECT_EQ(finer.a.triangles.size(), 2U * 128U * 124U + 2U * 128U);
     EXPECT_GT(finer.b.triangles.size(), 3.9 * 8680.0);
@@ -93,7 +93,7 @@ const std::vector<Row> kRows = {
     row("memory", "ours", "bytes", 50), row("table1", "half", "all", 1.0),
 };
 
-TEST(Targets, AreRatiosOfWholeCases) {
+TEST(Targets, CanBeRatiosOfWholeCases) {
     Target target{"", "table1", "all", "ours", "peer", Measure::mean_ratio, 10.0, 0.0};
     EXPECT_DOUBLE_EQ(measured(target, kRows).value(), 10.0) << "of 5 and 20";
     EXPECT_TRUE(reaches(target, 10.0, 10.0));
@@ -117,23 +117,23 @@ TEST(Targets, CanBeLimits) {
     EXPECT_FALSE(reaches(target, figure, target.aim));
 }
 
-TEST(Targets, AimHigherThanTheyMust) {
+TEST(Targets, AimsAreStricterThanLimits) {
     for (const Target& target : targets()) {
         EXPECT_GT(target.must, 0.0) << target.what;
         EXPECT_TRUE(target.aim == 0.0 || reaches(target, target.aim, target.must)) << target.what;
     }
 }
 
-TEST(Differ, CountsWhatIsMoreAndWhatIsLess) {
+TEST(CompareAnswers, CountsExtraAndMissingResults) {
     using Fraction = std::optional<double>;
-    EXPECT_TRUE(differ(Fraction(0.5), Fraction(0.5)).none());
-    EXPECT_EQ(differ(Fraction(0.5), Fraction(0.4)), (Difference{1, 1}));
-    EXPECT_EQ(differ(Fraction(0.5), std::nullopt), (Difference{1, 0}));
-    EXPECT_EQ(differ(std::nullopt, Fraction(0.5)), (Difference{0, 1}));
-    EXPECT_EQ(differ('\1', '\0'), (Difference{1, 0}));
-    EXPECT_EQ(differ(0.1, 0.2), (Difference{1, 1}));
-    EXPECT_TRUE(differ(0.1, 0.1).none());
-    EXPECT_EQ(differ(std::vector<std::uint32_t>{1, 4, 5}, {4, 7}), (Difference{2, 1}));
+    EXPECT_TRUE(compare_answers(Fraction(0.5), Fraction(0.5)).none());
+    EXPECT_EQ(compare_answers(Fraction(0.5), Fraction(0.4)), (Difference{1, 1}));
+    EXPECT_EQ(compare_answers(Fraction(0.5), std::nullopt), (Difference{1, 0}));
+    EXPECT_EQ(compare_answers(std::nullopt, Fraction(0.5)), (Difference{0, 1}));
+    EXPECT_EQ(compare_answers('\1', '\0'), (Difference{1, 0}));
+    EXPECT_EQ(compare_answers(0.1, 0.2), (Difference{1, 1}));
+    EXPECT_TRUE(compare_answers(0.1, 0.1).none());
+    EXPECT_EQ(compare_answers(std::vector<std::uint32_t>{1, 4, 5}, {4, 7}), (Difference{2, 1}));
 }
 
 /// 2 m wide, at y = 0.
@@ -144,7 +144,7 @@ TriangleMesh square() {
     return mesh;
 }
 
-TEST(Evaluator, KnowsTheFirstHit) {
+TEST(AnswerCheck, AcceptsOnlyTheFirstHit) {
     TriangleMesh mesh = square();
     const Ray down{{0.3, 6.0, 0.2}, {0.3, -4.0, 0.2}};
     EXPECT_TRUE(is_first_hit(mesh, down, 0.6));
@@ -157,11 +157,11 @@ TEST(Evaluator, KnowsTheFirstHit) {
     }
     mesh.triangles.push_back({4, 5, 6});
     mesh.triangles.push_back({4, 6, 7});
-    EXPECT_FALSE(is_first_hit(mesh, down, 0.6)) << "another is before it";
+    EXPECT_FALSE(is_first_hit(mesh, down, 0.6)) << "another surface is before it";
     EXPECT_TRUE(is_first_hit(mesh, down, 0.5));
 }
 
-TEST(Evaluator, LetsARayPassAnEdgeOnEitherSide) {
+TEST(AnswerCheck, AcceptsEitherAnswerAtAnEdge) {
     for (const double beside : {-5e-5, 5e-5}) {
         const Ray at_edge{{1.0 + beside, 6.0, 0.2}, {1.0 + beside, -4.0, 0.2}};
         EXPECT_TRUE(is_first_hit(square(), at_edge, 0.6));
@@ -172,14 +172,14 @@ TEST(Evaluator, LetsARayPassAnEdgeOnEitherSide) {
     EXPECT_TRUE(is_first_hit(square(), off, std::nullopt));
 }
 
-TEST(Evaluator, AllowsForTheSlant) {
-    // It drops 1 mm in 1 m: a tenth of a millimetre sideways is 10 cm along it.
+TEST(AnswerCheck, ToleratesMoreForGrazingRays) {
+    // The ray drops 1 mm per metre, so a tenth of a millimetre sideways is 10 cm along the ray.
     const Ray grazing{{-2.0, 0.002, 0.0}, {2.0, -0.002, 0.0}};
     EXPECT_TRUE(is_first_hit(square(), grazing, 0.51));
     EXPECT_FALSE(is_first_hit(square(), grazing, 0.6));
 }
 
-TEST(Evaluator, TakesAHitAtTheEndForNone) {
+TEST(AnswerCheck, TreatsAHitAtTheEndAsNone) {
     const Ray ends{{0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}};
     EXPECT_TRUE(same_hit(ends, 1.0, std::nullopt));
     EXPECT_TRUE(same_hit(ends, 0.5, 0.5009));
@@ -188,7 +188,7 @@ TEST(Evaluator, TakesAHitAtTheEndForNone) {
     EXPECT_TRUE(is_first_hit(square(), ends, std::nullopt));
 }
 
-TEST(Evaluator, KnowsWhatIsTouched) {
+TEST(AnswerCheck, AcceptsOnlyTheTouchedTriangles) {
     const TriangleMesh mesh = square();
     const auto upright = [](double height) {
         return collision::Segment{{0.5, height, -0.5}, {0.5, height + 1.0, -0.5}};
@@ -197,28 +197,28 @@ TEST(Evaluator, KnowsWhatIsTouched) {
     EXPECT_TRUE(is_touching_set(mesh, upright(0.3), 0.4, {1}));
     EXPECT_FALSE(is_touching_set(mesh, upright(0.3), 0.4, {}));
     EXPECT_FALSE(is_touching_set(mesh, upright(0.3), 0.4, {0, 1}));
-    EXPECT_TRUE(is_touching_set(mesh, upright(0.4), 0.4, {1})) << "just so";
+    EXPECT_TRUE(is_touching_set(mesh, upright(0.4), 0.4, {1})) << "touches within the tolerance";
     EXPECT_TRUE(is_touching_set(mesh, upright(0.4), 0.4, {}));
 }
 
 template <typename Elements>
-std::size_t room_to_spare(const Elements& elements) {
+std::size_t spare_bytes(const Elements& elements) {
     return (elements.capacity() - elements.size()) * sizeof(typename Elements::value_type);
 }
 
-std::size_t room_to_spare(const collision::Bvh8& tree) {
-    return room_to_spare(tree.nodes) + room_to_spare(tree.leaves);
+std::size_t spare_bytes(const collision::Bvh8& tree) {
+    return spare_bytes(tree.nodes) + spare_bytes(tree.leaves);
 }
 
-std::size_t room_to_spare(const collision::HybridTree& tree) {
-    return room_to_spare(tree.nodes) + room_to_spare(tree.order);
+std::size_t spare_bytes(const collision::HybridTree& tree) {
+    return spare_bytes(tree.nodes) + spare_bytes(tree.order);
 }
 
-TEST(OurBuilders, TheDataAndItsRoomAreWhatTheHeapHolds) {
+TEST(OurBuilders, HeapHoldsTheDataAndSpareCapacity) {
     if (heap_in_use() == 0) {
-        GTEST_SKIP() << "a sanitizer's allocator counts nothing";
+        GTEST_SKIP() << "a sanitizer's allocator isn't counted";
     }
-    const TriangleMesh mesh = table1_scene().a;
+    const TriangleMesh mesh = table1_pair_scene().a;
     for (const auto tree_kind : {collision::TreeKind::bvh8, collision::TreeKind::hybrid}) {
         const auto builder = make_our_builder(mesh, tree_kind);
         const std::size_t before = heap_in_use();
@@ -227,9 +227,9 @@ TEST(OurBuilders, TheDataAndItsRoomAreWhatTheHeapHolds) {
         builder->discard();
         EXPECT_NEAR(static_cast<double>(heap_in_use()), static_cast<double>(before), 0.01 * held);
         const MeshCollider collider(mesh, tree_kind);
-        const std::size_t room =
-            std::visit([](const auto& tree) { return room_to_spare(tree); }, collider.tree());
-        const auto data = static_cast<double>(bytes_of_mesh(mesh) + bytes_of_tree(collider) + room);
+        const std::size_t spare =
+            std::visit([](const auto& tree) { return spare_bytes(tree); }, collider.tree());
+        const auto data = static_cast<double>(bytes_of_mesh(mesh) + bytes_of_tree(collider) + spare);
         EXPECT_NEAR(held, data, 0.02 * data) << "an array of the tree isn't counted";
     }
 }

@@ -129,7 +129,7 @@ class Bench(ProgramCase):
         for case in CASES[3:]:
             self.assertEqual(found[case], {""})
         self.check_memory([row for row in rows if row["case"] == "memory"])
-        summary = out[out.index("Against what is to be reached"):].splitlines()[1:]
+        summary = out[out.index("Compared with the targets"):].splitlines()[1:]
         self.assertEqual(len(summary), 16)
         for line in summary:
             self.assertRegex(line, r"^  \S.* (not measured|\d+\.\d\dx?  +\(must [0-9.]+(, aim [0-9.]+)?\)  "
@@ -145,7 +145,7 @@ class Bench(ProgramCase):
     def test_a_single_case(self):
         out = self.passes_bench("nested", "--rounds", "1", "--csv", "n.csv").out
         self.assertEqual({row["case"] for row in self.rows("n.csv")}, {"nested"})
-        self.assertEqual(len(out[out.index("Against what is to be reached"):].splitlines()), 2)
+        self.assertEqual(len(out[out.index("Compared with the targets"):].splitlines()), 2)
 
     def test_a_walk(self):
         """On a campus of some thousand triangles; speed doesn't matter here."""
@@ -163,7 +163,7 @@ class Bench(ProgramCase):
             self.assertLess(0.0, float(row["us_p50"]))
             self.assertLessEqual(float(row["us_p50"]), float(row["us_p99"]))
             self.assertLessEqual(float(row["us_p99"]), float(row["us_max"]))
-        verdicts = outcome.out[outcome.out.index("Against what is to be reached"):].splitlines()[1:]
+        verdicts = outcome.out[outcome.out.index("Compared with the targets"):].splitlines()[1:]
         self.assertEqual(len(verdicts), 9)
         for line in verdicts:
             self.assertRegex(line, r"^  \S.* (not measured|[0-9.]+(x Bullet's| mm| bytes| us| ms)?  "
@@ -186,7 +186,7 @@ class Bench(ProgramCase):
             self.assertEqual((outcome.code, outcome.out), (3, ""))
             return
         self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
-        self.assertIn("  absent: broken: its command failed\n  absent: silent: it drew no frame\n", outcome.out)
+        self.assertIn("  absent: broken: its command failed\n  absent: silent: it drew no image\n", outcome.out)
         rows = list(csv.DictReader(io.StringIO(self.read("new/d.csv").decode())))
         self.assertEqual([row["look"] for row in rows], 2 * (2 * DRAWN_LOOKS + ["no-aa"]))
         self.assertEqual([row["engine"] for row in rows], 2 * (6 * ["campuswalk"] + 6 * ["processes"] + ["peer"]))

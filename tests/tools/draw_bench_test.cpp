@@ -67,21 +67,21 @@ const DrawVerdict& verdict(const std::vector<DrawVerdict>& all, const std::strin
 TEST(DrawVerdicts, CompareTimesWithTargets) {
     const auto all =
         draw_verdicts({made_up_campus(500000, 24.0, 100000000), made_up_campus(2000000, 50.0, 500000000)});
-    EXPECT_DOUBLE_EQ(*verdict(all, "a frame, shadows+fxaa, hills of 500000", " ms").value, 48.0);
-    EXPECT_TRUE(verdict(all, "a frame, shadows+fxaa, hills of 500000", " ms").holds());
-    EXPECT_FALSE(verdict(all, "a frame, shadows+msaa4, hills of 500000", " ms").holds()) << "144 of 110";
-    EXPECT_FALSE(verdict(all, "a frame, shadows+fxaa, hills of 2000000", " ms").holds()) << "100 of 85";
+    EXPECT_DOUBLE_EQ(*verdict(all, "an image, shadows+fxaa, hills of 500000", " ms").value, 48.0);
+    EXPECT_TRUE(verdict(all, "an image, shadows+fxaa, hills of 500000", " ms").holds());
+    EXPECT_FALSE(verdict(all, "an image, shadows+msaa4, hills of 500000", " ms").holds()) << "144 of 110";
+    EXPECT_FALSE(verdict(all, "an image, shadows+fxaa, hills of 2000000", " ms").holds()) << "100 of 85";
     EXPECT_DOUBLE_EQ(*verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").value, 3.0);
     EXPECT_TRUE(verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").holds());
     const std::string by_processes = "shadows+fxaa, hills of 500000 triangles, by processes";
-    EXPECT_DOUBLE_EQ(*verdict(all, "a frame, " + by_processes, " ms").value, 36.0);
+    EXPECT_DOUBLE_EQ(*verdict(all, "an image, " + by_processes, " ms").value, 36.0);
     EXPECT_DOUBLE_EQ(*verdict(all, by_processes, "x as long in three.js").value, 4.0);
     EXPECT_FALSE(verdict(all, "no-aa, hills of 500000", "x as long in VTK").holds())
         << "twice, not three times";
     EXPECT_FALSE(verdict(all, "msaa4, hills of 500000", "x as long in VTK").value.has_value())
         << "not measured";
-    EXPECT_NEAR(*verdict(all, "memory a triangle", " bytes").value, 266.67, 0.01);
-    EXPECT_FALSE(verdict(all, "memory a triangle", " bytes").holds());
+    EXPECT_NEAR(*verdict(all, "memory per triangle", " bytes").value, 266.67, 0.01);
+    EXPECT_FALSE(verdict(all, "memory per triangle", " bytes").holds());
     EXPECT_FALSE(
         verdict(draw_verdicts({made_up_campus(500000, 24.0, 1)}), "memory", " bytes").value.has_value());
 }
@@ -126,9 +126,9 @@ void expect_whole(const collision::TriangleMesh& of, std::span<const CampusRun> 
 
 TEST(DrawnCampus, HasAllTrianglesOfTheCampus) {
     const WalkableCampus hills = walkable_campus(1);
-    expect_whole(hills.mesh, hills.runs, scene::kWalkableLot);
+    expect_whole(hills.mesh, hills.runs, kWalkableLot);
     const GeneratedCampus houses = generated_campus(1);
-    expect_whole(houses.mesh, houses.runs, scene::kGeneratedLot);
+    expect_whole(houses.mesh, houses.runs, kGeneratedLot);
 }
 
 TEST(DrawnCampus, ViewsOverHillsAreAtEyeHeight) {
@@ -145,7 +145,7 @@ TEST(DrawnCampus, ViewsAmongHousesCrossTheCampusOnTheGround) {
     for (const int lots : {2, 3}) {
         const GeneratedCampus campus = generated_campus(lots);
         const collision::MeshCollider mesh(campus.mesh);
-        const double half = 0.5 * lots * scene::kGeneratedLot;
+        const double half = 0.5 * lots * kGeneratedLot;
         const auto views = views_among_houses(campus, lots);
         ASSERT_EQ(views.size(), 24U);
         for (const DrawnView& view : views) {

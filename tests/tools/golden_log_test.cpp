@@ -135,10 +135,12 @@ TEST_F(GoldenLog, IgnoresVerdicts) {
 TEST_F(GoldenLog, ReportsTheFirstDifferenceAndItsPlace) {
     std::string farther = kEnter;
     farther.replace(farther.find("3.6"), 3, "3.7");
-    EXPECT_THAT(diagnostic({kHeader, kStart, farther, end_line("pass", 1)}),
-                ContainsRegex("log.jsonl, line 3.*1\\.000000 s trigger.enter door.*pos .*0\\.000,0\\.000,3\\.700 "
-                              ".*0\\.000,0\\.000,3\\.600.*--update-snapshots=changed"));
-    EXPECT_THAT(diagnostic(other_), ContainsRegex("line 3.*1\\.500000 s walk.end visit .*1\\.000000 s trigger.enter door"));
+    EXPECT_THAT(
+        diagnostic({kHeader, kStart, farther, end_line("pass", 1)}),
+        ContainsRegex("log.jsonl, line 3.*1\\.000000 s trigger.enter door.*pos .*0\\.000,0\\.000,3\\.700 "
+                      ".*0\\.000,0\\.000,3\\.600.*--update-snapshots=changed"));
+    EXPECT_THAT(diagnostic(other_),
+                ContainsRegex("line 3.*1\\.500000 s walk.end visit .*1\\.000000 s trigger.enter door"));
     EXPECT_THAT(diagnostic({kHeader, kStart}),
                 ContainsRegex("line 3.*000060    1\\.000000 trigger.enter    door"));
     Lines more = kLog;

@@ -25,7 +25,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::MatchesRegex;
 
-// ---- finding walks ----------------------------------------------------------------------------------------------
+// ---- finding walks
+// ----------------------------------------------------------------------------------------------
 
 class FindWalks : public testing::Test {
 protected:
@@ -296,7 +297,8 @@ TEST(WorkerPool, StopsTasksThatTakeTooLong) {
     };
     PoolLog log;
     EXPECT_TRUE(log.run(work, {0, 1}, {1, 0.3, std::size_t{1} << 20U}));
-    EXPECT_THAT(log.lines, ElementsAre(MatchesRegex("0 is lost: .*0\\.3 s.*--kill-after.*"), "1 answers done"));
+    EXPECT_THAT(log.lines,
+                ElementsAre(MatchesRegex("0 is lost: .*0\\.3 s.*--kill-after.*"), "1 answers done"));
 }
 
 TEST(WorkerPool, SkipsTheRestWhenTheListenerStops) {
@@ -306,7 +308,8 @@ TEST(WorkerPool, SkipsTheRestWhenTheListenerStops) {
     EXPECT_THAT(log.lines, ElementsAre("7 says a", "7 says b", "7 answers 49"));
 }
 
-// ---- processes that draw frames ------------------------------------------------------------------------------------
+// ---- processes that draw frames
+// ------------------------------------------------------------------------------------
 
 TEST(FrameHelpers, ReturnTheFramesOfEachPartInOrder) {
     FrameHelpers helpers(3, [](std::size_t part, const Say& say) {

@@ -1,4 +1,4 @@
-// What `campuswalk-bench walk` says of walkers that are made up for it, and of ours on a small campus.
+// How `campuswalk-bench walk` scores made-up walkers, and ours on a small campus.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ namespace {
 using collision::TriangleMesh;
 using collision::Vec3;
 
-/// Moves as a function says.
+/// Moves by a given function.
 class MadeUpWalker final : public WalkEngine {
 public:
     using Move = std::function<Vec3(const Vec3& foot, const Vec3& desired)>;
@@ -52,7 +52,7 @@ TriangleMesh floor_and_wall() {
     return mesh;
 }
 
-/// To a place before the wall, and then to one behind it.
+/// To a goal in front of the wall, then to a forbidden one behind it.
 std::vector<WalkPath> to_the_wall_and_through() {
     return {{"wall", {0, 0, 0}, {{{1, 0, 0}, false}, {{3, 0, 0}, true}}}};
 }
@@ -60,70 +60,69 @@ std::vector<WalkPath> to_the_wall_and_through() {
 WalkScore score_of(const MadeUpWalker::Move& move, int rounds = 3) {
     const TriangleMesh mesh = floor_and_wall();
     MadeUpWalker walker(move);
-    return run_walks({{"made up", &walker}}, to_the_wall_and_through(), {}, WalkEvaluator(mesh), rounds)
-        .at(0);
+    return run_walks({{"made up", &walker}}, to_the_wall_and_through(), {}, WalkScorer(mesh), rounds).at(0);
 }
 
-TEST(RunWalks, LetsOneThatStopsBeforeWallsPass) {
+TEST(RunWalks, PassesAWalkerThatStopsAtWalls) {
     const WalkScore score = score_of([](const Vec3& foot, const Vec3& desired) {
         const Vec3 there = foot + desired;
         return Vec3(std::min(there.x(), 1.7), there.y(), there.z());
     });
     EXPECT_EQ(score.goals, 1U);
     EXPECT_EQ(score.reached, 1U);
-    EXPECT_EQ(score.walled_off, 1U);
-    EXPECT_EQ(score.forbidden, 0U);
+    EXPECT_EQ(score.forbidden_goals, 1U);
+    EXPECT_EQ(score.forbidden_reached, 0U);
     EXPECT_EQ(score.crossings, 0U);
     EXPECT_LT(score.max_penetration, 1e-12);
     EXPECT_TRUE(score.failures.empty());
-    EXPECT_TRUE(walks_right(score));
+    EXPECT_TRUE(is_correct(score));
     // 0.8 m at 1.4 m/s, then 2 m at that speed and 3 s more.
     EXPECT_NEAR(static_cast<double>(score.ticks), 60.0 * (0.8 / 1.4 + 2.0 / 1.4 + 3.0), 2.0);
 }
 
-TEST(RunWalks, SeesOneThatWalksThroughWalls) {
+TEST(RunWalks, FailsAWalkerThatWalksThroughWalls) {
     const WalkScore score =
         score_of([](const Vec3& foot, const Vec3& desired) { return Vec3(foot + desired); });
     EXPECT_EQ(score.reached, 1U);
-    EXPECT_EQ(score.forbidden, 1U);
+    EXPECT_EQ(score.forbidden_reached, 1U);
     EXPECT_EQ(score.crossings, 1U);
-    EXPECT_NEAR(score.max_penetration, 0.3, 0.02) << "all of it, when the wall is at its axis";
+    EXPECT_NEAR(score.max_penetration, 0.3, 0.02) << "its radius, when the wall is at its axis";
     EXPECT_EQ(score.failures, (std::vector<std::string>{"wall, goal 2"}));
-    EXPECT_FALSE(walks_right(score));
+    EXPECT_FALSE(is_correct(score));
 }
 
-TEST(RunWalks, SeesOneThatSinksIn) {
+TEST(RunWalks, FailsAWalkerThatSinksIn) {
     const WalkScore score = score_of([](const Vec3& foot, const Vec3& desired) {
         return Vec3(std::min(foot.x() + desired.x(), 1.75), -0.001, foot.z());
     });
     EXPECT_NEAR(score.max_penetration, 0.05, 1e-9);
     EXPECT_EQ(score.reached, 1U);
-    EXPECT_FALSE(walks_right(score));
+    EXPECT_FALSE(is_correct(score));
 }
 
-TEST(RunWalks, SeesOneThatGetsNowhere) {
+TEST(RunWalks, FailsAWalkerThatGetsNowhere) {
     const WalkScore score = score_of([](const Vec3& foot, const Vec3&) { return foot; });
     EXPECT_EQ(score.reached, 0U);
-    EXPECT_EQ(score.forbidden, 0U);
+    EXPECT_EQ(score.forbidden_reached, 0U);
     EXPECT_EQ(score.failures, (std::vector<std::string>{"wall, goal 1"}));
-    EXPECT_FALSE(walks_right(score));
+    EXPECT_FALSE(is_correct(score));
 }
 
-TEST(RunWalks, SeesOneThatIsNeverTheSame) {
+TEST(RunWalks, FailsAWalkerThatDiffersBetweenRounds) {
     double drift = 0.0;
     const WalkScore score = score_of([&](const Vec3& foot, const Vec3& desired) {
         drift += 1e-9;
         return Vec3(std::min(foot.x() + desired.x(), 1.6) + drift, foot.y(), foot.z());
     });
-    EXPECT_EQ(score.unrepeated, 1U);
-    EXPECT_FALSE(walks_right(score));
+    EXPECT_EQ(score.differing_paths, 1U);
+    EXPECT_FALSE(is_correct(score));
 }
 
-TEST(RunWalks, SeesOneThatKeepsMoreAndMore) {
-    std::vector<std::unique_ptr<std::array<char, 100>>> kept;
-    kept.reserve(10000);
+TEST(RunWalks, MeasuresTheHeapGrowthOfAWalker) {
+    std::vector<std::unique_ptr<std::array<char, 100>>> hoarded;
+    hoarded.reserve(10000);
     const auto hoard = [&](const Vec3& foot, const Vec3& desired) {
-        kept.push_back(std::make_unique<std::array<char, 100>>());
+        hoarded.push_back(std::make_unique<std::array<char, 100>>());
         return Vec3(std::min(foot.x() + desired.x(), 1.6), foot.y(), foot.z());
     };
     EXPECT_FALSE(score_of(hoard, 2).heap_growth.has_value());
@@ -135,7 +134,7 @@ TEST(RunWalks, SeesOneThatKeepsMoreAndMore) {
     EXPECT_EQ(score_of([](const Vec3& foot, const Vec3&) { return foot; }).heap_growth, 0U);
 }
 
-TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
+TEST(RunWalks, ReportsTheLeastTimeOfEachTick) {
     static constexpr double kSlow = 200.0;  // microseconds
     const auto slow_in_the_first_round = [](int& round) {
         return [&round](const Vec3& foot, const Vec3& desired) {
@@ -160,9 +159,9 @@ TEST(RunWalks, TakesTheLeastTimeOfEachTick) {
     EXPECT_LT(thrice.us_p50, kSlow);
 }
 
-TEST(WalkEvaluator, AgreesWithTheTestsOwnOracle) {
+TEST(WalkScorer, AgreesWithTheTestOracle) {
     const WalkableCampus campus = walkable_campus(1);
-    const WalkEvaluator evaluator(campus.mesh);
+    const WalkScorer scorer(campus.mesh);
     collision::World world(std::make_unique<collision::LinearBroadPhase>());
     support::add_object(world, campus.mesh);
     const support::PenetrationOracle oracle(world);
@@ -170,23 +169,23 @@ TEST(WalkEvaluator, AgreesWithTheTestsOwnOracle) {
     int inside = 0;
     int crossed = 0;
     for (int i = 0; i < 4000; ++i) {
-        // About what is built: most of it is near the middle.
+        // Around the obstacles, most of which are near the middle.
         const Vec3 foot = Vec3(dice.between(-20, 20), dice.between(-1.0, 4.0), dice.between(-20, 20));
         const double depth = oracle.worst_penetration(foot, 0.3, 1.8).depth;
-        EXPECT_NEAR(evaluator.penetration(foot, 0.3, 1.8), std::max(0.0, depth), 1e-9) << foot.transpose();
+        EXPECT_NEAR(scorer.penetration(foot, 0.3, 1.8), std::max(0.0, depth), 1e-9) << foot.transpose();
         inside += depth > 0.0 ? 1 : 0;
-        // An axis of no length: a point.
+        // An axis without length is a point.
         const Vec3 to = foot + dice.in_cube(0.5);
-        const bool met = evaluator.crosses(foot, to);
-        int met_one_by_one = 0;
-        const support::Line way{foot, to};
+        const bool crosses = scorer.crosses(foot, to);
+        int crossed_triangles = 0;
+        const support::Line segment{foot, to};
         if (i % 40 == 0) {
             for (std::size_t t = 0; t < campus.mesh.triangles.size(); ++t) {
                 const collision::Triangle c = vertices(campus.mesh, t);
-                met_one_by_one += passes_through(way, support::Vertices{c.a, c.b, c.c}) ? 1 : 0;
+                crossed_triangles += passes_through(segment, support::Vertices{c.a, c.b, c.c}) ? 1 : 0;
             }
-            EXPECT_EQ(met, met_one_by_one > 0) << foot.transpose();
-            crossed += met ? 1 : 0;
+            EXPECT_EQ(crosses, crossed_triangles > 0) << foot.transpose();
+            crossed += crosses ? 1 : 0;
         }
     }
     EXPECT_GT(inside, 400);
@@ -194,7 +193,7 @@ TEST(WalkEvaluator, AgreesWithTheTestsOwnOracle) {
     EXPECT_GT(crossed, 5);
 }
 
-/// Counts what another allocates while it walks, from its third placement on a path on.
+/// Counts the allocations of another walker, from its third walk along a path on.
 class CountingWalker final : public WalkEngine {
 public:
     explicit CountingWalker(WalkEngine& counted) : counted_(counted) {}
@@ -223,28 +222,28 @@ private:
     std::size_t warm_ticks_ = 0;
 };
 
-TEST(OurWalker, GetsEverywhereOnASmallCampusAndAllocatesNothingWarm) {
+TEST(OurWalker, ReachesEveryGoalOfASmallCampusWithoutWarmAllocations) {
     const WalkableCampus campus = walkable_campus(1);
     const WalkBody body;
     OurWalker ours(campus.mesh, body);
     CountingWalker counted(ours);
     const WalkScore score =
-        run_walks({{"ours", &counted}}, campus.paths, body, WalkEvaluator(campus.mesh), 3).at(0);
+        run_walks({{"ours", &counted}}, campus.paths, body, WalkScorer(campus.mesh), 3).at(0);
     EXPECT_EQ(score.goals, 23U);
-    EXPECT_EQ(score.walled_off, 7U);
-    EXPECT_TRUE(walks_right(score)) << testing::PrintToString(score.failures);
+    EXPECT_EQ(score.forbidden_goals, 7U);
+    EXPECT_TRUE(is_correct(score)) << testing::PrintToString(score.failures);
     EXPECT_EQ(counted.warm_ticks(), score.ticks);
     EXPECT_EQ(counted.warm_allocations(), 0U);
 }
 
-TEST(OurWalker, WeighsWhatItsMoverKeeps) {
+TEST(OurWalker, MeasuresTheMemoryOfItsMover) {
     const WalkableCampus campus = walkable_campus(1);
     OurWalker ours(campus.mesh, {});
     ours.place(campus.paths[0].start);
     ours.walk({0.02, 0.0, 0.0});
-    const std::size_t bytes = ours.weigh();
+    const std::size_t bytes = ours.release_mover();
     EXPECT_GE(bytes, sizeof(collision::CapsuleMover));
-    EXPECT_LT(bytes, 1U << 20U) << "not the mesh";
+    EXPECT_LT(bytes, 1U << 20U) << "without the mesh";
 }
 
 WalkedCampus made_up_campus(std::size_t triangles, double ours, double bullet, std::size_t memory) {
@@ -265,12 +264,12 @@ WalkedCampus made_up_campus(std::size_t triangles, double ours, double bullet, s
         campus.scores.push_back(score);
     }
     campus.scores[1].reached = 58;
-    campus.scores[1].forbidden = 2;
+    campus.scores[1].forbidden_reached = 2;
     campus.scores[1].crossings = 3;
     return campus;
 }
 
-TEST(WalkCsv, HasALineACampusAndController) {
+TEST(WalkCsv, HasALinePerCampusAndController) {
     const support::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "new" / "walk.csv";
     write_walk_csv({made_up_campus(60000, 0.5, 50.0, 100)}, file);
@@ -285,15 +284,15 @@ TEST(WalkCsv, HasALineACampusAndController) {
 }
 
 const WalkVerdict& verdict(const std::vector<WalkVerdict>& verdicts, const std::string& what) {
-    for (const WalkVerdict& it : verdicts) {
-        if (it.what.starts_with(what)) {
-            return it;
+    for (const WalkVerdict& each : verdicts) {
+        if (each.what.starts_with(what)) {
+            return each;
         }
     }
     throw std::out_of_range(what);
 }
 
-TEST(WalkVerdicts, SayWhatIsReached) {
+TEST(WalkVerdicts, CompareScoresWithTargets) {
     const auto all = walk_verdicts(
         {made_up_campus(60000, 0.5, 50.0, 1000), made_up_campus(2000000, 2.0, 70.0, 1201)}, 49.0);
     EXPECT_TRUE(verdict(all, "mean tick, 60000").holds);
@@ -311,17 +310,17 @@ TEST(WalkVerdicts, SayWhatIsReached) {
     EXPECT_FALSE(verdict(large_but_fast, "two minutes").holds) << "not measured";
 }
 
-TEST(WalkCase, TheBetterHasMoreGoalsRightThenLessTime) {
+TEST(WalkCase, BetterScoreHasMoreCorrectGoalsThenLessTime) {
     WalkScore a;
     a.goals = 10;
-    a.walled_off = 4;
+    a.forbidden_goals = 4;
     a.reached = 9;
-    a.forbidden = 2;
+    a.forbidden_reached = 2;
     a.us_mean = 30.0;
     WalkScore b = a;
     b.us_mean = 20.0;
     EXPECT_EQ(&better(a, b), &b);
-    a.forbidden = 1;
+    a.forbidden_reached = 1;
     EXPECT_EQ(&better(a, b), &a);
     b.reached = 10;
     EXPECT_EQ(&better(a, b), &b);

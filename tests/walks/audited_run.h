@@ -11,7 +11,8 @@
 
 namespace campuswalk::support {
 
-/// Checks with the oracle, after every tick, whether the avatar is inside anything or its axis passed through it.
+/// Checks with the oracle, after every tick, whether the avatar is inside anything or its axis passed through
+/// it.
 class TickAudit final : public engine::Observer {
 public:
     TickAudit(const PenetrationOracle& oracle, const engine::AvatarProfile& avatar)

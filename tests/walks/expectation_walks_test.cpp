@@ -1,5 +1,5 @@
-// The examples of expectations: every walk in the folder ends as its status says, and together they show every
-// expectation both passing and failing.
+// The examples of expectations: every walk in the folder ends as its status says, and together they show
+// every expectation both passing and failing.
 
 #include <algorithm>
 #include <array>

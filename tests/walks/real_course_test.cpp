@@ -1,5 +1,5 @@
-// The conformance course on third-party models: goals marked as reachable are reached, the others are not, and
-// no tick ends inside anything or passes through it.
+// The conformance course on third-party models: goals marked as reachable are reached, the others are not,
+// and no tick ends inside anything or passes through it.
 
 #include <filesystem>
 #include <ostream>

@@ -26,11 +26,11 @@ namespace {
 constexpr int kMillionFineness = 11;
 constexpr int kLotsOfTwoMillion = 17;
 
-int rounds_of(const BenchOptions& options, int as_it_is_worth) {
+int rounds_of(const BenchOptions& options, int default_rounds) {
     if (options.rounds > 0) {
         return options.rounds;
     }
-    return options.quick ? 1 : as_it_is_worth;
+    return options.quick ? 1 : default_rounds;
 }
 
 CaseResult table1(const BenchOptions& options) {
@@ -60,21 +60,23 @@ CaseResult import(const BenchOptions& options) {
 
 constexpr BenchCommand kCommands[] = {
     {"table1",
-     "The paper's Table I anew: a teapot goes through a cylinder, every variant of the tree and every other "
+     "The paper's Table I: a teapot that intersects a cylinder, with every variant of the tree and every "
+     "other "
      "engine that is built"},
     {"million", "The same teapot and cylinder of a million triangles each, in one placement"},
     {"nested", "A cylinder within a cylinder, 2 cm apart all around"},
-    {"trees", "Time and memory that the trees themselves take"},
+    {"trees", "Time to build the trees, and their memory"},
     {"campus", "Rays, avatars and closest points on a campus of half a million triangles"},
     {"import", "GLB files of 2 million triangles, read by the import's helper and by assimp"},
     {kBenchWalk,
-     "The avatar's mover beside Bullet's on campuses of up to 2 million triangles: where it gets to, where "
-     "it "
-     "mustn't, and how fast"},
+     "The avatar's mover compared with Bullet's on campuses of up to 2 million triangles: goals reached, "
+     "forbidden "
+     "goals reached, and speed"},
     {kBenchDraw,
-     "Pictures of campuses of half a million and two million triangles, beside other programs that draw"},
+     "Pictures of campuses of half a million and two million triangles, compared with other programs that "
+     "draw"},
 };
-// `walk` and `draw` have a CSV of their own, so they are none of these.
+// Without `walk` and `draw`, which have other CSVs.
 constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus, import};
 static_assert(std::size(kCommands) == std::size(kCases) + 2);
 
@@ -85,7 +87,7 @@ void check_output(const std::filesystem::path& file) {
     }
 }
 
-/// Draws, as far as this build can.
+/// Throws std::runtime_error in a build that can't draw.
 void draw(const BenchOptions& options) {
     if (!can_draw()) {
         throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
@@ -111,7 +113,7 @@ int run_bench(const BenchOptions& options) {
     check_output(options.csv);
     check_output(options.plot);
     if (options.quick) {
-        std::printf("Small scenes and few rounds: this shows that it works, not how fast.\n");
+        std::printf("Small scenes and few rounds: this shows that it works, not how fast it is.\n");
     }
     if (options.which == kBenchWalk) {
         const bool right = run_walk_bench(rounds_of(options, 7), options.quick, options.csv);

@@ -8,14 +8,14 @@
 namespace campuswalk::tools {
 
 struct BenchOptions {
-    std::string which;           ///< one of bench_commands(), or kBenchAll
-    std::filesystem::path csv;   ///< empty: none
-    std::filesystem::path plot;  ///< of table1: *.svg or *.png; empty: none
-    int rounds = 0;              ///< how often each query or tick is timed; 0: as often as the case is worth
-    std::filesystem::path folder;    ///< of draw: where the models and images are left; empty: nowhere
+    std::string which;               ///< one of bench_commands(), or kBenchAll
+    std::filesystem::path csv;       ///< empty: none
+    std::filesystem::path plot;      ///< of table1: *.svg or *.png; empty: none
+    int rounds = 0;                  ///< how often each query or tick is timed; 0: the case's default
+    std::filesystem::path folder;    ///< of draw: where the models and images are saved; empty: nowhere
     std::vector<std::string> peers;  ///< of draw: NAME=COMMAND of another program that draws
-    std::vector<std::filesystem::path> models;  ///< of import: files to read, too
-    bool mixed = false;                         ///< of table1: with the paper's mixed reading
+    std::vector<std::filesystem::path> models;  ///< of import: more files to read
+    bool mixed = false;                         ///< of table1: include the paper's mixed reading
     bool quick = false;                         ///< small scenes, one round: to see that it works
 };
 
@@ -24,15 +24,15 @@ struct BenchCommand {
     const char* description = "";
 };
 
-inline constexpr const char* kBenchAll = "all";  ///< but kBenchDraw and kBenchWalk
+inline constexpr const char* kBenchAll = "all";  ///< except for kBenchDraw and kBenchWalk
 inline constexpr const char* kBenchDraw = "draw";
 inline constexpr const char* kBenchWalk = "walk";
 
-/// Whatever can be measured by itself.
+/// The benchmarks, without kBenchAll.
 std::span<const BenchCommand> bench_commands();
 
-/// Measures, prints, writes the CSV. Returns the exit code: kExpectationFailed when one of our own engines
-/// gave a wrong answer.
+/// Measures, prints, writes the CSV. Returns the exit code: kExpectationFailed if one of our own engines
+/// returned a wrong answer.
 int run_bench(const BenchOptions& options);
 
 }  // namespace campuswalk::tools

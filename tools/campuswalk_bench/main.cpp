@@ -9,7 +9,7 @@ using namespace campuswalk::tools;
 
 namespace {
 
-/// `table1` has options that the others don't.
+/// The options of `table1` alone.
 void add_table1_options(Command& command, BenchOptions& options) {
     command.option({.names = "--plot",
                     .help = "Draw time over pairs: a .svg or .png file",
@@ -23,34 +23,35 @@ void add_table1_options(Command& command, BenchOptions& options) {
                         }},
                    options.plot);
     command.flag({.names = "--mixed",
-                  .help = "With the paper's mixed reading too: one body's boxes against the other's spheres"},
+                  .help = "Include the paper's mixed reading: one body's boxes against the other's spheres"},
                  options.mixed);
 }
 
-/// So has `draw`.
+/// The options of `draw` alone.
 void add_draw_options(Command& command, BenchOptions& options) {
     command.option({.names = "--folder",
-                    .help = "Leave each campus as a GLB file here, and a picture of each look",
+                    .help = "Save each campus as a GLB file here, and a picture of each look",
                     .value = "DIR"},
                    options.folder);
-    command.option({.names = "--peer",
-                    .help = "Run another program that draws, with the campus' folder as its argument: see "
-                            "below; may be given several times",
-                    .value = "NAME=COMMAND",
-                    .check =
-                        [](const std::string& peer) {
-                            const std::size_t equals = peer.find('=');
-                            return equals > 0 && equals < peer.size() - 1
-                                       ? std::string()
-                                       : "'" + peer + "' is no NAME=COMMAND";
-                        }},
-                   options.peers);
+    command.option(
+        {.names = "--peer",
+         .help =
+             "Run another program that draws, with the campus' folder as its argument (see below); may be "
+             "given several times",
+         .value = "NAME=COMMAND",
+         .check =
+             [](const std::string& peer) {
+                 const std::size_t equals = peer.find('=');
+                 return equals > 0 && equals < peer.size() - 1 ? std::string()
+                                                               : "'" + peer + "' isn't NAME=COMMAND";
+             }},
+        options.peers);
 }
 
-/// And `import`.
+/// The options of `import` alone.
 void add_import_options(Command& command, BenchOptions& options) {
     command.option({.names = "--model",
-                    .help = "Read this model file, too; may be given several times",
+                    .help = "Also read this model file; may be given several times",
                     .value = "FILE"},
                    options.models);
 }
@@ -65,29 +66,30 @@ Command add_measurement(Command program, const std::string& name, const std::str
     command.flag({.names = "--quick", .help = "Small scenes, one round: whether it works, not how fast"},
                  options->quick);
     command.footer(
-        "Exit code: 0 our own engines agree with each other and are right, 1 they don't or aren't, 2 bad "
-        "usage,\n3 something failed while running. Other engines are built by tools/bench; where they differ "
-        "it is shown.");
+        "Exit code: 0 our own engines are right and agree with each other, 1 they aren't or don't, 2 bad "
+        "usage,\n"
+        "3 something failed while running. Other engines are built by tools/bench; their differences are "
+        "shown.");
     if (name == kBenchDraw) {
         command.footer(
-            "A peer finds campus.glb and views.json (size, field of view, eyes and what they look at, "
-            "rounds) "
-            "in its\nfolder, and prints 'frame LOOK VIEW MILLISECONDS' for each picture; tools/bench draw "
-            "runs "
-            "three.js and VTK\nso. The CSV has a line a campus, program and look. Exit code: 0 measured, "
-            "however "
-            "fast, 2 bad usage, 3\nsomething failed while running.");
+            "A peer finds campus.glb and views.json (size, field of view, eyes and their targets, rounds) in "
+            "its\n"
+            "folder, and prints 'frame LOOK VIEW MILLISECONDS' for each picture; tools/bench draw runs "
+            "three.js and\n"
+            "VTK like this. The CSV has one line per campus, program and look. Exit code: 0 measured, "
+            "however fast,\n"
+            "2 bad usage, 3 something failed while running.");
     } else if (name == kBenchWalk) {
         command.footer(
-            "The CSV has a line a campus and controller; forbidden: how many places it got to that no person "
-            "of its\nsize gets to; bullet: the better of its defaults and a tuned set. Each tick's time is "
-            "the "
-            "least of all\nrounds, which are the same walk to the bit.\n"
-            "Exit code: 0 ours got to every goal, to no forbidden one, and was never in anything, 1 it "
-            "wasn't so, "
-            "2 bad\nusage, 3 something failed while running. How fast it is changes nothing. Bullet's is "
-            "built "
-            "by tools/bench.");
+            "The CSV has one line per campus and controller; forbidden: how many goals it reached that no "
+            "person of\n"
+            "its size can reach; bullet: the better of its defaults and a tuned set. Each tick's time is the "
+            "least\n"
+            "of all rounds, which are bit for bit the same walk.\n"
+            "Exit code: 0 ours reached every goal and no forbidden one, and was never inside anything, 1 "
+            "otherwise,\n"
+            "2 bad usage, 3 something failed while running; speed has no influence. Bullet's is built by\n"
+            "tools/bench.");
     }
     command.choose(chosen, [options, name] {
         options->which = name;
@@ -108,13 +110,14 @@ void add_benchmarks(Command program, Chosen& chosen) {
             add_draw_options(command, *options);
         }
     }
-    add_measurement(program, kBenchAll, "All of these but walk and draw, into one CSV", options, chosen);
+    add_measurement(program, kBenchAll, "All of these except walk and draw, into one CSV", options, chosen);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_program(argc, argv,
-                       {"campuswalk-bench", "Measures campuswalk on this machine, beside other libraries."},
-                       add_benchmarks);
+    return run_program(
+        argc, argv,
+        {"campuswalk-bench", "Measures campuswalk on this machine, compared with other libraries."},
+        add_benchmarks);
 }

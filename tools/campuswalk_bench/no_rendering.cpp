@@ -1,4 +1,4 @@
-// A build without rendering (CAMPUSWALK_RENDER=OFF): it says so, and the rest is never called.
+// A build without rendering (CAMPUSWALK_RENDER=OFF): can_draw() is false, and the rest is never called.
 #include <stdexcept>
 
 #include "tools/campuswalk_bench/draw/draw_bench.h"

@@ -67,7 +67,8 @@ TEST(ChildProcess, ReportsHowItEnded) {
     const ExitStatus killed = start_program(shell("kill -SEGV $$")).wait();
     EXPECT_EQ(killed.signal, SIGSEGV);
     EXPECT_FALSE(killed.success());
-    EXPECT_NE(to_string(killed).find("signal 11 (Segmentation fault)"), std::string::npos) << to_string(killed);
+    EXPECT_NE(to_string(killed).find("signal 11 (Segmentation fault)"), std::string::npos)
+        << to_string(killed);
 }
 
 TEST(ChildProcess, IsWaitedForNoLongerThanTheTimeout) {

@@ -21,8 +21,8 @@ constexpr double kSideways = 1e-4;     ///< metres
 constexpr double kSameSurface = 1e-6;  ///< metres: FCL's own tolerance
 
 struct Hit {
-    double fraction = 1.0;  ///< of the ray; at its end if there is none
-    double slant = 0.0;     ///< metres along the ray a metre sideways, at most
+    double fraction = 1.0;  ///< of the ray; 1 if there is no hit
+    double slant = 0.0;     ///< metres along the ray per metre sideways, at most
 };
 
 double slant_of(const Triangle& t, const Vec3& direction) {
@@ -66,8 +66,8 @@ bool is_touching_set(const TriangleMesh& mesh, const collision::Segment& segment
                      const std::vector<std::uint32_t>& triangles) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         const double gap = closest(segment, vertices(mesh, i)).distance - radius;
-        const bool is_in = std::binary_search(triangles.begin(), triangles.end(), i);
-        if (std::abs(gap) > kSameSurface && is_in != (gap < 0.0)) {
+        const bool is_listed = std::binary_search(triangles.begin(), triangles.end(), i);
+        if (std::abs(gap) > kSameSurface && is_listed != (gap < 0.0)) {
             return false;
         }
     }

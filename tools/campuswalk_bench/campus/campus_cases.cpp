@@ -8,8 +8,8 @@
 
 #include "collision/mesh/mesh_query.h"
 #include "tools/campuswalk_bench/campus/answer_check.h"
-#include "tools/campuswalk_bench/campus/poll.h"
-#include "tools/campuswalk_bench/campus/questions.h"
+#include "tools/campuswalk_bench/campus/query_case.h"
+#include "tools/campuswalk_bench/campus/query_inputs.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/procedural/generated_campus.h"
 
@@ -27,16 +27,16 @@ namespace {
 using Fraction = std::optional<double>;
 using Triangles = std::vector<std::uint32_t>;
 
-/// One mesh in everybody's tree.
+/// One mesh in the trees of all engines.
 struct Campus {
     explicit Campus(int lots)
         : generated(generated_campus(lots)),
-          wide(generated.mesh, TreeKind::bvh8, collision::Interior::unknown),
-          paper(generated.mesh, TreeKind::hybrid, collision::Interior::unknown) {}
+          bvh8_collider(generated.mesh, TreeKind::bvh8, collision::Interior::unknown),
+          hybrid_collider(generated.mesh, TreeKind::hybrid, collision::Interior::unknown) {}
 
     GeneratedCampus generated;
-    MeshCollider wide;
-    MeshCollider paper;
+    MeshCollider bvh8_collider;
+    MeshCollider hybrid_collider;
     std::shared_ptr<RayEngine> embree;
     std::shared_ptr<RayEngine> bullet;
     std::shared_ptr<TouchEngine> fcl;
@@ -51,27 +51,27 @@ void load(std::shared_ptr<Engine>& engine, const char* peer, const char* functio
     }
 }
 
-/// Both trees, asked by `ask(collider, question, answer, counters)`.
-template <typename Question, typename Answer, typename Ask>
-std::vector<Respondent<Question, Answer>> both_trees(const Campus& campus, const Ask& ask) {
-    std::vector<Respondent<Question, Answer>> made;
+/// Both trees, queried by `query(collider, input, answer, counters)`.
+template <typename Input, typename Answer, typename RunQuery>
+std::vector<QueryEngine<Input, Answer>> both_trees(const Campus& campus, const RunQuery& query) {
+    std::vector<QueryEngine<Input, Answer>> engines;
     for (const auto& [name, collider] :
-         {std::pair("wide", &campus.wide), std::pair("paper", &campus.paper)}) {
-        made.push_back(
+         {std::pair("wide", &campus.bvh8_collider), std::pair("paper", &campus.hybrid_collider)}) {
+        engines.push_back(
             {name, true,
-             [ask, collider = collider](const Question& question, Answer& answer, QueryStatistics& counters) {
-                 ask(*collider, question, answer, counters);
+             [query, collider = collider](const Input& input, Answer& answer, QueryStatistics& counters) {
+                 query(*collider, input, answer, counters);
              }});
     }
-    return made;
+    return engines;
 }
 
-Poll<Ray, Fraction> first_hits(const Campus& campus, const char* case_name, std::vector<Ray> rays) {
-    Poll<Ray, Fraction> poll;
-    poll.case_name = case_name;
-    poll.query = "first_hit";
-    poll.questions = std::move(rays);
-    poll.respondents = both_trees<Ray, Fraction>(
+QueryCase<Ray, Fraction> first_hits(const Campus& campus, const char* case_name, std::vector<Ray> rays) {
+    QueryCase<Ray, Fraction> query_case;
+    query_case.case_name = case_name;
+    query_case.query = "first_hit";
+    query_case.inputs = std::move(rays);
+    query_case.engines = both_trees<Ray, Fraction>(
         campus, [](const MeshCollider& mesh, const Ray& ray, Fraction& answer, QueryStatistics& counters) {
             const auto hit = first_on_ray(mesh, ray, &counters);
             answer = hit ? Fraction(hit->fraction) : std::nullopt;
@@ -79,67 +79,67 @@ Poll<Ray, Fraction> first_hits(const Campus& campus, const char* case_name, std:
     for (const auto& [name, peer] :
          {std::pair("embree_robust", campus.embree), std::pair("bullet_bvh", campus.bullet)}) {
         if (peer) {
-            poll.respondents.push_back(
+            query_case.engines.push_back(
                 {name, false, [peer = peer](const Ray& ray, Fraction& answer, QueryStatistics&) {
                      answer = peer->first_on_ray(ray);
                  }});
         }
     }
-    poll.is_same = same_hit;
-    poll.is_right = [&campus](const Ray& ray, const Fraction& answer) {
+    query_case.is_same = same_hit;
+    query_case.is_right = [&campus](const Ray& ray, const Fraction& answer) {
         return is_first_hit(campus.generated.mesh, ray, answer);
     };
-    return poll;
+    return query_case;
 }
 
-Poll<Ray, char> any_hits(const Campus& campus, std::vector<Ray> rays) {
-    Poll<Ray, char> poll;
-    poll.case_name = "rays";
-    poll.query = "any_hit";
-    poll.questions = std::move(rays);
-    poll.respondents = both_trees<Ray, char>(
+QueryCase<Ray, char> any_hits(const Campus& campus, std::vector<Ray> rays) {
+    QueryCase<Ray, char> query_case;
+    query_case.case_name = "rays";
+    query_case.query = "any_hit";
+    query_case.inputs = std::move(rays);
+    query_case.engines = both_trees<Ray, char>(
         campus, [](const MeshCollider& mesh, const Ray& ray, char& answer, QueryStatistics& counters) {
             answer = any_on_ray(mesh, ray, &counters) ? 1 : 0;
         });
-    return poll;
+    return query_case;
 }
 
-Poll<Segment, Triangles> touches(const Campus& campus, std::vector<Segment> segments) {
-    Poll<Segment, Triangles> poll;
-    poll.case_name = "avatars";
-    poll.query = "touching";
-    poll.questions = std::move(segments);
-    poll.respondents = both_trees<Segment, Triangles>(
+QueryCase<Segment, Triangles> touches(const Campus& campus, std::vector<Segment> segments) {
+    QueryCase<Segment, Triangles> query_case;
+    query_case.case_name = "avatars";
+    query_case.query = "touching";
+    query_case.inputs = std::move(segments);
+    query_case.engines = both_trees<Segment, Triangles>(
         campus,
         [](const MeshCollider& mesh, const Segment& segment, Triangles& answer, QueryStatistics& counters) {
             triangles_near(mesh, segment, kAvatarRadius, answer, &counters);
         });
     if (campus.fcl) {
-        poll.respondents.push_back(
+        query_case.engines.push_back(
             {"fcl_obbrss", false,
              [fcl = campus.fcl](const Segment& segment, Triangles& answer, QueryStatistics&) {
                  fcl->triangles_near(segment, kAvatarRadius, answer);
              }});
     }
-    poll.is_same = [](const Segment&, const Triangles& a, const Triangles& b) { return a == b; };
-    poll.is_right = [&campus](const Segment& segment, const Triangles& answer) {
+    query_case.is_same = [](const Segment&, const Triangles& a, const Triangles& b) { return a == b; };
+    query_case.is_right = [&campus](const Segment& segment, const Triangles& answer) {
         return is_touching_set(campus.generated.mesh, segment, kAvatarRadius, answer);
     };
-    return poll;
+    return query_case;
 }
 
-Poll<Vec3, double> distances(const Campus& campus, const std::vector<Segment>& segments) {
-    Poll<Vec3, double> poll;
-    poll.case_name = "points";
-    poll.query = "closest";
+QueryCase<Vec3, double> distances(const Campus& campus, const std::vector<Segment>& segments) {
+    QueryCase<Vec3, double> query_case;
+    query_case.case_name = "points";
+    query_case.query = "closest";
     for (const Segment& segment : segments) {
-        poll.questions.push_back(segment.b);
+        query_case.inputs.push_back(segment.b);
     }
-    poll.respondents = both_trees<Vec3, double>(
+    query_case.engines = both_trees<Vec3, double>(
         campus, [](const MeshCollider& mesh, const Vec3& point, double& answer, QueryStatistics& counters) {
             answer = closest_point(mesh, point, &counters).distance;
         });
-    return poll;
+    return query_case;
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ Poll<Vec3, double> distances(const Campus& campus, const std::vector<Segment>& s
 CaseResult run_campus_cases(const CampusSize& size, int rounds) {
     Campus campus(size.lots);
     const collision::TriangleMesh& mesh = campus.generated.mesh;
-    std::printf("A campus of %zu triangles as one mesh; microseconds a question of %d rounds, one thread.\n",
+    std::printf("A campus of %zu triangles as one mesh; microseconds per query of %d rounds, one thread.\n",
                 mesh.triangles.size(), rounds);
     load<MakeRayEngine>(campus.embree, "embree_robust", kMakeRayEngine, campus);
     load<MakeRayEngine>(campus.bullet, "bullet_bvh", kMakeRayEngine, campus);
@@ -155,11 +155,12 @@ CaseResult run_campus_cases(const CampusSize& size, int rounds) {
     const std::vector<Ray> rays = eye_rays(campus.generated.feet, 200.0, size.rays, 1);
     const std::vector<Segment> segments = avatars(mesh, size.avatars, 2);
     CaseResult result;
-    run(first_hits(campus, "rays", rays), rounds, result);
-    run(any_hits(campus, rays), rounds, result);
-    run(first_hits(campus, "probes", eye_rays(campus.generated.feet, 5.0, size.probes, 3)), rounds, result);
-    run(touches(campus, segments), rounds, result);
-    run(distances(campus, segments), rounds, result);
+    run_case(first_hits(campus, "rays", rays), rounds, result);
+    run_case(any_hits(campus, rays), rounds, result);
+    run_case(first_hits(campus, "probes", eye_rays(campus.generated.feet, 5.0, size.probes, 3)), rounds,
+             result);
+    run_case(touches(campus, segments), rounds, result);
+    run_case(distances(campus, segments), rounds, result);
     return result;
 }
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is drawn, before it is.
+/// A model to draw, the views of it, and the times of the processes that have drawn it.
 struct Subject {
     std::string name;
     scene::Model model;
@@ -30,14 +30,13 @@ struct Subject {
 
 Subject hills(int lots) {
     const WalkableCampus campus = walkable_campus(lots);
-    return {
-        "hills", drawn_campus(campus.mesh, campus.runs, scene::kWalkableLot), views_over_hills(campus), {}};
+    return {"hills", drawn_campus(campus.mesh, campus.runs, kWalkableLot), views_over_hills(campus), {}};
 }
 
 Subject houses(int lots) {
     const GeneratedCampus campus = generated_campus(lots);
     return {"houses",
-            drawn_campus(campus.mesh, campus.runs, scene::kGeneratedLot),
+            drawn_campus(campus.mesh, campus.runs, kGeneratedLot),
             views_among_houses(campus, lots),
             {}};
 }
@@ -54,8 +53,8 @@ DrawnCampus draw_campus(const Subject& subject, const DrawBench& bench, const fs
     drawn.name = name;
     drawn.triangles = scene::count_triangles(model);
     std::printf(
-        "\n%s: %zu triangles in %zu meshes, %zu views of %dx%d, %d rounds after one for warming up\n"
-        "processes: %zu of ours at the same time; a frame's time is its share\n",
+        "\n%s: %zu triangles in %zu meshes, %zu views of %dx%d, %d rounds after one to warm up\n"
+        "processes: %zu of ours at the same time; an image's time is divided by their number\n",
         name.c_str(), drawn.triangles, model.meshes.size(), views.size(), kDrawnWidth, kDrawnHeight,
         bench.rounds, drawing_processes());
     std::fflush(stdout);
@@ -84,7 +83,7 @@ bool can_draw() {
 
 void run_draw_bench(const DrawBench& bench) {
     const ScratchFolder scratch(bench.folder);
-    // By other processes first: they can't be forked from one that has drawn.
+    // The drawing processes come first: they can't be forked from a process that has drawn.
     std::vector<Subject> subjects;
     for (const int lots : bench.quick ? std::vector<int>{1} : std::vector<int>{8, 17}) {
         for (const auto& make : {hills, houses}) {

@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kWarmUp = 0;
 constexpr std::size_t kDraw = 1;
 
-/// One of the processes: makes a renderer and draws all views once, then as often as they are timed.
+/// One of the processes: makes a renderer and draws all views once, then once per timed round.
 class Drawer {
 public:
     Drawer(const scene::Model& model, const Look& look, const std::vector<Viewpoint>& views, int rounds,
@@ -50,7 +50,8 @@ public:
     }
 
 private:
-    // Each begins with another view, or all would have the dear ones at the same time.
+    // Each process begins with a different view; otherwise all would draw the expensive ones at the same
+    // time.
     void draw_views(std::ostringstream& frames) {
         for (std::size_t i = 0; i < views_.size(); ++i) {
             const std::size_t view = (first_ + i) % views_.size();
@@ -68,7 +69,7 @@ private:
     std::unique_ptr<Renderer> renderer_;
 };
 
-/// All of them do it; what they say in the end.
+/// All workers do the task. Returns their results.
 std::string wait_for(std::vector<Worker>& workers, std::size_t task) {
     for (Worker& worker : workers) {
         worker.give(task);
@@ -99,7 +100,7 @@ DrawTimes draw_look(const scene::Model& model, const Look& look, const std::vect
     times.engine = kOurProcesses;
     times.look = look.name;
     std::istringstream frames(wait_for(workers, kDraw));
-    SequenceImage frame;
+    TimedImage frame;
     while (frames >> frame.view >> frame.ms) {
         frame.ms /= static_cast<double>(drawing_processes());
         times.frames.push_back(frame);

@@ -18,7 +18,7 @@ using engine::render::Viewpoint;
 
 namespace {
 
-/// Of all threads of this process.
+/// The processor time of all threads of this process.
 double cpu_ms() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -30,10 +30,10 @@ double cpu_ms() {
 
 DrawTimes draw_look(Renderer& renderer, const std::vector<Viewpoint>& views, int rounds) {
     DrawTimes times;
-    double begun = 0.0;
+    double start = 0.0;
     for (int round = 0; round <= rounds; ++round) {
         if (round == 1) {
-            begun = cpu_ms();
+            start = cpu_ms();
         }
         for (std::size_t i = 0; i < views.size(); ++i) {
             const double us = microseconds_of([&] { renderer.draw(views[i], kDrawnWidth, kDrawnHeight); });
@@ -42,7 +42,7 @@ DrawTimes draw_look(Renderer& renderer, const std::vector<Viewpoint>& views, int
             }
         }
     }
-    times.cpu_ms = (cpu_ms() - begun) / static_cast<double>(times.frames.size());
+    times.cpu_ms = (cpu_ms() - start) / static_cast<double>(times.frames.size());
     return times;
 }
 

@@ -24,7 +24,7 @@ nlohmann::json list_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// In the shell's quotes.
+/// Quoted for the shell.
 std::string quoted(const std::string& text) {
     std::string word = "'";
     for (const char c : text) {
@@ -58,7 +58,7 @@ std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& p
         std::istringstream words(line);
         std::string kind;
         std::string look;
-        SequenceImage frame;
+        TimedImage frame;
         if (!(words >> kind >> look >> frame.view >> frame.ms) || kind != "frame") {
             continue;
         }
@@ -70,7 +70,7 @@ std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& p
         times->frames.push_back(frame);
     }
     if (looks.empty()) {
-        throw std::runtime_error("it drew no frame");
+        throw std::runtime_error("it drew no image");
     }
     return looks;
 }

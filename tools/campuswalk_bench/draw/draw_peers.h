@@ -9,21 +9,22 @@
 
 namespace campuswalk::tools::bench {
 
-/// Another program that draws: `command` is a line for the shell.
+/// Another program that draws: `command` is a shell command.
 struct DrawPeer {
     std::string name;
     std::string command;
 };
 
-/// Writes `folder`/views.json: the size, the field of view and the views that peers draw, and how often.
+/// Writes `folder`/views.json: the size, the field of view, the views and the number of rounds that peers
+/// draw.
 void write_views(const std::vector<DrawnView>& views, int rounds, const std::filesystem::path& folder);
 
-/// Runs the peer with the folder, which holds campus.glb and views.json, as its argument. It prints a line a
-/// frame, `frame LOOK VIEW MS`, and may print others. Throws std::runtime_error when it fails, or prints no
-/// frame.
+/// Runs the peer with the folder, which holds campus.glb and views.json, as its argument. It prints one line
+/// per image, `frame LOOK VIEW MS`, and may print other lines. Throws std::runtime_error when it fails or
+/// prints no such line.
 std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::path& folder);
 
-/// Likewise, from what it printed.
+/// The times in the output of a peer. Throws std::runtime_error when there are none.
 std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& printed);
 
 }  // namespace campuswalk::tools::bench

@@ -21,8 +21,8 @@ const DrawTimes* find(const DrawnCampus& campus, const std::string& engine, cons
 
 /// How many times as long as ours the engine takes for the same look.
 std::optional<double> times_ours(const DrawnCampus& campus, const std::string& engine,
-                                 const std::string& look, const char* our_way = kOurs) {
-    const DrawTimes* ours = find(campus, our_way, look);
+                                 const std::string& look, const char* our_engine = kOurs) {
+    const DrawTimes* ours = find(campus, our_engine, look);
     const DrawTimes* theirs = find(campus, engine, look);
     if (ours == nullptr || theirs == nullptr) {
         return std::nullopt;
@@ -30,12 +30,12 @@ std::optional<double> times_ours(const DrawnCampus& campus, const std::string& e
     return median_ms(*theirs) / median_ms(*ours);
 }
 
-std::optional<double> ours_ms(const DrawnCampus& campus, const std::string& look, const char* our_way) {
-    const DrawTimes* ours = find(campus, our_way, look);
+std::optional<double> ours_ms(const DrawnCampus& campus, const std::string& look, const char* our_engine) {
+    const DrawTimes* ours = find(campus, our_engine, look);
     return ours == nullptr ? std::nullopt : std::optional(median_ms(*ours));
 }
 
-/// What a frame of a campus of at most so many triangles may take.
+/// The longest allowed times of an image of a campus of at most `most_triangles`.
 struct Allowance {
     std::size_t most_triangles = 0;
     double fxaa_ms = 0.0;
@@ -43,33 +43,34 @@ struct Allowance {
 };
 constexpr Allowance kAllowances[] = {{1000000, 50.0, 110.0}, {4000000, 85.0, 187.0}};
 
-void evaluate_times(const DrawnCampus& campus, const char* our_way, std::vector<DrawVerdict>& verdicts) {
+void add_time_verdicts(const DrawnCampus& campus, const char* our_engine,
+                       std::vector<DrawVerdict>& verdicts) {
     const std::string of = ", " + campus.name + " of " + std::to_string(campus.triangles) + " triangles" +
-                           (our_way == std::string_view(kOurProcesses) ? ", by processes" : "");
+                           (our_engine == std::string_view(kOurProcesses) ? ", by processes" : "");
     const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
         return campus.triangles <= each.most_triangles;
     });
     if (allowed != std::end(kAllowances)) {
-        verdicts.push_back({"a frame, shadows+fxaa" + of,
-                            ours_ms(campus, "shadows+fxaa", our_way),
+        verdicts.push_back({"an image, shadows+fxaa" + of,
+                            ours_ms(campus, "shadows+fxaa", our_engine),
                             " ms",
                             false,
                             allowed->fxaa_ms,
                             {}});
-        verdicts.push_back({"a frame, shadows+msaa4" + of,
-                            ours_ms(campus, "shadows+msaa4", our_way),
+        verdicts.push_back({"an image, shadows+msaa4" + of,
+                            ours_ms(campus, "shadows+msaa4", our_engine),
                             " ms",
                             false,
                             allowed->msaa_ms,
                             {}});
     }
     for (const char* look : {"no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4"}) {
-        verdicts.push_back({std::string(look) + of, times_ours(campus, "three.js", look, our_way),
+        verdicts.push_back({std::string(look) + of, times_ours(campus, "three.js", look, our_engine),
                             "x as long in three.js", true, 2.0, 4.0});
     }
     for (const char* look : {"no-aa", "fxaa", "msaa4"}) {
         verdicts.push_back({std::string(look) + of,
-                            times_ours(campus, "vtk", look, our_way),
+                            times_ours(campus, "vtk", look, our_engine),
                             "x as long in VTK",
                             true,
                             3.0,
@@ -80,7 +81,7 @@ void evaluate_times(const DrawnCampus& campus, const char* our_way, std::vector<
 }  // namespace
 
 void print_draw_table(const DrawnCampus& campus) {
-    std::printf("%-12s%-16s%9s%9s%9s%9s%12s\n", "", "ms a frame", "median", "mean", "least", "cpu",
+    std::printf("%-12s%-16s%9s%9s%9s%9s%12s\n", "", "ms per image", "median", "mean", "least", "cpu",
                 "times ours");
     for (const DrawTimes& times : campus.looks) {
         std::printf("%-12s%-16s%9.1f%9.1f%9.1f", times.engine.c_str(), times.look.c_str(), median_ms(times),
@@ -92,15 +93,15 @@ void print_draw_table(const DrawnCampus& campus) {
         }
         std::printf("\n");
     }
-    std::printf("PNG of a picture: %.1f ms; memory of the default look, textures and maps too: %.1f MB\n",
+    std::printf("PNG of an image: %.1f ms; memory of the default look, with textures and maps: %.1f MB\n",
                 campus.encode_ms, 1e-6 * static_cast<double>(campus.heap_bytes));
 }
 
 std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses) {
     std::vector<DrawVerdict> verdicts;
     for (const DrawnCampus& campus : campuses) {
-        evaluate_times(campus, kOurs, verdicts);
-        evaluate_times(campus, kOurProcesses, verdicts);
+        add_time_verdicts(campus, kOurs, verdicts);
+        add_time_verdicts(campus, kOurProcesses, verdicts);
     }
     if (campuses.empty()) {
         return verdicts;
@@ -112,19 +113,19 @@ std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses)
         bytes = (static_cast<double>(large.heap_bytes) - static_cast<double>(small.heap_bytes)) /
                 static_cast<double>(large.triangles - small.triangles);
     }
-    verdicts.push_back({"memory a triangle, without textures", bytes, " bytes", false, 200.0, {}});
-    verdicts.push_back({"PNG of a picture", large.encode_ms, " ms", false, 20.0, {}});
+    verdicts.push_back({"memory per triangle, without textures", bytes, " bytes", false, 200.0, {}});
+    verdicts.push_back({"PNG of an image", large.encode_ms, " ms", false, 20.0, {}});
     return verdicts;
 }
 
 void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts) {
-    std::printf("\nAgainst what is to be reached, by medians\n");
+    std::printf("\nCompared with the targets, by medians\n");
     for (const DrawVerdict& verdict : verdicts) {
         if (!verdict.value) {
-            std::printf("  %-66snot measured\n", verdict.what.c_str());
+            std::printf("  %-68snot measured\n", verdict.what.c_str());
             continue;
         }
-        std::printf("  %-66s%8.2f%-24s(must %g", verdict.what.c_str(), *verdict.value, verdict.unit,
+        std::printf("  %-68s%8.2f%-24s(must %g", verdict.what.c_str(), *verdict.value, verdict.unit,
                     verdict.must);
         if (verdict.aim) {
             std::printf(", aim %g", *verdict.aim);

@@ -9,7 +9,7 @@
 
 namespace campuswalk::tools::bench {
 
-/// All that was drawn of one campus.
+/// The times of all images of one campus.
 struct DrawnCampus {
     std::string name;  ///< of its kind: "hills", "houses"
     std::size_t triangles = 0;
@@ -20,7 +20,7 @@ struct DrawnCampus {
 
 void print_draw_table(const DrawnCampus& campus);
 
-/// What drawing is to reach.
+/// One target of drawing, and what was measured.
 struct DrawVerdict {
     std::string what;
     std::optional<double> value;  ///< none when it wasn't measured
@@ -32,12 +32,12 @@ struct DrawVerdict {
     bool holds() const { return value && (more_is_better ? *value >= must : *value <= must); }
 };
 
-/// Milliseconds and ratios are of medians. Memory is what the triangles of the last campus take more than
-/// those of the first: textures, shadow maps and the image's own buffers are the same.
+/// Milliseconds and ratios are of medians. Memory is the difference between the last campus and the first:
+/// textures, shadow maps and the image's own buffers are the same for both.
 std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses);
 void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts);
 
-/// A line a campus, engine and look. Throws std::runtime_error when it can't be written.
+/// One line per campus, engine and look. Throws std::runtime_error when it can't be written.
 void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesystem::path& file);
 
 }  // namespace campuswalk::tools::bench

@@ -7,7 +7,7 @@ namespace campuswalk::tools::bench {
 
 double mean_ms(const DrawTimes& times) {
     double sum = 0.0;
-    for (const SequenceImage& frame : times.frames) {
+    for (const TimedImage& frame : times.frames) {
         sum += frame.ms;
     }
     return sum / static_cast<double>(times.frames.size());
@@ -15,7 +15,7 @@ double mean_ms(const DrawTimes& times) {
 
 double median_ms(const DrawTimes& times) {
     std::vector<double> ms;
-    for (const SequenceImage& frame : times.frames) {
+    for (const TimedImage& frame : times.frames) {
         ms.push_back(frame.ms);
     }
     std::sort(ms.begin(), ms.end());
@@ -25,7 +25,7 @@ double median_ms(const DrawTimes& times) {
 
 double least_ms(const DrawTimes& times) {
     std::map<std::size_t, double> least;
-    for (const SequenceImage& frame : times.frames) {
+    for (const TimedImage& frame : times.frames) {
         const auto [entry, is_first] = least.emplace(frame.view, frame.ms);
         entry->second = std::min(entry->second, frame.ms);
     }

@@ -15,17 +15,16 @@ namespace campuswalk::tools::bench {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
-using scene::CampusPart;
 
 namespace {
 
-constexpr double kEyes = 1.68;          ///< metres over the foot
-constexpr std::size_t kMostViews = 24;  ///< three on each of eight ways
+constexpr double kEyes = 1.68;          ///< metres above the foot
+constexpr std::size_t kMostViews = 24;  ///< three on each of eight paths
 constexpr int kStreetViews = 12;        ///< on each of two walks
-constexpr float kLevel = 0.7F;          ///< a face whose normal rises more is walked on, hence paved
+constexpr float kLevel = 0.7F;          ///< faces whose normals have a greater y are walked on, hence paved
 
-/// After the surface images' own, a material without an image.
-constexpr std::size_t kPaint = 5;
+/// The material without an image, after those of the surface images.
+constexpr std::size_t kPlainMaterial = 5;
 
 std::size_t material_of(CampusPart part, const Vector3f& normal) {
     const auto image = [](SurfaceImage it) { return static_cast<std::size_t>(it); };
@@ -41,15 +40,15 @@ std::size_t material_of(CampusPart part, const Vector3f& normal) {
         case CampusPart::lamp:
             break;
     }
-    return kPaint;
+    return kPlainMaterial;
 }
 
 bool is_smooth(CampusPart part) {
     return part == CampusPart::terrain || part == CampusPart::tree;
 }
 
-/// Flat on the face's widest side.
-Vector2f image_place(const Vector3f& at, const Vector3f& normal) {
+/// Texture coordinates by projection along the normal's largest component.
+Vector2f texture_coordinates(const Vector3f& at, const Vector3f& normal) {
     const Vector3f side = normal.cwiseAbs();
     const Vector3f p = at / static_cast<float>(kImageMetres);
     if (side.y() >= std::max(side.x(), side.z())) {
@@ -58,7 +57,7 @@ Vector2f image_place(const Vector3f& at, const Vector3f& normal) {
     return side.x() >= side.z() ? Vector2f(p.z(), -p.y()) : Vector2f(p.x(), -p.y());
 }
 
-/// A mesh under construction: corners that are alike are one.
+/// A mesh under construction, which welds equal vertices.
 struct Piece {
     scene::WeldTable<5> vertices{1000};
     scene::Mesh mesh;
@@ -99,10 +98,10 @@ public:
         }
         scene::Model model;
         model.textures = surface_images();
-        for (std::size_t i = 0; i <= kPaint; ++i) {
+        for (std::size_t i = 0; i <= kPlainMaterial; ++i) {
             scene::Material material;
-            material.name = i < kPaint ? model.textures[i].name : "paint";
-            if (i < kPaint) {
+            material.name = i < kPlainMaterial ? model.textures[i].name : "paint";
+            if (i < kPlainMaterial) {
                 material.base_color_texture = scene::TextureIndex{static_cast<std::uint32_t>(i)};
             } else {
                 material.base_color = {0.06F, 0.09F, 0.08F, 1.0F};
@@ -142,8 +141,8 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
             const Vector3f normal = is_smooth(part) ? Vector3f(smooth_[triangle[i]].normalized()) : face;
             const Vector3f flat = part == CampusPart::terrain ? Vector3f::UnitY() : face;
-            vertices[i] =
-                piece.vertex(triangle[i], at(triangle[i]), normal, image_place(at(triangle[i]), flat));
+            vertices[i] = piece.vertex(triangle[i], at(triangle[i]), normal,
+                                       texture_coordinates(at(triangle[i]), flat));
         }
         piece.mesh.triangles.push_back(vertices);
     }
@@ -151,7 +150,7 @@ private:
     const collision::TriangleMesh& mesh_;
     std::span<const CampusRun> runs_;
     double lot_;
-    std::vector<Vector3f> smooth_;  ///< of each position: the sum over its triangles, by their area
+    std::vector<Vector3f> smooth_;  ///< by position: the sum of its triangles' normals, weighted by area
     std::map<std::tuple<int, int, std::size_t>, Piece> pieces_;
 };
 
@@ -175,11 +174,11 @@ std::vector<DrawnView> views_over_hills(const WalkableCampus& campus) {
         }
         const Eigen::Vector3d low = path.start + eyes;
         const Eigen::Vector3d high = path.goals.at(1).at + eyes;
-        const Eigen::Vector3d half_way = path.goals.at(0).at + eyes;
+        const Eigen::Vector3d middle = path.goals.at(0).at + eyes;
         const Eigen::Vector3d out = high - low;
         views.push_back({high, low});
         views.push_back({low, low + Eigen::Vector3d(out.x(), 0.0, out.z())});
-        views.push_back({half_way, half_way + Eigen::Vector3d(out.z(), 0.0, -out.x())});
+        views.push_back({middle, middle + Eigen::Vector3d(out.z(), 0.0, -out.x())});
     }
     views.resize(std::min(views.size(), kMostViews));
     return views;
@@ -187,9 +186,9 @@ std::vector<DrawnView> views_over_hills(const WalkableCampus& campus) {
 
 std::vector<DrawnView> views_among_houses(const GeneratedCampus& campus, int lots) {
     const Eigen::Vector3d eyes(0.0, kEyes, 0.0);
-    const double side = scene::kGeneratedLot * lots;
-    const int half_of_them = lots / 2;
-    const double between_lots = scene::kGeneratedLot * half_of_them - 0.5 * side;
+    const double side = kGeneratedLot * lots;
+    const int half_of_lots = lots / 2;
+    const double between_lots = kGeneratedLot * half_of_lots - 0.5 * side;
     std::vector<DrawnView> views;
     for (const bool along_x : {true, false}) {
         const auto eye = [&](int place) -> Eigen::Vector3d {

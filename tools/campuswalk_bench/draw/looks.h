@@ -13,13 +13,13 @@ constexpr int kDrawnWidth = 1280;
 constexpr int kDrawnHeight = 720;
 constexpr double kDrawnFov = 1.0471975511965976;  ///< vertical, radians
 
-/// A way of drawing that is timed.
+/// Render settings that are timed.
 struct Look {
     std::string name;
     engine::render::RenderSettings settings;
 };
 
-/// Those that peers have as well, then ours as users get it.
+/// The looks that peers also have, then our default settings.
 std::vector<Look> looks();
 
 std::vector<engine::render::Viewpoint> viewpoints(const std::vector<DrawnView>& views);

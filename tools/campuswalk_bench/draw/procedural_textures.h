@@ -6,10 +6,10 @@
 
 namespace campuswalk::tools::bench {
 
-/// How many metres an image covers, each way.
+/// The metres that an image covers in each direction.
 constexpr double kImageMetres = 3.0;
 
-/// Images of what a campus is made of, 512 pixels a side, that repeat without a seam. The same everywhere.
+/// Images of a campus' surfaces, 512 x 512 pixels, that repeat without a seam. The same on every platform.
 enum class SurfaceImage : std::uint8_t { grass, paving, bricks, leaves, planks };
 
 /// In the order of SurfaceImage.

@@ -11,51 +11,51 @@
 
 namespace campuswalk::tools::bench {
 
-// What engines are asked. All that a peer, a library of other people's, sees of the benchmark: it has one or
-// more of the functions below under their names. Meshes outlive what is made of them, which the caller
-// deletes; whatever is wrong is thrown.
+// The interfaces of engines, and all that a peer (a third-party library) sees of the benchmark: it defines
+// one or more of the functions below under their names. Meshes outlive the engines made from them, which the
+// caller deletes; errors are thrown.
 
-/// One way to find which triangles of two meshes overlap, with both meshes in it. What happens once for a
-/// pair of meshes (trees) is done by the constructor; the rest is what is timed.
+/// Finds which triangles of its two meshes overlap. The constructor does what is needed once for a pair of
+/// meshes (trees); the rest is timed.
 class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Whatever a rigid move of b costs before it can be asked about.
+    /// Moves b, with all that the engine must do before it can be queried again.
     virtual void set_pose(const collision::Pose& X_a_b) = 0;
 
-    /// Replaces `out`; any order, and a pair may be there more than once.
+    /// Replaces `out`; in any order, and with repeated pairs.
     virtual void all_pairs(std::vector<collision::TrianglePair>& out) = 0;
 
-    /// False for an engine that can't end a search early: it isn't asked for its first pair.
+    /// False for an engine that can't end a search early; its first_pair isn't called.
     virtual bool stops_at_first() const { return true; }
     virtual std::optional<collision::TrianglePair> first_pair() = 0;
 
-    /// Of the last query, by those who count it.
+    /// The counts of the last query, from engines that count.
     virtual std::optional<collision::HybridContactStatistics> work() const { return std::nullopt; }
 };
 
 using MakeEngine = Engine*(const collision::TriangleMesh& a, const collision::TriangleMesh& b);
 inline constexpr const char* kMakeEngine = "campuswalk_make_engine";
 
-/// One way to find what a ray meets first.
+/// Finds the first hit of a ray.
 class RayEngine {
 public:
     virtual ~RayEngine() = default;
 
-    /// The fraction of the ray at which it is.
+    /// The fraction of the ray at which the hit is.
     virtual std::optional<double> first_on_ray(const collision::Ray& ray) = 0;
 };
 
 using MakeRayEngine = RayEngine*(const collision::TriangleMesh& mesh);
 inline constexpr const char* kMakeRayEngine = "campuswalk_make_ray_engine";
 
-/// One way to find what an avatar touches.
+/// Finds what an avatar touches.
 class TouchEngine {
 public:
     virtual ~TouchEngine() = default;
 
-    /// Replaces `out` by the triangles no farther than `radius` from a segment along y, ascending.
+    /// Replaces `out` with the triangles at most `radius` from a segment along y, ascending.
     virtual void triangles_near(const collision::Segment& upright, double radius,
                                 std::vector<std::uint32_t>& out) = 0;
 };
@@ -63,12 +63,12 @@ public:
 using MakeTouchEngine = TouchEngine*(const collision::TriangleMesh& mesh);
 inline constexpr const char* kMakeTouchEngine = "campuswalk_make_touch_engine";
 
-/// A mesh with its tree, made as often as asked from a mesh that is in the engine's own format already.
+/// Builds a mesh with its tree, repeatedly, from a mesh that is already in the engine's format.
 class TreeBuilder {
 public:
     virtual ~TreeBuilder() = default;
 
-    /// Keeps what it makes, mesh included, until `discard`, which comes before another build.
+    /// Stores the result, mesh included, until `discard`, which is called before the next build.
     virtual void build() = 0;
     virtual void discard() = 0;
 };
@@ -76,7 +76,7 @@ public:
 using MakeTreeBuilder = TreeBuilder*(const collision::TriangleMesh& mesh);
 inline constexpr const char* kMakeTreeBuilder = "campuswalk_make_tree_builder";
 
-/// Who walks: an upright capsule, metres, radians, seconds.
+/// The body that walks, an upright capsule; metres, radians, seconds.
 struct WalkBody {
     double radius = 0.3;
     double height = 1.8;
@@ -87,15 +87,15 @@ struct WalkBody {
     double tick = 1.0 / 60.0;
 };
 
-/// A character controller in a mesh that stands still. The foot is the capsule's lowest point.
+/// A character controller in a static mesh. The foot is the capsule's lowest point.
 class WalkEngine {
 public:
     virtual ~WalkEngine() = default;
 
-    /// Puts the body there, at rest; what was before makes no difference from now on.
+    /// Puts the body there, at rest, and forgets its earlier motion.
     virtual void place(const collision::Vec3& foot) = 0;
 
-    /// Walks for a tick: `wish` is the displacement asked for, level.
+    /// Walks for one tick; the desired displacement is horizontal.
     virtual void walk(const collision::Vec3& desired) = 0;
 
     virtual collision::Vec3 foot() const = 0;
@@ -103,7 +103,7 @@ public:
 
 using MakeWalkEngine = WalkEngine*(const collision::TriangleMesh& mesh, const WalkBody& body);
 inline constexpr const char* kMakeWalkEngine = "campuswalk_make_walk_engine";
-/// The same set up as well as it can be; the above has the library's defaults.
+/// The same with tuned settings; the above has the library's defaults.
 inline constexpr const char* kMakeTunedWalkEngine = "campuswalk_make_tuned_walk_engine";
 
 }  // namespace campuswalk::tools::bench

@@ -19,9 +19,9 @@ using collision::TrianglePair;
 
 namespace {
 
-class PaperEngine final : public Engine {
+class HybridEngine final : public Engine {
 public:
-    PaperEngine(const TriangleMesh& a, const TriangleMesh& b, NodeTest test)
+    HybridEngine(const TriangleMesh& a, const TriangleMesh& b, NodeTest test)
         : tree_a_(build_hybrid_tree(a)),
           tree_b_(build_hybrid_tree(b)),
           a_{a, tree_a_},
@@ -52,9 +52,9 @@ private:
     HybridContactStatistics work_;
 };
 
-class WideEngine final : public Engine {
+class Bvh8Engine final : public Engine {
 public:
-    WideEngine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
+    Bvh8Engine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
         : a_(a, collision::TreeKind::bvh8, collision::Interior::unknown),
           b_(b, collision::TreeKind::bvh8, collision::Interior::unknown),
           simd_target_(simd_target) {}
@@ -81,29 +81,29 @@ private:
     HybridContactStatistics work_;
 };
 
-const std::map<std::string, NodeTest> kOnThePapersTree = {{"paper", NodeTest::hybrid},
-                                                          {"obb", NodeTest::box},
-                                                          {"sphere", NodeTest::sphere},
-                                                          {"mixed", NodeTest::mixed}};
-const std::map<std::string, SimdTarget> kOnBvh8 = {
+const std::map<std::string, NodeTest> kHybridEngines = {{"paper", NodeTest::hybrid},
+                                                        {"obb", NodeTest::box},
+                                                        {"sphere", NodeTest::sphere},
+                                                        {"mixed", NodeTest::mixed}};
+const std::map<std::string, SimdTarget> kBvh8Engines = {
     {"wide_sse42", SimdTarget::sse42}, {"wide_avx2", SimdTarget::avx2}, {"wide_avx512", SimdTarget::avx512}};
 
 }  // namespace
 
 bool is_our_engine(const std::string& name) {
-    return kOnThePapersTree.contains(name) || kOnBvh8.contains(name);
+    return kHybridEngines.contains(name) || kBvh8Engines.contains(name);
 }
 
 std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleMesh& a,
                                         const TriangleMesh& b) {
-    if (const auto test = kOnThePapersTree.find(name); test != kOnThePapersTree.end()) {
-        return std::make_unique<PaperEngine>(a, b, test->second);
+    if (const auto test = kHybridEngines.find(name); test != kHybridEngines.end()) {
+        return std::make_unique<HybridEngine>(a, b, test->second);
     }
-    const SimdTarget simd_target = kOnBvh8.at(name);
+    const SimdTarget simd_target = kBvh8Engines.at(name);
     if (!can_run(simd_target)) {
-        throw std::runtime_error("this machine hasn't got the instructions");
+        throw std::runtime_error("this processor lacks the instruction set");
     }
-    return std::make_unique<WideEngine>(a, b, simd_target);
+    return std::make_unique<Bvh8Engine>(a, b, simd_target);
 }
 
 }  // namespace campuswalk::tools::bench

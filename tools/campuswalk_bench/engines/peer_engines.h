@@ -8,12 +8,12 @@
 
 namespace campuswalk::tools::bench {
 
-/// A function of a peer's library, which lies in the folder `peers` beside this program; the program links
-/// none of them. Throws std::runtime_error, which says why there is none.
+/// A function of a peer's library, which is in the folder `peers` beside this program; the program links none
+/// of them. Throws std::runtime_error with the reason if there is none.
 void* find_in_peer(const std::string& peer, const char* function);
 
-/// make_peer<MakeEngine>("ode", kMakeEngine, a, b), and so on for the other kinds of engine.h. Throws like
-/// the above and whatever the peer does.
+/// Makes an engine of a peer: make_peer<MakeEngine>("ode", kMakeEngine, a, b), and likewise for the other
+/// kinds in engine.h. Throws like find_in_peer, and what the peer throws.
 template <typename Make, typename... Meshes>
 auto make_peer(const std::string& peer, const char* function, const Meshes&... meshes) {
     auto* make = reinterpret_cast<Make*>(find_in_peer(peer, function));

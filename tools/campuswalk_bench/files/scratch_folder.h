@@ -8,12 +8,12 @@
 
 namespace campuswalk::tools::bench {
 
-/// A folder for what other programs are given: the one that is wanted, which stays, or else one of ours,
-/// which is gone afterwards.
+/// A folder for files for other programs: the requested one, which stays, or else a temporary one, which is
+/// removed by the destructor.
 class ScratchFolder {
 public:
-    explicit ScratchFolder(const std::filesystem::path& wanted = {})
-        : path_(wanted), is_ours_(wanted.empty()) {
+    explicit ScratchFolder(const std::filesystem::path& requested = {})
+        : path_(requested), is_ours_(requested.empty()) {
         if (is_ours_) {
             path_ = std::filesystem::temp_directory_path() / ("campuswalk-bench-" + std::to_string(getpid()));
         }

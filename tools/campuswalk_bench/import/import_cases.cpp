@@ -40,7 +40,7 @@ scene::Model one_mesh(const collision::TriangleMesh& triangles) {
     return model;
 }
 
-/// Unit normals of the positions, each the mean of those of the triangles around it, by area.
+/// The unit normal of each position: the mean of its triangles' normals, weighted by area.
 std::vector<Eigen::Vector3f> smooth_normals(const collision::TriangleMesh& mesh) {
     std::vector<Eigen::Vector3f> normals(mesh.positions.size(), Eigen::Vector3f::Zero());
     for (const auto& t : mesh.triangles) {
@@ -56,7 +56,7 @@ std::vector<Eigen::Vector3f> smooth_normals(const collision::TriangleMesh& mesh)
     return normals;
 }
 
-/// Who imports, and how many triangles that gives.
+/// An importer that returns the number of triangles it read.
 struct Reader {
     std::string name;
     std::function<std::size_t()> read;
@@ -70,8 +70,8 @@ std::size_t import_by_helper(const fs::path& path) {
     return scene::count_triangles(model_importer()(file, scene::EmptyModel::refuse).model);
 }
 
-/// What assimp is asked for: the data as they are, or normals for what has none and joined vertices.
-enum class Steps { none, join, each_way };
+/// What assimp does besides reading: nothing, or missing normals and joined vertices.
+enum class Steps { none, join, both };
 
 std::vector<Reader> readers_of(const fs::path& file, Steps steps) {
     std::vector<Reader> readers = {{"helper", [=] { return import_by_helper(file); }}};
@@ -93,13 +93,13 @@ std::vector<Reader> readers_of(const fs::path& file, Steps steps) {
 void time_readers(const std::string& query, const fs::path& file, Steps steps, std::size_t triangles,
                   int rounds, CaseResult& result) {
     const std::vector<Reader> readers = readers_of(file, steps);
-    std::vector<bool> told(readers.size(), false);
+    std::vector<bool> reported(readers.size(), false);
     const auto spreads = shuffled_runs(readers.size(), rounds, [&](std::size_t i) {
         std::size_t found = 0;
         const double microseconds = microseconds_of([&] { found = readers[i].read(); });
-        if (found != triangles && !told[i]) {
-            told[i] = true;
-            std::printf("  %s gives %zu triangles instead of %zu\n", readers[i].name.c_str(), found,
+        if (found != triangles && !reported[i]) {
+            reported[i] = true;
+            std::printf("  %s reads %zu triangles instead of %zu\n", readers[i].name.c_str(), found,
                         triangles);
             result.ours_right = result.ours_right && i != 0;
         }
@@ -122,7 +122,7 @@ void time_readers(const std::string& query, const fs::path& file, Steps steps, s
 }  // namespace
 
 CaseResult run_import_cases(int lots, int rounds, const std::vector<fs::path>& models) {
-    std::vector<std::size_t> found;  // first: what can't be read is to be told before minutes of measuring
+    std::vector<std::size_t> found;  // before minutes of measuring: these may throw
     found.reserve(models.size());
     for (const fs::path& file : models) {
         found.push_back(import_by_helper(file));
@@ -144,7 +144,7 @@ CaseResult run_import_cases(int lots, int rounds, const std::vector<fs::path>& m
     for (std::size_t i = 0; i < models.size(); ++i) {
         const fs::path& file = models[i];
         std::printf("%s: %zu triangles\n", file.string().c_str(), found[i]);
-        time_readers(file.filename().string(), file, Steps::each_way, found[i], rounds, result);
+        time_readers(file.filename().string(), file, Steps::both, found[i], rounds, result);
     }
     return result;
 }

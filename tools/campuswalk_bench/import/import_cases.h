@@ -9,15 +9,15 @@ namespace campuswalk::tools::bench {
 
 /// Imports a campus of `lots` x `lots` lots (tools/campuswalk_bench/procedural/walkable_campus.h; 17 make 2
 /// million triangles) from GLB files by our helper process, as every command does, and by assimp in this
-/// process, with the steps that give the same data. Microseconds a triangle. Ours is wrong if it gives
-/// another number of triangles. Then each of `models`, which may be anything that is read: what assimp does
-/// of the same (join vertices, make normals) depends on the file, so it is timed with and without. It may
-/// well find more or fewer triangles in them, for it passes over much of glTF and counts a mesh once that is
-/// placed twice. Throws scene::InputError for one that isn't read.
+/// process, with the steps that produce the same data. Microseconds per triangle. Ours is wrong if its number
+/// of triangles differs. Then each of `models`, in any format that we read: which of these steps (joining
+/// vertices, generating normals) are equivalent depends on the file, so assimp is timed with and without
+/// them. Its number of triangles may differ, because it ignores much of glTF and counts a mesh that is placed
+/// twice only once. Throws scene::InputError for a model that can't be read.
 CaseResult run_import_cases(int lots, int rounds, const std::vector<std::filesystem::path>& models);
 
-/// What the peer does with the file: the number of triangles. `join`: give what has no normals flat ones, and
-/// join equal vertices.
+/// Reads the file and returns the number of triangles. `join`: generate missing normals (flat), and join
+/// equal vertices.
 using ImportWithPeer = unsigned long (*)(const char* file, bool join);
 inline constexpr const char* kImportWithPeer = "import_with_peer";
 

@@ -4,8 +4,8 @@
 
 namespace campuswalk::tools::bench {
 
-/// What this process has allocated and not freed, bytes, with what the allocator adds to each piece. Counts
-/// all libraries alike. 0 where another allocator than glibc's is in its place (a sanitizer's).
+/// The bytes that this process, with all libraries, has allocated and not freed, including the allocator's
+/// overhead. 0 if glibc's allocator is replaced (by a sanitizer's).
 std::size_t heap_in_use();
 
 }  // namespace campuswalk::tools::bench

@@ -12,7 +12,7 @@ namespace campuswalk::tools::bench {
 
 enum class Query : std::uint8_t { all, first };
 
-/// One engine's answer to one query in one placement, and what it took.
+/// The time, work and errors of one engine on one query in one placement.
 struct Measurement {
     std::size_t placement = 0;
     std::size_t engine = 0;
@@ -20,7 +20,7 @@ struct Measurement {
     double us_min = 0.0;
     double us_median = 0.0;
     std::optional<collision::HybridContactStatistics> work;
-    Difference difference;  ///< query first: a pair that isn't one, or none where there are some
+    Difference difference;  ///< of query first: a wrong pair, or none where there are some
 };
 
 struct EngineName {
@@ -28,23 +28,24 @@ struct EngineName {
     bool is_ours = false;
 };
 
-/// Two meshes, held against each other by every engine.
+/// The measurements of all engines on one scene of two meshes.
 struct Results {
     std::string case_name;
-    std::vector<std::size_t> pairs;  ///< a placement each: what the scene says, else `found`
-    std::vector<std::size_t> found;  ///< a placement each: those of the first engine, taken for right
+    std::vector<std::size_t> pairs;  ///< by placement: the scene's number, or else `found`
+    std::vector<std::size_t> found;  ///< by placement: those of the first engine, the reference
     std::vector<EngineName> engines;
-    std::vector<Measurement> measurements;  ///< by placement, engine and query; no `first` of who has none
+    std::vector<Measurement>
+        measurements;  ///< by placement, engine and query; without `first` for engines that lack it
     int rounds = 0;
 
-    /// Null for an engine that isn't here, or doesn't answer this query.
+    /// Null for an engine that isn't here or lacks this query.
     const Measurement* find(std::size_t placement, const std::string& engine, Query query) const;
 
-    /// Of all placements; empty like the above.
+    /// By placement; empty where find() returns null.
     std::vector<double> least_times(const std::string& engine, Query query) const;
 };
 
-/// A row a measurement, queries `all` and `first`.
+/// One row per measurement, with queries `all` and `first`.
 std::vector<Row> rows_of(const Results& results);
 
 /// exp of the mean of the logarithms.

@@ -9,10 +9,10 @@
 
 namespace campuswalk::tools::bench {
 
-/// How a set of answers differs from the right one.
+/// How a set of results differs from the expected one.
 struct Difference {
-    std::size_t extra = 0;    ///< answers that are given and aren't right
-    std::size_t missing = 0;  ///< answers that are right and aren't given
+    std::size_t extra = 0;    ///< results that aren't expected
+    std::size_t missing = 0;  ///< expected results that are missing
 
     bool none() const { return extra == 0 && missing == 0; }
     Difference& operator+=(const Difference& o) {
@@ -27,22 +27,22 @@ struct Difference {
 /// `+EXTRA/-MISSING`
 std::string to_string(const Difference& difference);
 
-/// A line of the CSV: what one engine's answer to one query took.
+/// A line of the CSV: the cost of one query by one engine.
 struct Row {
     std::string case_name;
-    std::optional<std::size_t> pairs;  ///< of overlapping triangles, where that is what is asked for
+    std::optional<std::size_t> pairs;  ///< overlapping pairs of triangles, for queries that find them
     std::string engine;
     std::string query;
-    double least = 0.0;   ///< microseconds a query, or a triangle built; bytes a triangle
+    double least = 0.0;   ///< microseconds per query or per triangle, or bytes per triangle
     double median = 0.0;  ///< the same unit
-    std::optional<collision::QueryStatistics> work;  ///< a query
+    std::optional<collision::QueryStatistics> work;  ///< per query
     std::optional<Difference> difference;            ///< where there is something to compare with
 };
 
-/// What a case of the benchmark found.
+/// The results of a case of the benchmark.
 struct CaseResult {
     std::vector<Row> rows;
-    bool ours_right = true;  ///< false: one of our own engines gave a wrong answer, which was said
+    bool ours_right = true;  ///< false: one of our own engines returned a wrong answer, which was printed
 };
 
 }  // namespace campuswalk::tools::bench

@@ -8,10 +8,10 @@ namespace campuswalk::tools::bench {
 
 namespace {
 
-/// Fisher and Yates; std::shuffle's order is each library's own.
-void shuffle(std::vector<std::size_t>& order, std::mt19937& chance) {
+/// Fisher-Yates; the order of std::shuffle depends on the standard library.
+void shuffle(std::vector<std::size_t>& order, std::mt19937& random) {
     for (std::size_t i = order.size(); i > 1; --i) {
-        std::swap(order[i - 1], order[chance() % i]);
+        std::swap(order[i - 1], order[random() % i]);
     }
 }
 
@@ -24,9 +24,9 @@ std::vector<Spread> shuffled_runs(std::size_t count, int rounds,
         order[i] = i;
     }
     std::vector<std::vector<double>> times(count);
-    std::mt19937 chance(1975);
+    std::mt19937 random(1975);
     for (int round = 0; round < rounds; ++round) {
-        shuffle(order, chance);
+        shuffle(order, random);
         for (const std::size_t i : order) {
             run(i);
             times[i].push_back(run(i));

@@ -13,9 +13,9 @@ struct Spread {
     double median = 0.0;
 };
 
-/// Times `count` things `rounds` times each, in one thread. Each round has an order of its own (from a fixed
-/// seed), so that a machine that slows down slows all. A run is timed right after one that isn't, with what
-/// it needs in the caches. `run(i)` does the i-th thing and says how long it took, microseconds.
+/// Times `count` tasks `rounds` times each, in one thread. Each round has its own order (from a fixed seed),
+/// so that a slowdown of the machine affects all tasks. Each timed run follows an untimed one, so that the
+/// caches are warm. `run(i)` runs task i and returns its microseconds.
 std::vector<Spread> shuffled_runs(std::size_t count, int rounds,
                                   const std::function<double(std::size_t)>& run);
 

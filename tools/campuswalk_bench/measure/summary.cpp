@@ -20,7 +20,7 @@ const char* verdict(const Target& target, double value) {
 void print_line(const Target& target, const std::vector<Row>& rows) {
     const bool is_ratio = target.measure != Measure::figure;
     const std::string who = target.ours + (is_ratio ? std::string(" against ") + target.peer : "") + ":";
-    std::printf("  %-25s%-37s", target.what, who.c_str());
+    std::printf("  %-28s%-37s", target.what, who.c_str());
     const std::optional<double> value = measured(target, rows);
     if (!value) {
         std::printf("not measured\n");
@@ -36,7 +36,7 @@ void print_line(const Target& target, const std::vector<Row>& rows) {
 }  // namespace
 
 void print_summary(const std::vector<Row>& rows) {
-    std::printf("\nAgainst what is to be reached: least times, the other's over ours\n");
+    std::printf("\nCompared with the targets: the peer's least time over ours\n");
     for (const Target& target : targets()) {
         if (std::any_of(rows.begin(), rows.end(),
                         [&](const Row& row) { return row.case_name == target.case_name; })) {

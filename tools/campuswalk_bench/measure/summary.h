@@ -6,8 +6,8 @@
 
 namespace campuswalk::tools::bench {
 
-/// How fast ours is beside others, against what it is to reach: a line for every target whose case is among
-/// the rows, to standard output.
+/// Prints the targets whose cases are among the rows, one per line: what was measured, and whether it reaches
+/// them.
 void print_summary(const std::vector<Row>& rows);
 
 }  // namespace campuswalk::tools::bench

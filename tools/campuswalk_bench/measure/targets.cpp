@@ -11,7 +11,7 @@ namespace {
 
 using enum Measure;
 
-// The figures asked for when the wide tree was planned. FCL took 316 bytes a triangle then.
+// The targets from the plan of the BVH8. FCL took 316 bytes per triangle then.
 constexpr Target kTargets[] = {
     {"all contacts", "table1", "all", "wide_avx2", "fcl_obb", mean_ratio, 20, 35},
     {"all contacts", "table1", "all", "wide_avx2", "bullet_gimpact", mean_ratio, 25, 45},
@@ -25,14 +25,14 @@ constexpr Target kTargets[] = {
     {"a million triangles", "million", "all", "wide_avx2", "fcl_obb", mean_ratio, 10, 20},
     {"nested cylinders", "nested", "all", "wide_avx2", "fcl_obb", mean_ratio, 5, 10},
     {"build", "build", "build", "wide", "fcl_obb", mean_ratio, 4.4, 9},
-    {"memory, bytes a triangle", "memory", "heap_bytes", "wide", "", figure, 96, 48},
-    // No more than one and a half times its time: in a process of its own, with limits.
+    {"memory, bytes per triangle", "memory", "heap_bytes", "wide", "", figure, 96, 48},
+    // At most one and a half times assimp's time: ours runs in a separate process with limits.
     {"import of 2M triangles", "import", "glb", "helper", "assimp", mean_ratio, 0.667, 0},
     {"import without normals", "import", "glb_without_normals", "helper", "assimp", mean_ratio, 0.667, 0},
     {"rays of 200 m", "rays", "first_hit", "wide", "embree_robust", mean_ratio, 0.5, 1},
 };
 
-/// Of all placements, in the order of the case.
+/// By placement, in the order of the case.
 std::vector<double> least_figures(const Target& target, const std::string& engine,
                                   const std::vector<Row>& rows) {
     std::vector<double> figures;

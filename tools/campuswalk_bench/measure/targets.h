@@ -9,14 +9,14 @@
 
 namespace campuswalk::tools::bench {
 
-/// How rows become one figure.
+/// How rows are reduced to one figure.
 enum class Measure : std::uint8_t {
     mean_ratio,   ///< the peer's least time over ours, the geometric mean of all placements
-    worst_ratio,  ///< the same, the least of all placements
-    figure,       ///< ours as it is: less is better
+    worst_ratio,  ///< the least ratio of all placements
+    figure,       ///< our figure itself; less is better
 };
 
-/// What one of our engines is to reach.
+/// A target for one of our engines.
 struct Target {
     const char* what = "";
     const char* case_name = "";
@@ -30,7 +30,7 @@ struct Target {
 
 std::span<const Target> targets();
 
-/// Nothing if one of the engines wasn't measured.
+/// Empty if one of the engines wasn't measured.
 std::optional<double> measured(const Target& target, const std::vector<Row>& rows);
 
 /// Whether the figure is as good as `bound`.

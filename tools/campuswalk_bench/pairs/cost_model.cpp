@@ -10,7 +10,7 @@ using collision::QueryStatistics;
 
 namespace {
 
-/// The costs in `which` (a bit each) that solve the normal equations, the others 0.
+/// The costs selected by the bits of `which` that solve the normal equations; the others are 0.
 Eigen::Vector3d solve(Eigen::Matrix3d normal, Eigen::Vector3d right, unsigned which) {
     for (int i = 0; i < 3; ++i) {
         if ((which >> static_cast<unsigned>(i) & 1U) == 0) {
@@ -40,12 +40,12 @@ CostModel fit_costs(std::span<const QueryStatistics> work, std::span<const doubl
         normal += row * row.transpose();
         right += row;
     }
-    // Of three unknowns all seven ways to leave some out can be tried: the best that is nowhere negative.
+    // Tries all seven subsets of the three unknowns and takes the best solution without negative costs.
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
     double least = std::numeric_limits<double>::infinity();
     for (unsigned which = 1; which < 8; ++which) {
         const Eigen::Vector3d costs = solve(normal, right, which);
-        // The sum of squares but for what all share.
+        // The sum of squares without its constant term.
         const double error = costs.dot(normal * costs) - 2.0 * costs.dot(right);
         if (costs.minCoeff() >= 0.0 && error < least) {
             best = costs;

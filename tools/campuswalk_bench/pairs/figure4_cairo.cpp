@@ -19,7 +19,7 @@ namespace {
 constexpr double kWidth = 960.0;
 constexpr double kHeight = 600.0;
 constexpr double kLeft = 80.0;
-constexpr double kRight = 800.0;  ///< the lines' names are to the right of it
+constexpr double kRight = 800.0;  ///< the names of the lines are to the right
 constexpr double kTop = 56.0;
 constexpr double kBottom = 540.0;
 
@@ -31,7 +31,7 @@ struct Colour {
 
 constexpr Colour kInk{0.13, 0.13, 0.13};
 constexpr Colour kGrid{0.87, 0.87, 0.87};
-/// Okabe and Ito's, which people who don't see all colours can tell apart.
+/// Okabe and Ito's palette for colour-blind readers.
 constexpr Colour kLines[] = {{0.84, 0.37, 0.00}, {0.00, 0.45, 0.70}, {0.60, 0.60, 0.60}, {0.80, 0.47, 0.65},
                              {0.90, 0.62, 0.00}, {0.34, 0.71, 0.91}, {0.00, 0.62, 0.45}};
 
@@ -42,7 +42,7 @@ struct Line {
     double name_y = 0.0;
 };
 
-/// Pairs go right on a plain scale, time goes up on a logarithmic one: the engines are apart by factors.
+/// Pairs on a linear x axis, time on a logarithmic y axis: the engines differ by factors.
 class Scales {
 public:
     Scales(const std::vector<std::size_t>& pairs, const std::vector<Line>& lines) {
@@ -145,7 +145,7 @@ void draw_line(cairo_t* cr, const Scales& scales, const std::vector<std::size_t>
     write(cr, line.name, kRight + 10.0, line.name_y + 5.0, 15.0, Anchor::left);
 }
 
-/// Names beside the ends of their lines, from the top down, none over another.
+/// Puts the names beside the ends of their lines without overlaps.
 void place_names(std::vector<Line>& lines, const Scales& scales) {
     constexpr double kApart = 19.0;
     std::sort(lines.begin(), lines.end(),

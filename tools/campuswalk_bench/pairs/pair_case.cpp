@@ -9,7 +9,7 @@ namespace campuswalk::tools::bench {
 
 namespace {
 
-// The first is taken for right: it shares no kernel with the others.
+// The first is the reference: it shares no kernel with the others.
 constexpr const char* kEngines[] = {"paper",          "wide_sse42", "wide_avx2", "wide_avx512", "fcl_obb",
                                     "bullet_gimpact", "ode",        "embree",    "cgal"};
 
@@ -40,8 +40,9 @@ CaseResult run_pair_case(const PairScene& scene, int rounds) {
     const PairEngines made = make_engines(scene.a, scene.b, kEngines);
     const Results results = measure(scene, made.engines, rounds);
     std::printf(
-        "%zu triangles against %zu. Microseconds a query of %d, one thread; +n/-n: pairs that aren't or\n"
-        "are missing, against those of %s.\n",
+        "%zu triangles against %zu. Microseconds per query of %d, one thread; +n/-n: extra and missing "
+        "pairs,\n"
+        "compared with %s.\n",
         scene.a.triangles.size(), scene.b.triangles.size(), rounds, results.engines.front().name.c_str());
     for (std::size_t placement = 0; placement < scene.placements.size(); ++placement) {
         print_placement(results, placement);
@@ -49,7 +50,7 @@ CaseResult run_pair_case(const PairScene& scene, int rounds) {
     for (const std::string& absent : made.absent) {
         std::printf("  absent: %s\n", absent.c_str());
     }
-    return {rows_of(results), !diagnose_ours(scene, results)};
+    return {rows_of(results), !report_our_errors(scene, results)};
 }
 
 }  // namespace campuswalk::tools::bench

@@ -5,8 +5,8 @@
 
 namespace campuswalk::tools::bench {
 
-/// Holds the two meshes of a scene against each other by every engine but the variants that Table I alone is
-/// about, and prints a line an engine.
+/// Measures the two meshes of a scene with every engine, except for the variants that are only in Table I,
+/// and prints one line per engine.
 CaseResult run_pair_case(const PairScene& scene, int rounds);
 
 }  // namespace campuswalk::tools::bench

@@ -15,10 +15,10 @@ namespace {
 
 using Pairs = std::vector<TrianglePair>;
 
-/// A measurement in the making.
+/// A measurement in progress.
 struct Run {
     Measurement result;
-    Pairs answer;  ///< of the last time; query first: one pair or none
+    Pairs answer;  ///< of the last run; for query first: one pair or none
 };
 
 std::vector<Run> list_runs(std::size_t placements, const std::vector<NamedEngine>& engines) {
@@ -39,7 +39,7 @@ std::vector<Run> list_runs(std::size_t placements, const std::vector<NamedEngine
     return runs;
 }
 
-void ask(Run& run, Engine& engine, const Pose& X_a_b) {
+void run_query(Run& run, Engine& engine, const Pose& X_a_b) {
     engine.set_pose(X_a_b);
     if (run.result.query == Query::all) {
         engine.all_pairs(run.answer);
@@ -54,27 +54,28 @@ void normalise(Pairs& pairs) {
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-/// Both sorted.
-Difference compare(const Pairs& answer, const Pairs& right, Query query) {
+/// Both must be sorted.
+Difference compare(const Pairs& answer, const Pairs& reference, Query query) {
     Pairs extra;
-    std::set_difference(answer.begin(), answer.end(), right.begin(), right.end(), std::back_inserter(extra));
+    std::set_difference(answer.begin(), answer.end(), reference.begin(), reference.end(),
+                        std::back_inserter(extra));
     if (query == Query::first) {
-        return {extra.size(), answer.empty() && !right.empty() ? 1U : 0U};
+        return {extra.size(), answer.empty() && !reference.empty() ? 1U : 0U};
     }
-    return {extra.size(), right.size() - (answer.size() - extra.size())};
+    return {extra.size(), reference.size() - (answer.size() - extra.size())};
 }
 
-/// Fills in the differences; returns how many pairs are right in each placement.
-std::vector<std::size_t> conclude(std::vector<Run>& runs) {
+/// Fills in the differences. Returns the reference's number of pairs by placement.
+std::vector<std::size_t> compare_with_reference(std::vector<Run>& runs) {
     std::vector<std::size_t> found;
-    const Pairs* right = nullptr;
+    const Pairs* reference = nullptr;
     for (Run& run : runs) {
         normalise(run.answer);
         if (run.result.engine == 0 && run.result.query == Query::all) {
-            right = &run.answer;
-            found.push_back(right->size());
+            reference = &run.answer;
+            found.push_back(reference->size());
         }
-        run.result.difference = compare(run.answer, *right, run.result.query);
+        run.result.difference = compare(run.answer, *reference, run.result.query);
     }
     return found;
 }
@@ -87,14 +88,14 @@ Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines,
         Run& run = runs[i];
         Engine& engine = *engines[run.result.engine].engine;
         const Pose& X_a_b = scene.placements[run.result.placement].X_a_b;
-        const double microseconds = microseconds_of([&] { ask(run, engine, X_a_b); });
+        const double microseconds = microseconds_of([&] { run_query(run, engine, X_a_b); });
         run.result.work = engine.work();
         return microseconds;
     });
 
     Results results;
     results.case_name = scene.name;
-    results.found = conclude(runs);
+    results.found = compare_with_reference(runs);
     results.rounds = rounds;
     for (std::size_t i = 0; i < scene.placements.size(); ++i) {
         results.pairs.push_back(scene.placements[i].pairs.value_or(results.found[i]));
@@ -110,7 +111,7 @@ Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines,
     return results;
 }
 
-bool diagnose_ours(const PairScene& scene, const Results& results) {
+bool report_our_errors(const PairScene& scene, const Results& results) {
     bool any = false;
     for (std::size_t i = 0; i < scene.placements.size(); ++i) {
         if (results.found[i] != results.pairs[i]) {

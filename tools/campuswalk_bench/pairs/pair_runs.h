@@ -8,11 +8,11 @@
 
 namespace campuswalk::tools::bench {
 
-/// Times every query of every engine in every placement (see shuffled_runs.h); a query pays for its move.
-/// The right pairs are those of the first engine.
+/// Times every query of every engine in every placement (see shuffled_runs.h), including set_pose. The first
+/// engine's pairs are the reference.
 Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines, int rounds);
 
-/// Says what is wrong with our own engines, a line each to standard error. Whether anything is.
-bool diagnose_ours(const PairScene& scene, const Results& results);
+/// Reports the errors of our own engines, one per line on standard error. Returns whether there are any.
+bool report_our_errors(const PairScene& scene, const Results& results);
 
 }  // namespace campuswalk::tools::bench

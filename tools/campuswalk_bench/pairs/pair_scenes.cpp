@@ -7,7 +7,7 @@
 
 namespace campuswalk::tools::bench {
 
-PairScene table1_scene() {
+PairScene table1_pair_scene() {
     const Table1Scene table = table1_scene();
     PairScene made;
     made.name = "table1";
@@ -21,7 +21,7 @@ PairScene table1_scene() {
 
 PairScene finer_scene(int fineness) {
     constexpr std::uint32_t kPairs = 666;
-    scene::CylinderShape shape;
+    CylinderShape shape;
     shape.sides *= fineness;
     shape.stacks *= fineness;
     PairScene made;
@@ -38,8 +38,8 @@ PairScene finer_scene(int fineness) {
 
 PairScene nested_scene() {
     constexpr double kHalfTurn = 3.141592653589793;
-    const scene::CylinderShape outer;
-    scene::CylinderShape inner = outer;
+    const CylinderShape outer;
+    CylinderShape inner = outer;
     // The middle of a side is nearer to the axis than its edges are.
     inner.radius = outer.radius * collision::sin_cos(kHalfTurn / outer.sides).cos - kNestedGap;
     inner.height = outer.height - 2.0 * kNestedGap;

@@ -12,10 +12,10 @@ namespace campuswalk::tools::bench {
 
 struct PairPlacement {
     collision::Pose X_a_b;
-    std::optional<std::size_t> pairs;  ///< overlapping ones, where they are known beforehand
+    std::optional<std::size_t> pairs;  ///< overlapping pairs, if known beforehand
 };
 
-/// Two meshes and where they are.
+/// Two meshes and their relative placements.
 struct PairScene {
     std::string name;  ///< the CSV's `case`
     collision::TriangleMesh a;
@@ -23,17 +23,17 @@ struct PairScene {
     std::vector<PairPlacement> placements;
 };
 
-/// The paper's: a cylinder and a teapot, ten placements.
-PairScene table1_scene();
+/// The paper's scene: a cylinder and a teapot in ten placements.
+PairScene table1_pair_scene();
 
-/// Both of them with `fineness` times the quads along each edge, in the placement that has 666 pairs in
+/// The same meshes with `fineness` times the quads along each edge, in the placement that has 666 pairs in
 /// Table I. 11 makes a million triangles each.
 PairScene finer_scene(int fineness);
 
 inline constexpr double kNestedGap = 0.02;  ///< metres
 
-/// Table I's cylinder and one that fits into it with kNestedGap between all their faces, axis on axis. The
-/// inner one is turned by half a side and a little, so that neither edges nor faces lie side by side.
+/// Table I's cylinder and a coaxial one inside it with kNestedGap between all their faces. The inner one is
+/// rotated by slightly more than half a side, so that neither edges nor faces are parallel neighbours.
 PairScene nested_scene();
 
 }  // namespace campuswalk::tools::bench

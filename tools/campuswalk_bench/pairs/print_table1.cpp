@@ -12,7 +12,7 @@ using collision::QueryStatistics;
 
 namespace {
 
-/// Time of `slow` over time of `fast`, a placement each.
+/// The time of `slow` over that of `fast`, by placement.
 std::vector<double> multiples(const Results& results, const char* slow, const char* fast, Query query) {
     std::vector<double> ratios = results.least_times(slow, query);
     const std::vector<double> times = results.least_times(fast, query);
@@ -79,7 +79,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 void print_sphere_test(const Results& results) {
-    std::printf("What the sphere test does (paper): of the pairs of nodes, how many each layer parts\n");
+    std::printf("What the sphere test does (paper): share of the pairs of nodes that each layer separates\n");
     std::printf("%7s%10s%10s%10s%10s%13s\n", "pairs", "outer %", "inner %", "boxes %", "none %", "obb/paper");
     const std::vector<double> lift = multiples(results, "obb", "paper", Query::all);
     HybridContactStatistics sum;
@@ -101,18 +101,19 @@ void print_sphere_test(const Results& results) {
     const auto [least, most] = std::minmax_element(lift.begin(), lift.end());
     const double mean = geometric_mean(lift);
     std::printf(
-        "The outer spheres part %.1f %% of the pairs of nodes, the inner spheres another %.1f %%. Nearly all "
-        "of\n"
-        "those the boxes part too: without spheres (obb) %.1f %% more pairs of nodes are tested. With "
-        "spheres\n"
-        "first, the same query on the same tree is %.2f times as fast (geometric mean; %.2f to %.2f)%s\n\n",
+        "The outer spheres separate %.1f %% of the pairs of nodes, the inner spheres another %.1f %%. The "
+        "boxes\n"
+        "would separate nearly all of these: without spheres (obb) %.1f %% more pairs of nodes are tested. "
+        "With\n"
+        "spheres first, the same query on the same tree is %.2f times as fast (geometric mean; %.2f to "
+        "%.2f)%s\n\n",
         percent(sum.outer, sum.volume_tests), percent(sum.inner, sum.volume_tests),
         percent(without, sum.volume_tests) - 100.0, mean, *least, *most,
         mean < 1.5 ? ":\nthe spheres alone don't make the tree twice as fast." : ".");
 }
 
 void print_sets(const Results& results) {
-    std::printf("Pairs, against those of %s:\n", results.engines.front().name.c_str());
+    std::printf("Pairs, compared with %s:\n", results.engines.front().name.c_str());
     for (const EngineName& engine : results.engines) {
         std::string differences;
         for (const Measurement& m : results.measurements) {
@@ -131,7 +132,7 @@ void print_sets(const Results& results) {
 
 void print_table1(const Results& results) {
     std::printf(
-        "Table I anew. Microseconds a query, the least of %d, one thread; obb/paper is the paper's\n"
+        "Table I. Microseconds per query, the least of %d, one thread; obb/paper is the paper's\n"
         "efficiency lifting multiple; the last row holds geometric means.\n\nAll pairs\n",
         results.rounds);
     print_times(results, Query::all);
@@ -139,8 +140,8 @@ void print_table1(const Results& results) {
     print_times(results, Query::first);
     std::printf(
         "Eq. (4), T = Nv Cv + Np Cp + Nu Cu. The costs are fitted to these ten times (least squares of\n"
-        "relative errors, none negative). All three counts rise together: what they add up to is sure,\n"
-        "what is whose share isn't.\n\n");
+        "relative errors, none negative). All three counts rise together: their sum is well determined, the\n"
+        "share of each isn't.\n\n");
     for (const char* engine : {"paper", "obb", "sphere", "mixed"}) {
         if (results.find(0, engine, Query::all) != nullptr) {
             print_costs(results, engine);

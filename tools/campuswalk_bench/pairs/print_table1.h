@@ -4,8 +4,8 @@
 
 namespace campuswalk::tools::bench {
 
-/// Table I anew, the costs of eq. (4), what the sphere test does, and who reports which pairs: to standard
-/// output.
+/// Prints our measurements of Table I, the costs of eq. (4), the effect of the sphere test, and how the
+/// engines' pairs differ.
 void print_table1(const Results& results);
 
 }  // namespace campuswalk::tools::bench

@@ -6,8 +6,8 @@
 
 namespace campuswalk::tools::bench {
 
-/// Measures the paper's Table I anew and prints it. `mixed`: with the paper's mixed reading as one more
-/// engine. `plot`: the paper's figure 4, *.svg or *.png, unless it is empty.
+/// Measures the paper's Table I and prints it. `mixed`: with the paper's mixed reading as another engine.
+/// `plot`: a file for the paper's figure 4, *.svg or *.png, or empty.
 CaseResult run_table1(int rounds, bool mixed, const std::filesystem::path& plot);
 
 }  // namespace campuswalk::tools::bench

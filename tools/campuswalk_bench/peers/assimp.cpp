@@ -3,7 +3,7 @@
 
 #include <assimp/Importer.hpp>
 
-/// As tools/campuswalk_bench/import/import_cases.h says.
+/// See tools/campuswalk_bench/import/import_cases.h.
 extern "C" unsigned long import_with_peer(const char* file, bool join) {
     Assimp::Importer importer;
     const unsigned int steps = join ? aiProcess_GenNormals | aiProcess_JoinIdenticalVertices : 0U;

@@ -1,4 +1,4 @@
-// Bullet's tree of a mesh that stands still: quantised axis-aligned boxes, float32.
+// Bullet's tree of a static mesh: quantised axis-aligned boxes, float32.
 
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>

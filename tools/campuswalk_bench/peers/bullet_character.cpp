@@ -1,5 +1,5 @@
-// Bullet's character controller, which moves a capsule by sweeps of the whole shape: up by the step height,
-// ahead, and down again, each tick. Without dynamics: nothing else moves.
+// Bullet's character controller, which moves a capsule by sweeps of the whole shape each tick: up by the step
+// height, ahead, and down again. Without dynamics, since nothing else moves.
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -24,15 +24,16 @@ btVector3 bullet(const collision::Vec3& v) {
     return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-/// What there is to set beyond what the body says, metres; Bullet's defaults.
+/// Settings besides the body's, metres; by default Bullet's defaults.
 struct Tuning {
     btScalar mesh_margin = 0.04F;             ///< around triangles
     btScalar allowed_penetration = 0.04F;     ///< of sweeps
-    btScalar unrecovered_penetration = 0.2F;  ///< what is left as it is after a tick
+    btScalar unrecovered_penetration = 0.2F;  ///< what may remain after a tick
 };
 
-/// The most goals right of some twenty combinations on the campus of 65 thousand triangles. Recovering from
-/// all penetration ends on the stairs and in doors; leaving more of it gets where nobody should.
+/// The best of some twenty combinations, by goals, on the campus of 65 thousand triangles. With recovery from
+/// all penetration, the body gets stuck on stairs and in doors; with less recovery, it reaches forbidden
+/// goals.
 constexpr Tuning kTuned{0.015F, 0.02F, 0.06F};
 
 class BulletCharacter final : public WalkEngine {

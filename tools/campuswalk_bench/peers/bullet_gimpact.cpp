@@ -1,5 +1,5 @@
-// Bullet's GImpact: quantised trees of axis-aligned boxes, float32, one moving mesh against another. It
-// finds all pairs of boxes before it looks at triangles, so it can't stop at the first.
+// Bullet's GImpact: quantised trees of axis-aligned boxes, float32, one moving mesh against another. It finds
+// all pairs of boxes before it tests triangles, so it can't stop at the first.
 
 #include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
@@ -35,7 +35,7 @@ struct Body {
     btCollisionObject object;
 };
 
-/// Keeps which triangles touch instead of where.
+/// Records which triangles touch instead of where.
 class PairList final : public btManifoldResult {
 public:
     PairList(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,

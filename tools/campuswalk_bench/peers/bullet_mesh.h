@@ -6,7 +6,7 @@
 
 namespace campuswalk::tools::bench {
 
-/// A mesh as Bullet reads it, in place.
+/// A view of a mesh in Bullet's format.
 inline btIndexedMesh indexed(const collision::TriangleMesh& mesh) {
     btIndexedMesh part;
     part.m_numTriangles = static_cast<int>(mesh.triangles.size());

@@ -1,5 +1,5 @@
-// CGAL's tree of axis-aligned boxes with exact predicates: one mesh in the tree, each triangle of the other,
-// moved, a question. The one peer that is exact.
+// CGAL's tree of axis-aligned boxes with exact predicates: one mesh is in the tree, and each moved triangle
+// of the other is a query. The only exact peer.
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -48,9 +48,9 @@ public:
     void all_pairs(std::vector<TrianglePair>& out) override {
         out.clear();
         for (std::size_t i = 0; i < b_.size(); ++i) {
-            met_.clear();
-            tree_.all_intersected_primitives(b_[i], std::back_inserter(met_));
-            for (const Triangles::const_iterator& triangle : met_) {
+            hits_.clear();
+            tree_.all_intersected_primitives(b_[i], std::back_inserter(hits_));
+            for (const Triangles::const_iterator& triangle : hits_) {
                 out.push_back(pair(triangle, i));
             }
         }
@@ -58,8 +58,8 @@ public:
 
     std::optional<TrianglePair> first_pair() override {
         for (std::size_t i = 0; i < b_.size(); ++i) {
-            if (const auto met = tree_.any_intersected_primitive(b_[i])) {
-                return pair(*met, i);
+            if (const auto hit = tree_.any_intersected_primitive(b_[i])) {
+                return pair(*hit, i);
             }
         }
         return std::nullopt;
@@ -74,7 +74,7 @@ private:
     Triangles a_;
     Triangles b_;
     Tree tree_;
-    std::vector<Triangles::const_iterator> met_;
+    std::vector<Triangles::const_iterator> hits_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Embree's rtcCollide: two trees of user geometry, whose leaves are handed to a test of the caller's, here
-// ours. It knows no rigid move: the moved mesh's corners are computed anew and its tree is refitted. It can't
-// be stopped at the first pair.
+// Embree's rtcCollide: two trees of user geometry, whose leaves are passed to a test of the caller, here
+// ours. It has no rigid transforms: the moved mesh's vertices are recomputed and its tree is refitted. It
+// can't stop at the first pair.
 
 #include <embree3/rtcore.h>
 #include <tbb/global_control.h>
@@ -24,7 +24,7 @@ using collision::TriangleMesh;
 using collision::TrianglePair;
 using collision::Vec3;
 
-/// In float32 no more than the value, and no less; at once, as a refit asks six times a triangle.
+/// float32 bounds of the value, fast, because a refit needs six per triangle.
 float rounded_down(double value) {
     const auto near = static_cast<float>(value);
     return near - std::abs(near) * 0x1p-23F - std::numeric_limits<float>::min();
@@ -46,7 +46,7 @@ public:
         rtcSetGeometryUserData(geometry_, this);
         rtcSetGeometryBoundsFunction(geometry_, bounds, nullptr);
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
-        // Scenes of any better quality are built anew whenever they are committed.
+        // Scenes of better quality are rebuilt on every commit.
         rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
         rtcCommitGeometry(geometry_);

@@ -7,7 +7,7 @@
 
 namespace campuswalk::tools::bench {
 
-/// Embree on one thread, for as long as this lives: scenes are released before it.
+/// Embree on one thread. Scenes must be released before the device.
 struct EmbreeDevice {
     EmbreeDevice() : device(rtcNewDevice("threads=1,set_affinity=0")) {
         if (device == nullptr) {

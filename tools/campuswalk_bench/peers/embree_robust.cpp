@@ -1,5 +1,5 @@
-// Embree's tree of a mesh that stands still, built and traversed as it is by default but for the robust flag:
-// no ray slips through between two triangles. float32.
+// Embree's tree of a static mesh, built and traversed with the defaults except for the robust flag: no ray
+// slips through between two triangles. float32.
 
 #include <embree3/rtcore.h>
 #include <tbb/global_control.h>
@@ -42,24 +42,24 @@ public:
         rtcInitIntersectContext(&context);
         const Eigen::Vector3f from = ray.from.cast<float>();
         const Eigen::Vector3f along = (ray.to - ray.from).cast<float>();
-        RTCRayHit asked;
-        asked.ray.org_x = from.x();
-        asked.ray.org_y = from.y();
-        asked.ray.org_z = from.z();
-        asked.ray.dir_x = along.x();
-        asked.ray.dir_y = along.y();
-        asked.ray.dir_z = along.z();
-        asked.ray.tnear = 0.0F;
-        asked.ray.tfar = 1.0F;
-        asked.ray.time = 0.0F;
-        asked.ray.mask = ~0U;
-        asked.ray.id = 0;
-        asked.ray.flags = 0;
-        asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        asked.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &asked);
-        return asked.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::nullopt
-                                                           : std::optional<double>(asked.ray.tfar);
+        RTCRayHit query;
+        query.ray.org_x = from.x();
+        query.ray.org_y = from.y();
+        query.ray.org_z = from.z();
+        query.ray.dir_x = along.x();
+        query.ray.dir_y = along.y();
+        query.ray.dir_z = along.z();
+        query.ray.tnear = 0.0F;
+        query.ray.tfar = 1.0F;
+        query.ray.time = 0.0F;
+        query.ray.mask = ~0U;
+        query.ray.id = 0;
+        query.ray.flags = 0;
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &query);
+        return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::nullopt
+                                                           : std::optional<double>(query.ray.tfar);
     }
 
 private:

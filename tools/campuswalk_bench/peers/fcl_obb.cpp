@@ -1,4 +1,4 @@
-// FCL's tree of oriented boxes, in double, as Debian builds it: no -march here, since the alignment of
+// FCL's tree of oriented boxes, in double, as Debian builds it: without -march, since the alignment of
 // Eigen's types is part of its interface.
 
 #include <memory>
@@ -31,7 +31,7 @@ public:
 
     void all_pairs(std::vector<TrianglePair>& out) override {
         constexpr std::size_t kAll = std::size_t{1} << 24U;
-        ask(kAll);
+        collide(kAll);
         out.clear();
         for (std::size_t i = 0; i < result_.numContacts(); ++i) {
             out.push_back(pair(i));
@@ -39,12 +39,12 @@ public:
     }
 
     std::optional<TrianglePair> first_pair() override {
-        ask(1);
+        collide(1);
         return result_.isCollision() ? std::optional(pair(0)) : std::nullopt;
     }
 
 private:
-    void ask(std::size_t most) {
+    void collide(std::size_t most) {
         const fcl::CollisionRequestd request(most, false);
         result_.clear();
         fcl::collide(&a_, fcl::Transform3d::Identity(), &b_, X_a_b_, request, result_);

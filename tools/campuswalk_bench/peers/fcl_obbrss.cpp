@@ -1,5 +1,5 @@
 // FCL's tree of oriented boxes and swept spheres, its fastest for a single shape against a mesh, in double,
-// as Debian builds it: no -march here, since the alignment of Eigen's types is part of its interface.
+// as Debian builds it: without -march, since the alignment of Eigen's types is part of its interface.
 
 #include <algorithm>
 #include <limits>

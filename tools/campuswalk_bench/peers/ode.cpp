@@ -1,5 +1,5 @@
-// ODE's dCollide of two triangle meshes (OPCODE inside). Its contacts name the triangles; it merges or drops
-// contacts of its own accord, and pairs with them.
+// ODE's dCollide of two triangle meshes (with OPCODE). Its contacts name the triangles; it merges and drops
+// contacts, and their pairs with them.
 
 #include <cstdarg>
 
@@ -40,7 +40,7 @@ private:
 struct Library {
     Library() {
         dInitODE2(0);
-        // It says on standard error, some thousand times a query, that its table of contacts is full.
+        // It prints to standard error, about a thousand times per query, that its table of contacts is full.
         dSetMessageHandler([](int, const char*, va_list) {});
         dAllocateODEDataForThread(dAllocateMaskAll);
     }
@@ -68,7 +68,7 @@ public:
     }
 
     void all_pairs(std::vector<TrianglePair>& out) override {
-        const std::size_t found = ask(kMost);
+        const std::size_t found = collide(kMost);
         out.clear();
         for (std::size_t i = 0; i < found; ++i) {
             out.push_back(pair(i));
@@ -76,13 +76,13 @@ public:
     }
 
     std::optional<TrianglePair> first_pair() override {
-        return ask(1) > 0 ? std::optional(pair(0)) : std::nullopt;
+        return collide(1) > 0 ? std::optional(pair(0)) : std::nullopt;
     }
 
 private:
-    static constexpr int kMost = 0xFFFF;  ///< contacts; dCollide's flags have 16 bits for it
+    static constexpr int kMost = 0xFFFF;  ///< contacts; dCollide's flags have 16 bits for the number
 
-    std::size_t ask(int most) {
+    std::size_t collide(int most) {
         return static_cast<std::size_t>(
             dCollide(a_.geometry(), b_.geometry(), most, contacts_.data(), sizeof(dContactGeom)));
     }

@@ -1,4 +1,4 @@
-// A hall: rooms with doors, one without, and stairs to the upper floor.
+// A hall: rooms with doors, a room without, and stairs to the upper floor.
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-// Six pens side by side that cannot be entered, each for another reason.
+// Six pens side by side that cannot be entered, each for a different reason.
 
 #include <numbers>
 

@@ -15,7 +15,7 @@ using collision::Vec3;
 namespace {
 
 constexpr double kLot = kGeneratedLot;
-constexpr int kCellsALot = 24;       ///< of the terrain, along a side
+constexpr int kCellsPerLot = 24;     ///< of the terrain, along a side
 constexpr double kFoundation = 2.0;  ///< metres that a house extends into the ground, which isn't level
 constexpr int kTrees = 14;           ///< per lot
 constexpr int kBenches = 8;          ///< per lot
@@ -64,7 +64,7 @@ public:
         house_.storeys = 3 + static_cast<int>(random.between(0.0, 4.0));
     }
 
-    void furnish(GeneratedCampus& campus) {
+    void add_to(GeneratedCampus& campus) {
         scene::MeshParts parts(campus.mesh);
         const auto begin = [&](CampusPart part) { begin_run(campus.runs, part, campus.mesh); };
         begin(CampusPart::building);
@@ -75,20 +75,20 @@ public:
         }
         begin(CampusPart::bench);
         for (int i = 0; i < kBenches; ++i) {
-            add_bench(parts, somewhere());
+            add_bench(parts, random_pose());
         }
         begin(CampusPart::lamp);
         for (int i = 0; i < kLamps; ++i) {
-            add_lamp(parts, somewhere());
+            add_lamp(parts, random_pose());
         }
     }
 
     /// The terrain's vertices outside of the house.
     void add_feet(std::vector<Vec3>& feet) const {
-        for (int row = 0; row < kCellsALot; ++row) {
-            for (int column = 0; column < kCellsALot; ++column) {
-                const double x = x_ - 0.5 * kLot + kLot / kCellsALot * column;
-                const double z = z_ - 0.5 * kLot + kLot / kCellsALot * row;
+        for (int row = 0; row < kCellsPerLot; ++row) {
+            for (int column = 0; column < kCellsPerLot; ++column) {
+                const double x = x_ - 0.5 * kLot + kLot / kCellsPerLot * column;
+                const double z = z_ - 0.5 * kLot + kLot / kCellsPerLot * row;
                 if (!house_.is_within(1.0, x, z)) {
                     feet.emplace_back(x, rolling_ground(x, z), z);
                 }
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    Pose somewhere() {
+    Pose random_pose() {
         const double yaw = random_.between(0.0, 6.0);
         return pose_with_yaw(outdoors(1.0), yaw);
     }
@@ -124,12 +124,12 @@ GeneratedCampus generated_campus(int lots) {
     GeneratedCampus campus;
     scene::MeshParts parts(campus.mesh);
     begin_run(campus.runs, CampusPart::terrain, campus.mesh);
-    parts.add_terrain(lots * kCellsALot, -0.5 * lots * kLot, kLot / kCellsALot, rolling_ground);
+    parts.add_terrain(lots * kCellsPerLot, -0.5 * lots * kLot, kLot / kCellsPerLot, rolling_ground);
     SplitMix random(1);
     for (int row = 0; row < lots; ++row) {
         for (int column = 0; column < lots; ++column) {
             Lot lot(kLot * (column - 0.5 * (lots - 1)), kLot * (row - 0.5 * (lots - 1)), random);
-            lot.furnish(campus);
+            lot.add_to(campus);
             lot.add_feet(campus.feet);
         }
     }

@@ -19,7 +19,7 @@ constexpr double kGeneratedLot = 60.0;
 
 /// `lots` x `lots` lots of 60 m on gentle hills, each with a house with modelled windows, trees with single
 /// leaves, benches and lamps: large triangles beside small ones, many of them vertical, as in models of real
-/// campuses. 8 lots a side make half a million triangles, 17 make two million. The same on every platform.
+/// campuses. 8 lots per side make half a million triangles, 17 make two million. The same on every platform.
 GeneratedCampus generated_campus(int lots);
 
 }  // namespace campuswalk::tools::bench

@@ -54,11 +54,11 @@ Vector3d point_on(std::size_t patch, double u, double v) {
 class Vertices {
 public:
     std::uint32_t add(const Vector3d& point) {
-        constexpr double kStepsAUnit = 1e7;
-        WeldTable<3>::Key key{};
+        constexpr double kStepsPerUnit = 1e7;
+        scene::WeldTable<3>::Key key{};
         for (int i = 0; i < 3; ++i) {
             key[static_cast<std::size_t>(i)] =
-                static_cast<std::uint32_t>(std::llround(point[i] * kStepsAUnit));
+                static_cast<std::uint32_t>(std::llround(point[i] * kStepsPerUnit));
         }
         const std::uint32_t number = table_.number_of(key);
         if (number == points_.size()) {
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    WeldTable<3> table_{8192};
+    scene::WeldTable<3> table_{8192};
     std::vector<Vector3d> points_;
 };
 

@@ -8,14 +8,14 @@
 
 namespace campuswalk::tools::bench {
 
-/// A place to walk to.
+/// A position to walk to.
 struct WalkGoal {
     collision::Vec3 at = collision::Vec3::Zero();  ///< of the foot
     bool forbidden = false;                        ///< unreachable for a person
 };
 
-/// Straight from the start to one goal after the other. An avatar that slides along obstacles reaches all
-/// goals that aren't forbidden.
+/// Straight segments from the start to one goal after the other. An avatar that slides along obstacles
+/// reaches all goals that aren't forbidden.
 struct WalkPath {
     std::string name;
     collision::Vec3 start = collision::Vec3::Zero();  ///< of the foot, on the ground

@@ -15,14 +15,14 @@ using collision::Vec3;
 namespace {
 
 constexpr double kLot = kWalkableLot;
-constexpr int kCellsALot = 36;              ///< of the terrain, along a side
+constexpr int kCellsPerLot = 36;            ///< of the terrain, along a side
 constexpr double kLevel = 26.0;             ///< radius of the level ground, metres: the course and one cell
 constexpr double kSlope = 10.0;             ///< metres from there to the full height of the hills
 constexpr double kTreeLine = kLevel + 3.5;  ///< a crown's radius away from the course
 constexpr int kTrees = 7;                   ///< per lot
 constexpr int kBenches = 6;                 ///< per lot
 constexpr int kLamps = 6;                   ///< per lot
-static_assert(kLevel >= kCourseRadius + kLot / kCellsALot);
+static_assert(kLevel >= kCourseRadius + kLot / kCellsPerLot);
 
 double hills(double x, double z) {
     return 0.5 * rolling_ground(x, z);
@@ -38,7 +38,7 @@ double nearest_center(double coordinate, int lots) {
     return center_of(std::clamp(lot, 0, lots - 1), lots);
 }
 
-/// Of a vertex of the terrain.
+/// The height of a vertex of the terrain.
 double vertex_height(double x, double z, int lots) {
     const double center_x = nearest_center(x, lots);
     const double center_z = nearest_center(z, lots);
@@ -48,9 +48,9 @@ double vertex_height(double x, double z, int lots) {
     return (1.0 - smooth) * hills(center_x, center_z) + smooth * hills(x, z);
 }
 
-/// Interpolated on the terrain's triangles.
+/// The height interpolated on the terrain's triangles.
 double ground_height(double x, double z, int lots) {
-    constexpr double kCell = kLot / kCellsALot;
+    constexpr double kCell = kLot / kCellsPerLot;
     const double low = -0.5 * lots * kLot;
     const double column = std::floor((x - low) / kCell);
     const double row = std::floor((z - low) / kCell);
@@ -154,7 +154,7 @@ WalkableCampus walkable_campus(int lots) {
     WalkableCampus campus;
     scene::MeshParts parts(campus.mesh);
     begin_run(campus.runs, CampusPart::terrain, campus.mesh);
-    parts.add_terrain(lots * kCellsALot, -0.5 * lots * kLot, kLot / kCellsALot,
+    parts.add_terrain(lots * kCellsPerLot, -0.5 * lots * kLot, kLot / kCellsPerLot,
                       [&](double x, double z) { return vertex_height(x, z, lots); });
     SplitMix random(4);
     std::vector<WalkPath> unused;

@@ -8,11 +8,11 @@
 
 namespace campuswalk::tools::bench {
 
-/// Makes a MeshCollider: the mesh is copied and checked, its tree built. `mesh` must outlive it.
+/// Builds a MeshCollider: copies and checks the mesh and builds its tree. `mesh` must outlive it.
 std::unique_ptr<TreeBuilder> make_our_builder(const collision::TriangleMesh& mesh,
                                               collision::TreeKind tree_kind);
 
-// What the data takes, bytes: the arrays as long as they are filled.
+// The size of the data in bytes, without unused capacity of arrays.
 
 std::size_t bytes_of_mesh(const collision::TriangleMesh& mesh);
 std::size_t bytes_of_tree(const collision::MeshCollider& collider);

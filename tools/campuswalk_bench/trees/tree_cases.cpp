@@ -22,7 +22,7 @@ using collision::TriangleMesh;
 
 namespace {
 
-/// One library's trees of both meshes.
+/// The builders of one library, one per mesh.
 struct Builders {
     std::string name;
     std::array<std::unique_ptr<TreeBuilder>, 2> of;
@@ -73,7 +73,7 @@ void time_builds(const std::vector<Builders>& builders, double triangles, int ro
         builders[i].discard();
         return microseconds;
     });
-    std::printf("Building, microseconds a triangle\n%12s%10s%10s\n", "", "least", "median");
+    std::printf("Building, microseconds per triangle\n%12s%10s%10s\n", "", "least", "median");
     for (std::size_t i = 0; i < builders.size(); ++i) {
         const Spread each{spreads[i].least / triangles, spreads[i].median / triangles};
         std::printf("%12s%10.3f%10.3f\n", builders[i].name.c_str(), each.least, each.median);
@@ -85,7 +85,7 @@ void print_bytes(const Row& row, const char* what) {
     std::printf("%12s%10.1f  %s\n", row.engine.c_str(), row.least, what);
 }
 
-void weigh_heaps(const std::vector<Builders>& builders, double triangles, std::vector<Row>& rows) {
+void measure_heap(const std::vector<Builders>& builders, double triangles, std::vector<Row>& rows) {
     for (const Builders& of_one : builders) {
         const std::size_t before = heap_in_use();
         of_one.build();
@@ -101,7 +101,7 @@ void weigh_heaps(const std::vector<Builders>& builders, double triangles, std::v
     }
 }
 
-void weigh_data(const PairScene& scene, double triangles, std::vector<Row>& rows) {
+void measure_data(const PairScene& scene, double triangles, std::vector<Row>& rows) {
     for (const auto& [name, tree_kind] :
          {std::pair("wide", TreeKind::bvh8), std::pair("paper", TreeKind::hybrid)}) {
         double meshes = 0.0;
@@ -122,15 +122,15 @@ void weigh_data(const PairScene& scene, double triangles, std::vector<Row>& rows
 }  // namespace
 
 CaseResult run_tree_cases(int rounds) {
-    const PairScene scene = table1_scene();
+    const PairScene scene = table1_pair_scene();
     const auto triangles = static_cast<double>(scene.a.triangles.size() + scene.b.triangles.size());
     std::printf("Trees of Table I's two meshes, %.0f triangles; times of %d.\n", triangles, rounds);
     const std::vector<Builders> builders = make_builders(scene);
     CaseResult result;
     time_builds(builders, triangles, rounds, result.rows);
-    std::printf("Memory, bytes a triangle\n");
-    weigh_heaps(builders, triangles, result.rows);
-    weigh_data(scene, triangles, result.rows);
+    std::printf("Memory, bytes per triangle\n");
+    measure_heap(builders, triangles, result.rows);
+    measure_data(scene, triangles, result.rows);
     return result;
 }
 

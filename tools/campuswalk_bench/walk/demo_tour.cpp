@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSeconds = 120;
 
-/// Where it is from here, or beside the program's own avatars.
+/// Beside the program's avatars, or else below the current folder.
 std::filesystem::path tour_file() {
     const std::filesystem::path name = "walks/first-tour.walk.yaml";
     for (const std::filesystem::path& avatars : search_paths().avatars) {
@@ -34,7 +34,7 @@ void walk_two_minutes(const LoadedWalk& tour) {
     engine::Tick tick = 0;
     while (tick < last) {
         if (simulation.finished()) {
-            throw std::runtime_error("it is over before two minutes are");
+            throw std::runtime_error("it ends before two minutes have passed");
         }
         tick = simulation.step().tick;
     }

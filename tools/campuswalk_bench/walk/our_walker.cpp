@@ -40,7 +40,7 @@ OurWalker::OurWalker(const collision::TriangleMesh& mesh, const WalkBody& body)
 void OurWalker::place(const Vec3& foot) {
     const auto free = free_place(world_, {}, foot, settings_.radius, settings_.height, kSearch);
     if (!free) {
-        throw std::runtime_error("a path of the benchmark starts where nobody can stand");
+        throw std::runtime_error("a path of the benchmark starts where there is no free place");
     }
     mover_->place(state_, *free, 2.0 * kSearch);
 }
@@ -49,7 +49,7 @@ void OurWalker::walk(const Vec3& desired) {
     mover_->move(state_, desired, body_.tick, *trace_);
 }
 
-std::size_t OurWalker::weigh() {
+std::size_t OurWalker::release_mover() {
     const std::size_t before = heap_in_use();
     mover_.reset();
     trace_.reset();

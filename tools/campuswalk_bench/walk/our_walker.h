@@ -9,7 +9,7 @@
 
 namespace campuswalk::tools::bench {
 
-/// Our mover, in a world that the mesh alone is in. One mover walks all paths, as one avatar would.
+/// Our mover in a world with only the mesh. One mover walks all paths, as one avatar would.
 class OurWalker final : public WalkEngine {
 public:
     OurWalker(const collision::TriangleMesh& mesh, const WalkBody& body);
@@ -19,9 +19,9 @@ public:
     void walk(const collision::Vec3& desired) override;
     collision::Vec3 foot() const override { return state_.foot; }
 
-    /// What the mover keeps for itself after all it has done, bytes. It is gone then. Only itself, without
-    /// what it has allocated, where heaps aren't counted (heap.h).
-    std::size_t weigh();
+    /// Destroys the mover and returns the bytes that it used. Without what it had allocated, where heaps
+    /// aren't counted (heap.h).
+    std::size_t release_mover();
 
 private:
     collision::World world_;

@@ -14,8 +14,8 @@ namespace campuswalk::tools::bench {
 
 namespace {
 
-/// What each tick's time holds besides the tick, microseconds.
-double clock_alone() {
+/// The microseconds of reading the clock, which are part of each tick's time.
+double clock_overhead() {
     double least = 1e300;
     for (int i = 0; i < 1000; ++i) {
         least = std::min(least, microseconds_of([] {}));
@@ -28,7 +28,7 @@ double clock_alone() {
 bool run_walk_bench(int rounds, bool quick, const std::filesystem::path& csv) {
     std::printf(
         "A person of 1.8 m at 1.4 m/s and 60 Hz, one thread. Reading the clock takes %.3f us of each tick.\n",
-        clock_alone());
+        clock_overhead());
     std::vector<WalkedCampus> campuses;
     for (const int lots : quick ? std::vector<int>{1} : std::vector<int>{3, 8, 17}) {
         campuses.push_back(walk_campus(lots, rounds));
@@ -36,7 +36,7 @@ bool run_walk_bench(int rounds, bool quick, const std::filesystem::path& csv) {
     }
     const std::optional<double> tour_ms = time_demo_tour(rounds);
     for (const WalkedCampus& campus : campuses) {
-        std::printf("Our mover's own memory after %zu triangles: %zu bytes\n", campus.triangles,
+        std::printf("Our mover's working memory on %zu triangles: %zu bytes\n", campus.triangles,
                     campus.working_memory);
     }
     print_verdicts(walk_verdicts(campuses, tour_ms));
@@ -44,7 +44,7 @@ bool run_walk_bench(int rounds, bool quick, const std::filesystem::path& csv) {
         write_walk_csv(campuses, csv);
     }
     return std::all_of(campuses.begin(), campuses.end(),
-                       [](const WalkedCampus& campus) { return walks_right(campus.scores.front()); });
+                       [](const WalkedCampus& campus) { return is_correct(campus.scores.front()); });
 }
 
 }  // namespace campuswalk::tools::bench

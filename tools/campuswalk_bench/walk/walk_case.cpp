@@ -31,8 +31,8 @@ Peers make_peers(const collision::TriangleMesh& mesh, const WalkBody& body) {
 void print_score(const WalkScore& score) {
     std::printf("%16s%9.3f%9.3f%9.3f%9.3f%9zu%6zu/%-5zu%5zu/%-5zu%9.3f%10zu%9zu\n", score.controller.c_str(),
                 score.us_mean, score.us_p50, score.us_p99, score.us_max, score.ticks, score.reached,
-                score.goals, score.forbidden, score.walled_off, 1000.0 * score.max_penetration,
-                score.crossings, score.unrepeated);
+                score.goals, score.forbidden_reached, score.forbidden_goals, 1000.0 * score.max_penetration,
+                score.crossings, score.differing_paths);
 }
 
 void print_failures(const WalkScore& score) {
@@ -45,15 +45,15 @@ void print_failures(const WalkScore& score) {
     }
 }
 
-std::size_t goals_right(const WalkScore& score) {
-    return score.reached + score.walled_off - score.forbidden;
+std::size_t correct_goals(const WalkScore& score) {
+    return score.reached + score.forbidden_goals - score.forbidden_reached;
 }
 
 }  // namespace
 
 const WalkScore& better(const WalkScore& a, const WalkScore& b) {
-    if (goals_right(a) != goals_right(b)) {
-        return goals_right(a) > goals_right(b) ? a : b;
+    if (correct_goals(a) != correct_goals(b)) {
+        return correct_goals(a) > correct_goals(b) ? a : b;
     }
     return a.us_mean <= b.us_mean ? a : b;
 }
@@ -63,7 +63,7 @@ WalkedCampus walk_campus(int lots, int rounds) {
     const WalkBody body;
     WalkedCampus walked;
     walked.triangles = campus.mesh.triangles.size();
-    std::printf("%zu triangles, %zu paths; microseconds a tick, the least of %d\n", walked.triangles,
+    std::printf("%zu triangles, %zu paths; microseconds per tick, the least of %d\n", walked.triangles,
                 campus.paths.size(), rounds);
     const Peers peers = make_peers(campus.mesh, body);
     OurWalker ours(campus.mesh, body);
@@ -71,8 +71,8 @@ WalkedCampus walk_campus(int lots, int rounds) {
     for (const auto& [name, engine] : peers) {
         walkers.push_back({name, engine.get()});
     }
-    walked.scores = run_walks(walkers, campus.paths, body, WalkEvaluator(campus.mesh), rounds);
-    walked.working_memory = ours.weigh();
+    walked.scores = run_walks(walkers, campus.paths, body, WalkScorer(campus.mesh), rounds);
+    walked.working_memory = ours.release_mover();
     if (walked.scores.size() == 3) {
         WalkScore best = better(walked.scores[1], walked.scores[2]);
         best.controller = "bullet";
@@ -84,7 +84,7 @@ WalkedCampus walk_campus(int lots, int rounds) {
     for (const WalkScore& score : walked.scores) {
         print_score(score);
     }
-    std::printf("goals of ours that were missed, or wrongly got to: %zu\n",
+    std::printf("our goals missed, and forbidden goals reached: %zu\n",
                 walked.scores.front().failures.size());
     print_failures(walked.scores.front());
     return walked;

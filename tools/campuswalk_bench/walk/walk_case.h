@@ -8,21 +8,21 @@
 
 namespace campuswalk::tools::bench {
 
-/// What was found on one campus.
+/// The scores on one campus.
 struct WalkedCampus {
     std::size_t triangles = 0;
-    std::vector<WalkScore>
-        scores;  ///< `ours` first; `bullet` second, if it is built: the better of the others
-    std::size_t working_memory = 0;  ///< our mover's own, bytes
-    /// The least mean of Bullet's ways to be set up: what ours is held against.
-    std::optional<double> fastest_peer;  ///< microseconds a tick
+    std::vector<WalkScore> scores;   ///< `ours` first; then `bullet`, if built: the better of the others
+    std::size_t working_memory = 0;  ///< our mover's, bytes
+    /// The least mean of Bullet's configurations, which ours is compared with.
+    std::optional<double> fastest_peer;  ///< microseconds per tick
 };
 
-/// A campus of `lots` a side (tools/campuswalk_bench/procedural/walkable_campus.h): ours and Bullet's
-/// controller, as its defaults have it and tuned, on the same triangles and paths. Prints a line each.
+/// Our controller and Bullet's, with its defaults and tuned, on the same triangles and paths of a campus with
+/// `lots` lots per side (tools/campuswalk_bench/procedural/walkable_campus.h). Prints one line per
+/// controller.
 WalkedCampus walk_campus(int lots, int rounds);
 
-/// Of two ways to set the same controller up: more goals right, then less time.
+/// The better of two configurations of a controller: the one with more correct goals, or else with less time.
 const WalkScore& better(const WalkScore& a, const WalkScore& b);
 
 }  // namespace campuswalk::tools::bench

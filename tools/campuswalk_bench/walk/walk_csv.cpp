@@ -15,7 +15,7 @@ std::string line(std::size_t triangles, const WalkScore& score) {
     for (const double us : {score.us_mean, score.us_p50, score.us_p99, score.us_max}) {
         text += ',' + engine::fixed(us, 3);
     }
-    for (const std::size_t count : {score.goals, score.reached, score.forbidden}) {
+    for (const std::size_t count : {score.goals, score.reached, score.forbidden_reached}) {
         text += ',' + std::to_string(count);
     }
     return text + ',' + engine::fixed(1000.0 * score.max_penetration, 3) + ',' +

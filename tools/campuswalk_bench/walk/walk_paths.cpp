@@ -12,10 +12,10 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kArrived = 0.2;    ///< metres, level
-constexpr double kSameFloor = 0.5;  ///< metres, upright
+constexpr double kArrived = 0.2;    ///< metres, horizontal
+constexpr double kSameFloor = 0.5;  ///< metres, vertical
 
-/// For the goal, coming from `from`.
+/// The time limit for a goal, coming from `from`.
 std::size_t ticks_allowed(const Vec3& from, const WalkGoal& goal, const WalkBody& body) {
     const double straight = (goal.at - from).norm() / body.speed;
     const double seconds = goal.forbidden ? straight + 3.0 : 1.6 * straight + 2.0;
@@ -28,10 +28,10 @@ bool is_at(const WalkGoal& goal, const Vec3& foot) {
 }
 
 Vec3 desired_for(const WalkGoal& goal, const Vec3& foot, const WalkBody& body) {
-    const Vec3 way(goal.at.x() - foot.x(), 0.0, goal.at.z() - foot.z());
-    const double length = way.norm();
+    const Vec3 to_goal(goal.at.x() - foot.x(), 0.0, goal.at.z() - foot.z());
+    const double length = to_goal.norm();
     const double most = body.speed * body.tick;
-    return length > most ? Vec3(most / length * way) : way;
+    return length > most ? Vec3(most / length * to_goal) : to_goal;
 }
 
 double timed_walk(WalkEngine& engine, const Vec3& desired) {

@@ -13,22 +13,21 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kMostColumns = 1024.0;  ///< a side
+constexpr double kMostColumns = 1024.0;  ///< per side
 
 Aabb bounds_of(const Triangle& t) {
     return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }
 
-/// Between the straight pieces from p along u and from q along v: at an end of one, or where both are nearest
-/// to each other.
-double distance_of_pieces(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
-    const auto to_piece = [](const Vec3& point, const Vec3& from, const Vec3& along) {
+/// The distance between the segments from p to p + u and from q to q + v.
+double distance_between_segments(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
+    const auto to_segment = [](const Vec3& point, const Vec3& from, const Vec3& along) {
         const double length = along.squaredNorm();
         const double t = length > 0.0 ? std::clamp(along.dot(point - from) / length, 0.0, 1.0) : 0.0;
         return (from + t * along - point).norm();
     };
-    double least =
-        std::min({to_piece(p, q, v), to_piece(p + u, q, v), to_piece(q, p, u), to_piece(q + v, p, u)});
+    double least = std::min(
+        {to_segment(p, q, v), to_segment(p + u, q, v), to_segment(q, p, u), to_segment(q + v, p, u)});
     const double uu = u.squaredNorm();
     const double uv = u.dot(v);
     const double vv = v.squaredNorm();
@@ -44,7 +43,7 @@ double distance_of_pieces(const Vec3& p, const Vec3& u, const Vec3& q, const Vec
     return least;
 }
 
-/// Whether `point`, in the triangle's plane, is in the triangle, or on its edge.
+/// Whether `point`, which is in the triangle's plane, is inside the triangle or on its edge.
 bool is_in(const Vec3& point, const Triangle& t, const Vec3& normal) {
     return normal.dot((t.b - t.a).cross(point - t.a)) >= 0.0 &&
            normal.dot((t.c - t.b).cross(point - t.b)) >= 0.0 &&
@@ -66,9 +65,9 @@ double distance(const Vec3& low, const Vec3& high, const Triangle& t) {
         return 0.0;
     }
     const Vec3 axis = high - low;
-    double least = std::min({distance_of_pieces(low, axis, t.a, t.b - t.a),
-                             distance_of_pieces(low, axis, t.b, t.c - t.b),
-                             distance_of_pieces(low, axis, t.c, t.a - t.c)});
+    double least = std::min({distance_between_segments(low, axis, t.a, t.b - t.a),
+                             distance_between_segments(low, axis, t.b, t.c - t.b),
+                             distance_between_segments(low, axis, t.c, t.a - t.c)});
     const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
     const double area = normal.norm();
     for (const Vec3& end : {low, high}) {
@@ -81,7 +80,7 @@ double distance(const Vec3& low, const Vec3& high, const Triangle& t) {
 
 }  // namespace
 
-WalkEvaluator::WalkEvaluator(const collision::TriangleMesh& mesh) : mesh_(mesh) {
+WalkScorer::WalkScorer(const collision::TriangleMesh& mesh) : mesh_(mesh) {
     Aabb all;
     for (const Eigen::Vector3f& position : mesh.positions) {
         all.extend(position.cast<double>());
@@ -110,7 +109,7 @@ WalkEvaluator::WalkEvaluator(const collision::TriangleMesh& mesh) : mesh_(mesh) 
     each_column([&](std::size_t column, std::uint32_t triangle) { triangles_[next[column]++] = triangle; });
 }
 
-WalkEvaluator::Columns WalkEvaluator::columns_of(const Aabb& box) const {
+WalkScorer::Columns WalkScorer::columns_of(const Aabb& box) const {
     const auto column = [&](double away) {
         return static_cast<std::size_t>(std::clamp(away / width_, 0.0, static_cast<double>(side_ - 1)));
     };
@@ -118,9 +117,9 @@ WalkEvaluator::Columns WalkEvaluator::columns_of(const Aabb& box) const {
             column(box.max.z() - low_.z())};
 }
 
-/// Some more than once.
+/// May visit a triangle more than once.
 template <typename Visit>
-void WalkEvaluator::visit_near(const Aabb& box, const Visit& visit) const {
+void WalkScorer::visit_near(const Aabb& box, const Visit& visit) const {
     const Columns over = columns_of(box);
     for (std::size_t z = over.low_z; z <= over.high_z; ++z) {
         for (std::size_t x = over.low_x; x <= over.high_x; ++x) {
@@ -135,7 +134,7 @@ void WalkEvaluator::visit_near(const Aabb& box, const Visit& visit) const {
     }
 }
 
-double WalkEvaluator::penetration(const Vec3& foot, double radius, double height) const {
+double WalkScorer::penetration(const Vec3& foot, double radius, double height) const {
     const Vec3 low = foot + Vec3(0.0, radius, 0.0);
     const Vec3 high = foot + Vec3(0.0, height - radius, 0.0);
     double deepest = 0.0;
@@ -144,13 +143,13 @@ double WalkEvaluator::penetration(const Vec3& foot, double radius, double height
     return deepest;
 }
 
-bool WalkEvaluator::crosses(const Vec3& from, const Vec3& to) const {
-    Aabb way;
-    way.extend(from);
-    way.extend(to);
-    bool met = false;
-    visit_near(way, [&](const Triangle& t) { met = met || is_through(from, to, t); });
-    return met;
+bool WalkScorer::crosses(const Vec3& from, const Vec3& to) const {
+    Aabb segment;
+    segment.extend(from);
+    segment.extend(to);
+    bool crossed = false;
+    visit_near(segment, [&](const Triangle& t) { crossed = crossed || is_through(from, to, t); });
+    return crossed;
 }
 
 }  // namespace campuswalk::tools::bench

@@ -9,17 +9,17 @@
 
 namespace campuswalk::tools::bench {
 
-/// Says whether a walker is in a mesh or went through it, from the raw triangles in columns of a grid and by
-/// the plainest formulas: it shares no function with what it judges.
-class WalkEvaluator {
+/// Measures how deep a walker is in a mesh and whether it passed through it, with simple formulas on the raw
+/// triangles in the columns of a grid: it shares no function with the movers that it scores.
+class WalkScorer {
 public:
-    /// The mesh must outlive it.
-    explicit WalkEvaluator(const collision::TriangleMesh& mesh);
+    /// The mesh must outlive the scorer.
+    explicit WalkScorer(const collision::TriangleMesh& mesh);
 
-    /// How deep an upright capsule is in the triangle that it is in deepest, metres; 0 if it is in none.
+    /// The greatest depth of an upright capsule in a triangle, metres; 0 if it overlaps none.
     double penetration(const collision::Vec3& foot, double radius, double height) const;
 
-    /// Whether a point that goes straight from one place to the other meets a triangle.
+    /// Whether the segment between the points crosses a triangle.
     bool crosses(const collision::Vec3& from, const collision::Vec3& to) const;
 
 private:
@@ -36,8 +36,8 @@ private:
 
     const collision::TriangleMesh& mesh_;
     collision::Vec3 low_ = collision::Vec3::Zero();
-    std::size_t side_ = 1;              ///< columns
-    double width_ = 1.0;                ///< metres a column
+    std::size_t side_ = 1;              ///< columns per side
+    double width_ = 1.0;                ///< metres per column
     std::vector<std::uint32_t> first_;  ///< by column, into triangles_
     std::vector<std::uint32_t> triangles_;
 };

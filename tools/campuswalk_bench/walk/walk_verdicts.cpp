@@ -26,15 +26,15 @@ WalkVerdict at_least(std::string what, std::optional<double> value, const char* 
     return verdict;
 }
 
-void evaluate_quality(const std::vector<WalkedCampus>& campuses, std::vector<WalkVerdict>& verdicts) {
+void add_quality_verdicts(const std::vector<WalkedCampus>& campuses, std::vector<WalkVerdict>& verdicts) {
     WalkScore all;
     for (const WalkedCampus& campus : campuses) {
         const WalkScore& ours = campus.scores.front();
         all.goals += ours.goals;
         all.reached += ours.reached;
-        all.forbidden += ours.forbidden;
+        all.forbidden_reached += ours.forbidden_reached;
         all.crossings += ours.crossings;
-        all.unrepeated += ours.unrepeated;
+        all.differing_paths += ours.differing_paths;
         if (ours.heap_growth) {
             all.heap_growth = all.heap_growth.value_or(0) + *ours.heap_growth;
         }
@@ -43,11 +43,11 @@ void evaluate_quality(const std::vector<WalkedCampus>& campuses, std::vector<Wal
     }
     const auto count = [](std::size_t n) { return static_cast<double>(n); };
     verdicts.push_back(at_most("waypoints missed", count(all.goals - all.reached), "", 0.0));
-    verdicts.push_back(at_most("forbidden goals reached", count(all.forbidden), "", 0.0));
+    verdicts.push_back(at_most("forbidden goals reached", count(all.forbidden_reached), "", 0.0));
     verdicts.push_back(
         at_most("deepest penetration", 1000.0 * all.max_penetration, " mm", 1000.0 * kAllowedPenetration));
     verdicts.push_back(at_most("triangles crossed", count(all.crossings), "", 0.0));
-    verdicts.push_back(at_most("paths that differ when repeated", count(all.unrepeated), "", 0.0));
+    verdicts.push_back(at_most("paths that differ when repeated", count(all.differing_paths), "", 0.0));
     std::optional<double> growth;
     if (all.heap_growth) {
         growth = count(*all.heap_growth);
@@ -56,9 +56,9 @@ void evaluate_quality(const std::vector<WalkedCampus>& campuses, std::vector<Wal
     verdicts.push_back(at_most("worst tick", all.us_max, " us", 20.0));
 }
 
-/// From the smallest campus to the largest.
-void evaluate_growth(const WalkedCampus& small, const WalkedCampus& large,
-                     std::vector<WalkVerdict>& verdicts) {
+/// The growth from the smallest campus to the largest.
+void add_growth_verdicts(const WalkedCampus& small, const WalkedCampus& large,
+                         std::vector<WalkVerdict>& verdicts) {
     verdicts.push_back(at_most(
         "growth of working memory",
         static_cast<double>(large.working_memory) / static_cast<double>(small.working_memory), "x", 1.2));
@@ -80,9 +80,9 @@ std::string value_of(const WalkVerdict& verdict) {
 
 }  // namespace
 
-bool walks_right(const WalkScore& ours) {
-    return ours.reached == ours.goals && ours.forbidden == 0 && ours.crossings == 0 && ours.unrepeated == 0 &&
-           ours.max_penetration <= kAllowedPenetration;
+bool is_correct(const WalkScore& ours) {
+    return ours.reached == ours.goals && ours.forbidden_reached == 0 && ours.crossings == 0 &&
+           ours.differing_paths == 0 && ours.max_penetration <= kAllowedPenetration;
 }
 
 std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses,
@@ -96,16 +96,16 @@ std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses
         verdicts.push_back(at_least("mean tick, " + std::to_string(campus.triangles) + " triangles", ratio,
                                     "x Bullet's", 40.0, 100.0));
     }
-    evaluate_quality(campuses, verdicts);
+    add_quality_verdicts(campuses, verdicts);
     if (campuses.size() > 1) {
-        evaluate_growth(campuses.front(), campuses.back(), verdicts);
+        add_growth_verdicts(campuses.front(), campuses.back(), verdicts);
     }
     verdicts.push_back(at_most("two minutes of the demo tour", tour_ms, " ms", 50.0));
     return verdicts;
 }
 
 void print_verdicts(const std::vector<WalkVerdict>& verdicts) {
-    std::printf("\nAgainst what is to be reached; Bullet's is the faster of its two\n");
+    std::printf("\nCompared with the targets; Bullet's is the faster of its two\n");
     for (const WalkVerdict& verdict : verdicts) {
         if (!verdict.value) {
             std::printf("  %-46snot measured\n", verdict.what.c_str());

@@ -8,10 +8,10 @@
 
 namespace campuswalk::tools::bench {
 
-/// One thing that is asked of the mover, and what it does.
+/// One target of the mover, and what was measured.
 struct WalkVerdict {
     std::string what;
-    std::optional<double> value;  ///< none: not measured
+    std::optional<double> value;  ///< none if it wasn't measured
     const char* unit = "";
     bool more_is_better = false;
     double must = 0.0;
@@ -19,13 +19,14 @@ struct WalkVerdict {
     bool holds = true;  ///< at least `must`; false without a value
 };
 
-/// Quality and speed. `tour_ms` is what the demo campus' tour took.
+/// Verdicts on quality and speed. `tour_ms` is the time of the demo campus' tour.
 std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses,
                                        std::optional<double> tour_ms);
 
 void print_verdicts(const std::vector<WalkVerdict>& verdicts);
 
-/// Whether our mover got to all it should and to nothing else, never in anything, and the same each time.
-bool walks_right(const WalkScore& ours);
+/// Whether our mover reached all goals and no forbidden one, was never inside anything, and walked the same
+/// each time.
+bool is_correct(const WalkScore& ours);
 
 }  // namespace campuswalk::tools::bench

@@ -297,7 +297,8 @@ TEST_F(GltfSourceTest, RejectsKtxUnlessThereIsAFallback) {
     GltfText text = textured_triangle({{"uri", "wood.ktx2"}}, texture);
     text.json["extensionsUsed"] = {"KHR_texture_basisu"};
     const std::string diagnostic = refusal(text);
-    EXPECT_TRUE(contains(diagnostic, "KTX") && contains(diagnostic, "PNG") && contains(diagnostic, "'wall'")) << diagnostic;
+    EXPECT_TRUE(contains(diagnostic, "KTX") && contains(diagnostic, "PNG") && contains(diagnostic, "'wall'"))
+        << diagnostic;
     texture["source"] = 1;
     text.json["textures"] = Json::array({texture});
     text.json["images"].push_back({{"uri", "wood.tga"}});

@@ -26,7 +26,8 @@ TEST(VertexNormals, AreSmoothAcrossAGentleEdge) {
     const Fold fold(-0.3);
     const auto normals = vertex_normals(fold.positions, fold.triangles, kCrease);
     ASSERT_EQ(normals.size(), 6U);
-    // At the shared edge, the normals of both faces are halfway between the two; elsewhere each is its face's.
+    // At the shared edge, the normals of both faces are halfway between the two; elsewhere each is its
+    // face's.
     const double half = 0.15;
     const Eigen::Vector3f between(static_cast<float>(std::sin(half)), static_cast<float>(std::cos(half)), 0);
     for (const std::size_t vertex : {0U, 2U, 3U, 4U}) {

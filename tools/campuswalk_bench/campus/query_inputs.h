@@ -10,18 +10,17 @@
 
 namespace campuswalk::tools::bench {
 
-// What visitors of a campus ask; the same on every machine for a seed.
+// The inputs of the queries that visitors of a campus cause; for a seed, they are the same on every machine.
 
 inline constexpr double kEyeHeight = 1.6;     ///< metres
 inline constexpr double kAvatarRadius = 0.3;  ///< metres
 inline constexpr double kAvatarHeight = 1.8;  ///< metres
 
-/// From eye height above some of `feet`, in all directions alike, `length` metres long.
+/// Rays of `length` metres from eye height above some of `feet`, uniformly distributed over all directions.
 std::vector<collision::Ray> eye_rays(std::span<const collision::Vec3> feet, double length, std::size_t count,
                                      std::uint32_t seed);
 
-/// The segments of upright avatars (radius kAvatarRadius, kAvatarHeight tall), most of them in touch with
-/// something.
+/// The segments of upright avatars (radius kAvatarRadius, kAvatarHeight tall), most of which touch something.
 std::vector<collision::Segment> avatars(const collision::TriangleMesh& mesh, std::size_t count,
                                         std::uint32_t seed);
 
