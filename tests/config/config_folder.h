@@ -25,8 +25,8 @@ public:
     Run run() const { return load_run(path("a.walk.yaml"), {}); }
     scene::CampusDescription campus() const { return load_campus_description(path("a.campus.yaml")); }
 
-    /// The diagnostics of a text written to that file, one per line, paths relative to the folder; empty
-    /// when it loads.
+    /// The diagnostics of a text written to that file, one per line, paths relative to the folder; empty when
+    /// it loads.
     Lines about_campus(std::string_view text) const;
     Lines about_avatar(std::string_view text) const;
     Lines about_walk(std::string_view text) const;

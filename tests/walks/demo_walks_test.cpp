@@ -1,5 +1,4 @@
-// The other walks of the demo campus: each passes its own expectations; together they use every kind
-// of step.
+// The other walks of the demo campus: each passes its own expectations; together they use every kind of step.
 
 #include <algorithm>
 #include <filesystem>
