@@ -61,8 +61,7 @@ CaseResult import(const BenchOptions& options) {
 constexpr BenchCommand kCommands[] = {
     {"table1",
      "The paper's Table I: a teapot that intersects a cylinder, with every variant of the tree and every "
-     "other "
-     "engine that is built"},
+     "other engine that is built"},
     {"million", "The same teapot and cylinder of a million triangles each, in one placement"},
     {"nested", "A cylinder within a cylinder, 2 cm apart all around"},
     {"trees", "Time to build the trees, and their memory"},
@@ -70,8 +69,7 @@ constexpr BenchCommand kCommands[] = {
     {"import", "GLB files of 2 million triangles, read by the import's helper and by assimp"},
     {kBenchWalk,
      "The avatar's mover compared with Bullet's on campuses of up to 2 million triangles: goals reached, "
-     "forbidden "
-     "goals reached, and speed"},
+     "forbidden goals reached, and speed"},
     {kBenchDraw,
      "Pictures of campuses of half a million and two million triangles, compared with other programs that "
      "draw"},

@@ -66,30 +66,24 @@ Command add_measurement(Command program, const std::string& name, const std::str
     command.flag({.names = "--quick", .help = "Small scenes, one round: whether it works, not how fast"},
                  options->quick);
     command.footer(
-        "Exit code: 0 our own engines are right and agree with each other, 1 they aren't or don't, 2 bad "
-        "usage,\n"
-        "3 something failed while running. Other engines are built by tools/bench; their differences are "
-        "shown.");
+        "Exit code: 0 our own engines are right and agree with each other, 1 they aren't or don't,\n"
+        "2 bad usage, 3 something failed while running. Other engines are built by tools/bench;\n"
+        "their differences are shown.");
     if (name == kBenchDraw) {
         command.footer(
-            "A peer finds campus.glb and views.json (size, field of view, eyes and their targets, rounds) in "
-            "its\n"
-            "folder, and prints 'frame LOOK VIEW MILLISECONDS' for each picture; tools/bench draw runs "
-            "three.js and\n"
-            "VTK like this. The CSV has one line per campus, program and look. Exit code: 0 measured, "
-            "however fast,\n"
-            "2 bad usage, 3 something failed while running.");
+            "A peer finds campus.glb and views.json (size, field of view, eyes and their targets,\n"
+            "rounds) in its folder, and prints 'frame LOOK VIEW MILLISECONDS' for each picture;\n"
+            "tools/bench draw runs three.js and VTK like this. The CSV has one line per campus, program\n"
+            "and look. Exit code: 0 measured, however fast, 2 bad usage, 3 something failed while\n"
+            "running.");
     } else if (name == kBenchWalk) {
         command.footer(
-            "The CSV has one line per campus and controller; forbidden: how many goals it reached that no "
-            "person of\n"
-            "its size can reach; bullet: the better of its defaults and a tuned set. Each tick's time is the "
-            "least\n"
-            "of all rounds, which are bit for bit the same walk.\n"
-            "Exit code: 0 ours reached every goal and no forbidden one, and was never inside anything, 1 "
-            "otherwise,\n"
-            "2 bad usage, 3 something failed while running; speed has no influence. Bullet's is built by\n"
-            "tools/bench.");
+            "The CSV has one line per campus and controller; forbidden: how many goals it reached that\n"
+            "no person of its size can reach; bullet: the better of its defaults and a tuned set. Each\n"
+            "tick's time is the least of all rounds, which are bit for bit the same walk.\n"
+            "Exit code: 0 ours reached every goal and no forbidden one, and was never inside anything,\n"
+            "1 otherwise, 2 bad usage, 3 something failed while running; speed has no influence.\n"
+            "Bullet's is built by tools/bench.");
     }
     command.choose(chosen, [options, name] {
         options->which = name;

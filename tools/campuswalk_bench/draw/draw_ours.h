@@ -11,9 +11,8 @@ namespace campuswalk::tools::bench {
 
 struct OurDrawing {
     std::vector<DrawTimes> looks;
-    double encode_ms = 0.0;  ///< to encode an image as PNG; in a walk, this runs in parallel with drawing
-    std::size_t heap_bytes =
-        0;  ///< what drawing allocated besides the model: geometry, textures, maps, targets
+    double encode_ms = 0.0;      ///< to encode an image as PNG; in a walk, this runs in parallel with drawing
+    std::size_t heap_bytes = 0;  ///< allocated besides the model: geometry, textures, maps, targets
 };
 
 /// Draws the views in each look: once to warm up, then `rounds` times. The first view is saved as

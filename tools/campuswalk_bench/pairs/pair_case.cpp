@@ -40,9 +40,8 @@ CaseResult run_pair_case(const PairScene& scene, int rounds) {
     const PairEngines made = make_engines(scene.a, scene.b, kEngines);
     const Results results = measure(scene, made.engines, rounds);
     std::printf(
-        "%zu triangles against %zu. Microseconds per query of %d, one thread; +n/-n: extra and missing "
-        "pairs,\n"
-        "compared with %s.\n",
+        "%zu triangles against %zu. Microseconds per query of %d, one thread; +n/-n: extra and missing\n"
+        "pairs, compared with %s.\n",
         scene.a.triangles.size(), scene.b.triangles.size(), rounds, results.engines.front().name.c_str());
     for (std::size_t placement = 0; placement < scene.placements.size(); ++placement) {
         print_placement(results, placement);

@@ -101,12 +101,10 @@ void print_sphere_test(const Results& results) {
     const auto [least, most] = std::minmax_element(lift.begin(), lift.end());
     const double mean = geometric_mean(lift);
     std::printf(
-        "The outer spheres separate %.1f %% of the pairs of nodes, the inner spheres another %.1f %%. The "
-        "boxes\n"
-        "would separate nearly all of these: without spheres (obb) %.1f %% more pairs of nodes are tested. "
-        "With\n"
-        "spheres first, the same query on the same tree is %.2f times as fast (geometric mean; %.2f to "
-        "%.2f)%s\n\n",
+        "The outer spheres separate %.1f %% of the pairs of nodes, the inner spheres another %.1f %%.\n"
+        "The boxes would separate nearly all of these: without spheres (obb) %.1f %% more pairs of\n"
+        "nodes are tested. With spheres first, the same query on the same tree is %.2f times as fast\n"
+        "(geometric mean; %.2f to %.2f)%s\n\n",
         percent(sum.outer, sum.volume_tests), percent(sum.inner, sum.volume_tests),
         percent(without, sum.volume_tests) - 100.0, mean, *least, *most,
         mean < 1.5 ? ":\nthe spheres alone don't make the tree twice as fast." : ".");
