@@ -23,11 +23,11 @@ using engine::render::Image;
 /// Grey ground with a red wall ahead of the origin; if `roofed`, under a green roof 3 m up.
 scene::Campus small_campus(bool roofed) {
     SceneBuilder builder;
-    builder.paint(kGrey).ground(60.0).paint(kRed).box({-3, 0, -6}, {3, 2, -5});
+    builder.colored(kGrey).ground(60.0).colored(kRed).box({-3, 0, -6}, {3, 2, -5});
     scene::Campus campus = engine::level_campus(30.0);
     engine::add_box(campus, "wall", {-3, 0, -6}, {3, 2, -5});
     if (roofed) {
-        builder.paint(kGreen).box({-8, 3, -8}, {8, 3.2, 8});
+        builder.colored(kGreen).box({-8, 3, -8}, {8, 3.2, 8});
         engine::add_box(campus, "roof", {-8, 3, -8}, {8, 3.2, 8});
     }
     campus.models = {builder.model()};

@@ -31,7 +31,6 @@ class SceneBuilder {
 public:
     /// A new material for the pieces that follow.
     SceneBuilder& colored(const Color& color, const std::optional<scene::Texture>& texture = {});
-    SceneBuilder& paint(const Color& color) { return colored(color); }
     SceneBuilder& alpha(scene::AlphaMode mode, float cutoff = 0.5F);
     SceneBuilder& double_sided();
     SceneBuilder& glow(const std::array<float, 3>& emissive);
