@@ -11,7 +11,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// What a query's agenda has room for: see tree_descent.h.
+/// What a query's agenda has room for: see tree_traversal.h.
 constexpr std::uint8_t kDeepest = 64;
 
 /// Not 0 if any isn't finite. By the exponent's bits and without a way out, for lanes' sake.

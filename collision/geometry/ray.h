@@ -12,8 +12,6 @@ namespace campuswalk::collision {
 struct Ray {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
-
-    Vec3 at(double fraction) const { return from + fraction * (to - from); }
 };
 
 /// Watertight: a ray through a shared edge hits at least one of its triangles (Woop, Benthin, Wald 2013).

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <variant>
@@ -12,6 +13,10 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
 class MeshCollider;
+
+inline double horizontal_norm(const Vec3& v) {
+    return std::sqrt(v.x() * v.x() + v.z() * v.z());
+}
 
 /// A rigid transform that maps shape coordinates to the frame it is named for (X_world_shape).
 /// Not Eigen::Isometry3d, whose alignment depends on compiler flags.
@@ -31,9 +36,14 @@ struct Aabb {
     Vec3 max = Vec3::Constant(-1e300);
 
     bool empty() const { return min.x() > max.x(); }
+    Vec3 center() const { return 0.5 * (min + max); }
     void extend(const Vec3& p) {
         min = min.cwiseMin(p);
         max = max.cwiseMax(p);
+    }
+    void extend(const Aabb& o) {
+        min = min.cwiseMin(o.min);
+        max = max.cwiseMax(o.max);
     }
     Aabb grown(double margin) const { return {min.array() - margin, max.array() + margin}; }
     bool overlaps(const Aabb& o) const {
@@ -46,6 +56,11 @@ struct Segment {
     Vec3 a = Vec3::Zero();
     Vec3 b = Vec3::Zero();
 };
+
+/// The axis of an upright capsule that stands at `foot`, between the centres of its caps.
+inline Segment upright_axis(const Vec3& foot, double radius, double height) {
+    return {foot + Vec3(0, radius, 0), foot + Vec3(0, height - radius, 0)};
+}
 
 // Convex solids about their pose's origin, metres.
 

@@ -1,12 +1,13 @@
 #include "collision/geometry/trigonometry.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace campuswalk::collision {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 constexpr double kHalfPi = 0.5 * kPi;
 // pi/2 in two parts: the first has 33 bits, so that its product with a small integer is exact.
 constexpr double kHalfPiHigh = 1.57079632673412561417;

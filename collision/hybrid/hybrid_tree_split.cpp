@@ -27,11 +27,8 @@ struct Slice {
     std::size_t triangles = 0;
 
     void add(const Slice& o) {
-        if (o.triangles > 0) {
-            bounds.extend(o.bounds.min);
-            bounds.extend(o.bounds.max);
-            triangles += o.triangles;
-        }
+        bounds.extend(o.bounds);
+        triangles += o.triangles;
     }
     /// Triangles times half the surface.
     double cost() const {

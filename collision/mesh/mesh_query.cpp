@@ -8,7 +8,7 @@
 #include "collision/geometry/sweep.h"
 #include "collision/geometry/triangle_box_overlap.h"
 #include "collision/mesh/query_volumes.h"
-#include "collision/mesh/tree_descent.h"
+#include "collision/mesh/tree_traversal.h"
 
 namespace campuswalk::collision {
 
@@ -26,21 +26,21 @@ double offer(std::optional<MeshHit>& best, const MeshHit& found) {
     return best->fraction;
 }
 
-/// Hands `meet` the triangles that may be on the ray up to the limit, near ones first.
-template <typename Meet>
-void follow(const MeshCollider& mesh, const Ray& ray, const Meet& meet, QueryStatistics* statistics,
+/// Hands `visit` the triangles that may be on the ray up to the limit, near ones first.
+template <typename Visit>
+void follow(const MeshCollider& mesh, const Ray& ray, const Visit& visit, QueryStatistics* statistics,
             SimdTarget simd_target) {
     const PathVolume path(ray);
     if (mesh.tree_kind() == TreeKind::hybrid || !fits_bvh8_rays(ray)) {
-        const auto meet_of_mesh = [&](std::uint32_t t, double limit) {
-            return meet(t, vertices(mesh.mesh(), t), limit);
+        const auto visit_of_mesh = [&](std::uint32_t t, double limit) {
+            return visit(t, vertices(mesh.mesh(), t), limit);
         };
-        descend(mesh, path, 1.0, meet_of_mesh, statistics);
+        traverse(mesh, path, 1.0, visit_of_mesh, statistics);
         return;
     }
     QueryStatistics work{.transform_updates = 1, .sphere_tests = 1};
     if (path.bound(mesh.bvh8().outer) <= 1.0) {
-        trace_bvh8_ray(mesh.mesh(), mesh.bvh8(), ray, simd_target, RayVisitor(meet), work);
+        trace_bvh8_ray(mesh.mesh(), mesh.bvh8(), ray, simd_target, RayVisitor(visit), work);
     }
     work.volume_tests = work.sphere_tests + work.box_tests;
     add_to(statistics, work);
@@ -70,20 +70,20 @@ private:
 void triangles_near(const MeshCollider& mesh, const Segment& segment, double radius,
                     std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
-    const auto meet = [&](std::uint32_t t, double limit) {
+    const auto visit = [&](std::uint32_t t, double limit) {
         if (closest(segment, vertices(mesh.mesh(), t)).distance <= radius) {
             out.push_back(t);
         }
         return limit;
     };
-    descend(mesh, ThickSegment(segment, radius), radius * radius, meet, statistics);
+    traverse(mesh, ThickSegment(segment, radius), radius * radius, visit, statistics);
     std::sort(out.begin(), out.end());
 }
 
 void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
                       std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
-    const auto meet = [&](std::uint32_t t, double limit) {
+    const auto visit = [&](std::uint32_t t, double limit) {
         const Triangle c = vertices(mesh.mesh(), t);
         const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
                              X_mesh_box.inverse_apply(c.c)};
@@ -92,18 +92,18 @@ void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_me
         }
         return limit;
     };
-    descend(mesh, BoxVolume(box, X_mesh_box), 0.0, meet, statistics);
+    traverse(mesh, BoxVolume(box, X_mesh_box), 0.0, visit, statistics);
     std::sort(out.begin(), out.end());
 }
 
 std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryStatistics* statistics,
                                     SimdTarget simd_target) {
     std::optional<MeshHit> best;
-    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+    const auto visit = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         const auto f = hit(ray, triangle);
         return f ? offer(best, {*f, t}) : limit;
     };
-    follow(mesh, ray, meet, statistics, simd_target);
+    follow(mesh, ray, visit, statistics, simd_target);
     return best;
 }
 
@@ -111,24 +111,24 @@ bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryStatistics* stati
                 SimdTarget simd_target) {
     constexpr double kNoMore = -1.0;  // below every fraction
     bool found = false;
-    const auto meet = [&](std::uint32_t, const Triangle& triangle, double limit) {
+    const auto visit = [&](std::uint32_t, const Triangle& triangle, double limit) {
         found = found || hit(ray, triangle).has_value();
         return found ? kNoMore : limit;
     };
-    follow(mesh, ray, meet, statistics, simd_target);
+    follow(mesh, ray, visit, statistics, simd_target);
     return found;
 }
 
 void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& out,
                 QueryStatistics* statistics, SimdTarget simd_target) {
     out.clear();
-    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+    const auto visit = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         if (const auto f = hit(ray, triangle)) {
             out.push_back({*f, t});
         }
         return limit;
     };
-    follow(mesh, ray, meet, statistics, simd_target);
+    follow(mesh, ray, visit, statistics, simd_target);
     std::sort(out.begin(), out.end(), before);
 }
 
@@ -143,47 +143,47 @@ bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryStatistics* sta
     }
     const Ray ray{point, point + 2.0 * (box.max - box.min).norm() * direction};
     int winding = 0;
-    const auto meet = [&](std::uint32_t t, const Triangle& triangle, double limit) {
+    const auto visit = [&](std::uint32_t t, const Triangle& triangle, double limit) {
         if (parts.has(t) && hit(ray, triangle)) {
             const Vec3 normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
             winding += normal.dot(direction) > 0.0 ? 1 : -1;
         }
         return limit;
     };
-    follow(mesh, ray, meet, statistics, simd_target);
+    follow(mesh, ray, visit, statistics, simd_target);
     return winding > 0;
 }
 
 MeshPoint closest_point(const MeshCollider& mesh, const Vec3& point, QueryStatistics* statistics) {
     MeshPoint best;
     best.distance = std::numeric_limits<double>::infinity();
-    const auto meet = [&](std::uint32_t t, double) {
+    const auto visit = [&](std::uint32_t t, double) {
         const Closest c = closest(Segment{point, point}, vertices(mesh.mesh(), t));
         if (c.distance < best.distance || (c.distance == best.distance && t < best.triangle)) {
             best = {c.on_shape, c.distance, t};
         }
         return best.distance * best.distance;
     };
-    descend(mesh, PointVolume(point), kApart<double>, meet, statistics);
+    traverse(mesh, PointVolume(point), kApart<double>, visit, statistics);
     return best;
 }
 
 std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, double radius,
                              const Vec3& move, QueryStatistics* statistics) {
     std::optional<MeshHit> best;
-    const auto meet = [&](std::uint32_t t, double limit) {
+    const auto visit = [&](std::uint32_t t, double limit) {
         const Triangle triangle = vertices(mesh.mesh(), t);
         const auto f = first_touch(segment, radius, move,
                                    [&](const Segment& moved) { return closest(moved, triangle); });
         return f ? offer(best, {*f, t}) : limit;
     };
-    descend(mesh, PathVolume(segment, radius + kTouching, move), 1.0, meet, statistics);
+    traverse(mesh, PathVolume(segment, radius + kTouching, move), 1.0, visit, statistics);
     return best;
 }
 
 void visit_triangles_beyond(const MeshCollider& mesh, const Pose& X_world_mesh, const Aabb& known,
                             const Aabb& region, TriangleVisitor visit, QueryStatistics* statistics) {
-    descend(mesh, Beyond(known, region, X_world_mesh), 0.0, VisitAll(mesh.mesh(), visit), statistics);
+    traverse(mesh, Beyond(known, region, X_world_mesh), 0.0, VisitAll(mesh.mesh(), visit), statistics);
 }
 
 }  // namespace campuswalk::collision

@@ -9,7 +9,7 @@
 
 namespace campuswalk::collision {
 
-// What queries of one mesh are to its tree (see tree_descent.h), in the mesh's frame.
+// What queries of one mesh are to its tree (see tree_traversal.h), in the mesh's frame.
 
 /// A body with the paper's two layers: its bounds say whether it is met, 0, or kApart.
 class LayeredBody {
@@ -72,7 +72,7 @@ class Beyond : public BoxVolume {
 public:
     Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
         : BoxVolume(Box{0.5 * (whole.max - whole.min)},
-                    {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(middle(whole))}),
+                    {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(whole.center())}),
           holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()) {
         for (int k = 0; k < 3; ++k) {
             const double origin = X_world_mesh.translation[k];
@@ -121,7 +121,6 @@ public:
 
 private:
     static constexpr float kFar = std::numeric_limits<float>::max();
-    static Vec3 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
 
     bool holed_;
     std::array<std::array<double, 4>, 3> sides_{};

@@ -15,7 +15,6 @@ namespace {
 
 /// How much more than what is asked for is gathered to the sides, metres. Where little comes of it, more is
 /// gathered the next time: few pieces are soon gathered and surveyed, and a walker then seldom needs others.
-constexpr double kFirstMargin = 0.5;
 constexpr double kLeastMargin = 0.2;
 constexpr double kMostMargin = 2.0;
 constexpr std::size_t kFewPieces = 16;
@@ -48,8 +47,24 @@ bool contains(const Aabb& outer, const Aabb& inner) {
 
 }  // namespace
 
-ContactCache::ContactCache(const World& world, const MoverSettings& settings, const QueryFilter& filter)
-    : world_(&world), settings_(settings), filter_(filter), margin_(kFirstMargin) {}
+bool ContactCache::is_for(const World& world, const MoverSettings& settings,
+                          const QueryFilter& filter) const {
+    return world_ == &world && settings_ == settings && filter_ == filter;
+}
+
+void ContactCache::prepare(const World& world, const MoverSettings& settings, const QueryFilter& filter) {
+    clear();
+    world_ = &world;
+    settings_ = settings;
+    filter_ = filter;
+}
+
+void ContactCache::clear() {
+    covered_ = Aabb{};
+    margin_ = kFirstMargin;
+    pieces_.clear();
+    cached_.clear();
+}
 
 void ContactCache::cover(const Aabb& box, QueryStatistics* statistics) {
     const Vec3 more(margin_, kUpright, margin_);
@@ -82,18 +97,6 @@ void ContactCache::go_on_to(const Aabb& box, QueryStatistics* statistics) {
     } else if (pieces_.size() > kManyPieces) {
         margin_ = std::max(kLeastMargin, 0.5 * margin_);
     }
-}
-
-void ContactCache::forget() {
-    covered_ = Aabb{};
-    margin_ = kFirstMargin;
-    pieces_.clear();
-    cached_.clear();
-}
-
-void ContactCache::resize(double height) {
-    settings_.height = height;
-    forget();
 }
 
 void ContactCache::drop_outside() {
@@ -141,14 +144,9 @@ void ContactCache::gather(const Aabb& before, QueryStatistics* statistics) {
 
 /// A round solid is one piece.
 void ContactCache::gather_round(ObjectId id) {
-    if (holds(id, 0)) {
-        return;
+    if (!holds(id, 0)) {
+        add(solid_obstacle(*world_, id), world_->bounds(id));
     }
-    Obstacle solid;
-    solid.object = id;
-    solid.solid = &world_->object(id);
-    solid.top = world_->bounds(id).max.y();
-    add(solid, world_->bounds(id));
 }
 
 /// Open addressing, at most a quarter full.
@@ -196,19 +194,9 @@ void ContactCache::gather_box(ObjectId id, const Box& box) {
 }
 
 void ContactCache::add_triangle(ObjectId id, std::uint32_t index, const Triangle& vertices) {
-    const Aabb box = bounds_of(vertices);
-    if (!box.overlaps(covered_)) {
-        return;
+    if (const Aabb box = bounds_of(vertices); box.overlaps(covered_)) {
+        add(triangle_obstacle(id, index, vertices), box);
     }
-    Obstacle o;
-    o.object = id;
-    o.triangle = index;
-    o.vertices = vertices;
-    const Vec3 n = (vertices.b - vertices.a).cross(vertices.c - vertices.a);
-    const double length = n.norm();
-    o.normal = length > 0.0 ? Vec3(n / length) : Vec3::Zero();
-    o.top = box.max.y();
-    add(o, box);
 }
 
 void ContactCache::add(const Obstacle& obstacle, const Aabb& box) {
@@ -220,7 +208,7 @@ void ContactCache::add(const Obstacle& obstacle, const Aabb& box) {
 
 /// About the new middle. The last place that a piece was looked at from tells more than its box.
 void ContactCache::restart_bounds() {
-    origin_ = 0.5 * (covered_.min + covered_.max);
+    origin_ = covered_.center();
     // Of numbers up to the size of what is covered, some roundings of float32.
     slack_ = 1e-6 * (1.0 + (covered_.max - covered_.min).norm());
     bounds_.assign((pieces_.size() + kLanes - 1) / kLanes, Bounds{});
@@ -276,7 +264,7 @@ void ContactCache::set_bound(Index i, const Vec3& normal, double at_origin) {
     b.x[lane] = static_cast<float>(normal.x());
     b.y[lane] = static_cast<float>(normal.y());
     b.z[lane] = static_cast<float>(normal.z());
-    b.flat[lane] = static_cast<float>(std::sqrt(normal.x() * normal.x() + normal.z() * normal.z()));
+    b.flat[lane] = static_cast<float>(horizontal_norm(normal));
     b.rest[lane] = static_cast<float>(at_origin);
 }
 

@@ -55,14 +55,15 @@ public:
         bool walkable = false;  ///< a triangle that isn't too steep, from either side
     };
 
-    ContactCache(const World& world, const MoverSettings& settings, const QueryFilter& filter);
+    /// Whether it was prepared for just these.
+    bool is_for(const World& world, const MoverSettings& settings, const QueryFilter& filter) const;
+    /// Clears it, for a body with these settings among the objects that the filter lets through.
+    void prepare(const World& world, const MoverSettings& settings, const QueryFilter& filter);
+    /// Drops the contents and retains the memory.
+    void clear();
 
     /// Sees to it that everything in `box` has been gathered.
     void cover(const Aabb& box, QueryStatistics* statistics = nullptr);
-    /// Drops everything: the filter's objects have changed.
-    void forget();
-    /// The body has another height from now on.
-    void resize(double height);
 
     /// Finds the pieces that the body may come within `reach` of on its way from `foot` to anywhere up to
     /// `sideways`, `up` and `down` from it. The answer is valid until the next call or `cover`.
@@ -79,6 +80,7 @@ public:
 private:
     struct Gathering;
     static constexpr std::size_t kLanes = 8;
+    static constexpr double kFirstMargin = 0.5;
     using Lanes = std::array<float, kLanes>;
 
     /// Of eight pieces lower bounds of the distance, linear in where the body stands: `rest` with its foot at
@@ -105,14 +107,14 @@ private:
     void bound_by_box(Index i);
     void set_bound(Index i, const Vec3& normal, double at_origin);
 
-    const World* world_;
+    const World* world_ = nullptr;
     MoverSettings settings_;
     QueryFilter filter_;
 
     Aabb covered_;
-    double margin_ = 0.5;         ///< of what is gathered next, metres
-    Vec3 origin_ = Vec3::Zero();  ///< of the bounds
-    double slack_ = 0.0;          ///< what float32 may be off within what is covered
+    double margin_ = kFirstMargin;  ///< of what is gathered next, metres
+    Vec3 origin_ = Vec3::Zero();    ///< of the bounds
+    double slack_ = 0.0;            ///< what float32 may be off within what is covered
     std::vector<Piece> pieces_;
     /// The pieces by object and triangle, hashed: a refill asks for nearly all of them whether they are
     /// there.

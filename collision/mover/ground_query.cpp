@@ -102,7 +102,7 @@ Kind kind_of(MoveContext& context, const Piece& piece, const Separation& s, cons
         (s.on_piece.y() > highest || reaches_over(body, piece.obstacle, foot, highest))) {
         return Kind::wall;
     }
-    const double flat = std::sqrt(s.normal.x() * s.normal.x() + s.normal.z() * s.normal.z());
+    const double flat = horizontal_norm(s.normal);
     if (flat <= 0.0) {
         return below ? Kind::floor : Kind::wall;
     }

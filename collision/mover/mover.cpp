@@ -33,10 +33,6 @@ void note(const Touch& touch, std::vector<Touch>& touching) {
     }
 }
 
-double horizontal_norm(const Vec3& v) {
-    return std::sqrt(v.x() * v.x() + v.z() * v.z());
-}
-
 Support support_of(const MoverSettings& body, const MoverState& state) {
     const double foot_y = state.foot.y();
     const bool known = state.grounded && state.carried_at <= foot_y + body.radius;
@@ -236,26 +232,47 @@ void list_touching(MoveContext& context, const MoverState& state, MoveTrace& tra
     }
 }
 
-}  // namespace
-
-CapsuleMover::CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter)
-    : settings_(settings),
-      steepest_(std::sqrt(1.0 - settings.min_up * settings.min_up) / settings.min_up),
-      contacts_(world, settings, filter) {}
-
-MoveContext CapsuleMover::new_context() {
-    return {settings_, steepest_, contacts_, buffers_, {}};
+/// Whether the move is the one that came to rest before. If so, it fills the trace as that one did.
+bool repeats(const RestingMove& resting, const MoverState& state, const Vec3& desired, double seconds,
+             MoveTrace& trace) {
+    if (!resting.known || resting.desired != desired || resting.seconds != seconds ||
+        !(resting.state == state)) {
+        return false;
+    }
+    trace.path.assign(resting.path_points, state.foot);
+    trace.touching = resting.touching;
+    return true;
 }
 
-void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace,
-                        QueryStatistics* statistics) {
+}  // namespace
+
+void MoverCache::clear() {
+    contacts.clear();
+    resting.known = false;
+}
+
+CapsuleMover::CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter)
+    : world_(&world), settings_(settings), filter_(filter) {}
+
+MoveContext CapsuleMover::context_with(MoverCache& cache) const {
+    if (!cache.contacts.is_for(*world_, settings_, filter_)) {
+        cache.clear();
+        cache.contacts.prepare(*world_, settings_, filter_);
+    }
+    const double steepest = std::sqrt(1.0 - settings_.min_up * settings_.min_up) / settings_.min_up;
+    return {settings_, steepest, cache.contacts, cache.buffers, {}};
+}
+
+void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache,
+                        MoveTrace& trace, QueryStatistics* statistics) const {
     trace.path.assign(1, state.foot);
     trace.landed = false;
     trace.fall_height = 0.0;
-    if (stays(state, desired, seconds, trace)) {
+    MoveContext context = context_with(cache);
+    RestingMove& resting = cache.resting;
+    if (repeats(resting, state, desired, seconds, trace)) {
         return;
     }
-    MoveContext context = new_context();
     const MoverState before = state;
     // In parts this short, an edge of a flat wall is never met by a body that keeps the skin from the wall.
     const double longest =
@@ -270,33 +287,19 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
         trace.path.push_back(state.foot);
     }
     list_touching(context, state, trace);
-    still_.known = state == before && !trace.landed;
-    if (still_.known) {
-        still_.state = state;
-        still_.desired = desired;
-        still_.seconds = seconds;
-        still_.places = trace.path.size();
-        still_.touching = trace.touching;
+    resting.known = state == before && !trace.landed;
+    if (resting.known) {
+        resting.state = state;
+        resting.desired = desired;
+        resting.seconds = seconds;
+        resting.path_points = trace.path.size();
+        resting.touching = trace.touching;
     }
 }
 
-bool CapsuleMover::stays(const MoverState& state, const Vec3& desired, double seconds,
-                         MoveTrace& trace) const {
-    if (!still_.known || still_.desired != desired || still_.seconds != seconds || !(still_.state == state)) {
-        return false;
-    }
-    trace.path.assign(still_.places, state.foot);
-    trace.touching = still_.touching;
-    return true;
-}
-
-void CapsuleMover::forget() {
-    contacts_.forget();
-    still_.known = false;
-}
-
-void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, QueryStatistics* statistics) {
-    MoveContext context = new_context();
+void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, MoverCache& cache,
+                         QueryStatistics* statistics) const {
+    MoveContext context = context_with(cache);
     look_around(context, foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
     const Vec3 down = free_part(context, foot, Vec3(0, -search, 0), settings_.radius + kRest);
     const Ground ground = underfoot(context, foot + down);
@@ -315,32 +318,27 @@ bool CapsuleMover::jump(MoverState& state, double speed) const {
     return true;
 }
 
-bool CapsuleMover::resize(MoverState& state, double height, QueryStatistics* statistics) {
+std::optional<CapsuleMover> CapsuleMover::resized(const MoverState& state, double height, MoverCache& cache,
+                                                  QueryStatistics* statistics) const {
     const Segment old_core = settings_.core(state.foot);
-    const double old_height = settings_.height;
-    const auto change = [&](double to) {
-        settings_.height = to;
-        still_.known = false;
-        contacts_.resize(to);
-    };
-    change(height);
-    MoveContext context = new_context();
+    CapsuleMover other = *this;
+    other.settings_.height = height;
+    cache.clear();
+    MoveContext context = other.context_with(cache);
     look_around(context, state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
-    const bool room = std::ranges::all_of(context.near, [&](ContactCache::Index i) {
-        const double distance = contacts_.measure(i, state.foot).distance;
+    const bool has_room = std::ranges::all_of(context.near, [&](ContactCache::Index i) {
+        const double distance = cache.contacts.measure(i, state.foot).distance;
         return distance >= settings_.radius + kHard ||
-               distance >= closest_upright(old_core, contacts_.piece(i).obstacle).distance;
+               distance >= closest_upright(old_core, cache.contacts.piece(i).obstacle).distance;
     });
-    if (!room) {
-        change(old_height);
-    }
-    return room;
+    return has_room ? std::optional(other) : std::nullopt;
 }
 
-void CapsuleMover::touch(const MoverState& state, MoveTrace& trace, QueryStatistics* statistics) {
+void CapsuleMover::touch(const MoverState& state, MoverCache& cache, MoveTrace& trace,
+                         QueryStatistics* statistics) const {
     const double high =
         support_of(settings_, state).base - state.foot.y() + settings_.step_height + kHeightSlack;
-    MoveContext context = new_context();
+    MoveContext context = context_with(cache);
     look_around(context, state.foot, 0.0, high, high, statistics);
     list_touching(context, state, trace);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "collision/base/query_statistics.h"
@@ -44,58 +45,68 @@ struct MoveTrace {
     double fall_height = 0.0;  ///< when landed, metres
 };
 
+/// A move that changed nothing. The same move from the same state changes nothing again, and a body that is
+/// pushed against a wall repeats it every tick.
+struct RestingMove {
+    bool known = false;
+    MoverState state;
+    Vec3 desired = Vec3::Zero();
+    double seconds = 0.0;
+    std::size_t path_points = 0;
+    std::vector<Touch> touching;
+};
+
+/// What a mover's calls reuse from earlier ones, owned by the caller, one per body. It only saves work: with
+/// a fresh cache every result is the same, bit for bit. A mover clears a cache that was filled for another
+/// world, filter or body; the caller clears it when objects are added, enabled or disabled.
+struct MoverCache {
+    ContactCache contacts;
+    RestingMove resting;
+    MoveBuffers buffers;
+
+    /// Drops the contents and retains the memory.
+    void clear();
+};
+
 /// Moves a capsule through the solid objects of a world: slides along walls, follows the ground, climbs
 /// steps, falls. It never ends a move overlapping a solid it didn't overlap before: every straight piece of
-/// motion is cleared by separating planes or swept exactly, whatever decided on it. What a move does depends
-/// on its arguments alone, not on what went before; a warm move allocates nothing.
+/// motion is cleared by separating planes or swept exactly, whatever decided on it. The mover is immutable: a
+/// result depends on the arguments alone. With a warm cache, nothing is allocated.
 class CapsuleMover {
 public:
+    /// `world`, and what `filter` points to, must outlive the mover.
     CapsuleMover(const World& world, const MoverSettings& settings, const QueryFilter& filter);
+
+    double height() const { return settings_.height; }
 
     /// Puts the body down at `foot`, which must be free (see free_place): on the ground if that is within
     /// `search` metres below, in the air otherwise.
-    void place(MoverState& state, const Vec3& foot, double search, QueryStatistics* statistics = nullptr);
+    void place(MoverState& state, const Vec3& foot, double search, MoverCache& cache,
+               QueryStatistics* statistics = nullptr) const;
 
-    /// One tick: `desired` is the horizontal displacement asked for (y = 0), `seconds` the tick's length.
-    void move(MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace,
-              QueryStatistics* statistics = nullptr);
+    /// One tick: `desired` is the desired horizontal displacement (y = 0), `seconds` the tick's length.
+    void move(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache, MoveTrace& trace,
+              QueryStatistics* statistics = nullptr) const;
 
-    /// Leaves the ground at `speed`, metres a second upwards; the moves that follow rise and fall on the
-    /// exact parabola. False, and nothing is changed, unless the body stands.
+    /// Leaves the ground at `speed`, metres per second upwards; the moves that follow rise and fall on the
+    /// exact parabola. False, with nothing changed, unless the body is grounded.
     bool jump(MoverState& state, double speed) const;
 
-    /// Crouches or stands up: another total height, no less than two radii, on the same foot. False, and
-    /// nothing is changed, where there is no head room.
-    bool resize(MoverState& state, double height, QueryStatistics* statistics = nullptr);
-    double height() const { return settings_.height; }
-
-    /// Call when the filter sees other objects than before.
-    void forget();
+    /// The mover of the body once it has crouched or stood up: with another total height, no less than two
+    /// radii, on the same foot. None where there is no headroom. Clears the cache.
+    std::optional<CapsuleMover> resized(const MoverState& state, double height, MoverCache& cache,
+                                        QueryStatistics* statistics = nullptr) const;
 
     /// Fills `trace.touching` for a body at rest.
-    void touch(const MoverState& state, MoveTrace& trace, QueryStatistics* statistics = nullptr);
+    void touch(const MoverState& state, MoverCache& cache, MoveTrace& trace,
+               QueryStatistics* statistics = nullptr) const;
 
 private:
-    MoveContext new_context();
+    MoveContext context_with(MoverCache& cache) const;
 
-    /// A move that came to nothing. It does so again if it is asked for again, and whoever pushes against
-    /// something asks in every tick.
-    struct RestState {
-        bool known = false;
-        MoverState state;
-        Vec3 desired = Vec3::Zero();
-        double seconds = 0.0;
-        std::size_t places = 0;  ///< on the trace's path
-        std::vector<Touch> touching;
-    };
-    bool stays(const MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) const;
-
+    const World* world_;
     MoverSettings settings_;
-    double steepest_;  ///< metres up for one metre ahead
-    // What is kept from one call to the next: without it an answer takes longer and is the same.
-    ContactCache contacts_;
-    RestState still_;
-    MoveBuffers buffers_;
+    QueryFilter filter_;
 };
 
 }  // namespace campuswalk::collision

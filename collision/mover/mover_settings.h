@@ -13,10 +13,10 @@ struct MoverSettings {
     double skin = 0.02;                  ///< gap kept to flat walls
     double gravity = 9.81;               ///< metres a second squared
 
+    friend bool operator==(const MoverSettings&, const MoverSettings&) = default;
+
     /// The segment that the capsule is thick about.
-    Segment core(const Vec3& foot) const {
-        return {foot + Vec3(0, radius, 0), foot + Vec3(0, height - radius, 0)};
-    }
+    Segment core(const Vec3& foot) const { return upright_axis(foot, radius, height); }
 };
 
 /// The gap the body rests at above the ground and beside edges: large against rounding, too small to see.

@@ -1,17 +1,12 @@
 #include "collision/mover/wall_slide.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision/mover/motion_clearance.h"
 
 namespace campuswalk::collision {
 
 namespace {
-
-double horizontal_norm(const Vec3& v) {
-    return std::sqrt(v.x() * v.x() + v.z() * v.z());
-}
 
 /// The wall that a piece is to the body, which keeps `gap` from it.
 HalfPlane wall_of(const Separation& s, double radius, double gap) {

@@ -18,7 +18,7 @@ void LinearBroadPhase::overlapping(const Aabb& box, std::vector<ObjectId>& out) 
 
 void LinearBroadPhase::crossing(const Vec3& from, const Vec3& to, std::vector<ObjectId>& out) const {
     for (const Entry& entry : entries_) {
-        const Vec3 center = 0.5 * (entry.box.min + entry.box.max);
+        const Vec3 center = entry.box.center();
         const Box box{0.5 * (entry.box.max - entry.box.min)};
         if (hit(Ray{from - center, to - center}, box)) {
             out.push_back(entry.id);

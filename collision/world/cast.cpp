@@ -20,14 +20,10 @@ struct FirstHit {
         const auto found = first_on_ray(*mesh, ray, statistics);
         return found ? std::optional(found->fraction) : std::nullopt;
     }
-    std::optional<double> operator()(const Box& box) const { return counted(hit(ray, box)); }
-    std::optional<double> operator()(const Sphere& sphere) const { return counted(hit(ray, sphere)); }
-    std::optional<double> operator()(const Capsule& capsule) const { return counted(hit(ray, capsule)); }
-    std::optional<double> operator()(const Wheel& wheel) const { return counted(hit(ray, wheel)); }
-
-    std::optional<double> counted(std::optional<double> fraction) const {
+    template <typename Solid>
+    std::optional<double> operator()(const Solid& solid) const {
         add_to(statistics, {.primitive_tests = 1});
-        return fraction;
+        return hit(ray, solid);
     }
 };
 

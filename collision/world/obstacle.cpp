@@ -23,15 +23,7 @@ void append_triangles(const World& world, ObjectId id, const MeshCollider& mesh,
     triangles_near(mesh, local, radius, near, statistics);
     for (const std::uint32_t t : near) {
         const Triangle c = vertices(mesh.mesh(), t);
-        Obstacle o;
-        o.object = id;
-        o.triangle = t;
-        o.vertices = {X * c.a, X * c.b, X * c.c};
-        const Vec3 n = (o.vertices.b - o.vertices.a).cross(o.vertices.c - o.vertices.a);
-        const double length = n.norm();
-        o.normal = length > 0.0 ? Vec3(n / length) : Vec3::Zero();
-        o.top = std::max({o.vertices.a.y(), o.vertices.b.y(), o.vertices.c.y()});
-        out.push_back(o);
+        out.push_back(triangle_obstacle(id, t, {X * c.a, X * c.b, X * c.c}));
     }
 }
 
@@ -42,10 +34,7 @@ void append_pieces(const World& world, ObjectId id, const Segment& segment, doub
         append_triangles(world, id, **mesh, segment, radius, out, statistics);
         return;
     }
-    Obstacle o;
-    o.object = id;
-    o.solid = &object;
-    o.top = world.bounds(id).max.y();
+    const Obstacle o = solid_obstacle(world, id);
     add_to(statistics, {.primitive_tests = 1});
     if (closest(segment, o).distance <= radius) {
         out.push_back(o);
@@ -94,6 +83,26 @@ Closest closest(const Segment&, const std::shared_ptr<const MeshCollider>&, cons
 }
 
 }  // namespace
+
+Obstacle triangle_obstacle(ObjectId object, std::uint32_t triangle, const Triangle& vertices) {
+    Obstacle obstacle;
+    obstacle.object = object;
+    obstacle.triangle = triangle;
+    obstacle.vertices = vertices;
+    const Vec3 n = (vertices.b - vertices.a).cross(vertices.c - vertices.a);
+    const double length = n.norm();
+    obstacle.normal = length > 0.0 ? Vec3(n / length) : Vec3::Zero();
+    obstacle.top = std::max({vertices.a.y(), vertices.b.y(), vertices.c.y()});
+    return obstacle;
+}
+
+Obstacle solid_obstacle(const World& world, ObjectId object) {
+    Obstacle obstacle;
+    obstacle.object = object;
+    obstacle.solid = &world.object(object);
+    obstacle.top = world.bounds(object).max.y();
+    return obstacle;
+}
 
 void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,
                       std::vector<Obstacle>& out, QueryStatistics* statistics) {

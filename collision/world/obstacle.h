@@ -21,6 +21,9 @@ struct Obstacle {
     double top = 0.0;               ///< greatest y
 };
 
+Obstacle triangle_obstacle(ObjectId object, std::uint32_t triangle, const Triangle& vertices);
+Obstacle solid_obstacle(const World& world, ObjectId object);
+
 /// Replaces `out` by everything that passes the filter within `radius` of the segment, ordered by object and
 /// triangle. Pointers into `world` stay valid as long as it does.
 void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -22,12 +23,10 @@ struct Holds {
     bool operator()(const std::shared_ptr<const MeshCollider>& mesh) const {
         return is_inside(*mesh, point, statistics);
     }
-    bool operator()(const Box& box) const { return closest(at(), box, {}).distance <= 0.0; }
-    bool operator()(const Sphere& sphere) const { return closest(at(), sphere, {}).distance <= 0.0; }
-    bool operator()(const Capsule& capsule) const { return closest(at(), capsule, {}).distance <= 0.0; }
-    bool operator()(const Wheel& wheel) const { return closest(at(), wheel, {}).distance <= 0.0; }
-
-    Segment at() const { return {point, point}; }
+    template <typename Solid>
+    bool operator()(const Solid& solid) const {
+        return closest(Segment{point, point}, solid, Pose{}).distance <= 0.0;
+    }
 };
 
 constexpr double kLift = 0.05;       // metres between the heights that are tried
@@ -37,8 +36,14 @@ constexpr double kRounding = 2e-3;   // metres
 constexpr double kClearance = 1e-3;  // metres kept from what a body is pushed out of
 constexpr int kHalvings = 16;        // of an offset, to a few micrometres
 
-Segment axis_at(const Vec3& foot, double radius, double height) {
-    return {foot + Vec3(0, radius, 0), foot + Vec3(0, height - radius, 0)};
+/// The first object that a point is inside of.
+std::optional<ObjectId> object_around(const World& world, const QueryFilter& filter, const Vec3& point,
+                                      QueryStatistics* statistics) {
+    std::vector<ObjectId> candidates;
+    world.candidates(Aabb{point, point}, filter, candidates);
+    const auto found = std::ranges::find_if(
+        candidates, [&](ObjectId id) { return contains(world.object(id), point, statistics); });
+    return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
 /// None, as much as ground is overlapped by the rounding of written numbers, then evenly.
@@ -53,7 +58,7 @@ std::vector<Vec3> offsets_within(double reach) {
         int number = 0;  // decides between equally near ones
         Vec3 vector = Vec3::Zero();
     };
-    constexpr double kTurn = 6.283185307179586;
+    constexpr double kTurn = 2.0 * std::numbers::pi;
     std::array<Vec3, kDirections> directions;
     for (int i = 0; i < kDirections; ++i) {
         const auto [sin, cos] = sin_cos(kTurn * i / kDirections);
@@ -93,7 +98,7 @@ public:
           radius_(radius),
           height_(height),
           statistics_(statistics),
-          axis_(axis_at(foot, radius, height)) {
+          axis_(upright_axis(foot, radius, height)) {
         const Segment reach{axis_.a, axis_.b + Vec3(0, 2.0 * radius, 0)};
         gather_obstacles(world, filter, reach, 3.0 * radius + kClearance, pieces_, statistics);
         for (const Obstacle& piece : pieces_) {
@@ -104,9 +109,9 @@ public:
 
     /// Overlaps of the radius or more leave open which side of a wall was meant.
     bool shallow() const {
-        return !holds(axis_.a) && std::ranges::none_of(pieces_, [&](const Obstacle& piece) {
-            return closest(axis_, piece).distance <= 0.0;
-        });
+        return !object_around(world_, filter_, axis_.a, statistics_) &&
+               std::ranges::none_of(
+                   pieces_, [&](const Obstacle& piece) { return closest(axis_, piece).distance <= 0.0; });
     }
 
     std::optional<Vec3> nearest() const {
@@ -131,15 +136,6 @@ public:
     }
 
 private:
-    bool holds(const Vec3& point) const {
-        Aabb box;
-        box.extend(point);
-        std::vector<ObjectId> around;
-        world_.candidates(box, filter_, around);
-        return std::ranges::any_of(
-            around, [&](ObjectId id) { return contains(world_.object(id), point, statistics_); });
-    }
-
     bool is_free(const Vec3& offset) const {
         const Segment there{axis_.a + offset, axis_.b + offset};
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -183,7 +179,7 @@ bool contains(const Object& object, const Vec3& point, QueryStatistics* statisti
 
 std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filter, const Vec3& foot,
                                     double radius, double height, QueryStatistics* statistics) {
-    const Segment body = axis_at(foot, radius, height);
+    const Segment body = upright_axis(foot, radius, height);
     std::vector<Obstacle> pieces;
     gather_obstacles(world, filter, body, radius, pieces, statistics);
     std::optional<ObjectId> worst;
@@ -194,19 +190,7 @@ std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filte
             least = distance;
         }
     }
-    if (worst) {
-        return worst;
-    }
-    Aabb box;
-    box.extend(body.a);
-    std::vector<ObjectId> around;
-    world.candidates(box, filter, around);
-    for (const ObjectId id : around) {
-        if (contains(world.object(id), body.a, statistics)) {
-            return id;
-        }
-    }
-    return std::nullopt;
+    return worst ? worst : object_around(world, filter, body.a, statistics);
 }
 
 std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,

@@ -14,8 +14,7 @@ ObjectId World::add(Object object) {
     const Aabb box = bounds_of(object.shape, object.X_world_shape);
     objects_.push_back(std::move(object));
     bounds_.push_back(box);
-    total_bounds_.extend(box.min);
-    total_bounds_.extend(box.max);
+    total_bounds_.extend(box);
     broad_phase_->insert(id, box);
     return id;
 }

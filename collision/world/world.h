@@ -32,6 +32,8 @@ struct QueryFilter {
     Detection detection = Detection::solid;
     std::uint32_t ignored_layers = 0;             ///< bit n set: layer n is not seen
     const std::vector<bool>* disabled = nullptr;  ///< by object: not seen; nothing is disabled if null
+
+    friend bool operator==(const QueryFilter&, const QueryFilter&) = default;
 };
 
 /// The static world: objects in a broad phase, the trees of their meshes as the narrow phase. Immutable once

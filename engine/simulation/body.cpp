@@ -58,7 +58,7 @@ Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
     } else {
         motion.jumped = intent.jump && mover_.jump(mover_state_, *intent.jump);
         jumping_ = jumping_ || motion.jumped;
-        mover_.move(mover_state_, intent.move, dt_, trace_, &statistics);
+        mover_.move(mover_state_, intent.move, dt_, mover_cache_, trace_, &statistics);
         for (std::size_t i = 1; i < trace_.path.size(); ++i) {
             distance_ += (trace_.path[i] - trace_.path[i - 1]).norm();
         }
@@ -72,7 +72,9 @@ Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
 }
 
 bool Body::resize(double height, QueryStatistics& statistics) {
-    return mover_.resize(mover_state_, height, &statistics);
+    const auto resized = mover_.resized(mover_state_, height, mover_cache_, &statistics);
+    mover_ = resized.value_or(mover_);
+    return resized.has_value();
 }
 
 std::optional<ObjectId> Body::obstruction(double height, QueryStatistics& statistics) const {
@@ -82,7 +84,7 @@ std::optional<ObjectId> Body::obstruction(double height, QueryStatistics& statis
 /// A solid that appears where the body is pushes it aside.
 Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
     Adjustment adjustment;
-    mover_.forget();
+    mover_cache_.clear();
     if (const auto solid = obstruction(height(), statistics)) {
         if (collision::nearest_free_placement(campus_.world, solids_, foot(), profile_.radius, height(),
                                               kPlacementSearch, &statistics)) {
@@ -97,9 +99,9 @@ Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
 
 /// A body at rest doesn't look for its ground again by itself.
 void Body::adjust_to_disabled(QueryStatistics& statistics) {
-    mover_.forget();
+    mover_cache_.clear();
     collision::MoverState probe;
-    mover_.place(probe, foot(), kGroundSearch, &statistics);
+    mover_.place(probe, foot(), kGroundSearch, mover_cache_, &statistics);
     if (mover_state_.grounded && !probe.grounded) {
         mover_state_.leave_ground(0.0, foot().y());
     }
@@ -117,7 +119,7 @@ std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statis
     if (placement.pushed_out_of) {
         push = Push{foot, (placement.foot - foot).norm(), *placement.pushed_out_of};
     }
-    mover_.place(mover_state_, placement.foot, 2.0 * kPlacementSearch, &statistics);
+    mover_.place(mover_state_, placement.foot, 2.0 * kPlacementSearch, mover_cache_, &statistics);
     rest(statistics);
     return push;
 }
@@ -126,7 +128,7 @@ std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statis
 void Body::rest(QueryStatistics& statistics) {
     trace_.path.assign(1, foot());
     trace_.landed = false;
-    mover_.touch(mover_state_, trace_, &statistics);
+    mover_.touch(mover_state_, mover_cache_, trace_, &statistics);
 }
 
 }  // namespace campuswalk::engine

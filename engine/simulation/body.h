@@ -77,6 +77,7 @@ private:
     double dt_;
     collision::QueryFilter solids_;
     collision::CapsuleMover mover_;
+    collision::MoverCache mover_cache_;
     collision::MoverState mover_state_;
     collision::MoveTrace trace_;
     double yaw_ = 0.0;

@@ -169,9 +169,10 @@ protected:
     }
 
     MoveBody real_mover(const MoverSettings& settings) const {
-        auto mover = std::make_shared<CapsuleMover>(*village_, settings, collision::QueryFilter{});
-        return [mover](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
-            mover->move(state, desired, seconds, trace);
+        const CapsuleMover mover(*village_, settings, {});
+        const auto cache = std::make_shared<collision::MoverCache>();
+        return [mover, cache](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
+            mover.move(state, desired, seconds, *cache, trace);
         };
     }
 

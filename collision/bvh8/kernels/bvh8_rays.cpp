@@ -60,7 +60,7 @@ public:
     Waiting take() { return waiting_[--depth_]; }
 
 private:
-    std::array<Waiting, 512> waiting_;  ///< enough: see tree_descent.h
+    std::array<Waiting, 512> waiting_;  ///< enough: see tree_traversal.h
     std::size_t depth_ = 0;
 };
 

@@ -182,20 +182,22 @@ TEST(CoursePlaces, VerticesFarFromTheirOriginHardlyChangeTheWalk) {
     EXPECT_LE(farthest(walk_the_yard(far, {.yard_in_mesh = offset.cast<double>()}), here), 0.02);
 }
 
-/// A tick depends only on its arguments, whatever a mover has cached in earlier ones.
-TEST(CoursePlaces, AFreshMoverEveryTickWalksTheSame) {
+/// The cache saves work and never changes a result.
+TEST(CoursePlaces, AFreshCacheEveryTickWalksTheSame) {
     auto world = empty_world();
     support::add_object(*world, yard());
-    CapsuleMover reused(*world, {}, {});
+    const CapsuleMover mover(*world, {}, {});
+    MoverCache cache;
     MoverState state;
-    reused.place(state, {0, 0.01, 0.2}, 0.5);
+    mover.place(state, {0, 0.01, 0.2}, 0.5, cache);
     MoveTrace trace;
     for (const Leg& leg : kLegs) {
         for (int i = 0; i < 60.0 * leg.seconds; ++i) {
             const Vec3 desired = kPace / 60.0 * towards(leg.degrees);
             MoverState other = state;
-            CapsuleMover(*world, {}, {}).move(other, desired, 1.0 / 60.0, trace);
-            reused.move(state, desired, 1.0 / 60.0, trace);
+            MoverCache fresh;
+            mover.move(other, desired, 1.0 / 60.0, fresh, trace);
+            mover.move(state, desired, 1.0 / 60.0, cache, trace);
             ASSERT_EQ(other.foot, state.foot);
             ASSERT_EQ(other.vertical_speed, state.vertical_speed);
             ASSERT_EQ(other.grounded, state.grounded);
@@ -222,9 +224,10 @@ TEST(CoursePlaces, RandomWalksDoNotDependOnTheTrianglesOrder) {
         auto world = empty_world();
         support::add_object(*world, mesh);
         const support::PenetrationOracle oracle(*world);
-        CapsuleMover mover(*world, {}, {});
+        const CapsuleMover mover(*world, {}, {});
+        MoverCache cache;
         const auto move = [&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
-            mover.move(state, desired, seconds, trace);
+            mover.move(state, desired, seconds, cache, trace);
         };
         support::WalkSettings settings;
         settings.start = {0, 0.01, 0.2};

@@ -15,9 +15,10 @@ class CourseSpeeds : public ::testing::TestWithParam<double> {};
 TEST_P(CourseSpeeds, NothingIsEnteredOrPassedThrough) {
     const auto world = support::make_village();
     const support::PenetrationOracle oracle(*world);
-    CapsuleMover mover(*world, {}, {});
+    const CapsuleMover mover(*world, {}, {});
+    MoverCache cache;
     const auto move = [&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
-        mover.move(state, desired, seconds, trace);
+        mover.move(state, desired, seconds, cache, trace);
     };
     for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
         SCOPED_TRACE(testing::Message() << GetParam() << " m/s, " << rate << " Hz");

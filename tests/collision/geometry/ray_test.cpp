@@ -132,11 +132,5 @@ TEST(RayOnSolid, IsExactAlongAxesAndFaces) {
     EXPECT_EQ(hit({{0, 0, 3}, {0, 0, 3}}, Sphere{1.0}), std::nullopt) << "a ray of no length, outside";
 }
 
-TEST(Ray, AtInterpolatesBetweenTheEnds) {
-    const Ray ray{{1, 2, 3}, {3, 2, 1}};
-    EXPECT_EQ(ray.at(0.0), ray.from);
-    EXPECT_EQ(ray.at(0.5), Vec3(2, 2, 2));
-}
-
 }  // namespace
 }  // namespace campuswalk::collision

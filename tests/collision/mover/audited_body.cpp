@@ -13,7 +13,7 @@ AuditedBody::AuditedBody(const World& world, const MoverSettings& settings, cons
     : settings_(settings), oracle_(world, filter), mover_(world, settings, filter) {}
 
 void AuditedBody::stand(const Vec3& foot, double search) {
-    mover_.place(state_, foot, search);
+    mover_.place(state_, foot, search, cache_);
     ticks_in_air_ = 0;
     trace_ = {};
     audit();
@@ -22,7 +22,7 @@ void AuditedBody::stand(const Vec3& foot, double search) {
 void AuditedBody::tick(const Vec3& velocity) {
     const double seconds = 1.0 / ticks_per_second;
     const Vec3 before = state_.foot;
-    mover_.move(state_, velocity * seconds, seconds, trace_);
+    mover_.move(state_, velocity * seconds, seconds, cache_, trace_);
     ticks_in_air_ += state_.grounded ? 0 : 1;
     audit();
     ASSERT_EQ(trace_.path.front(), before);

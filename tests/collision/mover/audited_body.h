@@ -35,6 +35,7 @@ private:
     MoverSettings settings_;
     support::PenetrationOracle oracle_;
     CapsuleMover mover_;
+    MoverCache cache_;
     MoverState state_;
     MoveTrace trace_;
     int ticks_in_air_ = 0;

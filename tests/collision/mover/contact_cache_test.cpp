@@ -49,7 +49,8 @@ TEST(ContactCache, ASurveyMissesNothingWithinReach) {
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(20)); ++seed) {
         Dice dice(seed);
         const auto world = support::make_soup(dice);
-        ContactCache around(*world, body, {});
+        ContactCache around;
+        around.prepare(*world, body, {});
         for (int i = 0; i < 100; ++i) {
             const Look look(dice);
             around.cover(look.box(body));
@@ -74,7 +75,8 @@ TEST(ContactCache, HoldsEveryTriangleOfTheCoveredBox) {
     const MoverSettings body;
     Dice dice(7);
     const auto world = support::make_random_village(dice);
-    ContactCache around(*world, body, {});
+    ContactCache around;
+    around.prepare(*world, body, {});
     for (int i = 0; i < 50; ++i) {
         const Look look(dice);
         const Aabb box = look.box(body);
@@ -99,7 +101,8 @@ TEST(ContactCache, HoldsEveryTriangleOnceOnALongWalk) {
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
-        ContactCache around(*world, body, {});
+        ContactCache around;
+        around.prepare(*world, body, {});
         Vec3 foot(dice.between(-3, 3), dice.between(0, 1), dice.between(-3, 3));
         Vec3 step = Vec3::Zero();
         for (int i = 0; i < 200; ++i) {
@@ -128,31 +131,59 @@ TEST(ContactCache, HoldsEveryTriangleOnceOnALongWalk) {
     EXPECT_GT(held_in_total, support::repeats(1000));
 }
 
-/// Compares with a mover that is created anew for every tick and so has nothing cached.
-TEST(ContactCache, CachedObstaclesNeverChangeAMove) {
+/// The state and the trace that a tick leaves behind, compared bit for bit.
+void expect_same(const MoverState& state, const MoveTrace& trace, const MoverState& other,
+                 const MoveTrace& other_trace) {
+    EXPECT_TRUE(state == other) << state.foot.transpose() << " and " << other.foot.transpose();
+    EXPECT_EQ(trace.path, other_trace.path);
+    EXPECT_EQ(trace.landed, other_trace.landed);
+    EXPECT_EQ(trace.fall_height, other_trace.fall_height);
+    ASSERT_EQ(trace.touching.size(), other_trace.touching.size());
+    for (std::size_t i = 0; i < trace.touching.size(); ++i) {
+        EXPECT_EQ(trace.touching[i].object, other_trace.touching[i].object);
+        EXPECT_EQ(trace.touching[i].gap, other_trace.touching[i].gap);
+    }
+}
+
+/// The same move with the cache of all earlier ticks, with a fresh one, and with one that a body of another
+/// height uses in turn.
+TEST(MoverCache, NeverChangesAMove) {
+    int repeated = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(12)); ++seed) {
         Dice dice(seed);
         const auto world = seed % 2 == 0 ? support::make_soup(dice) : support::make_random_village(dice);
-        CapsuleMover mover(*world, {}, {});
+        const CapsuleMover mover(*world, {}, {});
+        const CapsuleMover child(*world, {.height = 1.1}, {});
+        MoverCache cache;
+        MoverCache shared;
         MoverState state;
         state.foot = support::random_free_place(*world, dice, support::kSoupHalf);
+        MoverState child_state = state;
         MoveTrace trace;
-        MoveTrace fresh_trace;
+        MoveTrace other_trace;
         Vec3 desired = Vec3::Zero();
         for (int tick = 0; tick < 400; ++tick) {
+            SCOPED_TRACE(testing::Message() << "seed " << seed << ", tick " << tick);
             if (tick % 25 == 0) {
                 desired = 0.05 * Vec3(dice.between(-1, 1), 0, dice.between(-1, 1));
             }
-            CapsuleMover fresh(*world, {}, {});
-            MoverState fresh_state = state;
-            fresh.move(fresh_state, desired, 1.0 / 60.0, fresh_trace);
-            mover.move(state, desired, 1.0 / 60.0, trace);
-            ASSERT_EQ(state.foot, fresh_state.foot) << "seed " << seed << ", tick " << tick;
-            ASSERT_EQ(state.vertical_speed, fresh_state.vertical_speed);
-            ASSERT_EQ(state.grounded, fresh_state.grounded);
-            ASSERT_EQ(trace.touching.size(), fresh_trace.touching.size());
+            const MoverState start = state;
+            mover.move(state, desired, 1.0 / 60.0, cache, trace);
+            repeated += state == start ? 1 : 0;
+
+            MoverState other = start;
+            MoverCache fresh;
+            mover.move(other, desired, 1.0 / 60.0, fresh, other_trace);
+            ASSERT_NO_FATAL_FAILURE(expect_same(state, trace, other, other_trace));
+
+            child.move(child_state, desired, 1.0 / 60.0, shared, other_trace);
+            other = start;
+            mover.move(other, desired, 1.0 / 60.0, shared, other_trace);
+            ASSERT_NO_FATAL_FAILURE(expect_same(state, trace, other, other_trace));
+            ASSERT_FALSE(testing::Test::HasFailure());
         }
     }
+    EXPECT_GT(repeated, 0) << "some moves came to rest";
 }
 
 }  // namespace

@@ -27,14 +27,15 @@ WalkAudit walk_through(const Place& place, std::uint32_t seed, int ticks) {
     const auto world = place.make(dice);
     const support::PenetrationOracle oracle(*world);
     const MoverSettings body;
-    CapsuleMover mover(*world, body, {});
+    const CapsuleMover mover(*world, body, {});
+    MoverCache cache;
     support::WalkSettings settings;
     settings.start = support::random_free_place(*world, dice, place.half);
     settings.seed = seed;
     settings.fastest = place.fastest;
     settings.ticks = ticks;
     const auto move = [&](MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
-        mover.move(state, desired, seconds, trace);
+        mover.move(state, desired, seconds, cache, trace);
     };
     return support::audit_random_walk(oracle, move, settings);
 }

@@ -270,8 +270,8 @@ TEST_F(MoverAndWalls, ListsEachTouchedObjectOnceInOrder) {
         EXPECT_NEAR(touch.gap, kSkin, 1e-3);
     }
     MoveTrace trace;
-    CapsuleMover mover(*world_, {}, {});
-    mover.touch(body.state(), trace);
+    MoverCache cache;
+    CapsuleMover(*world_, {}, {}).touch(body.state(), cache, trace);
     ASSERT_EQ(trace.touching.size(), 2U) << "the same for a body at rest";
     EXPECT_EQ(trace.touching[1].gap, body.trace().touching[1].gap);
 }
@@ -290,17 +290,18 @@ TEST_F(MoverAndWalls, ATicksPathConsistsOfEqualSegments) {
 /// Placed in a wall by mistake, it can leave but not go deeper.
 TEST_F(MoverAndWalls, CanLeaveAWallItWasPlacedIn) {
     add_wall({3, 0, 5}, {3, 0, -5});
-    CapsuleMover mover(*world_, {}, {});
+    const CapsuleMover mover(*world_, {}, {});
+    MoverCache cache;
     MoverState state;
     state.foot = {2.8, 1e-4, 0};  // 10 cm deep
     state.grounded = true;
     MoveTrace trace;
     for (int i = 0; i < 30; ++i) {
-        mover.move(state, {0.02, 0, 0}, 1.0 / 60.0, trace);
+        mover.move(state, {0.02, 0, 0}, 1.0 / 60.0, cache, trace);
     }
     EXPECT_LE(state.foot.x(), 2.8 + 1e-9);
     for (int i = 0; i < 30; ++i) {
-        mover.move(state, {-0.02, 0, 0}, 1.0 / 60.0, trace);
+        mover.move(state, {-0.02, 0, 0}, 1.0 / 60.0, cache, trace);
     }
     EXPECT_LT(state.foot.x(), 2.4);
 }

@@ -29,12 +29,13 @@ collision::MoverSettings settings_of(const WalkBody& body) {
 }  // namespace
 
 OurWalker::OurWalker(const collision::TriangleMesh& mesh, const WalkBody& body)
-    : world_(std::make_unique<collision::LinearBroadPhase>()), body_(body), settings_(settings_of(body)) {
+    : world_(std::make_unique<collision::LinearBroadPhase>()),
+      body_(body),
+      settings_(settings_of(body)),
+      mover_(world_, settings_, {}) {
     collision::Object ground;
     ground.shape = std::make_shared<const collision::MeshCollider>(mesh);
     world_.add(ground);
-    mover_.emplace(world_, settings_, collision::QueryFilter{});
-    trace_.emplace();
 }
 
 void OurWalker::place(const Vec3& foot) {
@@ -42,18 +43,18 @@ void OurWalker::place(const Vec3& foot) {
     if (!free) {
         throw std::runtime_error("a path of the benchmark starts where there is no free place");
     }
-    mover_->place(state_, *free, 2.0 * kSearch);
+    mover_.place(state_, *free, 2.0 * kSearch, cache_);
 }
 
 void OurWalker::walk(const Vec3& desired) {
-    mover_->move(state_, desired, body_.tick, *trace_);
+    mover_.move(state_, desired, body_.tick, cache_, trace_);
 }
 
 std::size_t OurWalker::release_mover() {
     const std::size_t before = heap_in_use();
-    mover_.reset();
-    trace_.reset();
-    return before - heap_in_use() + sizeof(mover_) + sizeof(trace_) + sizeof(state_);
+    cache_ = {};
+    trace_ = {};
+    return before - heap_in_use() + sizeof(mover_) + sizeof(cache_) + sizeof(trace_) + sizeof(state_);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 
 #include "collision/mover/mover.h"
 #include "collision/world/world.h"
@@ -19,16 +18,17 @@ public:
     void walk(const collision::Vec3& desired) override;
     collision::Vec3 foot() const override { return state_.foot; }
 
-    /// Destroys the mover and returns the bytes that it used. Without what it had allocated, where heaps
-    /// aren't counted (heap.h).
+    /// The memory of the mover, its cache and its trace after all the walks, bytes; releases it. Without what
+    /// is on the heap where heaps aren't counted (heap.h).
     std::size_t release_mover();
 
 private:
     collision::World world_;
     WalkBody body_;
     collision::MoverSettings settings_;
-    std::optional<collision::CapsuleMover> mover_;
-    std::optional<collision::MoveTrace> trace_;
+    collision::CapsuleMover mover_;
+    collision::MoverCache cache_;
+    collision::MoveTrace trace_;
     collision::MoverState state_;
 };
 
