@@ -10,13 +10,14 @@ namespace campuswalk::collision {
 
 void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
-    // Of x86; what doesn't hold a whole one is left alone, for each call may cut a mapping in three.
+    // The size on x86. Memory without a whole large page is left alone: each call may split a mapping in
+    // three.
     constexpr std::uintptr_t kPage = 2U << 20U;
     const auto start = reinterpret_cast<std::uintptr_t>(memory);
     const std::uintptr_t first = (start + kPage - 1) / kPage * kPage;
     const std::uintptr_t end = (start + bytes) / kPage * kPage;
     if (first < end) {
-        // Fails where the kernel knows no large pages, which is no fault.
+        // Fails, harmlessly, if the kernel has no large pages.
         madvise(static_cast<std::byte*>(memory) + (first - start), end - first, MADV_HUGEPAGE);
     }
 #endif

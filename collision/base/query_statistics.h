@@ -4,14 +4,14 @@
 
 namespace campuswalk::collision {
 
-/// The work of queries in the terms of the paper's eq. (4), T = Nv Cv + Np Cp + Nu Cu. Queries add to one if
-/// they are given one; a thread has its own.
+/// The work of queries in the terms of the paper's eq. (4), T = Nv Cv + Np Cp + Nu Cu. Queries add their work
+/// to the one passed in, if any. Not shared between threads.
 struct QueryStatistics {
-    std::uint64_t volume_tests = 0;       ///< Nv: bounding volumes tested; a node of two layers is one
+    std::uint64_t volume_tests = 0;       ///< Nv: bounding volumes tested; a node with two layers counts once
     std::uint64_t primitive_tests = 0;    ///< Np: triangles and convex solids tested
-    std::uint64_t transform_updates = 0;  ///< Nu: transforms that a move made it bring up to date
+    std::uint64_t transform_updates = 0;  ///< Nu: transforms updated because of a move
     std::uint64_t sphere_tests = 0;       ///< outer spheres tested, eq. (1)
-    std::uint64_t box_tests = 0;  ///< inner layers tested: in the hybrid tree where eq. (1) didn't decide
+    std::uint64_t box_tests = 0;  ///< inner layers tested: in the hybrid tree, where eq. (1) left it open
 
     QueryStatistics& operator+=(const QueryStatistics& o) {
         volume_tests += o.volume_tests;
@@ -31,7 +31,7 @@ struct QueryStatistics {
     }
 };
 
-/// Adds a query's work to the sink that it was given, if any.
+/// Adds a query's work to `sink`, if there is one.
 inline void add_to(QueryStatistics* sink, const QueryStatistics& work) {
     if (sink != nullptr) {
         *sink += work;

@@ -55,7 +55,7 @@ SimdTarget fastest() {
 
 namespace {
 
-SimdTarget& usual() {
+SimdTarget& default_target() {
     static SimdTarget simd_target = fastest();
     return simd_target;
 }
@@ -63,14 +63,14 @@ SimdTarget& usual() {
 }  // namespace
 
 SimdTarget default_simd_target() {
-    return usual();
+    return default_target();
 }
 
 void use_simd_target(SimdTarget simd_target) {
     if (!can_run(simd_target)) {
-        throw std::runtime_error("this processor hasn't got these instructions");
+        throw std::runtime_error("this processor doesn't support the requested instruction set");
     }
-    usual() = simd_target;
+    default_target() = simd_target;
 }
 
 }  // namespace campuswalk::collision

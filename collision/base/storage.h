@@ -11,12 +11,12 @@
 
 namespace campuswalk::collision {
 
-/// Elements in a row, as a vector has them, that may also lie in memory of somebody else's, such as a file
-/// that is mapped: then they are looked at where they are, and what owns the memory is kept alive. Reading is
-/// the same for both. Whatever could change elements that lie elsewhere makes a vector of them first.
+/// Contiguous elements, like a vector's, that may also lie in memory owned elsewhere, such as a mapped file:
+/// they are then read in place, and their owner stays alive. Reading is the same for both. Every non-const
+/// access first copies external elements into a vector.
 template <typename T>
 class Storage {
-    // Eigen's vectors are but their bytes, too, although they don't say so.
+    // Not is_trivially_copyable: Eigen's vectors aren't, although copying their bytes is fine.
     static_assert(std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T>);
 
 public:
@@ -26,21 +26,21 @@ public:
     using iterator = T*;
 
     Storage() = default;
-    Storage(std::vector<T> elements) : own_(std::move(elements)) { look(); }
-    Storage(std::initializer_list<T> elements) : own_(elements) { look(); }
-    /// `elements` stay what they are as long as `owner` lives.
+    Storage(std::vector<T> elements) : own_(std::move(elements)) { view_own(); }
+    Storage(std::initializer_list<T> elements) : own_(elements) { view_own(); }
+    /// `elements` must stay valid and unchanged as long as `owner` lives.
     Storage(std::span<const T> elements, std::shared_ptr<const void> owner)
         : owner_(std::move(owner)), data_(elements.data()), size_(elements.size()) {}
 
-    Storage(const Storage& other) : own_(other.own_), owner_(other.owner_) { look_as(other); }
+    Storage(const Storage& other) : own_(other.own_), owner_(other.owner_) { view_like(other); }
     Storage(Storage&& other) noexcept : own_(std::move(other.own_)), owner_(std::move(other.owner_)) {
-        look_as(other);
+        view_like(other);
         other.clear();
     }
     Storage& operator=(Storage other) noexcept {
         own_.swap(other.own_);
         owner_.swap(other.owner_);
-        look_as(other);
+        view_like(other);
         return *this;
     }
     ~Storage() = default;
@@ -53,9 +53,9 @@ public:
     const T& operator[](std::size_t i) const { return data_[i]; }
     const T& front() const { return data_[0]; }
     const T& back() const { return data_[size_ - 1]; }
-    /// How many there is room for without taking more memory.
+    /// Elements that fit without allocating.
     std::size_t capacity() const { return is_elsewhere() ? size_ : own_.capacity(); }
-    /// Whether the elements lie in memory of somebody else's.
+    /// Whether the elements lie in memory owned elsewhere.
     bool is_elsewhere() const { return owner_ != nullptr; }
 
     T* data() { return own().data(); }
@@ -67,43 +67,43 @@ public:
 
     void reserve(std::size_t count) {
         own().reserve(count);
-        look();
+        view_own();
     }
     void resize(std::size_t count) {
         own().resize(count);
-        look();
+        view_own();
     }
     void resize(std::size_t count, const T& element) {
         own().resize(count, element);
-        look();
+        view_own();
     }
     void clear() {
         own_.clear();
         owner_.reset();
-        look();
+        view_own();
     }
     void push_back(const T& element) {
         own().push_back(element);
-        look();
+        view_own();
     }
     template <typename... Arguments>
     T& emplace_back(Arguments&&... arguments) {
         own().emplace_back(std::forward<Arguments>(arguments)...);
-        look();
+        view_own();
         return own_.back();
     }
     void pop_back() {
         own().pop_back();
-        look();
+        view_own();
     }
     void assign(std::size_t count, const T& element) { *this = Storage(std::vector<T>(count, element)); }
-    /// `first` and `last` aren't of this storage itself.
+    /// The range must not be part of this storage.
     template <typename Iterator>
     void insert(const T* before, Iterator first, Iterator last) {
         const auto at = before - data_;
         std::vector<T>& elements = own();
         elements.insert(elements.begin() + at, first, last);
-        look();
+        view_own();
     }
 
     void insert(const T* before, std::initializer_list<T> elements) {
@@ -121,21 +121,21 @@ private:
         }
         return own_;
     }
-    void look() {
+    void view_own() {
         data_ = own_.data();
         size_ = own_.size();
     }
-    void look_as(const Storage& other) {
+    void view_like(const Storage& other) {
         if (owner_ == nullptr) {
-            look();
+            view_own();
         } else {
             data_ = other.data_;
             size_ = other.size_;
         }
     }
 
-    std::vector<T> own_;                 ///< empty while they are elsewhere
-    std::shared_ptr<const void> owner_;  ///< null while they are here
+    std::vector<T> own_;                 ///< empty while the elements are external
+    std::shared_ptr<const void> owner_;  ///< null while the elements are in `own_`
     const T* data_ = nullptr;            ///< of the elements, wherever they are
     std::size_t size_ = 0;
 };

@@ -11,34 +11,33 @@
 
 namespace campuswalk::collision {
 
-// What a query asks of boxes that lie side by side in one frame: the eight children of a wide node, the
-// sixteen triangles of a wide leaf, or the one box of the paper's node. Plain loops over the lanes, which
-// compilers turn into vector instructions. Answers are lower bounds: too low costs time, too high would lose
-// triangles.
+// Bounds for boxes stored side by side in one frame: the eight children of a BVH8 node, the sixteen triangles
+// of a BVH8 leaf, or the single box of a node of the paper's tree. Plain loops over the lanes, which
+// compilers vectorize. The results are lower bounds: too low costs time, too high would lose triangles.
 
-/// Of N boxes, by axis.
+/// One row per axis, for N boxes.
 template <typename Real, std::size_t N>
 using Rows = std::array<std::array<Real, N>, 3>;
 
-/// Bounds are generous by this share of the size of all that is measured. float32: 16 roundings, counted
-/// below. double: that of the boxes themselves (see kOutward).
+/// The slack of bounds, relative to the size of the numbers involved. float32: 16 roundings, counted below.
+/// double: that of the boxes themselves (see kOutward).
 template <typename Real>
-inline constexpr Real kGenerous = static_cast<Real>(kOutward);
+inline constexpr Real kSlackShare = static_cast<Real>(kOutward);
 template <>
-inline constexpr float kGenerous<float> = 16.0F * kFloatUnit;
+inline constexpr float kSlackShare<float> = 16.0F * kFloatUnit;
 
-/// The bound of what isn't met at all.
+/// The bound of a box that the query doesn't touch.
 template <typename Real>
 inline constexpr Real kApart = std::numeric_limits<Real>::infinity();
 
-/// The frame that boxes are given in: y = axes (x - origin), x in the mesh's frame.
+/// The frame of boxes: y = axes (x - origin), with x in the mesh's frame.
 ///
-/// `axes` is the very matrix that the boxes were fitted with, so that what it lacks of a rotation moves a
+/// `axes` is the same matrix that the boxes were fitted with, so that its deviation from a rotation moves a
 /// query and a box alike; it lengthens vectors by less than 2 roundings.
 struct BoxFrame {
     Mat3 axes = Mat3::Identity();
     Vec3 origin = Vec3::Zero();
-    double radius = 0.0;  ///< all boxes lie this close to the origin
+    double radius = 0.0;  ///< all boxes are within this distance of the origin
     bool turned = true;   ///< false: `axes` is the identity
 
     explicit BoxFrame(const Bvh8Node& node)
@@ -59,8 +58,7 @@ struct BoxFrame {
 };
 
 /// The boxes of a leaf's triangles, in the leaf's frame. Vertices, ends and halves are rounded once each:
-/// 3 roundings of the leaf's radius. The constructor fills every lane: those without a triangle with boxes
-/// that don't matter.
+/// 3 roundings of the leaf's radius. Fills every lane; those without a triangle have arbitrary boxes.
 struct LeafBoxes {
     alignas(32) Rows<float, kLeafTriangles> center;
     alignas(32) Rows<float, kLeafTriangles> half;
@@ -81,14 +79,14 @@ struct LeafBoxes {
     }
 };
 
-/// Something between two points of the boxes' frame, `pad` thick along each axis.
+/// A line between two points of the boxes' frame, extended by `pad` along each axis.
 struct PaddedLine {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
     Vec3 pad = Vec3::Zero();
 
-    /// No length that is measured against boxes is greater. The last term is for the triangles' own tests,
-    /// which round in double whatever the coordinates are: kGenerous times it is 2^-40 of them.
+    /// An upper bound of all lengths that are compared with boxes. The last term is for the tests of
+    /// triangles, which round in double at any coordinates: kSlackShare times it is 2^-40 of them.
     double size(const BoxFrame& frame) const {
         return frame.radius + from.cwiseAbs().sum() + to.cwiseAbs().sum() + pad.sum() +
                0x1p-20 * frame.origin.cwiseAbs().sum();
@@ -97,16 +95,15 @@ struct PaddedLine {
 
 /// The fraction of the line at which it enters each box, kApart where it misses it.
 ///
-/// Roundings, of `size` each: of the start 1, the difference of places 1, the step 1, a step that is made
-/// longer 1, its inverse 1, both products 2, the half's sum 2, the last sum 2, which is 11; 14 with
-/// LeafBoxes.
+/// Roundings, of `size` each: of the start 1, the difference of positions 1, the step 1, its replacement 1,
+/// its inverse 1, both products 2, the half's sum 2, the last sum 2, which is 11; 14 with LeafBoxes.
 template <typename Real, std::size_t N>
 void entry_bounds(const PaddedLine& line, double size, const Rows<Real, N>& center, const Rows<Real, N>& half,
                   std::array<Real, N>& bounds) {
     constexpr Real kTiny = std::numeric_limits<Real>::min();
-    // A step that rounding can't tell from none is made one that can be divided by.
+    // A step that rounding can't distinguish from 0 is replaced by one to divide by.
     const double least = 0.5 * std::numeric_limits<Real>::epsilon() * size + static_cast<double>(kTiny);
-    const Real slack = kGenerous<Real> * static_cast<Real>(size) + kTiny;
+    const Real slack = kSlackShare<Real> * static_cast<Real>(size) + kTiny;
     std::array<Real, N> leave;
     leave.fill(1);
     bounds.fill(0);
@@ -130,14 +127,14 @@ void entry_bounds(const PaddedLine& line, double size, const Rows<Real, N>& cent
     }
 }
 
-/// The squared distance of each box from the line: of its own box in this frame, that is.
+/// The squared distance of each box from the line's bounds in this frame.
 ///
 /// Roundings, of `size` each: of the middle 1, its reach 1, the differences and sums 3, which is 5; 8 with
 /// LeafBoxes. Squares and their sum add 4 and the frame's matrix 4, of the result.
 template <typename Real, std::size_t N>
 void distance_bounds(const PaddedLine& line, double size, const Rows<Real, N>& center,
                      const Rows<Real, N>& half, std::array<Real, N>& bounds) {
-    const Real slack = kGenerous<Real> * static_cast<Real>(size) + std::numeric_limits<Real>::min();
+    const Real slack = kSlackShare<Real> * static_cast<Real>(size) + std::numeric_limits<Real>::min();
     bounds.fill(0);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto axis = static_cast<Eigen::Index>(k);
@@ -151,7 +148,7 @@ void distance_bounds(const PaddedLine& line, double size, const Rows<Real, N>& c
         }
     }
     for (std::size_t i = 0; i < N; ++i) {
-        bounds[i] *= 1 - kGenerous<Real>;
+        bounds[i] *= 1 - kSlackShare<Real>;
     }
 }
 

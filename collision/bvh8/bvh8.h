@@ -10,32 +10,33 @@
 
 namespace campuswalk::collision {
 
-/// The default tree: up to eight children a node and up to sixteen triangles a leaf, side by side so
-/// that one vector instruction meets them all. Frames and boxes are float32 about float32 origins; queries
-/// cover with slack what that rounding can do.
+// The default tree: up to eight children per node and up to sixteen triangles per leaf, stored side by side
+// for vector instructions. Frames and boxes are float32 relative to float32 origins; the slack of queries
+// covers that rounding.
 
 inline constexpr std::size_t kBvh8Children = 8;
 inline constexpr std::size_t kLeafTriangles = 16;
 inline constexpr std::size_t kLeafVertices = 16;
 
-/// Half a unit in the last place of 1 in float32: what one operation rounds by, relative to its result.
+/// Half a unit in the last place of 1 in float32: the greatest rounding of one operation, relative to its
+/// result.
 inline constexpr float kFloatUnit = 0x1p-24F;
 
-/// No vertex may be farther from the mesh's origin along an axis, metres: products of three such lengths are
-/// still far from overflow.
+/// The greatest coordinate that a vertex may have, metres: products of three such lengths are still far from
+/// overflow.
 inline constexpr float kMaxCoordinate = 1e11F;
 
 /// Eight boxes in one frame: y = axes (x - origin), where x is in the mesh's frame. `axes` is a rotation to
-/// float32's precision. Children that aren't there have zeros.
+/// float32's precision. Unused children have zeros.
 ///
-/// In four lines of cache is what a ray needs to know of a node whose frame isn't turned, as most aren't.
+/// Four cache lines hold all that a ray needs of a node whose frame isn't rotated, as most aren't.
 struct alignas(64) Bvh8Node {
     std::array<std::array<float, kBvh8Children>, 3> center{};  ///< of each child's box, by axis
     std::array<std::array<float, kBvh8Children>, 3> half{};    ///< its half extents, rounded outward
     std::array<float, 4> origin{};                             ///< the fourth entry is 0
-    float radius = 0.0F;  ///< every vertex and every box's corner lies this close to the origin
-    std::array<std::uint32_t, kBvh8Children> child{};  ///< an index of nodes or of leaves
-    std::uint8_t count = 0;                            ///< children there are
+    float radius = 0.0F;  ///< every vertex, of a box too, is within this distance of the origin
+    std::array<std::uint32_t, kBvh8Children> child{};  ///< index of a node or a leaf
+    std::uint8_t count = 0;                            ///< number of children
     std::uint8_t leaves = 0;                           ///< bit i: child i is a leaf
     bool turned = false;                               ///< false: `axes` is the identity
     std::array<float, 3> low{};                        ///< of all the boxes
@@ -45,28 +46,30 @@ struct alignas(64) Bvh8Node {
 
 static_assert(offsetof(Bvh8Node, turned) < 256);
 
-/// Triangles that share corners, and their planes, all about one float32 origin along the mesh's axes.
+/// Triangles that share vertices, and their planes, all relative to one float32 origin, along the mesh's
+/// axes.
 struct alignas(64) Bvh8Leaf {
-    /// By axis, less the origin. Slots without a corner hold the last one again.
+    /// By axis, relative to the origin. Unused slots repeat the last vertex.
     std::array<std::array<float, kLeafVertices>, 3> vertex{};
-    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> vertex_of{};  ///< by corner, then triangle
-    std::array<float, 4> origin{};                                        ///< the fourth entry is 0
-    std::array<std::uint32_t, kLeafTriangles> triangle{};                 ///< of the mesh, ascending
-    float radius = 0.0F;  ///< all corners lie this close to the origin
+    std::array<std::array<std::uint8_t, kLeafTriangles>, 3>
+        vertex_of{};                                       ///< by vertex of a triangle, then triangle
+    std::array<float, 4> origin{};                         ///< the fourth entry is 0
+    std::array<std::uint32_t, kLeafTriangles> triangle{};  ///< of the mesh, ascending
+    float radius = 0.0F;  ///< all vertices are within this distance of the origin
     std::uint8_t vertices = 0;
     std::uint8_t triangles = 0;
-    bool exact = false;             ///< origin + corner is the mesh's vertex itself, for all corners
+    bool exact = false;             ///< origin + vertex is exactly the mesh's vertex, for all vertices
     std::array<float, 3> facing{};  ///< unit mean normal, or zero
-    float low = 0.0F;               ///< least facing . corner
+    float low = 0.0F;               ///< least facing . vertex
     float high = 0.0F;              ///< greatest
     /// By component: unit normal n and offset d of n . x = d. Zero for a triangle whose normal isn't certain
-    /// to float32's precision; nothing is ever clear of that. Slots without a triangle have a plane that
+    /// to float32's precision, which no plane test separates from anything. Unused slots have a plane that
     /// everything is above.
     alignas(64) std::array<std::array<float, kLeafTriangles>, 4> plane{};
 };
 
-/// A leaf's triangle as `corners(mesh, leaf.triangle[slot])` has it. Most leaves are exact, which spares a
-/// query the way to the mesh: far to go in memory.
+/// The same as `vertices(mesh, leaf.triangle[slot])`. Most leaves are exact, which saves a query a distant
+/// memory access to the mesh.
 inline Triangle vertices(const TriangleMesh& mesh, const Bvh8Leaf& leaf, std::size_t slot) {
     if (!leaf.exact) {
         return vertices(mesh, leaf.triangle[slot]);
@@ -81,16 +84,16 @@ inline Triangle vertices(const TriangleMesh& mesh, const Bvh8Leaf& leaf, std::si
     return {vertex(0), vertex(1), vertex(2)};
 }
 
-/// nodes[0] is the root. Plain data; build_bvh8 makes it.
+/// Plain data, built by `build_bvh8`. nodes[0] is the root.
 struct Bvh8 {
-    BoundingSphere outer;  ///< of the whole mesh (paper III.A.1), tested before anything else
+    BoundingSphere outer;  ///< of the whole mesh (paper III.A.1), tested first
     float reach = 0.0F;    ///< greatest coordinate of any vertex
     Storage<Bvh8Node> nodes;
     Storage<Bvh8Leaf> leaves;
 };
 
-/// Top-down and static, by the surface-area heuristic. The mesh has triangles, and vertices within
-/// kMaxCoordinate.
+/// Builds the tree from the top down, by the surface-area heuristic. The mesh must have triangles, and
+/// coordinates up to kMaxCoordinate.
 Bvh8 build_bvh8(const TriangleMesh& mesh);
 
 }  // namespace campuswalk::collision

@@ -14,7 +14,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Triangles that a node whose children are all leaves is expected to take.
+/// The expected number of triangles of a node whose children are all leaves.
 constexpr std::size_t kLowestNode = 88;
 
 /// Divides triangles into nodes and leaves from the top down, then fills leaves and fits nodes from the
@@ -30,7 +30,7 @@ public:
         spare_.resize(items_.size());
         vertices_.reserve(items_.size());
         leaves_.reserve(items_.size() / 8);
-        divide(part(items_));
+        divide(make_part(items_));
         move_nodes();
         fill_leaves();
         fit_nodes();
@@ -40,7 +40,7 @@ public:
 private:
     struct Part {
         std::span<SplitItem> items;
-        std::optional<std::uint32_t> leaf;  ///< that they went into
+        std::optional<std::uint32_t> leaf;  ///< which holds the items, if they fit one
     };
     using Parts = std::array<Part, kBvh8Children>;
 
@@ -73,8 +73,8 @@ private:
         middle_ = sum / static_cast<double>(mesh_.triangles.size());
     }
 
-    /// What a child may hold so that the nodes below come out full: one eighth of the least full tree that
-    /// holds `items`.
+    /// The greatest number of triangles of a child for which the nodes below are full: one eighth of the
+    /// smallest full tree for `items`.
     static std::size_t capacity_of_child(std::size_t items) {
         if (items <= kLowestNode) {
             return 1;
@@ -86,8 +86,9 @@ private:
         return capacity;
     }
 
-    /// Triangles that fit a leaf are in one at once, so that the leaves below any child lie side by side.
-    Part part(std::span<SplitItem> items) {
+    /// Puts triangles that fit a leaf into one immediately, so that the leaves below any child are
+    /// contiguous.
+    Part make_part(std::span<SplitItem> items) {
         if (!leaf_maker_.make(items, leaves_.emplace_back())) {
             leaves_.pop_back();
             return {items, std::nullopt};
@@ -117,13 +118,13 @@ private:
             }
             const std::span<SplitItem> items = parts[fullest].items;
             const std::size_t left = split(items, spare_, simd_target_);
-            parts[fullest] = part(items.first(left));
-            parts[count++] = part(items.subspan(left));
+            parts[fullest] = make_part(items.first(left));
+            parts[count++] = make_part(items.subspan(left));
         }
         return count;
     }
 
-    /// A node and those below it, which come after it. Recursion is as deep as the tree, whose splits are
+    /// Builds a node and, after it, those below it. The recursion is as deep as the tree, whose splits are
     /// never lopsided.
     std::uint32_t divide(const Part& whole) {
         Parts parts;
@@ -145,7 +146,7 @@ private:
         prefer_large_pages(elements.data(), count * sizeof(typename Elements::value_type));
     }
 
-    /// Out of the memory that grew with them.
+    /// Into memory of exactly their size.
     void move_nodes() {
         std::vector<Bvh8Node> exact;
         reserve_exactly(exact, tree_.nodes.size());
@@ -155,28 +156,28 @@ private:
 
     void fill_leaves() {
         reserve_exactly(tree_.leaves, leaves_.size());
-        held_by_leaf_.reserve(leaves_.size());
+        leaf_contents_.reserve(leaves_.size());
         std::size_t first = 0;
         for (const LeafTriangles& leaf : leaves_) {
             const std::span vertices = std::span<const Lanes>(vertices_).subspan(first, leaf.vertices);
             fill_leaf(tree_.leaves.emplace_back(), leaf, vertices);
-            held_by_leaf_.push_back(hold(vertices, middle_));
+            leaf_contents_.push_back(contents_of(vertices, middle_));
             first += vertices.size();
         }
     }
 
     void fit_nodes() {
-        std::vector<Held> held_by_node(tree_.nodes.size());
+        std::vector<Contents> node_contents(tree_.nodes.size());
         for (std::size_t n = tree_.nodes.size(); n-- > 0;) {
             Bvh8Node& node = tree_.nodes[n];
-            std::array<Held, kBvh8Children> held;
+            std::array<Contents, kBvh8Children> contents;
             for (std::size_t i = 0; i < node.count; ++i) {
                 const bool leaf = (node.leaves >> i & 1) != 0;
-                held[i] = (leaf ? held_by_leaf_ : held_by_node)[node.child[i]];
+                contents[i] = (leaf ? leaf_contents_ : node_contents)[node.child[i]];
             }
-            const std::span<const Held> children(held.data(), node.count);
-            held_by_node[n] = hold(children);
-            fit_node(node, children, held_by_node[n]);
+            const std::span<const Contents> children(contents.data(), node.count);
+            node_contents[n] = contents_of(children);
+            fit_node(node, children, node_contents[n]);
         }
     }
 
@@ -189,7 +190,7 @@ private:
     LeafMaker leaf_maker_;
     std::vector<LeafTriangles> leaves_;
     std::vector<Lanes> vertices_;  ///< of the leaves, one after the other
-    std::vector<Held> held_by_leaf_;
+    std::vector<Contents> leaf_contents_;
     Vec3 middle_ = Vec3::Zero();  ///< mean of the incentres, the outer sphere's centre
 };
 

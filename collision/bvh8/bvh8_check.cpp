@@ -11,10 +11,10 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// What a query's agenda has room for: see tree_traversal.h.
-constexpr std::uint8_t kDeepest = 64;
+/// The depth that a query's stack has room for: see tree_traversal.h.
+constexpr std::uint8_t kMaxDepth = 64;
 
-/// Not 0 if any isn't finite. By the exponent's bits and without a way out, for lanes' sake.
+/// Not 0 if any number isn't finite. By the bits of the exponent and without early exit, to be vectorized.
 template <std::size_t N>
 std::uint32_t not_finite(const std::array<float, N>& numbers) {
     constexpr std::uint32_t kExponent = 0x7F800000;
@@ -30,7 +30,7 @@ std::uint32_t not_finite(const Bvh8Leaf& leaf) {
            not_finite(leaf.vertex[2]);
 }
 
-/// Not 0 if a triangle has a corner that no leaf has.
+/// Not 0 if a triangle's vertex index is out of range.
 std::uint8_t beyond_vertices(const Bvh8Leaf& leaf) {
     static_assert(std::has_single_bit(kLeafVertices));
     std::uint8_t all = 0;
@@ -52,15 +52,15 @@ bool is_sound(const Bvh8Leaf& leaf, std::size_t mesh_triangles) {
            (beyond_vertices(leaf) | not_finite(leaf)) == 0;
 }
 
-/// Follows every way down from the root: children come after their parents, and nothing has two.
+/// Follows all links from the root: children must come after their parents, and each has only one.
 class Inspection {
 public:
     explicit Inspection(const Bvh8& tree)
-        : tree_(tree), node_depth_(tree.nodes.size()), leaf_seen_(tree.leaves.size()) {}
+        : tree_(tree), node_depth_(tree.nodes.size()), leaf_visited_(tree.leaves.size()) {}
 
-    bool is_whole() {
-        std::size_t nodes_seen = 1;
-        std::size_t leaves_seen = 0;
+    bool is_tree() {
+        std::size_t node_count = 1;
+        std::size_t leaf_count = 0;
         for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
             const Bvh8Node& node = tree_.nodes[n];
             if (node.count < 1 || node.count > kBvh8Children || node.leaves >> node.count != 0) {
@@ -68,35 +68,35 @@ public:
             }
             for (std::size_t i = 0; i < node.count; ++i) {
                 const bool leaf = (node.leaves >> i & 1) != 0;
-                if (!(leaf ? see_leaf(node.child[i]) : see_node(n, node.child[i]))) {
+                if (!(leaf ? visit_leaf(node.child[i]) : visit_node(n, node.child[i]))) {
                     return false;
                 }
-                ++(leaf ? leaves_seen : nodes_seen);
+                ++(leaf ? leaf_count : node_count);
             }
         }
-        return nodes_seen == tree_.nodes.size() && leaves_seen == tree_.leaves.size();
+        return node_count == tree_.nodes.size() && leaf_count == tree_.leaves.size();
     }
 
 private:
-    bool see_node(std::size_t parent, std::uint32_t child) {
+    bool visit_node(std::size_t parent, std::uint32_t child) {
         if (child <= parent || child >= node_depth_.size() || node_depth_[child] != 0 ||
-            node_depth_[parent] == kDeepest) {
+            node_depth_[parent] == kMaxDepth) {
             return false;
         }
         node_depth_[child] = static_cast<std::uint8_t>(node_depth_[parent] + 1);
         return true;
     }
-    bool see_leaf(std::uint32_t leaf) {
-        if (leaf >= leaf_seen_.size() || leaf_seen_[leaf]) {
+    bool visit_leaf(std::uint32_t leaf) {
+        if (leaf >= leaf_visited_.size() || leaf_visited_[leaf]) {
             return false;
         }
-        leaf_seen_[leaf] = true;
+        leaf_visited_[leaf] = true;
         return true;
     }
 
     const Bvh8& tree_;
-    std::vector<std::uint8_t> node_depth_;  ///< 0 for the root and for what hasn't been seen
-    std::vector<bool> leaf_seen_;
+    std::vector<std::uint8_t> node_depth_;  ///< 0 for the root and for nodes not visited yet
+    std::vector<bool> leaf_visited_;
 };
 
 }  // namespace
@@ -105,15 +105,15 @@ const char* fault_of(const Bvh8& tree, std::size_t mesh_triangles) {
     if (tree.nodes.empty()) {
         return "the tree has no root";
     }
-    if (!Inspection(tree).is_whole()) {
-        return "the tree's nodes don't make a tree";
+    if (!Inspection(tree).is_tree()) {
+        return "the tree's nodes don't form a tree";
     }
     if (!std::isfinite(tree.reach) || !tree.outer.center.allFinite() || !std::isfinite(tree.outer.radius)) {
-        return "the tree is nowhere";
+        return "the tree's bounds aren't finite";
     }
     for (const Bvh8Leaf& leaf : tree.leaves) {
         if (!is_sound(leaf, mesh_triangles)) {
-            return "a leaf of the tree has what isn't in the mesh";
+            return "a leaf of the tree has invalid triangles or vertices";
         }
     }
     return nullptr;

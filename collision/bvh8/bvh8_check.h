@@ -6,11 +6,10 @@
 
 namespace campuswalk::collision {
 
-/// For trees that come from a file. Queries believe what a tree says of itself: were it to name what isn't
-/// there, or itself, they would read beyond or never end. Whether its boxes are where its triangles are is
-/// not looked at: a tree with boxes elsewhere answers wrongly, and no worse.
-///
-/// What is wrong with the tree of a mesh of so many triangles, in words; null if nothing is.
+/// Describes what is wrong with a tree, such as from a file, for a mesh with so many triangles; null if
+/// nothing is. Queries trust a tree: with an index out of range, or a cycle, they would read out of bounds or
+/// never end. Doesn't check that the boxes contain their triangles: queries of such a tree only return wrong
+/// results.
 const char* fault_of(const Bvh8& tree, std::size_t mesh_triangles);
 
 }  // namespace campuswalk::collision

@@ -9,7 +9,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// The boxes of a node's children, and what all of them hold.
+/// The boxes of a node's children, and their bounds.
 struct Boxes {
     std::array<LaneBounds, kBvh8Children> of;
     LaneBounds all;
@@ -23,7 +23,7 @@ struct Boxes {
 };
 
 /// Along the mesh's axes, about `origin`.
-Boxes straight_boxes(std::span<const Held> children, const Lanes& origin) {
+Boxes straight_boxes(std::span<const Contents> children, const Lanes& origin) {
     Boxes boxes;
     for (std::size_t c = 0; c < children.size(); ++c) {
         boxes.set(c, {children[c].bounds.min - origin, children[c].bounds.max - origin});
@@ -31,7 +31,7 @@ Boxes straight_boxes(std::span<const Held> children, const Lanes& origin) {
     return boxes;
 }
 
-Boxes turned_boxes(std::span<const Held> children, const Lanes& origin, const Eigen::Matrix3f& axes) {
+Boxes turned_boxes(std::span<const Contents> children, const Lanes& origin, const Eigen::Matrix3f& axes) {
     const Lanes x = lanes(axes.col(0));
     const Lanes y = lanes(axes.col(1));
     const Lanes z = lanes(axes.col(2));
@@ -47,9 +47,9 @@ Boxes turned_boxes(std::span<const Held> children, const Lanes& origin, const Ei
     return boxes;
 }
 
-/// A corner's place in the frame is a sum of three products of rounded differences: it is off by at most
-/// 5 kFloatUnit times its distance from the origin, which is itself known to within 10 of them. Halving and
-/// adding the ends adds 3 more, so 16 hold all.
+/// A vertex' coordinate in the frame is a sum of three products of rounded differences: it is off by at most
+/// 5 kFloatUnit times its distance from the origin, which is itself off by at most 10 of them. Halving and
+/// adding the ends adds 3 more, so 16 cover all.
 void set_boxes(Bvh8Node& node, const Boxes& boxes, std::size_t count) {
     const Lanes reach = boxes.all.min.abs().max(boxes.all.max.abs());
     const auto length = static_cast<float>(reach.head<3>().matrix().cast<double>().norm());
@@ -94,29 +94,29 @@ void PointMoments::add(const PointMoments& o) {
 Mat3 PointMoments::covariance() const {
     const Eigen::Array3d mean = sum / count;
     const Eigen::Array3d variance = squares / count - mean * mean;
-    Mat3 made = variance.matrix().asDiagonal();
+    Mat3 covariance = variance.matrix().asDiagonal();
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
-        made(i, j) = made(j, i) = mixed[i] / count - mean[i] * mean[j];
+        covariance(i, j) = covariance(j, i) = mixed[i] / count - mean[i] * mean[j];
     }
-    return made;
+    return covariance;
 }
 
-Held hold(std::span<const Lanes> vertices, const Vec3& origin) {
-    Held held;
-    held.vertices = vertices;
+Contents contents_of(std::span<const Lanes> vertices, const Vec3& origin) {
+    Contents contents;
+    contents.vertices = vertices;
     for (const Lanes& vertex : vertices) {
-        held.bounds.extend(vertex);
-        held.moments.add(exact(vertex) - origin);
+        contents.bounds.extend(vertex);
+        contents.moments.add(exact(vertex) - origin);
     }
-    return held;
+    return contents;
 }
 
-Held hold(std::span<const Held> children) {
-    Held all;
+Contents contents_of(std::span<const Contents> children) {
+    Contents all;
     const Lanes* first = children.front().vertices.data();
     std::size_t count = 0;
-    for (const Held& child : children) {
+    for (const Contents& child : children) {
         first = std::min(first, child.vertices.data());
         count += child.vertices.size();
         all.bounds.extend(child.bounds);
@@ -134,9 +134,9 @@ BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> vertices)
     return sphere_about(center, squared);
 }
 
-void fit_node(Bvh8Node& node, std::span<const Held> children, const Held& all) {
+void fit_node(Bvh8Node& node, std::span<const Contents> children, const Contents& all) {
     const Lanes origin = all.bounds.middle();
-    // A turned frame must pay for the work of turning rays and capsules into it.
+    // A rotated frame must outweigh the work of rotating rays and capsules into it.
     constexpr float kWorthTurning = 0.9F;
     Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
     Boxes boxes = straight_boxes(children, origin);

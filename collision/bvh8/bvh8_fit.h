@@ -8,7 +8,7 @@
 
 namespace campuswalk::collision {
 
-/// Sums over points about an origin, of which the sum for many parts is the sum of theirs.
+/// Sums over points relative to an origin; those of several parts add up.
 struct PointMoments {
     double count = 0.0;
     Eigen::Array3d sum = Eigen::Array3d::Zero();
@@ -20,25 +20,24 @@ struct PointMoments {
     Mat3 covariance() const;
 };
 
-/// What is below a child. Vertices are those of its leaves; what leaves share counts for each of them.
-struct Held {
+/// What is below a child. The vertices are those of its leaves; shared ones count for each leaf.
+struct Contents {
     std::span<const Lanes> vertices;
     LaneBounds bounds;
     PointMoments moments;
 };
 
-/// What a leaf holds, moments about `origin`.
-Held hold(std::span<const Lanes> vertices, const Vec3& origin);
+/// The contents of a leaf, with moments about `origin`.
+Contents contents_of(std::span<const Lanes> vertices, const Vec3& origin);
 
-/// What children hold together, whose corners lie side by side in memory, in any order.
-Held hold(std::span<const Held> children);
+/// The contents of several children, whose vertices are contiguous in memory, in any order.
+Contents contents_of(std::span<const Contents> children);
 
-/// The outer sphere of a mesh that has these corners.
+/// The outer sphere of a mesh with these vertices.
 BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> vertices);
 
-/// Sets the frame of a `node` that knows its children, and the boxes of its children, which hold `all`
-/// together. The frame is that of the corners' principal axes (paper III.A.2) or the mesh's own, whichever
-/// makes the smaller boxes.
-void fit_node(Bvh8Node& node, std::span<const Held> children, const Held& all);
+/// Sets the frame of a `node` and the boxes of its children, whose contents together are `all`. The frame is
+/// that of the vertices' principal axes (paper III.A.2) or the mesh's own, whichever makes the boxes smaller.
+void fit_node(Bvh8Node& node, std::span<const Contents> children, const Contents& all);
 
 }  // namespace campuswalk::collision

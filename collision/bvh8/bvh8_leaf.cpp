@@ -9,7 +9,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Whether p is a + b to the last bit, the sign of zero among them.
+/// Whether p is exactly a + b, including the sign of zero.
 bool is_sum(const Lanes& p, const Lanes& a, const Lanes& b) {
     for (Eigen::Index k = 0; k < 3; ++k) {
         const double sum = static_cast<double>(a[k]) + static_cast<double>(b[k]);
@@ -20,7 +20,7 @@ bool is_sum(const Lanes& p, const Lanes& a, const Lanes& b) {
     return true;
 }
 
-/// About the middle of their bounds.
+/// Sets the vertices relative to the centre of their bounds.
 void set_vertices(Bvh8Leaf& leaf, std::span<const Lanes> vertices) {
     LaneBounds bounds;
     for (const Lanes& vertex : vertices) {
@@ -45,8 +45,8 @@ void set_vertices(Bvh8Leaf& leaf, std::span<const Lanes> vertices) {
     leaf.radius = static_cast<float>(std::sqrt(farthest)) * (1.0F + 8.0F * kFloatUnit) + kUnderflow;
 }
 
-/// The normal of a triangle, as long as its double area. Zero where rounding may have turned it by more than
-/// float32 shows: edges and their products are off by a few units of double, relative to their lengths.
+/// The normal of a triangle, as long as twice its area. Zero where rounding may have rotated it by more than
+/// float32's precision: edges and their products are off by a few units of double, relative to their lengths.
 Vec3 certain_normal(const Triangle& t) {
     const Vec3 e = t.b - t.a;
     const Vec3 f = t.c - t.a;
@@ -56,7 +56,7 @@ Vec3 certain_normal(const Triangle& t) {
     return certain ? n : Vec3(Vec3::Zero());
 }
 
-/// `corner`: any of the triangle's, less the leaf's origin.
+/// `vertex`: any of the triangle's, relative to the leaf's origin.
 void set_plane(Bvh8Leaf& leaf, std::size_t slot, const Vec3& normal, const Vec3& vertex) {
     leaf.plane[3][slot] = 0.0F;
     const double length = normal.norm();
@@ -115,14 +115,14 @@ bool LeafMaker::make(std::span<const SplitItem> items, LeafTriangles& leaf) {
         const auto& triangle = mesh_.triangles[t];
         leaf.triangle[slot] = t;
         for (std::size_t c = 0; c < 3; ++c) {
-            // A place that doesn't lead back to its vertex is of an earlier leaf. Every other vertex is new,
-            // so this doesn't jump on it.
+            // A slot that doesn't hold the vertex is of an earlier leaf. Every other vertex is new, so this
+            // avoids a branch.
             const std::uint32_t vertex = triangle[c];
-            const std::size_t last = place_of_[vertex];
+            const std::size_t last = slot_of_[vertex];
             const bool known = last < count && vertices_[last] == vertex;
             const std::size_t at = known ? last : count;
             vertices_[at] = vertex;
-            place_of_[vertex] = static_cast<std::uint8_t>(at);
+            slot_of_[vertex] = static_cast<std::uint8_t>(at);
             leaf.vertex_of[c][slot] = static_cast<std::uint8_t>(at);
             count += known ? 0 : 1;
         }

@@ -12,34 +12,35 @@
 
 namespace campuswalk::collision {
 
-/// A leaf's triangles and which of its corners they have.
+/// A leaf's triangles, with indices of the leaf's vertices.
 struct LeafTriangles {
     std::array<std::uint32_t, kLeafTriangles> triangle{};
-    std::array<std::array<std::uint8_t, kLeafTriangles>, 3> vertex_of{};  ///< by corner, then triangle
+    std::array<std::array<std::uint8_t, kLeafTriangles>, 3>
+        vertex_of{};  ///< by vertex of a triangle, then triangle
     std::uint8_t triangles = 0;
     std::uint8_t vertices = 0;
 };
 
-/// Puts triangles into leaves. Made once for a mesh and used for one leaf after the other.
+/// Puts triangles into leaves, one leaf after the other.
 class LeafMaker {
 public:
-    explicit LeafMaker(const TriangleMesh& mesh) : mesh_(mesh), place_of_(mesh.positions.size()) {}
+    explicit LeafMaker(const TriangleMesh& mesh) : mesh_(mesh), slot_of_(mesh.positions.size()) {}
 
-    /// False if there are too many triangles for a leaf or too many corners.
+    /// False if there are too many triangles or vertices for a leaf.
     bool make(std::span<const SplitItem> items, LeafTriangles& leaf);
 
-    /// Of the leaf just made, each once.
+    /// The vertices of the leaf just made, each once, as indices of the mesh.
     std::span<const std::uint32_t> vertices() const { return {vertices_.data(), count_}; }
 
 private:
     const TriangleMesh& mesh_;
-    /// By vertex: where it was in the last leaf that had it.
-    std::vector<std::uint8_t> place_of_;
+    /// By vertex: its slot in the last leaf that had it.
+    std::vector<std::uint8_t> slot_of_;
     std::array<std::uint32_t, 3 * kLeafTriangles> vertices_{};
     std::size_t count_ = 0;
 };
 
-/// Fills a new leaf. `corners`: where its vertices are.
+/// Fills a new leaf. `vertices` are the positions of its vertices.
 void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> vertices);
 
 }  // namespace campuswalk::collision

@@ -10,8 +10,8 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// A split must leave at least one part in sixteen on each side, so that the depth stays logarithmic.
-constexpr std::size_t kLopsided = 16;
+/// A split must leave at least one item in so many on each side, so that the depth stays logarithmic.
+constexpr std::size_t kLeastShare = 16;
 
 std::size_t longest_axis(std::span<const SplitItem> items) {
     std::size_t longest = 0;
@@ -29,7 +29,7 @@ std::size_t longest_axis(std::span<const SplitItem> items) {
     return longest;
 }
 
-/// Half of the items on each side of the axis that their centres differ most along.
+/// Puts half of the items on each side, along the axis where their centres differ most.
 std::size_t halve(std::span<SplitItem> items, std::span<SplitItem> spare) {
     const std::size_t axis = longest_axis(items);
     using Key = std::pair<float, std::uint32_t>;
@@ -52,7 +52,7 @@ std::size_t halve(std::span<SplitItem> items, std::span<SplitItem> spare) {
 }  // namespace
 
 std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, SimdTarget simd_target) {
-    const std::size_t least = std::max<std::size_t>(1, items.size() / kLopsided);
+    const std::size_t least = std::max<std::size_t>(1, items.size() / kLeastShare);
     const std::size_t left = split_by_area(items, spare, least, simd_target);
     return left > 0 ? left : halve(items, spare);
 }

@@ -10,11 +10,11 @@
 
 namespace campuswalk::collision {
 
-/// A triangle on its way into a wide tree. Half a cache line, for splitting does little but move these.
+/// A triangle to be put into a BVH8. Half a cache line, because splitting mainly moves these.
 struct alignas(32) SplitItem {
-    /// The least coordinates, the bits of the triangle's number, the greatest coordinates with their signs
-    /// turned, -1. So the bounds of two are the lesser of each, and upper less lower half is no denormal,
-    /// which some processors are slow at.
+    /// The least coordinates, the bits of the triangle's index, the greatest coordinates negated, -1. So the
+    /// bounds of two items are the minimum of each, and the difference of the halves isn't denormal, which
+    /// some processors are slow at.
     std::array<float, 8> ends{};
 
     SplitItem() = default;
@@ -26,14 +26,14 @@ struct alignas(32) SplitItem {
     }
 
     std::uint32_t triangle() const { return std::bit_cast<std::uint32_t>(ends[3]); }
-    /// Twice the centre of the bounds: only compared.
+    /// Twice the centre of the bounds, only for comparison.
     float center(std::size_t axis) const { return ends[axis] - ends[axis + 4]; }
 };
 
-/// Moves some of at least two items to the front, the left ones, and returns how many: at least one, and not
-/// all. By the surface-area heuristic (kernels/area_split.h), unless that leaves too little on one side: then
-/// half of them go. Triangles ascend on both sides if they did before. `spare` is room for as many items;
-/// what is in it is lost. The same for all instructions.
+/// Divides two or more items: moves those of the left side to the front and returns how many they are, at
+/// least one and not all. By the surface-area heuristic (kernels/area_split.h), unless that leaves too few on
+/// one side: then by halves. Triangles ascend on both sides if they did before. `spare` has room for as many
+/// items, and is overwritten. The result is the same for every `simd_target`.
 std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, SimdTarget simd_target);
 
 }  // namespace campuswalk::collision

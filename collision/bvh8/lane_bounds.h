@@ -6,10 +6,10 @@
 
 namespace campuswalk::collision {
 
-/// x, y, z and a lane that isn't used.
+/// x, y, z and an unused lane.
 using Lanes = Eigen::Array4f;
 
-/// Added to every bound: a product that underflows is off by less, whatever the scale.
+/// Added to every bound: the error of a product that underflows is less, at any scale.
 inline constexpr float kUnderflow = std::numeric_limits<float>::min();
 
 inline Lanes lanes(const Eigen::Vector3f& p) {

@@ -45,7 +45,7 @@ Closest closest_to_solid(const Segment& segment, const Solid& solid, const Pose&
     return {X_world_shape * p, X_world_shape * nearest.point, (p - nearest.point).norm(), nearest.feature};
 }
 
-/// Where the segment passes through the triangle's inside, if it does.
+/// Whether the segment passes through the triangle, and where.
 bool pierces(const Segment& segment, const Triangle& t, Vec3& at) {
     const Vec3 n = (t.b - t.a).cross(t.c - t.a);
     const double da = n.dot(segment.a - t.a);
@@ -144,8 +144,8 @@ Closest closest(const Segment& segment, const Triangle& t) {
     if (pierces(segment, t, crossing)) {
         return {crossing, crossing, 0.0, Feature::face};
     }
-    // Beside a wall that is parallel to the segment all distances are equal and rounding would choose: the
-    // face goes first there, because its normal can be trusted.
+    // Beside a wall parallel to the segment all distances are equal and rounding would decide: the face wins
+    // there, because its normal can be trusted.
     constexpr double kTie = 1e-10;  // metres
     Closest best;
     best.distance = 1e300;

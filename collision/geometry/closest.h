@@ -5,15 +5,15 @@
 
 namespace campuswalk::collision {
 
-/// What part of a shape a closest point lies on. Flat parts of neighbouring shapes continue each other, so
-/// that an edge between them may be no edge at all; `face` says that the normal can be trusted.
+/// The part of a shape that a closest point lies on. Flat parts of neighbouring shapes may be flush, with no
+/// real edge between them; `face` means that the normal can be trusted.
 enum class Feature { face, edge };
 
 /// The closest points of a segment and a shape, world coordinates, metres.
 struct Closest {
     Vec3 on_segment = Vec3::Zero();
     Vec3 on_shape = Vec3::Zero();
-    double distance = 0.0;  ///< 0 when they meet; the convex solids count as filled, triangles as surfaces
+    double distance = 0.0;  ///< 0 if they share a point; convex solids are filled, triangles are surfaces
     Feature feature = Feature::face;
 };
 
@@ -31,8 +31,8 @@ Closest closest(const Segment& segment, const Capsule& capsule, const Pose& X_wo
 Closest closest(const Segment& segment, const Box& box, const Pose& X_world_shape);
 Closest closest(const Segment& segment, const Wheel& wheel, const Pose& X_world_shape);
 
-/// The argument in [0, 1] where the convex function `f` is least, by golden-section search: 48 steps narrow
-/// the interval to 1e-10, and the value there is exact to its square.
+/// The argument in [0, 1] that minimizes the convex function `f`, by golden-section search: 48 steps narrow
+/// the interval to 1e-10; the error of the minimum is the square of that.
 template <typename Convex>
 double minimise_convex(const Convex& f) {
     constexpr double kGolden = 0.6180339887498949;

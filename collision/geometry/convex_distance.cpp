@@ -11,32 +11,32 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// What some dozens of roundings add up to, as a part of the sizes they happen at.
+/// The sum of some dozens of roundings, relative to the sizes of the numbers rounded.
 constexpr double kRounding = 8e-15;
 
-/// Up to four points of a convex body: of which part of it is the origin's nearest point?
+/// Up to four points of a convex body, and the part of their hull that is nearest to the origin.
 class Simplex {
 public:
     void add(const Vec3& vertex) { vertex_[count_++] = vertex; }
 
-    /// The point of their hull that is nearest to the origin. Keeps the corners that span it, so that there
-    /// is room for another unless it is the origin itself.
+    /// The point of the hull that is nearest to the origin. Only the vertices that span it remain, so that
+    /// there is room for another, unless it is the origin itself.
     Vec3 reduce() {
         Vec3 nearest = vertex_[0];
-        unsigned kept = 1;
+        unsigned spanning = 1;
         for (unsigned chosen = 2; chosen < 1U << count_; ++chosen) {
             const std::optional<Vec3> point = nearest_inside(chosen);
             if (point && point->squaredNorm() < nearest.squaredNorm()) {
                 nearest = *point;
-                kept = chosen;
+                spanning = chosen;
             }
         }
-        keep(kept);
+        retain(spanning);
         return nearest;
     }
 
 private:
-    void keep(unsigned chosen) {
+    void retain(unsigned chosen) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < count_; ++i) {
             if ((chosen >> i & 1U) != 0) {
@@ -46,8 +46,8 @@ private:
         count_ = count;
     }
 
-    /// The nearest point of the chosen corners' plane (or line, or space) if it lies inside of their hull.
-    /// It is made as a mean of the corners: whatever rounding does to the weights, it isn't too near.
+    /// The nearest point of the chosen vertices' plane (or line, or space) if it lies inside their hull. As a
+    /// weighted mean of the vertices it isn't too near, however the weights are rounded.
     std::optional<Vec3> nearest_inside(unsigned chosen) const {
         std::array<Vec3, 4> p;
         std::size_t count = 0;
@@ -77,7 +77,7 @@ private:
     static std::optional<Vec3> inside(const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 normal = (b - a).cross(c - a);
         const Vec3 foot = (a.dot(normal) / normal.squaredNorm()) * normal;
-        // About the foot: the corners may be far closer to each other than to the origin.
+        // Relative to the foot: the vertices may be far closer to each other than to the origin.
         const Vec3 p = a - foot;
         const Vec3 q = b - foot;
         const Vec3 r = c - foot;
@@ -88,7 +88,7 @@ private:
         return (weights.x() * a + weights.y() * b + weights.z() * c) / weights.sum();
     }
 
-    /// The origin, if it is certain to be inside.
+    /// The origin, if it is certainly inside.
     static std::optional<Vec3> inside(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
         const double size = a.norm() * b.norm() * c.norm() * d.norm();
         const std::array<double, 4> volumes = {b.dot(c.cross(d)) * a.norm(), -a.dot(c.cross(d)) * b.norm(),
@@ -102,24 +102,24 @@ private:
     std::size_t count_ = 0;
 };
 
-/// A distance, and the size of the numbers that it was found among.
+/// A distance, and the size of the numbers that it was computed from.
 struct Gap {
     double distance = 0.0;
     double size = 0.0;
 
-    /// Less what thickens the bodies; what rounding can't tell from contact is contact.
-    double less(double radii) const {
+    /// The distance less both bodies' radii; 0 if rounding can't distinguish it from contact.
+    double minus(double radii) const {
         const double left = distance - radii;
         return left > kRounding * (size + radii) ? left : 0.0;
     }
 };
 
-/// How far the origin is from a convex body (Gilbert, Johnson, Keerthi 1988): from the nearest point found so
-/// far look where the body reaches farthest towards the origin, and take that point in. `farthest` answers
-/// the body's farthest point along a direction.
+/// The distance of the origin from a convex body (Gilbert, Johnson, Keerthi 1988): repeatedly adds the body's
+/// farthest point in the direction from the nearest point so far towards the origin. `farthest` returns the
+/// body's farthest point along a direction.
 template <typename Farthest>
 Gap gap_to_origin(const Farthest& farthest) {
-    constexpr int kMostSteps = 256;  // round bodies converge slowly where they hardly touch
+    constexpr int kMostSteps = 256;  // round bodies that barely touch converge slowly
     Simplex simplex;
     simplex.add(farthest(Vec3::UnitX()));
     Vec3 nearest = simplex.reduce();
@@ -144,7 +144,7 @@ Gap gap_to_origin(const Farthest& farthest) {
         }
         nearest = nearer;
     }
-    // Where round edges touch, the search may end a hair's breadth beside the place; but no plane parts them.
+    // Where round edges touch, the search may end slightly beside the contact; but no plane separates them.
     return {at_least > kRounding * size ? nearest.norm() : 0.0, size};
 }
 
@@ -178,14 +178,14 @@ ConvexSolid convex_solid(const Wheel& wheel, const Pose& X_world_shape) {
     return {X_world_shape, Vec3(wheel.half_width, 0.0, 0.0), wheel.radius, 0.0};
 }
 
-// Two bodies are as far apart as the origin is from their Minkowski difference.
+// The distance of two bodies is that of the origin from their Minkowski difference.
 
 double distance_between(const ConvexSolid& a, const ConvexSolid& b) {
     const Vec3 between = a.X_world_solid.translation - b.X_world_solid.translation;
     const auto farthest = [&](const Vec3& direction) {
         return Vec3(between + farthest_of(a, direction) - farthest_of(b, -direction));
     };
-    return gap_to_origin(farthest).less(a.radius + b.radius);
+    return gap_to_origin(farthest).minus(a.radius + b.radius);
 }
 
 double distance_between(const ConvexSolid& solid, const Triangle& triangle) {
@@ -198,7 +198,7 @@ double distance_between(const ConvexSolid& solid, const Triangle& triangle) {
         const Vec3& vertex = *std::max_element(vertices.begin(), vertices.end(), is_nearer);
         return Vec3(vertex - farthest_of(solid, -direction));
     };
-    return gap_to_origin(farthest).less(solid.radius);
+    return gap_to_origin(farthest).minus(solid.radius);
 }
 
 }  // namespace campuswalk::collision

@@ -6,9 +6,9 @@
 
 namespace campuswalk::collision {
 
-/// A whole number of `kDigits` 32-bit digits, lowest first, in two's complement: from -2^(n-1) to
-/// 2^(n-1) - 1, where n = 32 kDigits. A difference is as wide as its terms, and the caller sees to it that
-/// it fits; a product is as wide as both factors together, which always fits.
+/// An integer of `kDigits` 32-bit digits, lowest first, in two's complement: from -2^(n-1) to 2^(n-1) - 1,
+/// where n = 32 kDigits. A difference is as wide as its terms, and the caller ensures that it fits; a product
+/// is as wide as both factors together, which always fits.
 template <std::size_t kDigits>
 struct ExactInteger {
     std::array<std::uint32_t, kDigits> digits{};
@@ -25,7 +25,7 @@ int sign(const ExactInteger<kDigits>& x) {
     return x.digits == ExactInteger<kDigits>().digits ? 0 : 1;
 }
 
-/// x -= y 2^(32 places), less what exceeds x's digits.
+/// x -= y 2^(32 places), without the digits beyond x's.
 template <std::size_t kDigits, std::size_t kOther>
 void subtract(ExactInteger<kDigits>& x, const ExactInteger<kOther>& y, std::size_t places) {
     static_assert(kOther <= kDigits);
@@ -55,7 +55,7 @@ ExactInteger<kX + kY> operator*(const ExactInteger<kX>& x, const ExactInteger<kY
         }
         product.digits[i + kY] = static_cast<std::uint32_t>(carry);
     }
-    // That read the digits without a sign: a negative factor as 2^n more than it is.
+    // The digits were multiplied as unsigned: a negative factor counted as 2^n more than its value.
     if (x.negative()) {
         subtract(product, y, kX);
     }
@@ -65,7 +65,7 @@ ExactInteger<kX + kY> operator*(const ExactInteger<kX>& x, const ExactInteger<kY
     return product;
 }
 
-/// magnitude 2^shift, or minus that; the caller sees to it that it fits.
+/// magnitude 2^shift, or minus that; the caller ensures that it fits.
 template <std::size_t kDigits>
 ExactInteger<kDigits> shifted(std::uint64_t magnitude, int shift, bool negative) {
     const auto first = static_cast<std::size_t>(shift / 32);

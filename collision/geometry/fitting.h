@@ -8,9 +8,9 @@
 
 namespace campuswalk::collision {
 
-/// Every bound is grown by this fraction of the coordinates' size, 9,000 units in the last place: far above
-/// the rounding of the sums that made it and of the tests that use it, far below anything that shows. A bound
-/// may be too large, never too small.
+/// Every bounding volume is enlarged by this fraction of the coordinates' size, 9,000 units in the last
+/// place: far more than the rounding of the sums that produce it and of the tests that use it, far less than
+/// anything visible. A volume may be too large, never too small.
 inline constexpr double kOutward = 1e-12;
 
 /// A node's outer layer.
@@ -27,10 +27,10 @@ struct OrientedBox {
     double radius = 0.0;  ///< of the inner sphere: from `center` to the farthest vertex
 };
 
-/// Centre of the inscribed circle: the corners weighted by the lengths of the opposite edges. A triangle
-/// of no size gives its corner.
+/// Centre of the inscribed circle: the vertices weighted by the lengths of the opposite edges. For a triangle
+/// without extent, its vertex.
 inline Vec3 incentre(const Triangle& t) {
-    // Four at a time, for roots are slow.
+    // Four at a time, because square roots are slow.
     const Eigen::Array4d length =
         Eigen::Array4d((t.b - t.c).squaredNorm(), (t.c - t.a).squaredNorm(), (t.a - t.b).squaredNorm(), 0.0)
             .sqrt();
@@ -41,7 +41,7 @@ inline Vec3 incentre(const Triangle& t) {
     return (length[0] * t.a + length[1] * t.b + length[2] * t.c) / perimeter;
 }
 
-/// A sphere that holds what lies within sqrt(`squared`) of its centre.
+/// A sphere that contains all points within sqrt(`squared`) of its centre.
 BoundingSphere sphere_about(const Vec3& center, double squared);
 
 /// Outer sphere (paper III.A.1): centre = mean of the triangles' incentres, radius to the farthest vertex.
@@ -49,9 +49,9 @@ BoundingSphere fit_outer_sphere(const TriangleMesh& mesh, std::span<const std::u
 
 /// Inner layer (paper III.A.2): axes = eigenvectors of the vertices' covariance, extents by projection.
 ///
-/// The paper's eq. (3) sums products of the coordinates themselves; a covariance is taken about the mean
-/// of eq. (2), as here (and as in Gottschalk, Lin, Manocha 1996): without it the first axis of a mesh far
-/// from its origin would point at the origin instead of along the mesh.
+/// The paper's eq. (3) sums products of the coordinates themselves; a covariance is relative to the mean of
+/// eq. (2), as here (and as in Gottschalk, Lin, Manocha 1996): otherwise the first axis of a mesh far from
+/// its origin would point at the origin instead of along the mesh.
 OrientedBox fit_inner_box(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles);
 
 }  // namespace campuswalk::collision

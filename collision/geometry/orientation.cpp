@@ -14,20 +14,20 @@ namespace campuswalk::collision {
 
 namespace {
 
-// First a determinant in doubles, which decides unless it is near 0; then one in whole numbers.
+// First a determinant in doubles, which decides unless it is near 0; then one in integers.
 //
-// The bound of the first. Every operation below yields (x op y)(1 + e), |e| <= u = 2^-53: sums and
+// The error bound of the first. Every operation below yields (x op y)(1 + e), |e| <= u = 2^-53: sums and
 // differences always, products where they don't underflow. Multiplied out, the determinant is a sum of
-// products of differences, and each of these is found times at most n factors (1 + e). In space n = 8: 3 from
+// products of differences, each of which is computed times at most n factors (1 + e). In space n = 8: 3 from
 // the differences, 2 from the minor, 1 from the third factor, 2 from the sum; in the plane n = 4: 2, 1 and 1.
-// So the error is at most ((1 + u)^n - 1) S, where S sums the true products' sizes. S is found from the
-// rounded differences' sizes with at most n + 1 factors, hence S <= size / (1 - u)^(n + 1). Together the
-// error is below n u (1 + 100 u) size, and (n + 1) u size, rounded, is more.
+// So the error is at most ((1 + u)^n - 1) S, where S is the sum of the true products' magnitudes. `size` sums
+// the magnitudes of the rounded ones, with at most n + 1 factors, hence S <= size / (1 - u)^(n + 1).
+// Together, the error is below n u (1 + 100 u) size, and (n + 1) u size, rounded, is more.
 //
-// Products that underflow are off by at most 2^-1075 each. Those in a minor, 2, are magnified by the third
-// factor: kTiny = 2^-1022 among the minor's sizes adds 9 u kTiny = 9 x 2^-1075, magnified alike, to the
-// bound. The other products' underflow, in the determinant and in its bound, is worth a few 2^-1075: kTiny
-// added to the bound covers that. An overflow makes the bound infinite or NaN, which nothing is beyond.
+// Each product that underflows is off by at most 2^-1075. The 2 in a minor are magnified by the third factor:
+// kTiny = 2^-1022 among the minor's magnitudes adds 9 u kTiny = 9 x 2^-1075, magnified alike, to the bound.
+// The underflow of the other products, in the determinant and in its bound, amounts to a few 2^-1075, which
+// kTiny added to the bound covers. An overflow makes the bound infinite or NaN, which no determinant exceeds.
 
 constexpr double kUnit = 0x1p-53;
 constexpr double kTiny = std::numeric_limits<double>::min();
@@ -60,10 +60,10 @@ int quick_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
     return sign_beyond(left - right, 5.0 * kUnit * (std::abs(left) + std::abs(right)) + kTiny);
 }
 
-// The rest is in whole numbers. The sign doesn't mind an axis' scale, so each axis counts in a power of two
-// of its own that all its coordinates are multiples of. Coordinates below 2^width in size have differences
-// below 2^(width + 1), minors below 2^(2 width + 3) and a determinant below 2^(3 width + 6), and each takes
-// one bit more for its sign.
+// The rest is in integers. The sign doesn't depend on an axis' scale, so the unit of each axis is a power of
+// two that all its coordinates are multiples of. Coordinates with magnitudes below 2^width have differences
+// below 2^(width + 1), minors below 2^(2 width + 3) and a determinant below 2^(3 width + 6), each with one
+// more bit for its sign.
 
 /// The greatest width with 3 width + 7 <= 3 x 32 kDigits.
 template <std::size_t kDigits>
@@ -72,19 +72,19 @@ constexpr int kRoom = 32 * static_cast<int>(kDigits) - 3;
 template <std::size_t kDimension>
 using Points = std::array<const double*, kDimension + 1>;
 
-/// The first points relative to the last, one a row.
-template <typename Whole, std::size_t kDimension>
-using Differences = std::array<std::array<Whole, kDimension>, kDimension>;
+/// The first points relative to the last, one per row.
+template <typename Integer, std::size_t kDimension>
+using Differences = std::array<std::array<Integer, kDimension>, kDimension>;
 
-template <typename Whole>
-auto determinant(const Differences<Whole, 2>& m) {
+template <typename Integer>
+auto determinant(const Differences<Integer, 2>& m) {
     return m[0][0] * m[1][1] - m[0][1] * m[1][0];
 }
 
-template <typename Whole>
-auto determinant(const Differences<Whole, 3>& m) {
+template <typename Integer>
+auto determinant(const Differences<Integer, 3>& m) {
     const auto minor = [&](std::size_t i, std::size_t j) { return m[i][0] * m[j][1] - m[i][1] * m[j][0]; };
-    // Rows swapped where a sign would make it a sum.
+    // With rows swapped where a sign would make it a sum.
     return m[0][2] * minor(1, 2) - m[1][2] * minor(0, 2) - m[2][2] * minor(1, 0);
 }
 
@@ -98,10 +98,10 @@ int exponent_field(double x) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> kFractionBits) & 0x7ff;
 }
 
-/// Differences along one axis, in the greatest unit, if the coordinates fit 64-bit words.
+/// The differences along one axis, in the greatest possible unit, if the coordinates fit 64-bit words.
 template <std::size_t kDimension>
-bool count_in_words(const Points<kDimension>& points, std::size_t axis,
-                    Differences<std::int64_t, kDimension>& rows) {
+bool differences_in_words(const Points<kDimension>& points, std::size_t axis,
+                          Differences<std::int64_t, kDimension>& rows) {
     double largest = 0.0;
     for (const double* p : points) {
         largest = std::max(largest, std::abs(p[axis]));
@@ -136,27 +136,27 @@ bool count_in_words(const Points<kDimension>& points, std::size_t axis,
     return true;
 }
 
-/// For coordinates of similar size with bits to spare, as float32 has; on lattices, where zeros abound,
-/// products fit words too.
+/// For coordinates of similar size with trailing zero bits, such as converted float32; on lattices, where
+/// there are more, products fit words, too.
 template <std::size_t kDimension>
 int word_orientation(const Points<kDimension>& points) {
     Differences<std::int64_t, kDimension> rows{};
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        if (!count_in_words<kDimension>(points, axis, rows)) {
+        if (!differences_in_words<kDimension>(points, axis, rows)) {
             return kUndecided;
         }
     }
     constexpr auto kShort = std::int64_t{1} << 60 / kDimension;  // 2 or 6 products stay below 2^63
     bool is_short = true;
-    Differences<ExactInteger<2>, kDimension> wide{};
+    Differences<ExactInteger<2>, kDimension> integers{};
     for (std::size_t i = 0; i < kDimension; ++i) {
         for (std::size_t axis = 0; axis < kDimension; ++axis) {
             const std::int64_t x = rows[i][axis];
             is_short = is_short && -kShort < x && x < kShort;
-            wide[i][axis].digits = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(x >> 32)};
+            integers[i][axis].digits = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(x >> 32)};
         }
     }
-    return is_short ? sign(determinant(rows)) : sign(determinant(wide));
+    return is_short ? sign(determinant(rows)) : sign(determinant(integers));
 }
 
 /// odd 2^exponent, or minus that; 0 if `odd` is.
@@ -186,7 +186,7 @@ struct ExactPoints {
 };
 
 template <std::size_t kDimension>
-ExactPoints<kDimension> whole_points(const Points<kDimension>& points) {
+ExactPoints<kDimension> exact_points(const Points<kDimension>& points) {
     ExactPoints<kDimension> result;
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
         int low = std::numeric_limits<int>::max();
@@ -208,13 +208,13 @@ ExactPoints<kDimension> whole_points(const Points<kDimension>& points) {
 }
 
 template <std::size_t kDigits, std::size_t kDimension>
-int long_orientation(const ExactPoints<kDimension>& whole) {
+int long_orientation(const ExactPoints<kDimension>& exact) {
     Differences<ExactInteger<kDigits>, kDimension> rows{};
     for (std::size_t axis = 0; axis < kDimension; ++axis) {
         const auto counted = [&](std::size_t i) {
-            const Binary& x = whole.points[i][axis];
+            const Binary& x = exact.points[i][axis];
             return x.odd == 0 ? ExactInteger<kDigits>()
-                              : shifted<kDigits>(x.odd, x.exponent - whole.units[axis], x.negative);
+                              : shifted<kDigits>(x.odd, x.exponent - exact.units[axis], x.negative);
         };
         const ExactInteger<kDigits> last = counted(kDimension);
         for (std::size_t i = 0; i < kDimension; ++i) {
@@ -233,11 +233,11 @@ int exact_orientation(const Points<kDimension>& points) {
     constexpr std::size_t kSome = 8;
     constexpr std::size_t kMost = 66;
     static_assert(kRoom<kMost> >= 1024 + 1074, "from 2^-1074 to 2^1024");
-    const ExactPoints<kDimension> whole = whole_points<kDimension>(points);
-    if (whole.width <= kRoom<kFew>) {
-        return long_orientation<kFew>(whole);
+    const ExactPoints<kDimension> exact = exact_points<kDimension>(points);
+    if (exact.width <= kRoom<kFew>) {
+        return long_orientation<kFew>(exact);
     }
-    return whole.width <= kRoom<kSome> ? long_orientation<kSome>(whole) : long_orientation<kMost>(whole);
+    return exact.width <= kRoom<kSome> ? long_orientation<kSome>(exact) : long_orientation<kMost>(exact);
 }
 
 }  // namespace

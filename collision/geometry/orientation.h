@@ -6,8 +6,8 @@
 
 namespace campuswalk::collision {
 
-// Exact signs, for every finite input: nothing overflows, underflows or rounds on the way to them, whatever
-// the coordinates' sizes. Needs the default rounding mode (to nearest).
+// Exact signs for every finite input, whatever the coordinates' sizes: overflow, underflow and rounding never
+// affect them. Needs the default rounding mode (to nearest).
 
 /// The sign (-1, 0, 1) of det[a - d; b - d; c - d]: 0 if the points lie in a plane (no area, no volume), 1 if
 /// a, b, c turn clockwise seen from d, that is, if d lies on the side that (b - a) x (c - a) points away

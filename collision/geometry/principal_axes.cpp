@@ -7,12 +7,12 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Turns columns p and q of `axes` so that `a`, the matrix in their frame, has nothing at (p, q).
+/// Rotates columns p and q of `axes` so that `a`, the matrix in their frame, becomes 0 at (p, q).
 void rotate(Mat3& a, Mat3& axes, int p, int q) {
     if (a(p, q) == 0.0) {
         return;
     }
-    // The tangent of the smaller of the two angles that do; it is 0 where the quotient overflows.
+    // The tangent of the smaller of the two possible angles; 0 where the quotient overflows.
     const double cotangent = (a(q, q) - a(p, p)) / (2.0 * a(p, q));
     const double root = std::sqrt(cotangent * cotangent + 1.0);
     const double t = 1.0 / (cotangent + std::copysign(root, cotangent));
@@ -35,8 +35,8 @@ void rotate(Mat3& a, Mat3& axes, int p, int q) {
     }
 }
 
-/// Exchanges two axes and stays a rotation.
-void put_in_order(Mat3& a, Mat3& axes, int p, int q) {
+/// Swaps two axes whose eigenvalues are out of order; `axes` remains a rotation.
+void sort_pair(Mat3& a, Mat3& axes, int p, int q) {
     if (a(p, p) > a(q, q)) {
         std::swap(a(p, p), a(q, q));
         const Vec3 of_p = axes.col(p);
@@ -49,21 +49,21 @@ void put_in_order(Mat3& a, Mat3& axes, int p, int q) {
 
 Mat3 principal_axes(const Mat3& symmetric) {
     constexpr double kNegligible = 1e-10;
-    constexpr int kSweeps = 8;  // each squares what is left: four do for nearly all
+    constexpr int kSweeps = 8;  // each squares the relative error: four nearly always suffice
     Mat3 a = symmetric;
     Mat3 axes = Mat3::Identity();
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        const double left = std::abs(a(0, 1)) + (std::abs(a(0, 2)) + std::abs(a(1, 2)));
-        if (left <= kNegligible * (std::abs(a(0, 0)) + (std::abs(a(1, 1)) + std::abs(a(2, 2))))) {
+        const double off_diagonal = std::abs(a(0, 1)) + (std::abs(a(0, 2)) + std::abs(a(1, 2)));
+        if (off_diagonal <= kNegligible * (std::abs(a(0, 0)) + (std::abs(a(1, 1)) + std::abs(a(2, 2))))) {
             break;
         }
         rotate(a, axes, 0, 1);
         rotate(a, axes, 0, 2);
         rotate(a, axes, 1, 2);
     }
-    put_in_order(a, axes, 0, 1);
-    put_in_order(a, axes, 1, 2);
-    put_in_order(a, axes, 0, 1);
+    sort_pair(a, axes, 0, 1);
+    sort_pair(a, axes, 1, 2);
+    sort_pair(a, axes, 0, 1);
     return axes;
 }
 

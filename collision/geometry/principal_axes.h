@@ -4,8 +4,8 @@
 
 namespace campuswalk::collision {
 
-/// The eigenvectors of a symmetric matrix as the columns of a rotation, those of small eigenvalues first. To
-/// one part in 1e9, which is what axes in float32 can show. By Jacobi's rotations, in the same few operations
+/// The eigenvectors of a symmetric matrix as the columns of a rotation, by ascending eigenvalue. Accurate to
+/// one part in 1e9, more than axes in float32 can represent. Uses Jacobi rotations, the same operations
 /// everywhere: trees must be the same on every machine.
 Mat3 principal_axes(const Mat3& symmetric);
 

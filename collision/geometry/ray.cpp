@@ -68,8 +68,8 @@ std::optional<double> hit(const Ray& ray, const Triangle& t) {
     if (d[kz] < 0.0) {
         std::swap(kx, ky);
     }
-    // Shear the ray onto the z axis; the sign of each edge then comes from one expression in its two ends,
-    // which is what makes neighbours agree.
+    // Shear the ray onto the z axis; the sign of each edge then comes from one expression in its two ends, so
+    // that neighbouring triangles agree.
     const double sx = d[kx] / d[kz];
     const double sy = d[ky] / d[kz];
     const auto shear_x = [&](const Vec3& p) { return (p[kx] - ray.from[kx]) - sx * (p[kz] - ray.from[kz]); };

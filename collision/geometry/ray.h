@@ -7,7 +7,7 @@
 
 namespace campuswalk::collision {
 
-/// A ray as a segment: `fraction` 0 is at `from`, 1 at `to`. Surfaces are hit from both sides.
+/// A ray as a segment: `fraction` 0 is at `from`, 1 at `to`. Surfaces are two-sided.
 /// A ray that starts inside a solid hits it at fraction 0.
 struct Ray {
     Vec3 from = Vec3::Zero();

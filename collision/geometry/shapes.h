@@ -51,7 +51,7 @@ struct Aabb {
     }
 };
 
-/// A segment with a thickness: the avatar, and every capsule collider once posed.
+/// With a radius: the avatar, and every capsule collider once posed.
 struct Segment {
     Vec3 a = Vec3::Zero();
     Vec3 b = Vec3::Zero();
@@ -86,11 +86,11 @@ struct Wheel {
 
 /// The kind of tree that a mesh gets. Queries return the same results with both.
 enum class TreeKind : std::uint8_t {
-    bvh8,    ///< eight children a node, sixteen triangles a leaf (bvh8.h): the fast one
-    hybrid,  ///< the paper's binary tree of spheres and oriented boxes (hybrid_tree.h): the one to read
+    bvh8,    ///< eight children per node, sixteen triangles per leaf (bvh8.h): the fast one
+    hybrid,  ///< the paper's binary tree of spheres and oriented boxes (hybrid_tree.h): the readable one
 };
 
-/// The closed set of collider shapes. A mesh is shared because several objects may place the same one.
+/// The collider shapes. A mesh is shared because several objects may place the same one.
 using Shape = std::variant<std::shared_ptr<const MeshCollider>, Box, Sphere, Capsule, Wheel>;
 
 }  // namespace campuswalk::collision

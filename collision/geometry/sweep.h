@@ -11,12 +11,12 @@ inline constexpr double kTouching = 1e-10;
 
 /// The first fraction of `move` at which a capsule of `radius` about `segment` touches a convex piece; none
 /// if it never does or if it only moves away. Conservative: the fraction is never too large.
-/// `closest_to(segment)` answers the closest points of a segment and the piece.
+/// `closest_to(segment)` returns the closest points of a segment and the piece.
 template <typename ClosestTo>
 std::optional<double> first_touch(const Segment& segment, double radius, const Vec3& move,
                                   const ClosestTo& closest_to) {
     // The distance between convex bodies is a convex function of the fraction of a straight move, so Newton's
-    // method from the left climbs to the first contact and never passes it; once the distance stops falling
+    // method from the left approaches the first contact and never passes it; once the distance stops falling,
     // there is none.
     constexpr int kMostSteps = 64;  // grazing contacts converge slowly; stopping early is safe
     double fraction = 0.0;

@@ -9,7 +9,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-bool parted_along(const Vec3& axis, const Triangle& t, const Vec3& half) {
+bool separated_along(const Vec3& axis, const Triangle& t, const Vec3& half) {
     const double a = axis.dot(t.a);
     const double b = axis.dot(t.b);
     const double c = axis.dot(t.c);
@@ -19,22 +19,22 @@ bool parted_along(const Vec3& axis, const Triangle& t, const Vec3& half) {
 
 }  // namespace
 
-// Thirteen axes: the box's three, the triangle's normal, and what is at right angles to an edge of both
-// (Akenine-Moeller, "Fast 3D triangle-box overlap testing", 2001). A triangle without area has axes of no
-// length among them, which part nothing; the others part segments and points.
+// Thirteen axes: the box's three, the triangle's normal, and those perpendicular to an edge of each
+// (Akenine-Moeller, "Fast 3D triangle-box overlap testing", 2001). For a triangle without area some have no
+// length and separate nothing; the others separate segments and points.
 bool overlap(const Triangle& t, const Box& box) {
     const Vec3& half = box.half_extents;
     for (int k = 0; k < 3; ++k) {
-        if (parted_along(Vec3::Unit(k), t, half)) {
+        if (separated_along(Vec3::Unit(k), t, half)) {
             return false;
         }
     }
-    if (parted_along((t.b - t.a).cross(t.c - t.a), t, half)) {
+    if (separated_along((t.b - t.a).cross(t.c - t.a), t, half)) {
         return false;
     }
     for (const Vec3& edge : {Vec3(t.b - t.a), Vec3(t.c - t.b), Vec3(t.a - t.c)}) {
         for (int k = 0; k < 3; ++k) {
-            if (parted_along(Vec3::Unit(k).cross(edge), t, half)) {
+            if (separated_along(Vec3::Unit(k).cross(edge), t, half)) {
                 return false;
             }
         }

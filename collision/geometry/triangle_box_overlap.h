@@ -5,8 +5,8 @@
 
 namespace campuswalk::collision {
 
-/// Whether a triangle, in the box's frame, has a point in the filled box. Touching counts, but for the
-/// rounding of double.
+/// Whether a triangle, in the box's frame, has a point in the filled box. Touching counts, up to the rounding
+/// of double.
 bool overlap(const Triangle& triangle, const Box& box);
 
 }  // namespace campuswalk::collision

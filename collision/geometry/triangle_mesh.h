@@ -16,7 +16,7 @@ struct TriangleMesh {
     Storage<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// One triangle's corners in double precision.
+/// A triangle's vertices in double precision.
 struct Triangle {
     Eigen::Vector3d a = Eigen::Vector3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();

@@ -16,10 +16,10 @@ using Vec2 = Eigen::Vector2d;
 using Vertices = std::array<Vec3, 3>;
 using FlatVertices = std::array<Vec2, 3>;
 
-/// On which side of a plane each corner of a triangle lies: -1, 0 or 1.
+/// The side of a plane that each vertex of a triangle lies on: -1, 0 or 1.
 using Sides = std::array<int, 3>;
 
-/// All 0 if t has no area.
+/// The sides of t's plane; all 0 if t has no area.
 Sides sides_of_plane(const Vertices& t, const Vertices& s) {
     const auto side = [&](const Vec3& p) { return orientation(t[0], t[1], t[2], p); };
     return {side(s[0]), side(s[1]), side(s[2])};
@@ -33,10 +33,10 @@ bool all_on_plane(const Sides& sides) {
     return sides == Sides{0, 0, 0};
 }
 
-// Two triangles with area in planes that cross.
+// Two triangles with area, in planes that intersect.
 
-/// Turns the triangle so that both edges at its first corner cross the plane or end on it, and neither lies
-/// in it. Returns the first corner's side; if that is on the plane, the side that the others aren't on.
+/// Rotates the vertices so that both edges at the first one cross the plane or end on it, and neither lies in
+/// it. Returns the first vertex' side; if that is on the plane, the side that the others aren't on.
 int put_lone_vertex_first(Vertices& s, const Sides& sides) {
     const auto is_lone = [&](std::size_t i) {
         const int side = sides[i];
@@ -49,11 +49,12 @@ int put_lone_vertex_first(Vertices& s, const Sides& sides) {
     return sides[lone] != 0 ? sides[lone] : -sides[(lone + 1) % 3];
 }
 
-/// Each triangle cuts the line that the planes share in an interval, between the edges at its lone corner.
-/// Once both lone corners are where orientation() is 1, s' first edge cuts the line behind its last, t's
-/// before its last, in one and the same direction. They meet unless s' first cut is before t's first, or s'
-/// last behind t's last; which of two cuts comes first is the orientation of the two edges' corners.
-bool intervals_meet(Vertices s, Vertices t, const Sides& sides_s, const Sides& sides_t) {
+/// Each triangle intersects the line that the planes share in an interval, between the edges at its lone
+/// vertex. Once both lone vertices are where orientation() is 1, s' first edge crosses the line after its
+/// last, t's before its last, in the same direction. The intervals overlap unless s' first crossing is before
+/// t's first, or s' last after t's last; the orientation of the two edges' vertices tells which of two comes
+/// first.
+bool intervals_overlap(Vertices s, Vertices t, const Sides& sides_s, const Sides& sides_t) {
     const int side_s = put_lone_vertex_first(s, sides_s);
     const int side_t = put_lone_vertex_first(t, sides_t);
     if (side_s < 0) {
@@ -67,7 +68,7 @@ bool intervals_meet(Vertices s, Vertices t, const Sides& sides_s, const Sides& s
 
 // A triangle without area, and one with area whose plane it crosses.
 
-/// The segment that a triangle without area is: along a line, points are in the order of their coordinates.
+/// A triangle without area as a segment: points on a line are ordered like their coordinates.
 Segment segment_of(const Vertices& s) {
     const auto before = [](const Vec3& p, const Vec3& q) {
         return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
@@ -76,19 +77,19 @@ Segment segment_of(const Vertices& s) {
     return {*first, *last};
 }
 
-/// The line has all edges on the same hand, or passes through some.
-bool line_meets(const Segment& e, const Vertices& t) {
-    const auto hand = [&](std::size_t i) { return orientation(e.a, e.b, t[i], t[(i + 1) % 3]); };
-    const Sides hands = {hand(0), hand(1), hand(2)};
-    const auto [least, greatest] = std::minmax_element(hands.begin(), hands.end());
+/// Whether the line has all edges on the same side, or passes through some.
+bool line_intersects(const Segment& e, const Vertices& t) {
+    const auto side = [&](std::size_t i) { return orientation(e.a, e.b, t[i], t[(i + 1) % 3]); };
+    const Sides sides = {side(0), side(1), side(2)};
+    const auto [least, greatest] = std::minmax_element(sides.begin(), sides.end());
     return *least * *greatest >= 0;
 }
 
-// Triangles in one plane, of which one at least has area: seen along an axis that isn't in the plane.
+// Triangles in one plane, at least one with area: seen along an axis that isn't in the plane.
 
 Vec2 along(std::size_t axis, const Vec3& p) {
-    constexpr std::array<std::array<int, 2>, 3> kKept = {{{1, 2}, {2, 0}, {0, 1}}};
-    return {p[kKept[axis][0]], p[kKept[axis][1]]};
+    constexpr std::array<std::array<int, 2>, 3> kOtherAxes = {{{1, 2}, {2, 0}, {0, 1}}};
+    return {p[kOtherAxes[axis][0]], p[kOtherAxes[axis][1]]};
 }
 
 FlatVertices along(std::size_t axis, const Vertices& t) {
@@ -99,7 +100,7 @@ int turn(const FlatVertices& t) {
     return orientation(t[0], t[1], t[2]);
 }
 
-/// Is all of t beyond an edge of s? A triangle without area has no inside: either side of it is beyond.
+/// Whether all of t is beyond an edge of s. A triangle without area has no inside: both its sides are beyond.
 bool beyond_an_edge(const FlatVertices& s, int turn_of_s, const FlatVertices& t) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto side = [&](const Vec2& p) { return orientation(s[i], s[(i + 1) % 3], p); };
@@ -113,13 +114,13 @@ bool beyond_an_edge(const FlatVertices& s, int turn_of_s, const FlatVertices& t)
 
 /// Convex sets are apart if 0 lies outside their difference {p - q}. Here that is a polygon with area, whose
 /// edges are parallel to edges of s or t.
-bool meet_in_plane(const FlatVertices& s, int turn_of_s, const FlatVertices& t, int turn_of_t) {
+bool overlap_in_plane(const FlatVertices& s, int turn_of_s, const FlatVertices& t, int turn_of_t) {
     return !beyond_an_edge(s, turn_of_s, t) && !beyond_an_edge(t, turn_of_t, s);
 }
 
 // Segments, which may be points.
 
-/// In the view along an axis, neither segment lies wholly on one side of the other's line.
+/// Whether, seen along an axis, neither segment lies entirely on one side of the other's line.
 bool straddle(const Segment& e, const Segment& f, std::size_t axis) {
     const Vec2 ea = along(axis, e.a);
     const Vec2 eb = along(axis, e.b);
@@ -129,9 +130,9 @@ bool straddle(const Segment& e, const Segment& f, std::size_t axis) {
            orientation(fa, fb, ea) * orientation(fa, fb, eb) <= 0;
 }
 
-/// If the four points span a plane, some view shows it as a plane, and in it segments that straddle each
-/// other and whose boxes meet do meet. If they span a line, the boxes alone decide. Other views tell nothing
-/// false.
+/// If the four points span a plane, it is a plane in at least one of the views, and there segments that
+/// straddle each other and whose boxes overlap do intersect. If they span a line, the boxes alone decide. The
+/// other views never refuse segments that intersect.
 bool segments_intersect(const Segment& e, const Segment& f) {
     const bool boxes_overlap = (e.a.cwiseMin(e.b).array() <= f.a.cwiseMax(f.b).array()).all() &&
                                (f.a.cwiseMin(f.b).array() <= e.a.cwiseMax(e.b).array()).all();
@@ -139,15 +140,15 @@ bool segments_intersect(const Segment& e, const Segment& f) {
            straddle(e, f, 2);
 }
 
-/// Both without area, or both in one plane.
-bool meet_flat(const Vertices& s, const Vertices& t) {
+/// For two triangles without area, or both in one plane.
+bool overlap_flat(const Vertices& s, const Vertices& t) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const FlatVertices flat_s = along(axis, s);
         const FlatVertices flat_t = along(axis, t);
         const int turn_of_s = turn(flat_s);
         const int turn_of_t = turn(flat_t);
         if (turn_of_s != 0 || turn_of_t != 0) {
-            return meet_in_plane(flat_s, turn_of_s, flat_t, turn_of_t);
+            return overlap_in_plane(flat_s, turn_of_s, flat_t, turn_of_t);
         }
     }
     return segments_intersect(segment_of(s), segment_of(t));
@@ -168,9 +169,10 @@ bool overlap(const Triangle& first, const Triangle& second) {
     }
     // sides_s is all 0 if t has no area, or if s lies in its plane: then sides_t is all 0 too.
     if (all_on_plane(sides_s)) {
-        return all_on_plane(sides_t) ? meet_flat(s, t) : line_meets(segment_of(t), s);
+        return all_on_plane(sides_t) ? overlap_flat(s, t) : line_intersects(segment_of(t), s);
     }
-    return all_on_plane(sides_t) ? line_meets(segment_of(s), t) : intervals_meet(s, t, sides_s, sides_t);
+    return all_on_plane(sides_t) ? line_intersects(segment_of(s), t)
+                                 : intervals_overlap(s, t, sides_s, sides_t);
 }
 
 }  // namespace campuswalk::collision

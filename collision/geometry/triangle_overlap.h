@@ -4,9 +4,9 @@
 
 namespace campuswalk::collision {
 
-/// Do the two closed triangles share a point? Exact for all finite corners: touching in one point is overlap,
-/// any gap is none. A triangle without area is the segment or the point that its corners span. Needs the
-/// default rounding mode, like orientation().
+/// Whether the two closed triangles share a point. Exact for all finite vertices: touching in one point is an
+/// overlap. A triangle without area is the segment or the point that its vertices span. Needs the default
+/// rounding mode, like orientation().
 ///
 /// In general position this is Guigue & Devillers, "Fast and robust triangle-triangle overlap test using
 /// orientation predicates", Journal of Graphics Tools 8(1), 2003.

@@ -14,7 +14,7 @@ struct TrianglePair {
     auto operator<=>(const TrianglePair&) const = default;
 };
 
-/// A corner of b in a's frame, the one rounding between the input and the answer of mesh against mesh: each
+/// A vertex of b in a's frame: the only rounding between the input and the result of mesh against mesh. Each
 /// row's products are added from left to right, the translation last.
 inline Vec3 b_vertex_in_a(const Pose& X_a_b, const Eigen::Vector3f& vertex) {
     const Mat3& R = X_a_b.rotation;

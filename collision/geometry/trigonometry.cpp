@@ -60,7 +60,7 @@ double angle_of(double y, double x) {
     }
     const double u = x / length;
     const double v = y / length;
-    // A start within 0.1 rad, then Newton's step on the angle between the guess and the direction: the sine
+    // A guess within 0.1 rad, then Newton's steps on the angle between the guess and the direction: the sine
     // of a small difference is the difference up to its cube, so three steps reach rounding.
     const double steep = std::abs(v) > std::abs(u) ? u / std::abs(v) : v / std::abs(u);
     double angle = std::abs(v) > std::abs(u) ? (v > 0.0 ? kHalfPi - steep : -kHalfPi + steep)
@@ -70,7 +70,7 @@ double angle_of(double y, double x) {
         const double sine = v * guess.cos - u * guess.sin;
         angle += sine + sine * sine * sine / 6.0;
     }
-    // Beside the seam rounding may end on its far side.
+    // Near the seam at pi, rounding may end on its far side.
     return angle <= -kPi || angle > kPi ? kPi : angle;
 }
 

@@ -2,8 +2,8 @@
 
 namespace campuswalk::collision {
 
-// libm's results differ in the last bit between machines, and a walk must not. These use + - x / and sqrt
-// only; the error stays below 1e-15 (2e-16 x a few) for angles up to some thousand turns.
+// libm's results differ in the last bit between machines, and a walk must not. These use only + - x / and
+// sqrt; the error is below 1e-15 (a few times 2e-16) for angles up to some thousand turns.
 
 struct SinCos {
     double sin = 0.0;

@@ -8,32 +8,31 @@
 
 namespace campuswalk::collision {
 
-/// One node of the paper's hybrid bounding-volume tree: an outer sphere, tested first, around an inner
-/// layer of an oriented box and a sphere about the box's centre. Frame: the mesh's.
+/// A node of the paper's hybrid bounding-volume tree, in the mesh's frame: an outer sphere, tested first, and
+/// inside it an inner layer of an oriented box and a sphere about the box's centre.
 struct HybridNode {
     BoundingSphere outer;
     OrientedBox inner;
-    std::uint32_t first = 0;  ///< leaf: first entry of HybridTree::order; inner node: the left child
-    std::uint32_t count =
-        0;  ///< leaf: number of entries; 0 for an inner node, whose children are first, first + 1
+    /// Leaf: its first entry of HybridTree::order. Inner node: its left child; the right one is first + 1.
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;  ///< leaf: number of entries; inner node: 0
 
     bool is_leaf() const { return count > 0; }
 };
 
-/// Plain data; `build_hybrid_tree` makes it, the queries in hybrid_tree_contacts.h read it. nodes[0] is the
-/// root.
+/// Plain data, built by `build_hybrid_tree`. nodes[0] is the root.
 struct HybridTree {
     std::vector<HybridNode> nodes;
-    std::vector<std::uint32_t> order;  ///< triangle indices, each leaf's side by side
+    std::vector<std::uint32_t> order;  ///< triangle indices, contiguous for each leaf
 };
 
 struct HybridTreeSettings {
-    /// Small leaves keep triangle tests few, large ones node tests: mesh against mesh (teapot, cylinder)
-    /// leaves of one and leaves of four both take 1.2 times as long as leaves of two.
+    /// Small leaves need fewer triangle tests, large ones fewer node tests. Mesh against mesh (teapot,
+    /// cylinder), leaves of one and leaves of four both take 1.2 times as long as leaves of two.
     std::uint32_t leaf_triangles = 2;
 };
 
-/// Top-down and static: each node is fitted to its triangles, which are then split in two (see
+/// Builds the tree from the top down: fits each node to its triangles, then splits them in two (see
 /// hybrid_tree_split.h).
 HybridTree build_hybrid_tree(const TriangleMesh& mesh, const HybridTreeSettings& settings = {});
 

@@ -9,28 +9,28 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// The volumes of a node of b in a's frame.
+/// The volumes of a node of b, in a's frame.
 struct PosedNode {
     BoundingSphere outer;
     OrientedBox inner;
 };
 
-/// Brings nodes of b into a's frame.
+/// Transforms nodes of b into a's frame.
 ///
-/// The answer is about the corners R x + t (b_vertex_in_a), whatever R is, and no R in floating point is
-/// quite a rotation. So a node's centres go through R and t and its axes through a rotation near R, and its
-/// sizes grow by what R moves points off that rotation.
+/// The result concerns the vertices R x + t (b_vertex_in_a), whatever R is, and no R in floating point is
+/// exactly a rotation. So a node's centres are transformed by R and t, its axes by a rotation near R, and its
+/// sizes grow by as much as R moves points away from that rotation.
 ///
-/// What rounding does here, volume_overlap.h's kOutward covers too: the corners' and centres' is some u times
-/// R x and t, and t, however large, is no longer than R x and a's coordinates together where the two meet.
+/// kOutward (volume_overlap.h) covers the rounding here, too: that of vertices and centres is some u times R
+/// x and t, and t, however large, is no longer than R x and a's coordinates together where the two overlap.
 class NodePose {
 public:
     explicit NodePose(const Pose& X_a_b)
         : X_(X_a_b),
-          turn_(Eigen::Quaterniond(X_a_b.rotation).normalized().toRotationMatrix()),
-          stretch_((X_a_b.rotation - turn_).norm()) {}
+          rotation_(Eigen::Quaterniond(X_a_b.rotation).normalized().toRotationMatrix()),
+          stretch_((X_a_b.rotation - rotation_).norm()) {}
 
-    /// What the test doesn't look at is left as it is.
+    /// Sets only what the test needs.
     template <NodeTest kTest>
     PosedNode pose(const HybridNode& node) const {
         PosedNode posed;
@@ -42,7 +42,7 @@ public:
             posed.inner.radius = (1.0 + stretch_) * node.inner.radius;
         }
         if constexpr (kTest == NodeTest::hybrid || kTest == NodeTest::box) {
-            posed.inner.axes = turn_ * node.inner.axes;
+            posed.inner.axes = rotation_ * node.inner.axes;
             posed.inner.half_extents = node.inner.half_extents.array() + stretch_ * node.inner.radius;
         }
         return posed;
@@ -50,21 +50,21 @@ public:
 
 private:
     const Pose& X_;
-    Mat3 turn_;
+    Mat3 rotation_;
     double stretch_ = 0.0;
 };
 
-/// Descends two trees at once, the larger of two nodes first as RAPID does, and hands each overlapping pair
-/// to `found`, which says whether to go on.
+/// Traverses two trees at once, the larger of two nodes first as RAPID does, and calls `visit` for each
+/// overlapping pair, which returns whether to go on.
 ///
-/// The stack is the machine's: frames of half a kilobyte, as many as both trees are deep. That is some
-/// dozens, and some hundreds in the worst trees that kLeastPart allows.
-template <NodeTest kTest, typename Found>
-class Search {
+/// Recursive, with stack frames of half a kilobyte, as many as both trees are deep together: some dozens, and
+/// some hundreds in the worst trees that kLeastPart allows.
+template <NodeTest kTest, typename Visit>
+class Traversal {
 public:
-    Search(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Found found,
-           HybridContactStatistics& work)
-        : a_(a), b_(b), X_a_b_(X_a_b), pose_(X_a_b), found_(found), work_(work) {}
+    Traversal(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, Visit visit,
+              HybridContactStatistics& work)
+        : a_(a), b_(b), X_a_b_(X_a_b), pose_(X_a_b), visit_(visit), work_(work) {}
 
     void run() {
         if (a_.tree.nodes.empty() || b_.tree.nodes.empty()) {
@@ -73,13 +73,13 @@ public:
         const HybridNode& a = a_.tree.nodes[0];
         const HybridNode& b = b_.tree.nodes[0];
         const PosedNode posed = pose(b);
-        if (may_meet(a, posed)) {
+        if (may_overlap(a, posed)) {
             descend(a, b, posed);
         }
     }
 
 private:
-    /// False once `found` has asked to stop.
+    /// False once `visit` has returned false.
     bool descend(const HybridNode& a, const HybridNode& b, const PosedNode& posed) {
         if (a.is_leaf() && b.is_leaf()) {
             return test_triangles(a, b);
@@ -87,7 +87,7 @@ private:
         if (b.is_leaf() || (!a.is_leaf() && a.inner.radius >= b.inner.radius)) {
             for (std::uint32_t i = 0; i < 2; ++i) {
                 const HybridNode& child = a_.tree.nodes[a.first + i];
-                if (may_meet(child, posed) && !descend(child, b, posed)) {
+                if (may_overlap(child, posed) && !descend(child, b, posed)) {
                     return false;
                 }
             }
@@ -96,7 +96,7 @@ private:
         for (std::uint32_t i = 0; i < 2; ++i) {
             const HybridNode& child = b_.tree.nodes[b.first + i];
             const PosedNode posed_child = pose(child);
-            if (may_meet(a, posed_child) && !descend(a, child, posed_child)) {
+            if (may_overlap(a, posed_child) && !descend(a, child, posed_child)) {
                 return false;
             }
         }
@@ -108,7 +108,7 @@ private:
         return pose_.template pose<kTest>(b);
     }
 
-    bool may_meet(const HybridNode& a, const PosedNode& b) {
+    bool may_overlap(const HybridNode& a, const PosedNode& b) {
         ++work_.volume_tests;
         if constexpr (kTest != NodeTest::box) {
             ++work_.sphere_tests;
@@ -151,7 +151,7 @@ private:
             for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
                 const std::uint32_t ta = a_.tree.order[i];
                 ++work_.primitive_tests;
-                if (overlap(vertices(a_.mesh, ta), moved) && !found_(TrianglePair{ta, tb})) {
+                if (overlap(vertices(a_.mesh, ta), moved) && !visit_(TrianglePair{ta, tb})) {
                     return false;
                 }
             }
@@ -163,22 +163,22 @@ private:
     const HybridMesh& b_;
     const Pose& X_a_b_;
     NodePose pose_;
-    Found found_;
+    Visit visit_;
     HybridContactStatistics& work_;
 };
 
-template <typename Found>
-void search(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test, Found found,
-            HybridContactStatistics& work) {
+template <typename Visit>
+void traverse(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test, Visit visit,
+              HybridContactStatistics& work) {
     switch (test) {
         case NodeTest::hybrid:
-            return Search<NodeTest::hybrid, Found>(a, b, X_a_b, found, work).run();
+            return Traversal<NodeTest::hybrid, Visit>(a, b, X_a_b, visit, work).run();
         case NodeTest::box:
-            return Search<NodeTest::box, Found>(a, b, X_a_b, found, work).run();
+            return Traversal<NodeTest::box, Visit>(a, b, X_a_b, visit, work).run();
         case NodeTest::sphere:
-            return Search<NodeTest::sphere, Found>(a, b, X_a_b, found, work).run();
+            return Traversal<NodeTest::sphere, Visit>(a, b, X_a_b, visit, work).run();
         case NodeTest::mixed:
-            return Search<NodeTest::mixed, Found>(a, b, X_a_b, found, work).run();
+            return Traversal<NodeTest::mixed, Visit>(a, b, X_a_b, visit, work).run();
     }
 }
 
@@ -187,21 +187,21 @@ void search(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTes
 void all_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test,
                   std::vector<TrianglePair>& out, HybridContactStatistics& work) {
     out.clear();
-    const auto keep = [&out](const TrianglePair& pair) {
+    const auto add = [&out](const TrianglePair& pair) {
         out.push_back(pair);
         return true;
     };
-    search(a, b, X_a_b, test, keep, work);
+    traverse(a, b, X_a_b, test, add, work);
 }
 
 std::optional<TrianglePair> first_contact(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
                                           NodeTest test, HybridContactStatistics& work) {
     std::optional<TrianglePair> first;
-    const auto keep = [&first](const TrianglePair& pair) {
+    const auto stop_at = [&first](const TrianglePair& pair) {
         first = pair;
         return false;
     };
-    search(a, b, X_a_b, test, keep, work);
+    traverse(a, b, X_a_b, test, stop_at, work);
     return first;
 }
 

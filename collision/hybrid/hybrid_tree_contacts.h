@@ -10,32 +10,32 @@
 
 namespace campuswalk::collision {
 
-/// Mesh against mesh on the paper's tree, and on the trees it is compared with. The answers are those of
-/// mesh_contacts.h, and the same set whatever the node test.
+// Mesh against mesh with the paper's tree, and with the trees that it is compared with. The results are those
+// of mesh_contacts.h, the same set with every node test.
 
 /// How two nodes are tested; the rest of the query is the same.
 enum class NodeTest : std::uint8_t {
     hybrid,  ///< the paper's: outer spheres, each inner sphere against the other's box, box against box
-    box,     ///< boxes alone: RAPID's design
-    sphere,  ///< outer spheres alone
-    mixed,   ///< the paper's text read the other way: outer spheres, then a's box against b's inner sphere
+    box,     ///< only the boxes: RAPID's design
+    sphere,  ///< only the outer spheres
+    mixed,   ///< the other reading of the paper's text: outer spheres, then a's box against b's inner sphere
 };
 
-/// One body: `tree` is that of `mesh`.
+/// A mesh and its tree.
 struct HybridMesh {
     const TriangleMesh& mesh;
     const HybridTree& tree;
 };
 
 /// Volume tests: of pairs of nodes; primitive tests: of pairs of triangles; transform updates: nodes of b
-/// brought into a's frame, the cost of a rigid move: a node each time that it is descended to, but not while
-/// it is held against ever smaller nodes of a.
+/// transformed into a's frame, the cost of a rigid move: once each time that the traversal reaches a node,
+/// not again for each smaller node of a that it is tested against.
 ///
-/// What the three layers don't part, volume_tests - outer - inner - box, is descended from.
+/// The traversal descends from the pairs that no layer separates: volume_tests - outer - inner - box.
 struct HybridContactStatistics : QueryStatistics {
-    std::uint64_t outer = 0;  ///< pairs of nodes that the outer spheres parted
-    std::uint64_t inner = 0;  ///< of the others, those that an inner sphere and a box parted
-    std::uint64_t box = 0;    ///< of the others, those that the boxes parted
+    std::uint64_t outer = 0;  ///< pairs of nodes that the outer spheres separated
+    std::uint64_t inner = 0;  ///< of the others, those that an inner sphere and a box separated
+    std::uint64_t box = 0;    ///< of the others, those that the boxes separated
 };
 
 /// Replaces `out` by all overlapping pairs.

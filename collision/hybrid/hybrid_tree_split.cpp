@@ -9,8 +9,8 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Cuts are tried between this many slices of an axis. Half as many cost 5 % more node tests of teapot
-/// against cylinder, twice as many save nothing.
+/// Cuts are tried between this many slices of an axis. Half as many cost 5 % more node tests, teapot against
+/// cylinder; twice as many save nothing.
 constexpr std::size_t kSlices = 16;
 
 /// A triangle's bounds along the axes of the box.
@@ -30,7 +30,7 @@ struct Slice {
         bounds.extend(o.bounds);
         triangles += o.triangles;
     }
-    /// Triangles times half the surface.
+    /// Triangles times half the surface area.
     double cost() const {
         if (triangles == 0) {
             return 0.0;
@@ -40,7 +40,7 @@ struct Slice {
     }
 };
 
-/// Which slice of an axis a triangle falls in, by the middle of its bounds.
+/// The slice of an axis that a triangle falls into, by the centre of its bounds.
 std::size_t slice_of(const OrientedBox& box, const Aabb& bounds, int axis) {
     const double half = box.half_extents[axis];
     const double middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
@@ -56,9 +56,9 @@ struct Cut {
 
 using Slices = std::array<Slice, kSlices>;
 
-/// Keeps in `best` the cheapest cut across `axis` that leaves `least` triangles on both sides.
+/// Replaces `best` by a cheaper cut across `axis` that leaves at least `least` triangles on both sides.
 void improve(Cut& best, const Slices& slices, int axis, std::size_t least) {
-    Slices right = slices;  // each with all that come after it
+    Slices right = slices;  // each merged with all that come after it
     for (std::size_t k = kSlices - 1; k-- > 0;) {
         right[k].add(right[k + 1]);
     }

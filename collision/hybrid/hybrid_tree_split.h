@@ -9,18 +9,18 @@
 
 namespace campuswalk::collision {
 
-/// Each side of a split gets at least this part of the triangles, and at least one: the depth stays
-/// logarithmic whatever the mesh.
+/// Each side of a split gets at least one in so many of the triangles, and at least one triangle: the depth
+/// stays logarithmic for every mesh.
 inline constexpr std::size_t kLeastPart = 16;
 
-/// Parts a node's triangles, two or more, between its two children: reorders them and returns how many go to
-/// the left.
+/// Divides a node's triangles, at least two, between its two children: reorders them and returns how many go
+/// to the left one.
 ///
-/// A child is met about as often as its surface is large, and costs as many tests as it has triangles. So the
-/// cut is made across one of the box's axes where the sum over both sides of triangles times surface is the
-/// least (Goldsmith, Salmon, "Automatic creation of object hierarchies for ray tracing", 1987), the surface
-/// being that of the side's bounds along the box's axes. Where no cut gains anything, as among triangles on
-/// one line, the triangles are halved by count.
+/// The surface-area heuristic (Goldsmith, Salmon, "Automatic creation of object hierarchies for ray tracing",
+/// 1987): queries reach a child about in proportion to its surface area, and it costs as many tests as it has
+/// triangles. So the cut is made across the box's axis, and at the place, where the sum of triangles times
+/// surface area over both sides is least; the area is that of the side's bounds along the box's axes. If no
+/// cut gains anything, as among triangles on one line, each side gets half of the triangles.
 std::size_t split(const TriangleMesh& mesh, std::span<std::uint32_t> triangles, const OrientedBox& box);
 
 }  // namespace campuswalk::collision

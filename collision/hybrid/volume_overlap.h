@@ -6,13 +6,13 @@
 
 namespace campuswalk::collision {
 
-// The tests of two nodes' volumes (paper III.B), in one frame. Each answers whether they are surely apart:
-// false where they meet, touch, or rounding leaves it open, and for what isn't a number.
+// The tests of two nodes' volumes (paper III.B), in one frame. Each returns whether they are certainly apart:
+// false where they overlap or touch, where rounding leaves it open, and for NaN.
 //
-// Why rounding can't part what touches: with u = 2^-53, every distance and every extent below is a sum of a
-// dozen products at most, and off by some tens of u times the size of the volumes and their coordinates. The
-// volumes are larger than what they hold by kOutward, 9,000 u, times the same size, along every axis of
-// length 1. Only edge axes may be shorter: they have a slack of their own.
+// Why rounding can't separate what touches: with u = 2^-53, every distance and every extent below is a sum of
+// at most a dozen products, with an error of some tens of u times the size of the volumes and their
+// coordinates. The volumes are larger than their contents by kOutward, 9,000 u, times the same size, along
+// every axis of length 1. Only edge axes may be shorter: they have a separate slack.
 
 /// Eq. (1).
 inline bool apart(const BoundingSphere& a, const BoundingSphere& b) {
@@ -40,9 +40,9 @@ inline bool apart(const OrientedBox& box, const Vec3& offset, double radius) {
 /// Manocha, "OBBTree", 1996).
 ///
 /// An edge axis is the cross product of two unit vectors and shrinks to nothing where they are nearly
-/// parallel, and with it kOutward's share in the extents along it. What doesn't shrink is the rounding in its
-/// own coordinates, tens of u, times distances and extents, which are no longer than both radii where the
-/// boxes meet: hence the slack.
+/// parallel, and with it kOutward's share in the extents along it. What doesn't shrink is the rounding of its
+/// coordinates, tens of u, times distances and extents, which are no longer than both radii together where
+/// the boxes overlap: hence the slack.
 inline bool apart(const OrientedBox& a, const OrientedBox& b, const BoxOffset& offset) {
     const Vec3& t = offset.in_a;
     const Vec3& h = a.half_extents;

@@ -14,9 +14,9 @@ namespace campuswalk::collision {
 
 namespace {
 
-constexpr std::size_t kBits = 64;  ///< of a word
+constexpr std::size_t kWordBits = 64;
 
-/// Mixes a position's bits; -0 is 0.
+/// Mixes a position's bits; -0 hashes like 0.
 std::uint64_t hash_of(const Eigen::Vector3f& p) {
     std::uint64_t hash = 0;
     for (Eigen::Index k = 0; k < 3; ++k) {
@@ -26,7 +26,7 @@ std::uint64_t hash_of(const Eigen::Vector3f& p) {
     return hash;
 }
 
-/// Gives each corner the number of the first one at its position.
+/// For each vertex, the index of the first one at its position.
 std::vector<std::uint32_t> welded(const TriangleMesh& mesh) {
     constexpr std::uint32_t kFree = ~0U;
     const std::size_t mask = std::bit_ceil(2 * mesh.positions.size() + 1) - 1;
@@ -47,9 +47,9 @@ std::vector<std::uint32_t> welded(const TriangleMesh& mesh) {
 }
 
 /// Disjoint sets of vertices, by path halving.
-class Sets {
+class DisjointSets {
 public:
-    explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
     std::uint32_t find(std::uint32_t i) {
         while (parent_[i] != i) {
@@ -63,7 +63,7 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// The triangles, their corners welded.
+/// The triangles with their vertices welded.
 class WeldedMesh {
 public:
     explicit WeldedMesh(const TriangleMesh& mesh)
@@ -74,10 +74,10 @@ public:
         }
     }
 
-    /// Of the part that a triangle belongs to.
+    /// The number of the part that a triangle belongs to.
     std::uint32_t part_of(std::size_t triangle) { return sets_.find(vertex_[mesh_.triangles[triangle][0]]); }
 
-    /// By part: whether an edge of it is passed more often one way than the other.
+    /// By part: whether its triangles run along some edge more often in one direction than in the other.
     std::vector<bool> open_parts() {
         std::vector<bool> open(vertex_.size());
         const std::vector<std::uint32_t> first = group_edges();
@@ -90,29 +90,29 @@ public:
     }
 
 private:
-    /// Calls `see(lower vertex, other vertex, whether it starts at the lower one)` for each side of each
+    /// Calls `visit(lower vertex, other vertex, whether it starts at the lower one)` for each side of each
     /// triangle that has a length.
-    template <typename See>
-    void each_edge(const See& see) const {
+    template <typename Visit>
+    void for_each_edge(const Visit& visit) const {
         for (const auto& t : mesh_.triangles) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::uint32_t a = vertex_[t[i]];
                 const std::uint32_t b = vertex_[t[(i + 1) % 3]];
                 if (a != b) {
-                    see(std::min(a, b), std::max(a, b), a < b);
+                    visit(std::min(a, b), std::max(a, b), a < b);
                 }
             }
         }
     }
 
-    /// Puts edges of the same lower vertex side by side in ends_; gives where those of each begin.
+    /// Groups the edges in `ends_` by their lower vertex; returns where each group begins.
     std::vector<std::uint32_t> group_edges() {
         std::vector<std::uint32_t> first(vertex_.size() + 1);
-        each_edge([&](std::uint32_t low, std::uint32_t, bool) { ++first[low + 1]; });
+        for_each_edge([&](std::uint32_t low, std::uint32_t, bool) { ++first[low + 1]; });
         std::partial_sum(first.begin(), first.end(), first.begin());
         ends_.resize(first.back());
         std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        each_edge([&](std::uint32_t low, std::uint32_t high, bool up) {
+        for_each_edge([&](std::uint32_t low, std::uint32_t high, bool up) {
             ends_[next[low]++] = std::uint64_t{high} << 1U | (up ? 1U : 0U);
         });
         return first;
@@ -132,8 +132,9 @@ private:
 
     const TriangleMesh& mesh_;
     std::vector<std::uint32_t> vertex_;
-    Sets sets_;
-    std::vector<std::uint64_t> ends_;  ///< by lower vertex: the other one, twice, and 1 if it starts below
+    DisjointSets sets_;
+    std::vector<std::uint64_t>
+        ends_;  ///< by lower vertex: twice the other one, plus 1 if the edge starts at the lower
 };
 
 bool is_finite(const Aabb& box) {
@@ -150,13 +151,13 @@ ClosedParts::ClosedParts(const TriangleMesh& mesh) {
         volume[welded.part_of(i)] += t.a.dot(t.b.cross(t.c));
     }
     const std::vector<bool> open = welded.open_parts();
-    std::vector<std::uint64_t> members((mesh.triangles.size() + kBits - 1) / kBits);
+    std::vector<std::uint64_t> members((mesh.triangles.size() + kWordBits - 1) / kWordBits);
     bool some = false;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const std::uint32_t part = welded.part_of(i);
         if (!open[part] && volume[part] > 0.0) {
             some = true;
-            members[i / kBits] |= std::uint64_t{1} << i % kBits;
+            members[i / kWordBits] |= std::uint64_t{1} << i % kWordBits;
             const Triangle t = vertices(mesh, i);
             bounds_.extend(t.a);
             bounds_.extend(t.b);
@@ -171,8 +172,8 @@ ClosedParts::ClosedParts(const TriangleMesh& mesh) {
 ClosedParts::ClosedParts(Storage<std::uint64_t> members, const Aabb& bounds, std::size_t mesh_triangles)
     : members_(std::move(members)), bounds_(bounds) {
     if (!members_.empty() &&
-        (members_.size() != (mesh_triangles + kBits - 1) / kBits || !is_finite(bounds))) {
-        throw std::invalid_argument("its closed parts aren't those of the mesh");
+        (members_.size() != (mesh_triangles + kWordBits - 1) / kWordBits || !is_finite(bounds))) {
+        throw std::invalid_argument("the closed parts aren't those of the mesh");
     }
 }
 

@@ -16,7 +16,7 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
         throw std::invalid_argument("a mesh collider needs at least one triangle");
     }
     if (highest_vertex(mesh.triangles) >= mesh.positions.size()) {
-        throw std::invalid_argument("a triangle names a vertex that is not there");
+        throw std::invalid_argument("a triangle refers to a vertex that doesn't exist");
     }
     const float largest = largest_coordinate(mesh.positions);
     if (!std::isfinite(largest)) {

@@ -11,7 +11,7 @@
 
 namespace campuswalk::collision {
 
-/// Whether it is found out what lies inside a mesh (closed_parts.h), which only `is_inside` asks for.
+/// Whether the closed parts of a mesh are determined (closed_parts.h), which only `is_inside` needs.
 enum class Interior : std::uint8_t { found, unknown };
 
 /// A mesh with its tree, built once and never changed.
@@ -21,9 +21,8 @@ public:
     /// is not finite or beyond kMaxCoordinate: callers check user input first.
     explicit MeshCollider(TriangleMesh mesh, TreeKind tree_kind = TreeKind::bvh8,
                           Interior interior = Interior::found);
-    /// With the tree and the closed parts that were made of this mesh before, as from a file. Throws
-    /// std::invalid_argument for a mesh as above, and for a tree whose parts don't fit together
-    /// (bvh8_check.h).
+    /// With the tree and the closed parts built earlier from this mesh, such as from a file. Throws
+    /// std::invalid_argument for a mesh as above, and for an inconsistent tree (bvh8_check.h).
     MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed);
 
     const TriangleMesh& mesh() const { return mesh_; }

@@ -18,14 +18,14 @@ double checked_tilt(const Pose& X_a_b) {
         throw std::invalid_argument("a pose isn't finite");
     }
     const double tilt = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
-    constexpr double kStillRotation = 1e-3;
-    if (tilt > kStillRotation || R.determinant() < 0.0) {
+    constexpr double kMaxTilt = 1e-3;
+    if (tilt > kMaxTilt || R.determinant() < 0.0) {
         throw std::invalid_argument("a pose's matrix isn't a rotation");
     }
     return tilt;
 }
 
-/// Eq. (1) on whole meshes, a hair generous: coordinates are rounded at most a few times on the way.
+/// Eq. (1) on whole meshes, with slack for the few roundings of the coordinates.
 bool spheres_overlap(const BoundingSphere& a, const BoundingSphere& b, const Pose& X_a_b, double tilt) {
     const Vec3 center = X_a_b * b.center;
     const double size =
@@ -34,10 +34,10 @@ bool spheres_overlap(const BoundingSphere& a, const BoundingSphere& b, const Pos
     return (center - a.center).stableNorm() <= reach;
 }
 
-void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, SearchMode wanted,
+void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, SearchMode mode,
                           std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     HybridContactStatistics work;
-    if (wanted == SearchMode::all) {
+    if (mode == SearchMode::all) {
         all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
     } else if (const auto pair = first_contact(a, b, X_a_b, NodeTest::hybrid, work)) {
         out.push_back(*pair);
@@ -45,7 +45,7 @@ void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& 
     add_to(statistics, work);
 }
 
-void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, SearchMode wanted,
+void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a_b, SearchMode mode,
                    SimdTarget simd_target, std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     out.clear();
     if (a.tree_kind() != b.tree_kind()) {
@@ -53,14 +53,14 @@ void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a
     }
     const double tilt = checked_tilt(X_a_b);
     if (a.tree_kind() == TreeKind::hybrid) {
-        find_hybrid_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, wanted, out,
+        find_hybrid_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, mode, out,
                              statistics);
         return;
     }
     QueryStatistics work{.transform_updates = 1, .sphere_tests = 1};
     if (spheres_overlap(a.bvh8().outer, b.bvh8().outer, X_a_b, tilt)) {
         const Bvh8Pair pair{a.mesh(), b.mesh(), a.bvh8(), b.bvh8(), X_a_b, tilt};
-        find_bvh8_contacts(pair, wanted, simd_target, out, work);
+        find_bvh8_contacts(pair, mode, simd_target, out, work);
     }
     work.volume_tests = work.sphere_tests + work.box_tests;
     add_to(statistics, work);

@@ -9,8 +9,8 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// The coordinates of whole blocks of positions, one after the other. Eigen's vectors are three floats each.
-constexpr std::size_t kBlock = 16;
+constexpr std::size_t kBlock = 16;  ///< positions that are compared side by side
+// `coordinates` sees all positions as one array of floats.
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 
 std::span<const float> coordinates(std::span<const Eigen::Vector3f> positions) {
@@ -28,11 +28,11 @@ std::uint32_t highest_vertex(std::span<const std::array<std::uint32_t, 3>> trian
 }
 
 float largest_coordinate(std::span<const Eigen::Vector3f> positions) {
-    // Without its sign a float's bits are in its order, infinity and what is no number above all others.
-    constexpr std::uint32_t kNoSign = 0x7FFFFFFF;
+    // Without the sign, floats are ordered like their bits, with infinity and NaN above all others.
+    constexpr std::uint32_t kSignless = 0x7FFFFFFF;
     std::uint32_t largest = 0;
     for (const float coordinate : coordinates(positions)) {
-        largest = std::max(largest, std::bit_cast<std::uint32_t>(coordinate) & kNoSign);
+        largest = std::max(largest, std::bit_cast<std::uint32_t>(coordinate) & kSignless);
     }
     constexpr auto kInfinity = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
     return std::bit_cast<float>(std::min(largest, kInfinity));

@@ -10,16 +10,16 @@
 
 namespace campuswalk::collision {
 
-/// How far a mesh's numbers go: what must be known of millions of them before any is used. None of these has
-/// a way out in the middle, so that compilers make lanes of them.
+// The ranges of a mesh's indices and coordinates, checked before any is used. None of these loops exits
+// early, so that compilers vectorize them.
 
 /// 0 without triangles.
 std::uint32_t highest_vertex(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// The greatest coordinate without its sign; infinity if any is infinite or no number.
+/// The greatest absolute coordinate; infinity if any is infinite or NaN.
 float largest_coordinate(std::span<const Eigen::Vector3f> positions);
 
-/// Of positions that are finite.
+/// The bounds of positions that are finite.
 Aabb box_of(std::span<const Eigen::Vector3f> positions);
 
 }  // namespace campuswalk::collision

@@ -18,7 +18,7 @@ bool before(const MeshHit& a, const MeshHit& b) {
     return a.fraction != b.fraction ? a.fraction < b.fraction : a.triangle < b.triangle;
 }
 
-/// Keeps the earlier hit and answers how far the query still has to look.
+/// Retains the earlier hit and returns how far the query still has to look.
 double offer(std::optional<MeshHit>& best, const MeshHit& found) {
     if (!best || before(found, *best)) {
         best = found;
@@ -26,16 +26,16 @@ double offer(std::optional<MeshHit>& best, const MeshHit& found) {
     return best->fraction;
 }
 
-/// Hands `visit` the triangles that may be on the ray up to the limit, near ones first.
+/// Calls `visit` for the triangles that may be on the ray up to the limit, near ones first.
 template <typename Visit>
 void follow(const MeshCollider& mesh, const Ray& ray, const Visit& visit, QueryStatistics* statistics,
             SimdTarget simd_target) {
     const PathVolume path(ray);
     if (mesh.tree_kind() == TreeKind::hybrid || !fits_bvh8_rays(ray)) {
-        const auto visit_of_mesh = [&](std::uint32_t t, double limit) {
+        const auto visit_mesh_triangle = [&](std::uint32_t t, double limit) {
             return visit(t, vertices(mesh.mesh(), t), limit);
         };
-        traverse(mesh, path, 1.0, visit_of_mesh, statistics);
+        traverse(mesh, path, 1.0, visit_mesh_triangle, statistics);
         return;
     }
     QueryStatistics work{.transform_updates = 1, .sphere_tests = 1};
@@ -46,7 +46,7 @@ void follow(const MeshCollider& mesh, const Ray& ray, const Visit& visit, QueryS
     add_to(statistics, work);
 }
 
-/// Visits every triangle that a descent meets, its corners from where they are at hand.
+/// Visits every triangle of a traversal, with the vertices from a BVH8 leaf where there is one.
 class VisitAll {
 public:
     VisitAll(const TriangleMesh& mesh, TriangleVisitor visit) : mesh_(mesh), visit_(visit) {}
@@ -134,7 +134,7 @@ void all_on_ray(const MeshCollider& mesh, const Ray& ray, std::vector<MeshHit>& 
 
 bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryStatistics* statistics,
                SimdTarget simd_target) {
-    // An odd direction, so that edges and corners of upright geometry are unlikely to lie on it.
+    // An arbitrary direction, so that edges and vertices of upright geometry are unlikely to lie on it.
     const Vec3 direction(0.5377, 0.7389, 0.4061);
     const ClosedParts& parts = mesh.closed_parts();
     const Aabb& box = parts.bounds();

@@ -12,14 +12,14 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Of the one box of a node, with the same rounding as boxes side by side.
+/// The bound for the single box of a node, with the same rounding as for boxes side by side.
 template <typename Volume>
 double box_bound(const Volume& volume, const OrientedBox& box) {
-    constexpr Rows<double, 1> kMiddle{};
+    constexpr Rows<double, 1> kCenter{};
     const Vec3& h = box.half_extents;
     const Rows<double, 1> half{{{h.x()}, {h.y()}, {h.z()}}};
     std::array<double, 1> bound{};
-    volume.bounds(BoxFrame(box), kMiddle, half, bound);
+    volume.bounds(BoxFrame(box), kCenter, half, bound);
     return bound[0];
 }
 
@@ -56,9 +56,9 @@ double LayeredBody::bound(const BoundingSphere& outer) const {
 
 double LayeredBody::bound(const OrientedBox& inner) const {
     const BoxOffset offset = offset_between(inner, inner_);
-    const bool parted = apart(inner, offset.in_a, inner_.radius) ||
-                        apart(inner_, offset.in_b, inner.radius) || apart(inner, inner_, offset);
-    return parted ? kApart<double> : 0.0;
+    const bool separated = apart(inner, offset.in_a, inner_.radius) ||
+                           apart(inner_, offset.in_b, inner.radius) || apart(inner, inner_, offset);
+    return separated ? kApart<double> : 0.0;
 }
 
 double PointVolume::bound(const BoundingSphere& outer) const {

@@ -9,9 +9,9 @@
 
 namespace campuswalk::collision {
 
-// What queries of one mesh are to its tree (see tree_traversal.h), in the mesh's frame.
+// The volumes of queries of one mesh (see tree_traversal.h), in the mesh's frame.
 
-/// A body with the paper's two layers: its bounds say whether it is met, 0, or kApart.
+/// A body with the paper's two layers. Its bounds are 0 if it may overlap a volume, else kApart.
 class LayeredBody {
 public:
     LayeredBody(const Segment& segment, double radius);
@@ -27,7 +27,7 @@ private:
     OrientedBox inner_;
 };
 
-/// All within a distance of a segment. Boxes side by side bound squared distances from the segment.
+/// All points within a distance of a segment. Bounds for boxes side by side are squared distances from it.
 class ThickSegment : public LayeredBody {
 public:
     ThickSegment(const Segment& segment, double radius) : LayeredBody(segment, radius), segment_(segment) {}
@@ -43,7 +43,7 @@ private:
     Segment segment_;
 };
 
-/// An oriented box. Boxes side by side bound squared distances from it.
+/// An oriented box. Bounds for boxes side by side are squared distances from it.
 class BoxVolume : public LayeredBody {
 public:
     BoxVolume(const Box& box, const Pose& X_mesh_box)
@@ -66,8 +66,8 @@ private:
     Pose X_mesh_box_;
 };
 
-/// What of a box lies outside another one, in the frame of a mesh. Where the mesh or a node is turned, the
-/// other one doesn't matter: more is met than must be.
+/// The part of a box that lies outside another one, the hole, in a mesh's frame. Where the mesh or a node is
+/// rotated, the hole is ignored: the query then visits more than it must.
 class Beyond : public BoxVolume {
 public:
     Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
@@ -96,15 +96,16 @@ public:
                 size += std::abs(sides[k][side]);
             }
         }
-        // Roundings, of all that is measured: of the corners 3 with LeafBoxes, of a side 1.
-        const float slack = kGenerous<float> * size;
-        std::array<float, N> inside;    // how far each box reaches in, along the axis where it is least
-        std::array<float, N> beyond{};  // how far what is inside reaches out of the hole
+        // Roundings, relative to `size`: 3 of the vertices with LeafBoxes, 1 of a side.
+        const float slack = kSlackShare<float> * size;
+        std::array<float, N>
+            inside;  // how far each box reaches into the whole, along the axis where that is least
+        std::array<float, N> beyond{};  // how far that part reaches out of the hole
         inside.fill(kFar);
         for (std::size_t k = 0; k < 3; ++k) {
             const float low = sides[k][0] - slack;
             const float high = sides[k][1] + slack;
-            // Where the hole goes on beyond the whole, nothing can be on its other side.
+            // Where the hole extends beyond the whole, nothing can lie on its other side.
             const float hole_low = sides[k][0] < sides[k][2] ? sides[k][2] + slack : -kFar;
             const float hole_high = sides[k][1] > sides[k][3] ? sides[k][3] - slack : kFar;
             for (std::size_t i = 0; i < N; ++i) {
@@ -126,7 +127,7 @@ private:
     std::array<std::array<double, 4>, 3> sides_{};
 };
 
-/// The surroundings of a point. Bounds squared distances.
+/// A point. Bounds are squared distances from it.
 class PointVolume {
 public:
     explicit PointVolume(const Vec3& point) : point_(point) {}
@@ -146,7 +147,7 @@ private:
     Vec3 point_;
 };
 
-/// What a ray or a moving capsule passes. Bounds fractions of the way.
+/// The volume that a ray or a moving capsule sweeps. Bounds are fractions of the motion.
 class PathVolume {
 public:
     explicit PathVolume(const Ray& ray) : path_(ray) {}
@@ -166,8 +167,8 @@ public:
     }
 
 private:
-    Ray path_;                  ///< of the body's middle
-    Vec3 half_ = Vec3::Zero();  ///< from the middle to the segment's end
+    Ray path_;                  ///< of the body's centre
+    Vec3 half_ = Vec3::Zero();  ///< from the centre to the segment's end
     double radius_ = 0.0;
     bool thick_ = false;
 };

@@ -13,13 +13,13 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// A node's box, and the node itself if there is anything below it.
-struct Level {
+/// A node's box, and its index unless it is a leaf.
+struct NodeBox {
     PosedBox posed;
     std::optional<std::uint32_t> inner;
 };
 
-Level level_of(const HybridTree& tree, std::uint32_t index) {
+NodeBox node_box(const HybridTree& tree, std::uint32_t index) {
     const HybridNode& node = tree.nodes[index];
     return {{{node.inner.half_extents}, {node.inner.axes, node.inner.center}},
             node.is_leaf() ? std::nullopt : std::optional(index)};
@@ -29,24 +29,24 @@ PosedBox posed_in(const BoxFrame& frame, const Vec3& center, const Vec3& half) {
     return {{half}, {frame.axes.transpose(), frame.origin + frame.axes.transpose() * center}};
 }
 
-Level root_of(const HybridTree& tree) {
-    return level_of(tree, 0);
+NodeBox root_of(const HybridTree& tree) {
+    return node_box(tree, 0);
 }
 
-Level root_of(const Bvh8& tree) {
+NodeBox root_of(const Bvh8& tree) {
     const Bvh8Node& root = tree.nodes[0];
     const Vec3 low(root.low[0], root.low[1], root.low[2]);
     const Vec3 high(root.high[0], root.high[1], root.high[2]);
     return {posed_in(BoxFrame(root), 0.5 * (low + high), 0.5 * (high - low)), 0};
 }
 
-void add_children(const HybridTree& tree, std::uint32_t node, std::vector<Level>& out) {
+void add_children(const HybridTree& tree, std::uint32_t node, std::vector<NodeBox>& out) {
     const std::uint32_t left = tree.nodes[node].first;
-    out.push_back(level_of(tree, left));
-    out.push_back(level_of(tree, left + 1));
+    out.push_back(node_box(tree, left));
+    out.push_back(node_box(tree, left + 1));
 }
 
-void add_children(const Bvh8& tree, std::uint32_t index, std::vector<Level>& out) {
+void add_children(const Bvh8& tree, std::uint32_t index, std::vector<NodeBox>& out) {
     const Bvh8Node& node = tree.nodes[index];
     const BoxFrame frame(node);
     for (std::size_t i = 0; i < node.count; ++i) {
@@ -59,24 +59,24 @@ void add_children(const Bvh8& tree, std::uint32_t index, std::vector<Level>& out
 
 template <typename Tree>
 std::vector<PosedBox> boxes_of(const Tree& tree, int level) {
-    std::vector<Level> shown = {root_of(tree)};
-    bool goes_on = true;
-    for (int depth = 0; depth < level && goes_on; ++depth) {
-        goes_on = false;
-        std::vector<Level> below;
-        for (const Level& each : shown) {
+    std::vector<NodeBox> current = {root_of(tree)};
+    bool any_inner = true;
+    for (int depth = 0; depth < level && any_inner; ++depth) {
+        any_inner = false;
+        std::vector<NodeBox> below;
+        for (const NodeBox& each : current) {
             if (each.inner) {
-                goes_on = true;
+                any_inner = true;
                 add_children(tree, *each.inner, below);
             } else {
                 below.push_back(each);
             }
         }
-        shown = std::move(below);
+        current = std::move(below);
     }
     std::vector<PosedBox> boxes;
-    boxes.reserve(shown.size());
-    for (const Level& each : shown) {
+    boxes.reserve(current.size());
+    for (const NodeBox& each : current) {
         boxes.push_back(each.posed);
     }
     return boxes;

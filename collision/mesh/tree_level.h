@@ -12,8 +12,8 @@ struct PosedBox {
     Pose X_mesh_box;
 };
 
-/// The boxes at a level of the mesh's tree, to be shown: level 0 is the one around all of it. A leaf higher
-/// up stays in the levels below it.
+/// The boxes at a level of the mesh's tree, for display: level 0 is the box of the root. A leaf also belongs
+/// to all levels below its own.
 std::vector<PosedBox> boxes_at_level(const MeshCollider& mesh, int level);
 
 }  // namespace campuswalk::collision

@@ -13,28 +13,28 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// How much more than what is asked for is gathered to the sides, metres. Where little comes of it, more is
-/// gathered the next time: few pieces are soon gathered and surveyed, and a walker then seldom needs others.
+/// How far beyond the requested box pieces are gathered horizontally, metres. The margin grows where there
+/// are few pieces: they are quick to gather and survey, and a walker then rarely needs others.
 constexpr double kLeastMargin = 0.2;
 constexpr double kMostMargin = 2.0;
 constexpr std::size_t kFewPieces = 16;
 constexpr std::size_t kManyPieces = 40;
-/// Likewise above and below.
-constexpr double kUpright = 0.2;
-/// More is gathered when no more than this share of that is left.
-constexpr double kSoon = 0.4;
+/// The vertical margin, metres.
+constexpr double kVerticalMargin = 0.2;
+/// More is gathered when no more than this share of a margin is left.
+constexpr double kRefillShare = 0.4;
 
-/// Room that is there from the beginning, for so many pieces.
-constexpr std::size_t kUsual = 256;
+/// Pieces that memory is reserved for at first.
+constexpr std::size_t kInitialCapacity = 256;
 
-/// Never 0.
-std::uint64_t name_of(ObjectId id, std::uint32_t triangle) {
+/// Never 0, which marks a free slot.
+std::uint64_t key_of(ObjectId id, std::uint32_t triangle) {
     return (static_cast<std::uint64_t>(index_of(id)) + 1) << 32U | triangle;
 }
 
-/// Of `places`, a power of two.
-std::size_t place_of(std::uint64_t name, std::size_t places) {
-    return static_cast<std::size_t>((name * 0x9e3779b97f4a7c15ULL) >> 32U) & (places - 1);
+/// `slots` is a power of two.
+std::size_t slot_of(std::uint64_t key, std::size_t slots) {
+    return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> 32U) & (slots - 1);
 }
 
 Aabb bounds_of(const Triangle& t) {
@@ -67,26 +67,26 @@ void ContactCache::clear() {
 }
 
 void ContactCache::cover(const Aabb& box, QueryStatistics* statistics) {
-    const Vec3 more(margin_, kUpright, margin_);
+    const Vec3 more(margin_, kVerticalMargin, margin_);
     const Aabb wanted{box.min - more, box.max + more};
     if (!contains(covered_, box)) {
-        go_on_to(wanted, statistics);
+        move_to(wanted, statistics);
         return;
     }
-    // In time, and along one axis at a time: no tick has to gather on all sides.
+    // Early, and along one axis at a time, so that no tick has to gather on all sides.
     for (int axis = 0; axis < 3; ++axis) {
         const double left = std::min(box.min[axis] - covered_.min[axis], covered_.max[axis] - box.max[axis]);
-        if (left < kSoon * more[axis]) {
+        if (left < kRefillShare * more[axis]) {
             Aabb next = covered_;
             next.min[axis] = wanted.min[axis];
             next.max[axis] = wanted.max[axis];
-            go_on_to(next, statistics);
+            move_to(next, statistics);
             return;
         }
     }
 }
 
-void ContactCache::go_on_to(const Aabb& box, QueryStatistics* statistics) {
+void ContactCache::move_to(const Aabb& box, QueryStatistics* statistics) {
     const Aabb before = covered_;
     covered_ = box;
     drop_outside();
@@ -112,7 +112,7 @@ void ContactCache::drop_outside() {
     }
 }
 
-/// Adds what an object has of pieces, each kind of shape in its own way.
+/// Adds the pieces of an object's shape.
 struct ContactCache::Gathering {
     ContactCache& cache;
     ObjectId id;
@@ -122,7 +122,7 @@ struct ContactCache::Gathering {
     void operator()(const std::shared_ptr<const MeshCollider>& mesh) const {
         const Pose& X = cache.world_->object(id).X_world_shape;
         const auto take = [&](std::uint32_t t, const Triangle& c) {
-            if (!cache.holds(id, t)) {
+            if (!cache.has_piece(id, t)) {
                 cache.add_triangle(id, t, {X * c.a, X * c.b, X * c.c});
             }
         };
@@ -135,7 +135,7 @@ struct ContactCache::Gathering {
 };
 
 void ContactCache::gather(const Aabb& before, QueryStatistics* statistics) {
-    name_pieces();
+    rebuild_keys();
     world_->candidates(covered_, filter_, candidates_);
     for (const ObjectId id : candidates_) {
         std::visit(Gathering{*this, id, before, statistics}, world_->object(id).shape);
@@ -144,35 +144,35 @@ void ContactCache::gather(const Aabb& before, QueryStatistics* statistics) {
 
 /// A round solid is one piece.
 void ContactCache::gather_round(ObjectId id) {
-    if (!holds(id, 0)) {
+    if (!has_piece(id, 0)) {
         add(solid_obstacle(*world_, id), world_->bounds(id));
     }
 }
 
 /// Open addressing, at most a quarter full.
-void ContactCache::name_pieces() {
-    names_.assign(std::bit_ceil(std::max(kUsual, pieces_.size()) * 4), 0);
+void ContactCache::rebuild_keys() {
+    keys_.assign(std::bit_ceil(std::max(kInitialCapacity, pieces_.size()) * 4), 0);
     for (const Piece& piece : pieces_) {
-        const std::uint64_t name = name_of(piece.obstacle.object, piece.obstacle.triangle);
-        std::size_t at = place_of(name, names_.size());
-        while (names_[at] != 0) {
-            at = (at + 1) & (names_.size() - 1);
+        const std::uint64_t key = key_of(piece.obstacle.object, piece.obstacle.triangle);
+        std::size_t at = slot_of(key, keys_.size());
+        while (keys_[at] != 0) {
+            at = (at + 1) & (keys_.size() - 1);
         }
-        names_[at] = name;
+        keys_[at] = key;
     }
 }
 
-/// Among the pieces that have been named.
-bool ContactCache::holds(ObjectId id, std::uint32_t triangle) const {
-    const std::uint64_t name = name_of(id, triangle);
-    std::size_t at = place_of(name, names_.size());
-    while (names_[at] != 0 && names_[at] != name) {
-        at = (at + 1) & (names_.size() - 1);
+/// As of the last `rebuild_keys`.
+bool ContactCache::has_piece(ObjectId id, std::uint32_t triangle) const {
+    const std::uint64_t key = key_of(id, triangle);
+    std::size_t at = slot_of(key, keys_.size());
+    while (keys_[at] != 0 && keys_[at] != key) {
+        at = (at + 1) & (keys_.size() - 1);
     }
-    return names_[at] == name;
+    return keys_[at] == key;
 }
 
-/// A box is its twelve triangles: whoever is outside can't get in.
+/// As its twelve triangles, through which no body gets in.
 void ContactCache::gather_box(ObjectId id, const Box& box) {
     const Pose& X = world_->object(id).X_world_shape;
     const auto vertex = [&](unsigned i) {
@@ -182,7 +182,7 @@ void ContactCache::gather_box(ObjectId id, const Box& box) {
     constexpr std::array<std::array<unsigned, 4>, 6> kFaces{
         {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
     const auto add_face = [&](std::uint32_t index, unsigned a, unsigned b, unsigned c) {
-        if (!holds(id, index)) {
+        if (!has_piece(id, index)) {
             add_triangle(id, index, {vertex(a), vertex(b), vertex(c)});
         }
     };
@@ -206,18 +206,18 @@ void ContactCache::add(const Obstacle& obstacle, const Aabb& box) {
     cached_.emplace_back();
 }
 
-/// About the new middle. The last place that a piece was looked at from tells more than its box.
+/// About the new centre. A piece's latest measurement gives a better bound than its box.
 void ContactCache::restart_bounds() {
     origin_ = covered_.center();
-    // Of numbers up to the size of what is covered, some roundings of float32.
+    // Some roundings of float32 at the size of the covered region.
     slack_ = 1e-6 * (1.0 + (covered_.max - covered_.min).norm());
     bounds_.assign((pieces_.size() + kLanes - 1) / kLanes, Bounds{});
-    near_.resize(bounds_.size() * kLanes + 1);  // a place to write what is not kept
+    near_.resize(bounds_.size() * kLanes + 1);  // `survey` writes one past the last that it returns
     if (!bounds_.empty()) {
-        bounds_.back().rest.fill(std::numeric_limits<float>::infinity());
+        bounds_.back().offset.fill(std::numeric_limits<float>::infinity());
     }
     for (Index i = 0; i < pieces_.size(); ++i) {
-        if (const Separation& s = cached_[i].places[cached_[i].last]; s.distance > 0.0) {
+        if (const Separation& s = cached_[i].measured[cached_[i].last]; s.distance > 0.0) {
             set_bound(i, s.normal, s.bound(origin_));
         } else {
             bound_by_box(i);
@@ -225,10 +225,10 @@ void ContactCache::restart_bounds() {
     }
 }
 
-/// `push_back` alone would take from the heap whenever there is one piece more than ever before.
+/// With `push_back` alone, one piece more than ever before would allocate.
 void ContactCache::reserve_for(std::size_t count) {
     if (count > pieces_.capacity()) {
-        const std::size_t room = std::max(kUsual, 2 * count);
+        const std::size_t room = std::max(kInitialCapacity, 2 * count);
         pieces_.reserve(room);
         cached_.reserve(room);
         bounds_.reserve(room / kLanes + 1);
@@ -236,7 +236,7 @@ void ContactCache::reserve_for(std::size_t count) {
     }
 }
 
-/// The side on which the piece's box is farthest from a body in the middle.
+/// By the side of the piece's box that is farthest from a body at the origin.
 void ContactCache::bound_by_box(Index i) {
     const Aabb& box = pieces_[i].box;
     const Vec3 above = box.min - origin_;
@@ -265,7 +265,7 @@ void ContactCache::set_bound(Index i, const Vec3& normal, double at_origin) {
     b.y[lane] = static_cast<float>(normal.y());
     b.z[lane] = static_cast<float>(normal.z());
     b.flat[lane] = static_cast<float>(horizontal_norm(normal));
-    b.rest[lane] = static_cast<float>(at_origin);
+    b.offset[lane] = static_cast<float>(at_origin);
 }
 
 std::span<const ContactCache::Index> ContactCache::survey(const Vec3& foot, double sideways, double up,
@@ -283,7 +283,7 @@ std::span<const ContactCache::Index> ContactCache::survey(const Vec3& foot, doub
     for (const Bounds& b : bounds_) {
         Lanes least;
         for (std::size_t i = 0; i < kLanes; ++i) {
-            const float here = b.rest[i] + (b.x[i] * x + b.y[i] * y + b.z[i] * z) - b.flat[i] * aside;
+            const float here = b.offset[i] + (b.x[i] * x + b.y[i] * y + b.z[i] * z) - b.flat[i] * aside;
             least[i] = here + std::min(b.y[i] * rise, -b.y[i] * drop);
         }
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -296,17 +296,17 @@ std::span<const ContactCache::Index> ContactCache::survey(const Vec3& foot, doub
 }
 
 Separation& ContactCache::measure(Index i, const Vec3& foot) {
-    CachedPiece& kept = cached_[i];
+    CachedPiece& cached = cached_[i];
     for (std::uint8_t k = 0; k < 2; ++k) {
-        if (kept.places[k].foot == foot) {
-            kept.last = k;
-            return kept.places[k];
+        if (cached.measured[k].foot == foot) {
+            cached.last = k;
+            return cached.measured[k];
         }
     }
-    kept.last = kept.last == 0 ? 1 : 0;
+    cached.last = cached.last == 0 ? 1 : 0;
     const Obstacle& obstacle = pieces_[i].obstacle;
     const Closest c = closest_upright(settings_.core(foot), obstacle);
-    Separation& s = kept.places[kept.last];
+    Separation& s = cached.measured[cached.last];
     s.foot = foot;
     s.kind.reset();
     s.distance = c.distance;
@@ -320,9 +320,8 @@ Separation& ContactCache::measure(Index i, const Vec3& foot) {
 }
 
 bool ContactCache::known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const {
-    const auto& places = cached_[i].places;
-    return std::any_of(places.begin(), places.end(), [&](const Separation& s) {
-        return s.bound(from) >= distance && s.bound(to) >= distance;  // never where the place is none
+    return std::ranges::any_of(cached_[i].measured, [&](const Separation& s) {
+        return s.bound(from) >= distance && s.bound(to) >= distance;  // false for a place that is NaN
     });
 }
 

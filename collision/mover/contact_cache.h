@@ -16,65 +16,66 @@
 
 namespace campuswalk::collision {
 
-/// What a piece near the body is to it.
-enum class Kind : std::uint8_t {
+/// What a piece near the body means to its motion.
+enum class PieceKind : std::uint8_t {
     floor,  ///< underfoot
-    step,   ///< low, and climbed if walked into
+    step,   ///< low: the body climbs it when it walks into it
     wall,
 };
 
-/// How the body, standing somewhere, is apart from a piece. Both are convex and the body is only shifted, so
-/// the plane between the closest points tells something about every other place too.
+/// The separation of the body at one place from a piece. Both are convex and the body only translates, so the
+/// plane between the closest points also bounds the distance at every other place.
 struct Separation {
-    Vec3 foot = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  ///< where the body stands
-    Vec3 normal = Vec3::Zero();  ///< unit, from the piece to the body; the face's own where they meet
+    Vec3 foot = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the body
+    Vec3 normal = Vec3::Zero();  ///< unit, from the piece to the body; the face's own where they overlap
     Vec3 on_piece = Vec3::Zero();
     double distance = 0.0;  ///< from the capsule's core
     Feature feature = Feature::face;
-    /// What the piece is to a body that stands there, once `classify` (ground_query.h) has found out, and the
-    /// height that edges counted from then.
-    std::optional<Kind> kind;
-    double kind_from = 0.0;
+    /// What the piece is to a body that stands there, once `classify` (ground_query.h) has been called, and
+    /// the height that it measured edges from.
+    std::optional<PieceKind> kind;
+    double kind_base = 0.0;
 
-    /// A body at `other` is no nearer than this.
+    /// A lower bound of the distance of a body at `other`.
     double bound(const Vec3& other) const {
         return distance > 0.0 ? distance + normal.dot(other - foot) : 0.0;
     }
 };
 
-/// The pieces of the solid world around a body: triangles and round solids; boxes come apart into
-/// triangles. When the body comes near the end of what was gathered, what lies beyond is gathered too, and
-/// what is far behind dropped. What is kept from earlier ticks saves time and never changes an answer.
+/// The pieces of the solid world around a body: triangles and round solids; a box is split into triangles.
+/// When the body comes near the edge of the covered region, the cache gathers what lies beyond it and drops
+/// what is far behind. What it retains from earlier ticks saves time and never changes a result.
 class ContactCache {
 public:
     using Index = std::uint32_t;
 
     struct Piece {
         Obstacle obstacle;
-        Aabb box;               ///< not smaller than the piece
-        bool walkable = false;  ///< a triangle that isn't too steep, from either side
+        Aabb box;               ///< contains the piece
+        bool walkable = false;  ///< a triangle that isn't too steep, on either side
     };
 
-    /// Whether it was prepared for just these.
+    /// Whether it was prepared for exactly these.
     bool is_for(const World& world, const MoverSettings& settings, const QueryFilter& filter) const;
-    /// Clears it, for a body with these settings among the objects that the filter lets through.
+    /// Clears the cache and sets the body and the objects that it is for.
     void prepare(const World& world, const MoverSettings& settings, const QueryFilter& filter);
     /// Drops the contents and retains the memory.
     void clear();
 
-    /// Sees to it that everything in `box` has been gathered.
+    /// Gathers what is missing of everything in `box`.
     void cover(const Aabb& box, QueryStatistics* statistics = nullptr);
 
-    /// Finds the pieces that the body may come within `reach` of on its way from `foot` to anywhere up to
-    /// `sideways`, `up` and `down` from it. The answer is valid until the next call or `cover`.
+    /// The pieces that the body may come within `reach` of as it moves from `foot` to anywhere up to
+    /// `sideways`, `up` and `down` from there. The result is valid until the next `survey` or `cover`.
     std::span<const Index> survey(const Vec3& foot, double sideways, double up, double down, double reach);
     std::span<const Piece> pieces() const { return pieces_; }
     const Piece& piece(Index i) const { return pieces_[i]; }
 
-    /// Measures how the body at `foot` is apart from a piece, exactly, and keeps it: the last two places that
-    /// a piece was measured from aren't measured again.
+    /// The exact separation of the body at `foot` from a piece. The last two measurements of each piece are
+    /// cached.
     Separation& measure(Index i, const Vec3& foot);
-    /// Whether what has been measured shows that the body stays `distance` off the piece all the way.
+    /// Whether the cached measurements prove that the body stays at least `distance` from the piece during
+    /// the straight motion.
     bool known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const;
 
 private:
@@ -83,23 +84,23 @@ private:
     static constexpr double kFirstMargin = 0.5;
     using Lanes = std::array<float, kLanes>;
 
-    /// Of eight pieces lower bounds of the distance, linear in where the body stands: `rest` with its foot at
-    /// the origin, and `x y z` for each metre from there; `flat` is the length of (x, z).
+    /// Lower bounds of the distances of eight pieces, linear in the foot's position: `offset` with the foot
+    /// at `origin_`, and `x y z` per metre from there; `flat` is the length of (x, z).
     struct Bounds {
-        Lanes x{}, y{}, z{}, flat{}, rest{};
+        Lanes x{}, y{}, z{}, flat{}, offset{};
     };
     struct CachedPiece {
-        std::array<Separation, 2> places;
-        std::uint8_t last = 0;
+        std::array<Separation, 2> measured;
+        std::uint8_t last = 0;  ///< index of the latest
     };
 
-    void go_on_to(const Aabb& box, QueryStatistics* statistics);
+    void move_to(const Aabb& box, QueryStatistics* statistics);
     void drop_outside();
     void gather(const Aabb& before, QueryStatistics* statistics);
     void gather_round(ObjectId id);
     void gather_box(ObjectId id, const Box& box);
-    void name_pieces();
-    bool holds(ObjectId id, std::uint32_t triangle) const;
+    void rebuild_keys();
+    bool has_piece(ObjectId id, std::uint32_t triangle) const;
     void add(const Obstacle& obstacle, const Aabb& box);
     void add_triangle(ObjectId id, std::uint32_t index, const Triangle& vertices);
     void restart_bounds();
@@ -112,16 +113,15 @@ private:
     QueryFilter filter_;
 
     Aabb covered_;
-    double margin_ = kFirstMargin;  ///< of what is gathered next, metres
-    Vec3 origin_ = Vec3::Zero();    ///< of the bounds
-    double slack_ = 0.0;            ///< what float32 may be off within what is covered
+    double margin_ = kFirstMargin;  ///< around what is gathered next, metres
+    Vec3 origin_ = Vec3::Zero();    ///< of `bounds_`
+    double slack_ = 0.0;            ///< the error of float32 within the covered region
     std::vector<Piece> pieces_;
-    /// The pieces by object and triangle, hashed: a refill asks for nearly all of them whether they are
-    /// there.
-    std::vector<std::uint64_t> names_;
+    /// A hash set of the pieces, by object and triangle: a refill looks up nearly all of them.
+    std::vector<std::uint64_t> keys_;
     std::vector<CachedPiece> cached_;
     std::vector<Bounds> bounds_;
-    std::vector<Index> near_;  ///< room for what `survey` finds
+    std::vector<Index> near_;  ///< what `survey` returns
     std::vector<ObjectId> candidates_;
 };
 

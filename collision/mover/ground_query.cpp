@@ -9,12 +9,12 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// A point this near a walkable face belongs to it: treads and risers are modelled with gaps, metres.
+/// A point this near a walkable face belongs to it, metres: treads and risers are modelled with gaps.
 constexpr double kOwned = 0.01;
-/// How far into a piece the body has to walk to be on it, metres.
+/// How far onto a piece the body has to walk to be carried by it, metres.
 constexpr double kOnto = 0.01;
-/// What touches the ball's side this flatly, as a share of its radius, doesn't hold it: 15 µm less of it and
-/// it wouldn't be met.
+/// A contact this low beside the ball's centre, as a share of its radius, doesn't support it: with a radius
+/// 15 µm smaller, there would be none.
 constexpr double kSide = 0.01;
 
 using Piece = ContactCache::Piece;
@@ -62,10 +62,10 @@ bool ends_in_floor(const MoveContext& context, const Vec3& point) {
 bool carries(const MoveContext& context, const Rest& rest, double highest) {
     const Obstacle& o = context.contacts.piece(rest.piece).obstacle;
     const Vec3& on = rest.ball.on;
-    const double up = (rest.ball.height - on.y()) / (context.body.radius + kRest);
+    const double up = (rest.ball.height - on.y()) / (context.body.radius + kRestGap);
     const bool low = on.y() <= highest;
     if (walkable_at(o, on, context.body.min_up)) {
-        // The crest of a ramp is higher than its foot, and walked up to on a face as steep as the touch.
+        // The crest of a ramp is higher than its foot, and reached on a face as steep as the touch.
         constexpr double kAlike = 1e-6;
         return low || (o.solid == nullptr && std::abs(o.normal.y()) <= up + kAlike);
     }
@@ -76,9 +76,9 @@ double highest_edge(const MoverSettings& body, const Support& stand) {
     return stand.base + body.step_height + kHeightSlack;
 }
 
-/// Is the piece higher than `height` where the body would meet it? A face that slants down beside a stair
+/// Is the piece higher than `height` where the body would touch it? A face that slants down beside a stair
 /// may be tall elsewhere.
-bool reaches_over(const MoverSettings& body, const Obstacle& obstacle, const Vec3& foot, double height) {
+bool rises_above(const MoverSettings& body, const Obstacle& obstacle, const Vec3& foot, double height) {
     if (obstacle.top <= height) {
         return false;
     }
@@ -88,37 +88,38 @@ bool reaches_over(const MoverSettings& body, const Obstacle& obstacle, const Vec
     return closest_upright(upper, obstacle).on_shape.y() > height;
 }
 
-Kind kind_of(MoveContext& context, const Piece& piece, const Separation& s, const Support& stand) {
+PieceKind kind_of(MoveContext& context, const Piece& piece, const Separation& s, const Support& stand) {
     const MoverSettings& body = context.body;
     const Vec3& foot = stand.foot;
     const bool below = s.normal.y() >= body.min_up;
     if (below && s.feature == Feature::face) {
-        return Kind::floor;
+        return PieceKind::floor;
     }
     // The edge of a floor may be the crest of a ramp, however high.
     const bool may_be_crest = piece.walkable && s.normal.y() > 0.0;
     const double highest = highest_edge(body, stand);
     if (!below && !may_be_crest &&
-        (s.on_piece.y() > highest || reaches_over(body, piece.obstacle, foot, highest))) {
-        return Kind::wall;
+        (s.on_piece.y() > highest || rises_above(body, piece.obstacle, foot, highest))) {
+        return PieceKind::wall;
     }
     const double flat = horizontal_norm(s.normal);
     if (flat <= 0.0) {
-        return below ? Kind::floor : Kind::wall;
+        return below ? PieceKind::floor : PieceKind::wall;
     }
-    // What would carry the body if it went there?
+    // What would carry the body there?
     const double gap = std::max(0.0, s.distance - body.radius);
-    const double ahead = std::min(gap / flat + kOnto, kProbe) / flat;
-    const Ground there = find_ground(context, foot.x() - ahead * s.normal.x(),
-                                     foot.z() - ahead * s.normal.z(), stand, highest - foot.y(), 2.0 * kRest);
-    return there.found && !there.carries ? Kind::wall : Kind::step;
+    const double ahead = std::min(gap / flat + kOnto, kProbeDistance) / flat;
+    const Ground there =
+        find_ground(context, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(), stand,
+                    highest - foot.y(), 2.0 * kRestGap);
+    return there.found && !there.carries ? PieceKind::wall : PieceKind::step;
 }
 
 }  // namespace
 
 Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down) {
     const double radius = context.body.radius;
-    const double reach = radius + kRest;
+    const double reach = radius + kRestGap;
     std::vector<Rest>& rests = context.buffers.rests;
     const double center = stand.foot.y() + radius;
     const double highest = center + up;
@@ -126,21 +127,21 @@ Ground find_ground(MoveContext& context, double x, double z, const Support& stan
     rests.clear();
     double best = lowest;
     for (const ContactCache::Index i : context.near) {
-        const auto ball = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRest);
-        if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRest &&
+        const auto ball = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRestGap);
+        if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRestGap &&
             ball->height - ball->on.y() > kSide * radius) {
             rests.push_back({i, *ball});
             best = std::max(best, ball->height);
         }
     }
     Ground ground;
-    ground.at = lowest - radius;
+    ground.support_y = lowest - radius;
     for (const Rest& rest : rests) {
-        if (rest.ball.height >= best - 2.0 * kRest && rest.ball.height >= lowest) {
+        if (rest.ball.height >= best - 2.0 * kRestGap && rest.ball.height >= lowest) {
             ground.found = true;
             if (carries(context, rest, highest_edge(context.body, stand))) {
                 ground.carries = true;
-                ground.at = std::max(ground.at, rest.ball.on.y());
+                ground.support_y = std::max(ground.support_y, rest.ball.on.y());
             }
         }
     }
@@ -148,16 +149,16 @@ Ground find_ground(MoveContext& context, double x, double z, const Support& stan
     return ground;
 }
 
-Kind classify(MoveContext& context, ContactCache::Index i, const Support& stand) {
+PieceKind classify(MoveContext& context, ContactCache::Index i, const Support& stand) {
     const Piece& piece = context.contacts.piece(i);
     const double top = piece.obstacle.top;
     if (top <= stand.foot.y() || (piece.walkable && top <= highest_edge(context.body, stand))) {
-        return Kind::floor;
+        return PieceKind::floor;
     }
     Separation& s = context.contacts.measure(i, stand.foot);
-    if (!s.kind || s.kind_from != stand.base) {
+    if (!s.kind || s.kind_base != stand.base) {
         s.kind = kind_of(context, piece, s, stand);
-        s.kind_from = stand.base;
+        s.kind_base = stand.base;
     }
     return *s.kind;
 }

@@ -4,32 +4,31 @@
 
 namespace campuswalk::collision {
 
-/// Where the body stands, and the height that edges count from.
+/// Where the body stands, and the height that edges are measured from.
 struct Support {
     Vec3 foot = Vec3::Zero();
-    double base = 0.0;  ///< of what carries it; not below the foot
+    double base = 0.0;  ///< height of what carries the body; not below the foot
 };
 
-/// What a body that comes straight down would stand on.
+/// What a body that moves straight down would come to rest on.
 struct Ground {
-    bool found = false;    ///< something is there
-    bool carries = false;  ///< and can be stood on
-    double foot_y = 0.0;   ///< where the foot comes to rest, kRest above it
-    double at = 0.0;       ///< height of the highest point that carries
+    bool found = false;      ///< there is something
+    bool carries = false;    ///< and the body can stand on it
+    double foot_y = 0.0;     ///< where the foot comes to rest, kRestGap above it
+    double support_y = 0.0;  ///< height of the highest point that carries
 };
 
-// Tells ground from walls, by the faces of what the body would touch, not by where it touches them: edges as
-// high as a step allows carry if a walkable face ends there, and no edge is climbed that is higher, however
-// round the body is.
+// Distinguishes ground from walls by the faces of what the body would touch, not by where it touches them: an
+// edge within the step height carries if a walkable face ends there, and a higher one is never climbed,
+// although the body is round.
 
-/// How far sideways of the body `classify` looks, metres: what is near must have been surveyed for it.
-inline constexpr double kProbe = 0.06;
+/// How far beside the body `classify` looks, metres: the survey must include that.
+inline constexpr double kProbeDistance = 0.06;
 
-/// Looks among what is near for the highest ground at (x, z) up to `up` above and `down` below where the body
+/// The highest ground at (x, z), among the surveyed pieces, up to `up` above and `down` below where the body
 /// stands now.
 Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down);
 
-/// What a piece near the body is to it.
-Kind classify(MoveContext& context, ContactCache::Index i, const Support& stand);
+PieceKind classify(MoveContext& context, ContactCache::Index i, const Support& stand);
 
 }  // namespace campuswalk::collision

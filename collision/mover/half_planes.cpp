@@ -7,7 +7,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// The nearest allowed of the moves offered; of two as near, the lower in x, then in z.
+/// The nearest allowed of the moves offered; of two equally near ones, the lower in x, then in z.
 class Nearest {
 public:
     Nearest(const Vec3& desired, std::span<const HalfPlane> planes)
@@ -36,7 +36,7 @@ private:
 
 }  // namespace
 
-/// The wish itself, or a point on one line, or where two lines meet.
+/// The desired move itself, its projection onto one line, or the intersection of two lines.
 Vec3 nearest_allowed(const Vec3& desired, std::span<const HalfPlane> planes) {
     if (std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) { return p.allows(desired); })) {
         return desired;

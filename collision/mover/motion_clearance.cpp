@@ -8,11 +8,11 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// What planes have to show: less than sweeps keep, because a body that stopped where a sweep ended moves
-/// along there. Far more than rounding.
-constexpr double kSure = 0.8 * kHard;
-/// What is kept from earlier has to show more than any other test asks for.
-constexpr double kKnown = 0.9 * kRest;
+/// The gap that planes have to prove: smaller than that of sweeps, because a body that stopped where a sweep
+/// ended moves on from there. Far larger than rounding.
+constexpr double kPlaneGap = 0.8 * kSweepGap;
+/// The gap that cached planes have to prove: larger than that of any other test.
+constexpr double kCachedPlaneGap = 0.9 * kRestGap;
 
 bool apart(const Separation& s, const Vec3& from, const Vec3& to, double distance) {
     return s.bound(from) >= distance && s.bound(to) >= distance;
@@ -20,16 +20,16 @@ bool apart(const Separation& s, const Vec3& from, const Vec3& to, double distanc
 
 bool is_cleared(MoveContext& context, ContactCache::Index i, const Vec3& from, const Vec3& to) {
     const double radius = context.body.radius;
-    if (context.contacts.known_apart(i, from, to, radius + kKnown)) {
+    if (context.contacts.known_apart(i, from, to, radius + kCachedPlaneGap)) {
         return true;
     }
-    const double keep = radius + kSure;
-    return apart(context.contacts.measure(i, from), from, to, keep) ||
-           apart(context.contacts.measure(i, to), from, to, keep);
+    const double clear = radius + kPlaneGap;
+    return apart(context.contacts.measure(i, from), from, to, clear) ||
+           apart(context.contacts.measure(i, to), from, to, clear);
 }
 
 bool is_blocked(const MoveContext& context, ContactCache::Index i, const Vec3& from, const Vec3& to) {
-    return sweep_upright(context.body.core(from), context.body.radius + kHard, to - from,
+    return sweep_upright(context.body.core(from), context.body.radius + kSweepGap, to - from,
                          context.contacts.piece(i).obstacle)
         .has_value();
 }
@@ -46,12 +46,12 @@ bool is_free_over(MoveContext& context, const Vec3& from, const Vec3& to) {
     const double radius = context.body.radius;
     const double x = to.x() - from.x();
     const double z = to.z() - from.z();
-    const double over = std::max(from.y(), to.y()) + (x * x + z * z) / (8.0 * radius) + kHard;
+    const double over = std::max(from.y(), to.y()) + (x * x + z * z) / (8.0 * radius) + kSweepGap;
     const Vec3 above_from(from.x(), over, from.z());
     const Vec3 above_to(to.x(), over, to.z());
     return std::ranges::all_of(context.near, [&](ContactCache::Index i) {
         const auto known = [&](const Vec3& a, const Vec3& b) {
-            return context.contacts.known_apart(i, a, b, radius + kSure);
+            return context.contacts.known_apart(i, a, b, radius + kPlaneGap);
         };
         const auto clear = [&](const Vec3& a, const Vec3& b) {
             return known(a, b) || !is_blocked(context, i, a, b);
@@ -68,7 +68,7 @@ bool is_free_over(MoveContext& context, const Vec3& from, const Vec3& to) {
 Vec3 free_part(const MoveContext& context, const Vec3& foot, const Vec3& move, double radius) {
     double fraction = 1.0;
     for (const ContactCache::Index i : context.near) {
-        if (context.contacts.known_apart(i, foot, foot + move, radius + kHard)) {
+        if (context.contacts.known_apart(i, foot, foot + move, radius + kSweepGap)) {
             continue;
         }
         if (const auto f =
@@ -80,9 +80,9 @@ Vec3 free_part(const MoveContext& context, const Vec3& foot, const Vec3& move, d
 }
 
 bool comes_near(MoveContext& context, ContactCache::Index i, const Vec3& foot, const Vec3& move) {
-    const double keep = context.body.radius + kRest;
-    return !apart(context.contacts.measure(i, foot), foot, foot + move, keep) &&
-           sweep_upright(context.body.core(foot), keep, move, context.contacts.piece(i).obstacle);
+    const double clear = context.body.radius + kRestGap;
+    return !apart(context.contacts.measure(i, foot), foot, foot + move, clear) &&
+           sweep_upright(context.body.core(foot), clear, move, context.contacts.piece(i).obstacle);
 }
 
 }  // namespace campuswalk::collision

@@ -4,20 +4,20 @@
 
 namespace campuswalk::collision {
 
-// Whether straight motions of the body are free of what is near, which must have been surveyed for all of
-// them. A plane that has the piece on one side and the body on the other at both ends of a motion clears it;
-// only what no plane at hand clears is swept.
+// Whether straight motions of the body are free of the surveyed pieces; the survey must include all of the
+// motion. A plane with the piece on one side and the body on the other at both ends of a motion clears it;
+// the body is swept against a piece only if no cached plane clears it.
 
 /// From one place of the foot to another.
 bool is_free(MoveContext& context, const Vec3& from, const Vec3& to);
 
-/// Up, across and down: what a round body rolls over is higher between two places than at both.
+/// Up, across and down: an edge that a round body rolls over is higher between two places than at both.
 bool is_free_over(MoveContext& context, const Vec3& from, const Vec3& to);
 
-/// The part of `move` that keeps `radius` about the core free.
+/// The part of `move` during which everything stays at least `radius` from the core.
 Vec3 free_part(const MoveContext& context, const Vec3& foot, const Vec3& move, double radius);
 
-/// Whether the body comes nearer than kRest to one piece, if it moves.
+/// Whether `move` brings the body nearer than kRestGap to a piece.
 bool comes_near(MoveContext& context, ContactCache::Index i, const Vec3& foot, const Vec3& move);
 
 }  // namespace campuswalk::collision

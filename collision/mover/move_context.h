@@ -10,7 +10,7 @@
 
 namespace campuswalk::collision {
 
-/// Room for lists, so that a warm move allocates nothing. Whoever fills one empties it first.
+/// Lists that are reused so that a warm move allocates nothing. Each user clears a list before filling it.
 struct MoveBuffers {
     struct Rest {
         ContactCache::Index piece = 0;
@@ -21,13 +21,14 @@ struct MoveBuffers {
     std::vector<ContactCache::Index> edges;
 };
 
-/// What the stages of one move work on, handed from each to the next.
+/// What the stages of one move work on.
 struct MoveContext {
     const MoverSettings& body;
-    double steepest = 0.0;   ///< metres up for one metre ahead
-    ContactCache& contacts;  ///< what is kept of earlier moves
+    double steepest = 0.0;   ///< metres up per metre ahead
+    ContactCache& contacts;  ///< retained from earlier moves
     MoveBuffers& buffers;
-    std::span<const ContactCache::Index> near;  ///< the pieces that the body may come near in this part of it
+    std::span<const ContactCache::Index>
+        near;  ///< the surveyed pieces: all that the body may come near in this part of the move
 };
 
 }  // namespace campuswalk::collision

@@ -16,15 +16,17 @@ namespace {
 
 /// How far beyond the skin touching objects are still listed, for the hysteresis of events, metres.
 constexpr double kListed = 0.01;
-/// Points that a floor may share with what the body touches lie no farther outside its reach, metres.
+/// How far beyond the body's reach pieces are gathered, metres: a floor that ends where the body touches an
+/// edge is within that.
 constexpr double kSurroundings = 0.05;
+/// A body that moves less than this doesn't move, metres.
 constexpr double kStill = 1e-9;
-/// Whoever is held back to this share of what was asked for stands still: what is left of the way along a
-/// wall becomes ever shorter, and would never end.
+/// A body that walls hold back to this share of the desired displacement stands still: the remaining motion
+/// along a wall would become ever shorter and never end.
 constexpr double kCreep = 1e-5;
 
-/// The nearest of each object counts.
-void note(const Touch& touch, std::vector<Touch>& touching) {
+/// Lists the smallest gap of each object.
+void add_touch(const Touch& touch, std::vector<Touch>& touching) {
     const auto at = std::ranges::lower_bound(touching, touch.object, {}, &Touch::object);
     if (at == touching.end() || at->object != touch.object) {
         touching.insert(at, touch);
@@ -35,15 +37,15 @@ void note(const Touch& touch, std::vector<Touch>& touching) {
 
 Support support_of(const MoverSettings& body, const MoverState& state) {
     const double foot_y = state.foot.y();
-    const bool known = state.grounded && state.carried_at <= foot_y + body.radius;
-    return {state.foot, known ? std::max(foot_y, state.carried_at) : foot_y};
+    const bool known = state.grounded && state.support_y <= foot_y + body.radius;
+    return {state.foot, known ? std::max(foot_y, state.support_y) : foot_y};
 }
 
-/// Surveys what the body may meet this far from its place.
+/// Surveys what the body may touch this far from its place.
 void look_around(MoveContext& context, const Vec3& foot, double sideways, double up, double down,
                  QueryStatistics* statistics) {
     const MoverSettings& body = context.body;
-    const double beside = sideways + kProbe;
+    const double beside = sideways + kProbeDistance;
     const double reach = body.radius + beside + body.skin + kSurroundings;
     const Vec3 low(reach, down + kSurroundings + body.skin, reach);
     const Vec3 high(reach, body.height + up + kSurroundings + body.skin, reach);
@@ -52,29 +54,29 @@ void look_around(MoveContext& context, const Vec3& foot, double sideways, double
 }
 
 Ground underfoot(MoveContext& context, const Vec3& foot) {
-    return find_ground(context, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRest, 4.0 * kRest);
+    return find_ground(context, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRestGap, 4.0 * kRestGap);
 }
 
-/// Where something is in the way, or nothing to stand on.
+/// For a body with something in the way, or nothing ahead to stand on.
 void walk_as_far_as_free(MoveContext& context, MoverState& state, const Vec3& flat, const Ground& ahead) {
-    const double radius = context.body.radius + kHard;
+    const double radius = context.body.radius + kSweepGap;
     const Support stand = support_of(context.body, state);
     const Vec3& start = stand.foot;
     Vec3 foot = start;
     if (ahead.carries && ahead.foot_y > start.y()) {
-        foot += free_part(context, foot, Vec3(0, ahead.foot_y - start.y() + kHard, 0), radius);
+        foot += free_part(context, foot, Vec3(0, ahead.foot_y - start.y() + kSweepGap, 0), radius);
     }
     foot += free_part(context, foot, flat, radius);
-    const Ground below = find_ground(context, foot.x(), foot.z(), stand, foot.y() - start.y() + kHard,
+    const Ground below = find_ground(context, foot.x(), foot.z(), stand, foot.y() - start.y() + kSweepGap,
                                      context.body.step_height + kHeightSlack);
     const double lower = std::min(0.0, (below.carries ? below.foot_y : start.y()) - foot.y());
     foot += free_part(context, foot, Vec3(0, lower, 0), radius);
     state.foot = foot;
-    if (below.carries && foot.y() <= below.foot_y + kRest) {
-        state.carried_at = below.at;
+    if (below.carries && foot.y() <= below.foot_y + kRestGap) {
+        state.support_y = below.support_y;
         return;
     }
-    // Over an edge, or onto something too steep. Falling starts at the old height.
+    // Over an edge, or onto something too steep. The fall starts at the old height.
     state.leave_ground(0.0, start.y());
 }
 
@@ -93,49 +95,50 @@ void walk(MoveContext& context, MoverState& state, const Vec3& desired) {
         const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
         if (is_free(context, start, goal) || is_free_over(context, start, goal)) {
             state.foot = goal;
-            state.carried_at = ahead.at;
+            state.support_y = ahead.support_y;
             return;
         }
     }
     walk_as_far_as_free(context, state, flat, ahead);
 }
 
-/// Walls stop the drift, as they stop what is asked for.
-void hold_drift(MoverState& state, double seconds, std::span<const HalfPlane> walls) {
-    const Vec3 own = seconds * state.drift;
+/// Walls stop the slide, as they stop the desired displacement.
+void limit_slide(MoverState& state, double seconds, std::span<const HalfPlane> walls) {
+    const Vec3 own = seconds * state.slide_velocity;
     if (const Vec3 left = nearest_allowed(own, walls); left != own) {
-        state.drift = left / seconds;
+        state.slide_velocity = left / seconds;
     }
 }
 
-/// On what is too steep to stand on, the speed goes down the slope, but for what goes into it: without
-/// friction. Whoever is held up by something else as well is no faster for having wanted to be.
+/// On what is too steep to stand on, the velocity turns down the slope without friction: it loses the
+/// component into the slope. A body that something else holds up as well doesn't gain speed that it doesn't
+/// move with.
 void turn_along(const MoverSettings& body, MoverState& state, const Vec3& n, double moved, double seconds) {
-    Vec3 velocity = state.drift + Vec3(0, state.vertical_speed, 0);
+    Vec3 velocity = state.slide_velocity + Vec3(0, state.vertical_speed, 0);
     velocity -= std::min(0.0, velocity.dot(n)) * n;
     const double most = moved / seconds + body.gravity * seconds;
     if (const double speed = velocity.norm(); speed > most) {
         velocity *= most / speed;
     }
-    state.drift = Vec3(velocity.x(), 0, velocity.z());
+    state.slide_velocity = Vec3(velocity.x(), 0, velocity.z());
     state.vertical_speed = velocity.y();
 }
 
-/// Too steep to stand on: what is left of the fall goes down the slope.
+/// On what is too steep to stand on, the rest of the fall continues down the slope.
 Vec3 fall_along(MoveContext& context, const Vec3& foot, const Vec3& n, double rest) {
     const Vec3 along = rest * (Vec3::UnitY() - n.y() * n);
     const Vec3 flat = slide(context, {foot, foot.y()}, Vec3(along.x(), 0, along.z()), false).move;
-    const Vec3 across = foot + free_part(context, foot, flat, context.body.radius + kHard);
-    return across + free_part(context, across, Vec3(0, along.y(), 0), context.body.radius + kRest);
+    const Vec3 across = foot + free_part(context, foot, flat, context.body.radius + kSweepGap);
+    return across + free_part(context, across, Vec3(0, along.y(), 0), context.body.radius + kRestGap);
 }
 
-/// The steepest of what the body rests on.
+/// The steepest normal of what the body rests on.
 Vec3 resting_normal(MoveContext& context, const Vec3& foot) {
     Vec3 steepest = Vec3::UnitY();
     const auto key = [](const Vec3& n) { return std::tuple(n.y(), n.x(), n.z()); };
     for (const ContactCache::Index i : context.near) {
         const Separation& s = context.contacts.measure(i, foot);
-        const bool touches = s.distance > 0.0 && s.distance <= context.body.radius + 2.0 * kRest;
+        const bool touches = s.distance > 0.0 && s.distance <= context.body.radius + 2.0 * kRestGap;
         if (touches && s.normal.y() > 0.0 && key(s.normal) < key(steepest)) {
             steepest = s.normal;
         }
@@ -148,9 +151,9 @@ void land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& 
     trace.fall_height = std::max(trace.fall_height, state.fall_from - foot.y());
     state.foot = foot;
     state.grounded = true;
-    state.carried_at = ground.at;
+    state.support_y = ground.support_y;
     state.vertical_speed = 0.0;
-    state.drift = Vec3::Zero();
+    state.slide_velocity = Vec3::Zero();
 }
 
 void fall(MoveContext& context, MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace) {
@@ -159,14 +162,14 @@ void fall(MoveContext& context, MoverState& state, const Vec3& desired, double s
     Vec3 foot = start;
     Vec3 vertical = Vec3::Zero();
     if (rise > 0.0) {
-        vertical = free_part(context, foot, Vec3(0, rise, 0), context.body.radius + kHard);
+        vertical = free_part(context, foot, Vec3(0, rise, 0), context.body.radius + kSweepGap);
         foot += vertical;
     }
-    const Slide across = slide(context, {foot, foot.y()}, desired + seconds * state.drift, false);
-    foot += free_part(context, foot, across.move, context.body.radius + kHard);
-    hold_drift(state, seconds, across.walls);
+    const Slide across = slide(context, {foot, foot.y()}, desired + seconds * state.slide_velocity, false);
+    foot += free_part(context, foot, across.move, context.body.radius + kSweepGap);
+    limit_slide(state, seconds, across.walls);
     if (rise <= 0.0) {
-        vertical = free_part(context, foot, Vec3(0, rise, 0), context.body.radius + kRest);
+        vertical = free_part(context, foot, Vec3(0, rise, 0), context.body.radius + kRestGap);
         foot += vertical;
     }
     state.vertical_speed -= context.body.gravity * seconds;
@@ -192,10 +195,10 @@ void fall(MoveContext& context, MoverState& state, const Vec3& desired, double s
     state.foot = foot;
 }
 
-/// An equal part of a tick.
+/// Moves the body for one of the equal parts of a tick.
 void move_part(MoveContext& context, MoverState& state, const Vec3& desired, double seconds, MoveTrace& trace,
                QueryStatistics* statistics) {
-    const double length = horizontal_norm(desired) + horizontal_norm(state.drift) * seconds;
+    const double length = horizontal_norm(desired) + horizontal_norm(state.slide_velocity) * seconds;
     if (state.grounded) {
         const double above = support_of(context.body, state).base - state.foot.y();
         const double high =
@@ -225,10 +228,10 @@ void list_touching(MoveContext& context, const MoverState& state, MoveTrace& tra
             continue;
         }
         const double distance = context.contacts.measure(i, foot).distance;
-        if (distance > reach || classify(context, i, stand) != Kind::wall) {
+        if (distance > reach || classify(context, i, stand) != PieceKind::wall) {
             continue;
         }
-        note(Touch{piece.obstacle.object, distance - context.body.radius}, trace.touching);
+        add_touch(Touch{piece.obstacle.object, distance - context.body.radius}, trace.touching);
     }
 }
 
@@ -274,10 +277,10 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
         return;
     }
     const MoverState before = state;
-    // In parts this short, an edge of a flat wall is never met by a body that keeps the skin from the wall.
+    // In parts this short, a body at skin distance from a flat wall never touches an edge of it.
     const double longest =
         std::max(0.99 * std::sqrt(2.0 * settings_.radius * settings_.skin), 0.1 * settings_.radius);
-    const double length = horizontal_norm(desired) + horizontal_norm(state.drift) * seconds;
+    const double length = horizontal_norm(desired) + horizontal_norm(state.slide_velocity) * seconds;
     const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
     if (parts > 1) {
         look_around(context, state.foot, length, settings_.step_height, settings_.step_height, statistics);
@@ -301,12 +304,12 @@ void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, Mov
                          QueryStatistics* statistics) const {
     MoveContext context = context_with(cache);
     look_around(context, foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
-    const Vec3 down = free_part(context, foot, Vec3(0, -search, 0), settings_.radius + kRest);
+    const Vec3 down = free_part(context, foot, Vec3(0, -search, 0), settings_.radius + kRestGap);
     const Ground ground = underfoot(context, foot + down);
     state = MoverState{};
     state.grounded = down.y() > -search && ground.carries;
     state.foot = state.grounded ? Vec3(foot + down) : foot;
-    state.carried_at = ground.at;
+    state.support_y = ground.support_y;
     state.fall_from = state.foot.y();
 }
 
@@ -328,7 +331,7 @@ std::optional<CapsuleMover> CapsuleMover::resized(const MoverState& state, doubl
     look_around(context, state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
     const bool has_room = std::ranges::all_of(context.near, [&](ContactCache::Index i) {
         const double distance = cache.contacts.measure(i, state.foot).distance;
-        return distance >= settings_.radius + kHard ||
+        return distance >= settings_.radius + kSweepGap ||
                distance >= closest_upright(old_core, cache.contacts.piece(i).obstacle).distance;
     });
     return has_room ? std::optional(other) : std::nullopt;

@@ -12,16 +12,17 @@ namespace campuswalk::collision {
 
 struct MoverState {
     Vec3 foot = Vec3::Zero();     ///< lowest point of the capsule
-    double vertical_speed = 0.0;  ///< metres a second, up positive; 0 while grounded
-    /// Horizontal, metres a second, of a slide down what is too steep to stand on; 0 while grounded.
-    Vec3 drift = Vec3::Zero();
+    double vertical_speed = 0.0;  ///< metres per second, up positive; 0 while grounded
+    /// Horizontal velocity of a slide down what is too steep to stand on, metres per second; 0 while
+    /// grounded.
+    Vec3 slide_velocity = Vec3::Zero();
     bool grounded = false;
-    double fall_from = 0.0;  ///< greatest height since the ground was left, metres
+    double fall_from = 0.0;  ///< greatest height since the body left the ground, metres
     /// Height of the point that carries the body, which steps are measured from: on a slope or at an edge it
-    /// is above the foot. Ignored where it can't be.
-    double carried_at = -1e300;
+    /// is above the foot. Ignored if it is too high for that.
+    double support_y = -1e300;
 
-    /// Into the air, at `speed` upwards; a fall counts from `height`.
+    /// Makes the body airborne, at `speed` upwards; a fall is measured from `height`.
     void leave_ground(double speed, double height) {
         grounded = false;
         vertical_speed = speed;
@@ -31,7 +32,7 @@ struct MoverState {
     friend bool operator==(const MoverState&, const MoverState&) = default;
 };
 
-/// A solid object beside or above the body; the ground underfoot and steps that are climbed don't count.
+/// A solid object beside or above the body; not the ground underfoot, nor steps that it climbs.
 struct Touch {
     ObjectId object{};
     double gap = 0.0;  ///< metres between the capsule's surface and the object
@@ -39,8 +40,8 @@ struct Touch {
 
 /// What a move did.
 struct MoveTrace {
-    std::vector<Vec3> path;       ///< foot points: the start, then the end of every equal part of the tick
-    std::vector<Touch> touching;  ///< nearest gap of each object within reach, ascending by object
+    std::vector<Vec3> path;       ///< of the foot: its start, then the end of each equal part of the tick
+    std::vector<Touch> touching;  ///< the smallest gap of each object within reach, ascending by object
     bool landed = false;
     double fall_height = 0.0;  ///< when landed, metres
 };

@@ -7,7 +7,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Twice the area of a triangle seen from above, signed.
+/// Twice the signed area of the triangle (a, b, (x, z)) seen from above.
 double turn_of(const Vec3& a, const Vec3& b, double x, double z) {
     return (b.x() - a.x()) * (z - a.z()) - (b.z() - a.z()) * (x - a.x());
 }
@@ -18,7 +18,7 @@ bool over(const Triangle& t, double x, double z) {
            (turns[0] <= 0.0 && turns[1] <= 0.0 && turns[2] <= 0.0);
 }
 
-/// The highest of what it has been offered.
+/// The highest of the rests offered.
 struct Highest {
     std::optional<SphereRest> best;
 
@@ -40,7 +40,7 @@ void rest_on_vertex(const Vec3& vertex, double x, double z, double radius, Highe
 
 /// The ball's centre is as far from the edge's line as its radius: a quadratic in its height over `a`.
 void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radius, Highest& highest) {
-    constexpr double kUpright = 1e-10;  // square of the sine
+    constexpr double kUpright = 1e-10;  // squared sine of the angle to the vertical
     const Vec3 e = b - a;
     const double flat2 = e.x() * e.x() + e.z() * e.z();
     const double length2 = flat2 + e.y() * e.y();
@@ -49,7 +49,7 @@ void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radiu
     }
     const double wx = x - a.x();
     const double wz = z - a.z();
-    // Seen along the edge: how far aside of it the centre is, whatever its height.
+    // The centre's horizontal distance from the edge's line, times the edge's horizontal length.
     const double aside = wx * e.z() - wz * e.x();
     const double left = radius * radius * flat2 - aside * aside;
     if (left < 0.0) {
@@ -67,12 +67,12 @@ void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radiu
 
 std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
                                       double radius) {
-    constexpr double kSteepest = 1e-5;  // an upright face is met at its upper edge
+    constexpr double kSteepest = 1e-5;  // an upright face is touched at its upper edge
     if (std::abs(normal.y()) > kSteepest) {
         const Vec3 up = normal.y() > 0.0 ? normal : Vec3(-normal);
         const double on_x = x - radius * up.x();
         const double on_z = z - radius * up.z();
-        if (over(triangle, on_x, on_z)) {  // no edge can be met before the face is
+        if (over(triangle, on_x, on_z)) {  // no edge can be touched before the face
             const double dx = on_x - triangle.a.x();
             const double dz = on_z - triangle.a.z();
             const double on_y = triangle.a.y() - (up.x() * dx + up.z() * dz) / up.y();

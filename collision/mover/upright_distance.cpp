@@ -11,7 +11,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Distances that differ by less are as near as each other, metres: rounding would choose.
+/// Distances that differ by less count as equal, metres: otherwise rounding would decide.
 constexpr double kTie = 1e-10;
 
 bool above_inside(const Triangle& t, const Vec3& normal, const Vec3& point) {
@@ -29,7 +29,7 @@ Closest to_edge(const Segment& s, const Vec3& from, const Vec3& to) {
     const auto along = [&](const Vec3& p) {
         return length2 > 0.0 ? std::clamp(e.dot(p - from) / length2, 0.0, 1.0) : 0.0;
     };
-    // Nearest seen from above; the segment's end decides where that is over or under it.
+    // The point nearest as seen from above; the segment's end decides if that is above or below the segment.
     const double seen = e.x() * (s.a.x() - from.x()) + e.z() * (s.a.z() - from.z());
     double t = flat2 > 0.0 ? std::clamp(seen / flat2, 0.0, 1.0) : along(s.a);
     const double y = from.y() + t * e.y();

@@ -7,10 +7,10 @@
 namespace campuswalk::collision {
 
 /// Like `closest` (obstacle.h) for a segment whose `b` is straight above its `a`: the same distance, faster
-/// where a face is nearest. Of a wall's points at one height as near as at another, the upper.
+/// where a face is nearest. Where points at several heights are equally near, returns the upper one.
 Closest closest_upright(const Segment& upright, const Obstacle& obstacle);
 
-/// Likewise `sweep`.
+/// Like `sweep` (obstacle.h), likewise.
 std::optional<double> sweep_upright(const Segment& upright, double radius, const Vec3& move,
                                     const Obstacle& obstacle);
 

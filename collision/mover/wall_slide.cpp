@@ -8,7 +8,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// The wall that a piece is to the body, which keeps `gap` from it.
+/// The half-plane of a piece that the body stays `gap` away from.
 HalfPlane wall_of(const Separation& s, double radius, double gap) {
     const double flat = horizontal_norm(s.normal);
     const double room = std::max(0.0, s.distance - radius - gap);
@@ -22,7 +22,7 @@ void find_walls(MoveContext& context, const Support& stand, double length, bool 
     const Vec3& foot = stand.foot;
     context.buffers.walls.clear();
     context.buffers.edges.clear();
-    const double reach = body.radius + body.skin + length + kRest;
+    const double reach = body.radius + body.skin + length + kRestGap;
     const double highest_edge = foot.y() + body.step_height;
     for (const ContactCache::Index i : context.near) {
         const ContactCache::Piece& piece = context.contacts.piece(i);
@@ -34,7 +34,8 @@ void find_walls(MoveContext& context, const Support& stand, double length, bool 
         if (s.distance > reach || horizontal_norm(s.normal) <= kVertical) {
             continue;
         }
-        const bool wall = grounded ? classify(context, i, stand) == Kind::wall : s.normal.y() < body.min_up;
+        const bool wall =
+            grounded ? classify(context, i, stand) == PieceKind::wall : s.normal.y() < body.min_up;
         if (!wall) {
             continue;
         }
@@ -62,7 +63,7 @@ Slide slide(MoveContext& context, const Support& stand, const Vec3& desired, boo
             return {move, walls};
         }
         for (auto i = hit; i != edges.end(); ++i) {
-            walls.push_back(wall_of(context.contacts.measure(*i, foot), context.body.radius, kRest));
+            walls.push_back(wall_of(context.contacts.measure(*i, foot), context.body.radius, kRestGap));
         }
         edges.erase(hit, edges.end());
     }

@@ -7,14 +7,14 @@
 
 namespace campuswalk::collision {
 
-/// A horizontal displacement held against the walls.
+/// A horizontal displacement that walls have shortened.
 struct Slide {
     Vec3 move = Vec3::Zero();
-    std::span<const HalfPlane> walls;  ///< that held it; valid until the next slide
+    std::span<const HalfPlane> walls;  ///< that may have shortened it; valid until the next slide
 };
 
-/// Flat walls always count; an edge counts only once the move would run into it, because an edge between two
-/// flush faces isn't there for the avatar.
+/// Flat walls always count; an edge counts only if the move would run into it, because an edge between two
+/// flush faces must not stop the avatar.
 Slide slide(MoveContext& context, const Support& stand, const Vec3& desired, bool grounded);
 
 }  // namespace campuswalk::collision

@@ -14,7 +14,7 @@ Aabb about(const Vec3& center, const Vec3& half) {
 }
 
 Aabb box_of(const std::shared_ptr<const MeshCollider>& mesh, const Pose& X) {
-    if (X.rotation == Mat3::Identity()) {  // rounds as below: what is greater isn't less for being moved
+    if (X.rotation == Mat3::Identity()) {  // rounds as below: translating preserves the order
         const Aabb box = box_of(mesh->mesh().positions);
         return {box.min + X.translation, box.max + X.translation};
     }

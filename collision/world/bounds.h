@@ -4,7 +4,7 @@
 
 namespace campuswalk::collision {
 
-/// The world-space box of a posed shape, grown by rounding's worth.
+/// The axis-aligned bounds of a posed shape in the world, enlarged to cover rounding.
 Aabb bounds_of(const Shape& shape, const Pose& X_world_shape);
 
 }  // namespace campuswalk::collision

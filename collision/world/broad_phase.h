@@ -14,8 +14,8 @@ constexpr std::size_t index_of(ObjectId id) {
     return static_cast<std::size_t>(id);
 }
 
-/// Finds the static objects whose boxes meet a query. Implementations may return candidates in any order
-/// (World sorts them, so that the order can't leak into results) and may return too many, never too few.
+/// Finds the static objects whose boxes overlap a query. Implementations may return candidates in any order
+/// (World sorts them, so that the order can't affect results), and too many, never too few.
 class BroadPhase {
 public:
     virtual ~BroadPhase() = default;
@@ -23,11 +23,11 @@ public:
     virtual void insert(ObjectId id, const Aabb& box) = 0;
     /// Appends to `out` every object whose box overlaps `box`.
     virtual void overlapping(const Aabb& box, std::vector<ObjectId>& out) const = 0;
-    /// Appends to `out` every object whose box the segment from `from` to `to` meets.
+    /// Appends to `out` every object whose box the segment from `from` to `to` intersects.
     virtual void crossing(const Vec3& from, const Vec3& to, std::vector<ObjectId>& out) const = 0;
 };
 
-/// Tests every box: the twin that cleverer broad phases are compared with, and enough for a few objects.
+/// Tests every box: the reference for other broad phases, and sufficient for a few objects.
 class LinearBroadPhase final : public BroadPhase {
 public:
     void insert(ObjectId id, const Aabb& box) override;

@@ -29,7 +29,7 @@ btVector3 upper(const Vec3& p) {
     return {rounded_up(p.x()), rounded_up(p.y()), rounded_up(p.z())};
 }
 
-/// The id travels through Bullet as the proxy's client pointer; one is added because null means "no client".
+/// Bullet carries the id as the proxy's client pointer; one is added because null means "no client".
 void* client_of(ObjectId id) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): Bullet's interface
     return reinterpret_cast<void*>(static_cast<std::uintptr_t>(index_of(id)) + 1);

@@ -8,10 +8,10 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// Surfaces this close behind each other along the ray count as one, metres.
+/// Surfaces this close together along the ray count as one, metres.
 constexpr double kSamePlace = 1e-3;
 
-/// Where a ray in the shape's frame meets it first.
+/// Where a ray in the shape's frame first hits it.
 struct FirstHit {
     const Ray& ray;
     QueryStatistics* statistics;

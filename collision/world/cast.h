@@ -13,9 +13,8 @@ struct WorldRayHit {
     double fraction = 0.0;  ///< of the ray, 0 at its start
 };
 
-/// The first object on the ray that passes the filter. Objects hit at one point (an object for bumping into
-/// and one for looking at often share a mesh): one that takes part in `preferred` goes first, then the lowest
-/// id.
+/// The first object on the ray that passes the filter. Of objects hit at one point (a solid object and one
+/// for gaze hits often share a mesh), one with the detection `preferred`, else that with the lowest id.
 std::optional<WorldRayHit> cast(const World& world, const QueryFilter& filter, const Ray& ray,
                                 Detection preferred, QueryStatistics* statistics = nullptr);
 

@@ -12,7 +12,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// How far a point may be off a face and still count as lying on it, metres.
+/// A point this close to a face counts as lying on it, metres.
 constexpr double kOnFace = 1e-6;
 
 void append_triangles(const World& world, ObjectId id, const MeshCollider& mesh, const Segment& segment,
@@ -75,7 +75,7 @@ bool up_at(const Wheel& wheel, const Pose& X, const Vec3& point, double min_up) 
 }
 
 bool up_at(const std::shared_ptr<const MeshCollider>&, const Pose&, const Vec3&, double) {
-    return false;  // meshes come apart into triangles before they get here
+    return false;  // never called: a mesh's obstacles are its triangles
 }
 
 Closest closest(const Segment&, const std::shared_ptr<const MeshCollider>&, const Pose&) {

@@ -15,7 +15,7 @@ namespace campuswalk::collision {
 struct Obstacle {
     ObjectId object{};
     std::uint32_t triangle = 0;     ///< index in the object's mesh; 0 for a solid
-    const Object* solid = nullptr;  ///< set for a convex solid
+    const Object* solid = nullptr;  ///< set for a convex solid, else null
     Triangle vertices;              ///< for a triangle
     Vec3 normal = Vec3::Zero();     ///< for a triangle: unit face normal, zero if it has no area
     double top = 0.0;               ///< greatest y
@@ -24,8 +24,8 @@ struct Obstacle {
 Obstacle triangle_obstacle(ObjectId object, std::uint32_t triangle, const Triangle& vertices);
 Obstacle solid_obstacle(const World& world, ObjectId object);
 
-/// Replaces `out` by everything that passes the filter within `radius` of the segment, ordered by object and
-/// triangle. Pointers into `world` stay valid as long as it does.
+/// Replaces `out` by all obstacles within `radius` of the segment that pass the filter, ordered by object and
+/// triangle. They point into `world`.
 void gather_obstacles(const World& world, const QueryFilter& filter, const Segment& segment, double radius,
                       std::vector<Obstacle>& out, QueryStatistics* statistics = nullptr);
 
@@ -35,8 +35,8 @@ void gather_pieces(const World& world, ObjectId id, const Segment& segment, doub
 
 Closest closest(const Segment& segment, const Obstacle& obstacle);
 
-/// Does a surface of the obstacle at `point` (a point of it) face up by at least `min_up` (the cosine of the
-/// slope limit)? Triangles count from both sides: flipped floors are common in real models.
+/// Whether the obstacle's surface at `point` (a point of it) faces up by at least `min_up` (the cosine of the
+/// slope limit). Triangles are two-sided: flipped floors are common in real models.
 bool walkable_at(const Obstacle& obstacle, const Vec3& point, double min_up);
 
 /// The first fraction of `move` at which a capsule of `radius` about `segment` touches the obstacle; none if

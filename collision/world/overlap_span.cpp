@@ -12,7 +12,7 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// The span of one convex piece: in from the left and, backwards, in from the right.
+/// The span of one convex piece: by a sweep from the start and a sweep back from the end.
 std::optional<OverlapSpan> span_of(const Segment& segment, double radius, const Vec3& move,
                                    const Obstacle& piece) {
     const Segment end{segment.a + move, segment.b + move};
@@ -50,13 +50,12 @@ std::optional<OverlapSpan> overlap_span(const World& world, ObjectId id, const S
                                         double radius, const Vec3& move, QueryStatistics* statistics) {
     const bool inside_at_start = contains(world.object(id), segment.a, statistics);
     const bool inside_at_end = contains(world.object(id), segment.a + move, statistics);
-    OverlapSpan inside;
-    inside.at_start = inside_at_start;
-    inside.at_end = inside_at_end;
-    inside.enter = inside_at_start ? 0.0 : 1.0;
-    inside.leave = inside_at_end ? 1.0 : 0.0;
+    const OverlapSpan inside{.enter = inside_at_start ? 0.0 : 1.0,
+                             .leave = inside_at_end ? 1.0 : 0.0,
+                             .at_start = inside_at_start,
+                             .at_end = inside_at_end};
     if (inside_at_start && inside_at_end) {
-        return inside;  // no piece adds to that
+        return inside;  // no piece can extend that
     }
     thread_local std::vector<Obstacle> pieces;
     const Segment middle{segment.a + 0.5 * move, segment.b + 0.5 * move};

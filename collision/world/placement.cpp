@@ -29,12 +29,12 @@ struct Holds {
     }
 };
 
-constexpr double kLift = 0.05;       // metres between the heights that are tried
-constexpr double kRing = 0.02;       // metres between the rings that are tried
+constexpr double kLift = 0.05;       // metres between the heights tried
+constexpr double kRing = 0.02;       // metres between the rings tried
 constexpr int kDirections = 64;      // on a ring
 constexpr double kRounding = 2e-3;   // metres
-constexpr double kClearance = 1e-3;  // metres kept from what a body is pushed out of
-constexpr int kHalvings = 16;        // of an offset, to a few micrometres
+constexpr double kClearance = 1e-3;  // metres left between a body and what it is pushed out of
+constexpr int kHalvings = 16;        // of an offset, down to a few micrometres
 
 /// The first object that a point is inside of.
 std::optional<ObjectId> object_around(const World& world, const QueryFilter& filter, const Vec3& point,
@@ -46,16 +46,16 @@ std::optional<ObjectId> object_around(const World& world, const QueryFilter& fil
     return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
-/// None, as much as ground is overlapped by the rounding of written numbers, then evenly.
+/// 0, then as much as the rounding of written numbers makes a body overlap the ground, then even steps.
 double lift_of(int step) {
     return step < 2 ? step * kRounding : (step - 1) * kLift;
 }
 
-/// All offsets up to `reach` that a body is tried at, the nearest first.
+/// All offsets up to `reach` at which a body is tried, the nearest first.
 std::vector<Vec3> offsets_within(double reach) {
     struct Offset {
         double squared = 0.0;
-        int number = 0;  // decides between equally near ones
+        int number = 0;  // breaks ties
         Vec3 vector = Vec3::Zero();
     };
     constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -87,7 +87,7 @@ std::vector<Vec3> offsets_within(double reach) {
     return vectors;
 }
 
-/// Tries offsets of a body from a place where it overlaps something.
+/// Pushes a body out of what it overlaps at a place.
 class Push {
 public:
     Push(const World& world, const QueryFilter& filter, const Vec3& foot, double radius, double height,
@@ -107,7 +107,7 @@ public:
         }
     }
 
-    /// Overlaps of the radius or more leave open which side of a wall was meant.
+    /// A body that overlaps a wall by its radius or more may have been meant for either side.
     bool shallow() const {
         return !object_around(world_, filter_, axis_.a, statistics_) &&
                std::ranges::none_of(
@@ -115,7 +115,7 @@ public:
     }
 
     std::optional<Vec3> nearest() const {
-        // On one ring several directions may be free: how far each can be drawn in tells them apart.
+        // Several directions on one ring may be free: the one that can be moved back farthest wins.
         std::optional<Vec3> best;
         double reach = 2.0 * radius_;
         for (const Vec3& offset : offsets_within(reach)) {
@@ -128,7 +128,7 @@ public:
             if (!best) {
                 reach = std::min(reach, offset.norm() + kRing);
             }
-            if (const Vec3 nearer = drawn_in(offset); !best || nearer.squaredNorm() < best->squaredNorm()) {
+            if (const Vec3 nearer = moved_back(offset); !best || nearer.squaredNorm() < best->squaredNorm()) {
                 best = nearer;
             }
         }
@@ -149,7 +149,7 @@ private:
         return !obstruction(world_, filter_, foot_ + offset, radius_, height_, statistics_);
     }
 
-    Vec3 drawn_in(const Vec3& offset) const {
+    Vec3 moved_back(const Vec3& offset) const {
         double blocked = 0.0;
         double enough = 1.0;
         for (int i = 0; i < kHalvings; ++i) {
@@ -167,7 +167,7 @@ private:
     QueryStatistics* statistics_;
     Segment axis_;
     std::vector<Obstacle> pieces_;
-    std::vector<double> distances_;  ///< that the axis keeps from each piece, metres
+    std::vector<double> distances_;  ///< least distance of the axis from each piece, metres
 };
 
 }  // namespace
@@ -210,15 +210,15 @@ std::optional<FreePlacement> nearest_free_placement(const World& world, const Qu
     if (const auto here = free_place(world, filter, foot, radius, height, kLift, statistics)) {
         return FreePlacement{*here, std::nullopt};
     }
-    const auto in_the_way = obstruction(world, filter, foot, radius, height, statistics);
+    const auto blocking = obstruction(world, filter, foot, radius, height, statistics);
     if (const Push push(world, filter, foot, radius, height, statistics); push.shallow()) {
         if (const auto beside = push.nearest()) {
-            return FreePlacement{*beside, in_the_way};
+            return FreePlacement{*beside, blocking};
         }
         return std::nullopt;
     }
     if (const auto above = free_place(world, filter, foot, radius, height, search, statistics)) {
-        return FreePlacement{*above, in_the_way};
+        return FreePlacement{*above, blocking};
     }
     return std::nullopt;
 }

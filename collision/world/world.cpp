@@ -22,17 +22,17 @@ ObjectId World::add(Object object) {
 void World::candidates(const Aabb& box, const QueryFilter& filter, std::vector<ObjectId>& out) const {
     out.clear();
     broad_phase_->overlapping(box, out);
-    keep_visible(filter, out);
+    apply_filter(filter, out);
 }
 
 void World::candidates(const Vec3& from, const Vec3& to, const QueryFilter& filter,
                        std::vector<ObjectId>& out) const {
     out.clear();
     broad_phase_->crossing(from, to, out);
-    keep_visible(filter, out);
+    apply_filter(filter, out);
 }
 
-void World::keep_visible(const QueryFilter& filter, std::vector<ObjectId>& out) const {
+void World::apply_filter(const QueryFilter& filter, std::vector<ObjectId>& out) const {
     std::erase_if(out, [&](ObjectId id) {
         const Object& o = object(id);
         if (filter.disabled != nullptr && (*filter.disabled)[index_of(id)]) {

@@ -9,14 +9,14 @@
 
 namespace campuswalk::collision {
 
-/// Which of the paper's three detection strategies an object takes part in; values combine as bits.
+/// The paper's three detection modes that an object takes part in; values combine as bits.
 enum class Detection : std::uint8_t { none = 0, solid = 1, trigger = 2, ray = 4 };
 
 constexpr Detection operator|(Detection a, Detection b) {
     return static_cast<Detection>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
 }
-constexpr bool any_of(Detection set, Detection asked) {
-    return (static_cast<std::uint8_t>(set) & static_cast<std::uint8_t>(asked)) != 0;
+constexpr bool any_of(Detection set, Detection others) {
+    return (static_cast<std::uint8_t>(set) & static_cast<std::uint8_t>(others)) != 0;
 }
 
 /// A static object of the world.
@@ -27,17 +27,17 @@ struct Object {
     std::uint32_t layer = 0;  ///< 0..31
 };
 
-/// Which objects a query sees.
+/// Which objects a query considers.
 struct QueryFilter {
     Detection detection = Detection::solid;
-    std::uint32_t ignored_layers = 0;             ///< bit n set: layer n is not seen
-    const std::vector<bool>* disabled = nullptr;  ///< by object: not seen; nothing is disabled if null
+    std::uint32_t ignored_layers = 0;             ///< bit n set: layer n is ignored
+    const std::vector<bool>* disabled = nullptr;  ///< by object: ignored; null if none is
 
     friend bool operator==(const QueryFilter&, const QueryFilter&) = default;
 };
 
 /// The static world: objects in a broad phase, the trees of their meshes as the narrow phase. Immutable once
-/// filled; queries are const and give objects in ascending id, whatever the broad phase's order.
+/// filled; queries are const and return objects by ascending id, whatever the broad phase's order.
 class World {
 public:
     explicit World(std::unique_ptr<BroadPhase> broad_phase);
@@ -57,7 +57,7 @@ public:
                     std::vector<ObjectId>& out) const;
 
 private:
-    void keep_visible(const QueryFilter& filter, std::vector<ObjectId>& out) const;
+    void apply_filter(const QueryFilter& filter, std::vector<ObjectId>& out) const;
 
     std::unique_ptr<BroadPhase> broad_phase_;
     std::vector<Object> objects_;

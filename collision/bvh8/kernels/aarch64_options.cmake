@@ -1,2 +1,2 @@
-# Highway compiles its NEON target with these instructions; g++ inlines nothing into functions compiled without them.
+# The instructions of Highway's NEON target: g++ can't inline it into functions that are compiled without them.
 set(CAMPUSWALK_KERNEL_OPTIONS -march=armv8-a+crypto)

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-// As in bvh8_contacts.cpp, but AVX-512 is left out: the same on eight lanes takes a tenth longer with it.
+// As in bvh8_contacts.cpp, but without AVX-512: the same code on eight lanes takes a tenth longer with it.
 #define HWY_IS_DEBUG_BUILD 0
 #ifdef __x86_64__
 #define HWY_BASELINE_TARGETS HWY_SSE4
@@ -28,10 +28,10 @@ using Vec4 = hn::Vec<Four>;
 
 constexpr std::size_t kBins = 16;
 
-/// Triangles that a leaf is expected to take: its corners are used up before its sixteen triangles are.
+/// The expected number of triangles per leaf: its vertex slots are usually full before its sixteen triangles.
 constexpr float kTypicalLeaf = 14.0F;
 
-/// SplitItem's ends, of one or of many.
+/// SplitItem::ends, of one item or merged from many.
 struct Ends {
     using Tag = hn::CappedTag<float, 8>;
     static constexpr std::size_t kParts = 8 / hn::MaxLanes(Tag());
@@ -61,7 +61,7 @@ struct Ends {
             part[i] = hn::Min(part[i], o.part[i]);
         }
     }
-    /// Of the box, negative: their products aren't.
+    /// The lengths of the box, negated: their products aren't.
     HWY_INLINE Vec4 lengths() const { return lower_and_upper(part); }
 
 private:
@@ -79,7 +79,7 @@ HWY_INLINE Vec4 center(const SplitItem& item) {
     return hn::Sub(hn::Load(Four(), item.ends.data()), hn::Load(Four(), item.ends.data() + 4));
 }
 
-/// Where centres lie along the three axes, in bins.
+/// Maps centres to bins along the three axes.
 struct Binning {
     HWY_ALIGN float low[4];
     HWY_ALIGN float scale[4];
@@ -104,15 +104,15 @@ struct Binning {
         greatest = hn::Max(hn::Max(greatest, greatest_of_right), last);
         const Vec4 extent = hn::Sub(greatest, least);
         hn::Store(least, d, low);
-        // Just below the number of bins, so that the greatest centre still falls in the last. What lies
-        // closer than this is at one place: the quotient must be finite.
+        // Slightly less than the number of bins, so that the greatest centre falls into the last. Centres
+        // closer than 1e-35 count as one place: the quotient must be finite.
         const auto apart = hn::Gt(extent, hn::Set(d, 1e-35F));
         const Vec4 quotient = hn::Div(hn::Set(d, kBins * 0.9999F), extent);
         hn::Store(hn::IfThenElseZero(apart, quotient), d, scale);
     }
 };
 
-/// What fell into the bins of the three axes.
+/// The contents of the bins of the three axes.
 struct Bins {
     HWY_ALIGN float ends[3][kBins][8];
     HWY_ALIGN std::int32_t counts[kBins][4];  ///< by axis, the fourth is 0
@@ -124,8 +124,8 @@ struct Bins {
             }
         }
         std::memset(counts, 0, sizeof counts);
-        // From both halves in turn: items side by side mostly fall into the same bins, and each would have to
-        // wait for the one before.
+        // Alternates between both halves: neighbouring items mostly fall into the same bins, and each would
+        // have to wait for the previous one.
         const std::size_t half = items.size() / 2;
         for (std::size_t i = 0; i < half; ++i) {
             add(items[i], binning);
@@ -142,7 +142,7 @@ private:
         const hn::RebindToSigned<Four> di;
         const Vec4 from_low = hn::Sub(center(item), hn::Load(d, binning.low));
         const auto at = hn::ConvertTo(di, hn::Mul(from_low, hn::Load(d, binning.scale)));
-        // Four times the bin: what is left to multiply by then fits an address of x86.
+        // Four times the bin: the remaining factor fits x86's addressing modes.
         const auto bins = hn::BitCast(hn::RebindToUnsigned<Four>(), hn::ShiftLeft<2>(at));
         const Ends by = Ends::load(item.ends.data());
         add<0>(hn::ExtractLane(bins, 0), by);
@@ -159,7 +159,7 @@ private:
     }
 };
 
-/// What three boxes have of their surfaces: half of it.
+/// Half the surface areas of three boxes.
 HWY_INLINE Vec4 half_areas(const Ends* ends) {
     const Four d;
     const Vec4 a = ends[0].lengths();
@@ -172,7 +172,7 @@ HWY_INLINE Vec4 half_areas(const Ends* ends) {
     return hn::Add(hn::Mul(x, y), hn::Add(hn::Mul(y, z), hn::Mul(z, x)));
 }
 
-/// Leaves for so many triangles. Half a triangle more keeps clear of the next whole number.
+/// The number of leaves for so many triangles. The half triangle avoids the next integer.
 HWY_INLINE Vec4 leaves(Vec4 triangles) {
     const Four d;
     const Vec4 full = hn::Add(triangles, hn::Set(d, kTypicalLeaf - 0.5F));
@@ -185,8 +185,7 @@ struct Cut {
     std::size_t bin = 0;  ///< 0: no cut
 };
 
-/// The three axes go side by side, a lane each. A cut that leaves nothing on a side costs no number, which is
-/// less than nothing.
+/// Handles the three axes in parallel, one per lane. A cut with an empty side costs NaN, which is never less.
 Cut best_cut(const Bins& bins, std::size_t items) {
     const Four d;
     HWY_ALIGN float right_areas[kBins][4];
@@ -223,8 +222,10 @@ Cut best_cut(const Bins& bins, std::size_t items) {
     return {axis, static_cast<std::size_t>(at[axis])};
 }
 
-/// Which side is a coin toss to a processor: each item is written to both, and counts where it belongs.
-void part(std::span<SplitItem> items, std::span<SplitItem> spare, const Binning& binning, const Cut& cut) {
+/// Branch prediction can't guess the side, so each item is written to both, and counted only where it
+/// belongs.
+void partition(std::span<SplitItem> items, std::span<SplitItem> spare, const Binning& binning,
+               const Cut& cut) {
     const std::size_t axis = cut.axis;
     const float low = binning.low[axis];
     const float scale = binning.scale[axis];
@@ -253,7 +254,7 @@ std::size_t split_by_area(std::span<SplitItem> items, std::span<SplitItem> spare
     if (cut.bin == 0 || left < least || items.size() - left < least) {
         return 0;
     }
-    part(items, spare, binning, cut);
+    partition(items, spare, binning, cut);
     return left;
 }
 

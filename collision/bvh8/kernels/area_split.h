@@ -7,12 +7,12 @@
 
 namespace campuswalk::collision {
 
-/// Moves the items that go to the left to the front, keeps the order on both sides, and returns how many
-/// there are; 0, and nothing moved, if fewer than `least` would be on a side, or all centres are at one
-/// place. By the surface-area heuristic over sixteen bins of the bounds' centres on each axis (Wald 2007),
-/// where a side costs its area times the leaves it will take. `spare` is room for as many items.
+/// Moves the items of the left side to the front, preserving the order on both sides, and returns how many
+/// they are; 0, with nothing moved, if a side would have fewer than `least`, or if all centres coincide. Uses
+/// the surface-area heuristic over sixteen bins of the bounds' centres on each axis (Wald 2007), where a side
+/// costs its area times the number of leaves it will need. `spare` has room for as many items.
 ///
-/// No operation here depends on the instructions: the same items go to the left with all of them.
+/// The split is the same for every `simd_target`.
 std::size_t split_by_area(std::span<SplitItem> items, std::span<SplitItem> spare, std::size_t least,
                           SimdTarget simd_target);
 

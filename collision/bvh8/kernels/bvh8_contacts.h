@@ -11,8 +11,8 @@
 
 namespace campuswalk::collision {
 
-/// Two meshes on wide trees and where they are. The pose is finite, and `tilt` is how far its matrix is from
-/// a rotation: the greatest entry of |R R^T - 1|, far below 1.
+/// Two meshes with BVH8s, and their relative pose. The pose is finite, and `tilt` is how far its matrix is
+/// from a rotation: the greatest entry of |R R^T - 1|, far below 1.
 struct Bvh8Pair {
     const TriangleMesh& mesh_a;
     const TriangleMesh& mesh_b;
@@ -24,9 +24,9 @@ struct Bvh8Pair {
 
 enum class SearchMode : std::uint8_t { all, first };
 
-/// Adds the overlapping pairs to `out`: all, or those of two leaves that have any. The outer
-/// spheres are known to meet, so that distances are no greater than the meshes. See mesh_contacts.h.
-void find_bvh8_contacts(const Bvh8Pair& pair, SearchMode wanted, SimdTarget simd_target,
+/// Adds the overlapping pairs to `out`: all, or those of the first two leaves with any. The outer spheres
+/// must overlap, so that distances are no greater than the meshes. See mesh_contacts.h.
+void find_bvh8_contacts(const Bvh8Pair& pair, SearchMode mode, SimdTarget simd_target,
                         std::vector<TrianglePair>& out, QueryStatistics& work);
 
 }  // namespace campuswalk::collision

@@ -26,59 +26,59 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// A node or a leaf that is still to be looked at, as one number: first by where the ray may enter it, then
-/// by which it is.
-class Waiting {
+/// A node or a leaf that is still to be visited, as one number: ordered by where the ray may enter it, then
+/// by its index.
+class StackEntry {
 public:
-    /// Without initialiser: each ray would set all that could wait.
-    Waiting() {}
-    HWY_INLINE Waiting(float entry, std::uint32_t index, bool leaf)
+    /// Without initialization: each ray would set all 512.
+    StackEntry() {}
+    HWY_INLINE StackEntry(float entry, std::uint32_t index, bool leaf)
         : key_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(entry)) << 32 | index << 1 |
                (leaf ? 1U : 0U)) {}
 
     float entry() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
     bool is_leaf() const { return (key_ & 1U) != 0; }
     std::uint32_t index() const { return static_cast<std::uint32_t>(key_) >> 1; }
-    bool before(const Waiting& o) const { return key_ < o.key_; }
+    bool before(const StackEntry& o) const { return key_ < o.key_; }
 
 private:
-    std::uint64_t key_;  ///< an entry's bits are ordered as it is, for it is no less than 0
+    std::uint64_t key_;  ///< a float's bits are ordered like it where it isn't negative
 };
 
-/// What waits, of one node's children the nearest last.
+/// Nodes and leaves that are still to be visited; of one node's children, the nearest on top.
 class TraversalStack {
 public:
-    /// Adds one of those that have been added from `first` on.
-    HWY_INLINE void add(const Waiting& part, std::size_t first) {
+    /// Pushes a child of the node whose children start at `first`.
+    HWY_INLINE void push(const StackEntry& part, std::size_t first) {
         std::size_t at = depth_++;
-        for (; at > first && waiting_[at - 1].before(part); --at) {
-            waiting_[at] = waiting_[at - 1];
+        for (; at > first && entries_[at - 1].before(part); --at) {
+            entries_[at] = entries_[at - 1];
         }
-        waiting_[at] = part;
+        entries_[at] = part;
     }
     std::size_t depth() const { return depth_; }
-    Waiting take() { return waiting_[--depth_]; }
+    StackEntry pop() { return entries_[--depth_]; }
 
 private:
-    std::array<Waiting, 512> waiting_;  ///< enough: see tree_traversal.h
+    std::array<StackEntry, 512> entries_;  ///< enough: see tree_traversal.h
     std::size_t depth_ = 0;
 };
 
-/// A ray on its way down.
-class Descent {
+/// The traversal of a tree by a ray.
+class RayTraversal {
 public:
-    Descent(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& meet,
-            QueryStatistics& work)
+    RayTraversal(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& visit,
+                 QueryStatistics& work)
         : mesh_(mesh),
           tree_(tree),
-          meet_(meet),
+          visit_(visit),
           work_(work),
-          course_(ray),
+          ray_(ray),
           shear_(ray),
-          reach_(course_.reach(limit_)) {}
+          reach_(ray_.reach(limit_)) {}
 
     HWY_INLINE void run() {
-        Waiting next(0.0F, 0, false);
+        StackEntry next(0.0F, 0, false);
         for (;;) {
             if (next.is_leaf()) {
                 open_leaf(tree_.leaves[next.index()]);
@@ -89,49 +89,51 @@ public:
                 if (stack_.depth() == 0) {
                     return;
                 }
-                next = stack_.take();
+                next = stack_.pop();
             } while (next.entry() > reach_);
         }
     }
 
 private:
-    /// Puts off what the ray meets but for the nearest, if there is one. Most nodes have no more.
-    HWY_INLINE bool open_node(const Bvh8Node& node, Waiting& nearest) {
+    /// Returns the nearest child on the ray, if there is one, and pushes the others. Most nodes have only
+    /// one.
+    HWY_INLINE bool open_node(const Bvh8Node& node, StackEntry& nearest) {
         work_.box_tests += node.count;
         HWY_ALIGN float entry[kBvh8Children];
-        std::uint32_t met = children_on_ray(course_, node, reach_, entry);
-        if (met == 0) {
+        std::uint32_t on_ray = children_on_ray(ray_, node, reach_, entry);
+        if (on_ray == 0) {
             return false;
         }
         const auto child = [&](std::uint32_t bits) {
             const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-            return Waiting(entry[i], node.child[i], (node.leaves >> i & 1) != 0);
+            return StackEntry(entry[i], node.child[i], (node.leaves >> i & 1) != 0);
         };
-        nearest = child(met);
+        nearest = child(on_ray);
         const std::size_t first = stack_.depth();
-        while ((met &= met - 1) != 0) {
-            Waiting other = child(met);
+        while ((on_ray &= on_ray - 1) != 0) {
+            StackEntry other = child(on_ray);
             if (other.before(nearest)) {
                 std::swap(other, nearest);
             }
-            fetch(other);
-            stack_.add(other, first);
+            prefetch_part(other);
+            stack_.push(other, first);
         }
         return true;
     }
 
     HWY_INLINE void open_leaf(const Bvh8Leaf& leaf) {
-        for (std::uint32_t seen = shear_.triangles_seen(leaf); seen != 0; seen &= seen - 1) {
-            const auto slot = static_cast<std::size_t>(std::countr_zero(seen));
+        for (std::uint32_t candidates = shear_.triangles_on_ray(leaf); candidates != 0;
+             candidates &= candidates - 1) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(candidates));
             ++work_.primitive_tests;
-            limit_ = meet_(leaf.triangle[slot], vertices(mesh_, leaf, slot), limit_);
-            reach_ = course_.reach(limit_);
+            limit_ = visit_(leaf.triangle[slot], vertices(mesh_, leaf, slot), limit_);
+            reach_ = ray_.reach(limit_);
         }
     }
 
-    /// Half of the time of a ray in a large mesh is waiting for memory: what waits is fetched meanwhile.
-    HWY_INLINE void fetch(const Waiting& part) const {
-        constexpr std::size_t kReadFirst = 256;  // of a node all but a turned frame, of a leaf its corners
+    /// In a large mesh, half of a ray's time is waiting for memory: prefetches what is on the stack.
+    HWY_INLINE void prefetch_part(const StackEntry& part) const {
+        constexpr std::size_t kReadFirst = 256;  // a node without its axes, or a leaf's vertices
         if (part.is_leaf()) {
             prefetch(tree_.leaves[part.index()], kReadFirst);
         } else {
@@ -141,18 +143,18 @@ private:
 
     const TriangleMesh& mesh_;
     const Bvh8& tree_;
-    const RayVisitor& meet_;
+    const RayVisitor& visit_;
     QueryStatistics& work_;
-    Course course_;
+    PreparedRay ray_;
     Shear shear_;
     double limit_ = 1.0;
     float reach_;
     TraversalStack stack_;
 };
 
-void follow(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& meet,
-            QueryStatistics& work) {
-    Descent(mesh, tree, ray, meet, work).run();
+void trace(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& visit,
+           QueryStatistics& work) {
+    RayTraversal(mesh, tree, ray, visit, work).run();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -169,18 +171,18 @@ bool fits_bvh8_rays(const Ray& ray) {
 }
 
 void trace_bvh8_ray(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, SimdTarget simd_target,
-                    const RayVisitor& meet, QueryStatistics& work) {
+                    const RayVisitor& visit, QueryStatistics& work) {
     switch (simd_target) {
 #ifdef __aarch64__
         case SimdTarget::neon:
-            return N_NEON::follow(mesh, tree, ray, meet, work);
+            return N_NEON::trace(mesh, tree, ray, visit, work);
 #else
         case SimdTarget::sse42:
-            return N_SSE4::follow(mesh, tree, ray, meet, work);
+            return N_SSE4::trace(mesh, tree, ray, visit, work);
         case SimdTarget::avx2:
-            return N_AVX2::follow(mesh, tree, ray, meet, work);
+            return N_AVX2::trace(mesh, tree, ray, visit, work);
         case SimdTarget::avx512:
-            return N_AVX3::follow(mesh, tree, ray, meet, work);
+            return N_AVX3::trace(mesh, tree, ray, visit, work);
 #endif
     }
 }

@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sixteen float32, as many at a time as the instruction set takes; no more than eight: sixteen lower the
-/// clock of many processors and gain less than that costs.
+/// As many float32 as the instruction set takes, at most eight: sixteen lower the clock rate of many
+/// processors, which costs more than they gain.
 using Floats = hn::CappedTag<float, 8>;
 using Real = hn::Vec<Floats>;
 inline constexpr std::size_t kLanes = hn::MaxLanes(Floats());
@@ -40,7 +40,7 @@ HWY_INLINE std::uint32_t bits_of(D d, Mask mask) {
 template <class D, class V>
 HWY_INLINE std::uint32_t sign_bits(D d, V v) {
 #if HWY_TARGET == HWY_AVX3
-    // The way over a mask register takes three instructions instead of one.
+    // Going through a mask register takes three instructions instead of one.
     if constexpr (hn::MaxLanes(d) == 8 && sizeof(hn::TFromD<D>) == sizeof(float)) {
         return static_cast<std::uint32_t>(_mm256_movemask_ps(hn::BitCast(hn::Rebind<float, D>(), v).raw));
     } else if constexpr (hn::MaxLanes(d) == 16 && sizeof(hn::TFromD<D>) == 1) {
@@ -48,14 +48,14 @@ HWY_INLINE std::uint32_t sign_bits(D d, V v) {
     } else
 #endif
 #if HWY_TARGET == HWY_NEON
-        // A mask's lanes are all ones or zeros there, and a vector is taken for one as it is.
+        // Masks there are lanes of all ones or all zeros, and MaskFromVec doesn't convert.
         v = hn::BitCast(d, hn::BroadcastSignBit(hn::BitCast(hn::RebindToSigned<D>(), v)));
 #endif
-    // A mask is its lanes' sign bits on x86 up to AVX2, and becomes it beyond.
+    // On x86 up to AVX2 a mask is its lanes' sign bits; later ones convert it to that.
     return bits_of(d, hn::MaskFromVec(v));
 }
 
-/// Of sixteen numbers those that the bytes tell, as many as there are lanes.
+/// The numbers of a table of sixteen that the bytes index, as many as there are lanes.
 template <class D>
 HWY_INLINE hn::Vec<D> pick(D d, const float* table, const std::uint8_t* bytes) {
     constexpr std::size_t kCount = hn::MaxLanes(D());
@@ -80,14 +80,14 @@ HWY_INLINE hn::Vec<D> pick(D d, const float* table, const std::uint8_t* bytes) {
     }
 }
 
-/// How a b + c is rounded: once where the instruction set has that,
+/// Rounds a b + c once, where the instruction set can.
 struct Fused {
     template <class V>
     static HWY_INLINE V multiply_add(V a, V b, V c) {
         return hn::MulAdd(a, b, c);
     }
 };
-/// or twice, which gives the same on every instruction set.
+/// Rounds a b + c twice, with the same result on every instruction set.
 struct Unfused {
     template <class V>
     static HWY_INLINE V multiply_add(V a, V b, V c) {

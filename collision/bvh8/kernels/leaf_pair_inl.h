@@ -7,10 +7,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
-#include "collision/bvh8/kernels/bit_places.h"
 #include "collision/bvh8/kernels/lanes_inl.h"
+#include "collision/bvh8/kernels/open_pairs_inl.h"
 #include "collision/bvh8/kernels/plane_sides_inl.h"
 #include "collision/bvh8/kernels/relative_pose_inl.h"
 #include "collision/geometry/triangle_overlap.h"
@@ -22,17 +21,17 @@ namespace HWY_NAMESPACE {
 /// Vertices of a leaf, by axis.
 using VertexTable = float[3][kLeafVertices];
 
-/// Finds the overlapping triangles of two leaves, up to sixteen a leaf, about the origin of a's.
+/// Finds the overlapping triangles of two leaves, up to sixteen each, relative to the origin of a's.
 ///
-/// A leaf's triangles mostly lie side by side in a surface, and share corners: so all corners of one are held
-/// against all planes of the other, both ways, before any triangle is held against any other. What is left is
-/// settled by the two intervals of Guigue & Devillers 2003 in float32, and what rounding leaves open by the
-/// exact predicate.
+/// A leaf's triangles are mostly neighbours in a surface and share vertices: so all vertices of one leaf are
+/// tested against all planes of the other, both ways, before any triangle is tested against another. The
+/// remaining pairs are decided by the two intervals of Guigue & Devillers 2003 in float32, and what rounding
+/// leaves open by the exact predicate.
 ///
-/// Rounding: a corner's difference from its origin is off by u r, its place beside the other leaf by 6 u L;
-/// a plane's normal by 2 u and its offset by 5 u r. A corner's distance from a plane is thus off by at most
-/// 26 u L: sides are certain beyond 32 u L, and two corners' distances along any direction of that length are
-/// in order beyond as much.
+/// Rounding: a vertex' difference from its origin is off by u r, its position relative to the other leaf by
+/// 6 u L; a plane's normal by 2 u and its offset by 5 u r. A vertex' distance from a plane is thus off by at
+/// most 26 u L: sides are certain beyond 32 u L, and so is the order of two vertices' distances along a
+/// direction of length 1.
 class LeafPairs {
 public:
     LeafPairs(const Bvh8Pair& pair, const RelativePose& pose, std::vector<TrianglePair>& out,
@@ -47,16 +46,16 @@ public:
         if (!slabs_overlap(a, b, t, error)) {
             return;
         }
-        const Sight sight(pose_, a, b, t, error);
-        // Signs alone settle nearly all pairs of leaves; where a corner is as good as on a plane, they don't.
-        if (!find<Sides::signs>(sight)) {
-            find<Sides::certain>(sight);
+        const PosedLeaves leaves(pose_, a, b, t, error);
+        // Signs suffice for nearly all pairs of leaves; not if a vertex is almost on a plane.
+        if (!find<Sides::signs>(leaves)) {
+            find<Sides::certain>(leaves);
         }
     }
 
 private:
-    /// Four lanes fetch a corner's coordinates at once and exchange rows and columns; more pick them from
-    /// tables, an axis at a time.
+    /// Four lanes load a vertex' coordinates at once and transpose them; more lanes pick them from tables,
+    /// one axis at a time.
     static constexpr bool kByPoint = kLanes == 4;
     using PointTable = float[kByPoint ? kLeafVertices : 1][4];
 
@@ -71,7 +70,7 @@ private:
         hn::StoreInterleaved4(p.x, p.y, p.z, p.z, d, points[c]);
     }
 
-    /// The corners at `index`, a lane each.
+    /// The vertices at `index`, one per lane.
     template <class Table>
     static HWY_INLINE Real3 fetch(const Table& vertices, const PointTable& points,
                                   const std::uint8_t* index) {
@@ -96,24 +95,25 @@ private:
     }
 
     /// Two leaves, each in its own frame and in the other's.
-    struct Sight {
+    struct PosedLeaves {
         const Bvh8Leaf& a;
         const Bvh8Leaf& b;
         float error;
-        /// What rounding can have added to the volume of any three edges between the two (see `doubt`).
-        float doubt;
+        /// The greatest error of the volume of any three edges within and between the two (see
+        /// `volume_error`).
+        float max_volume_error;
         HWY_ALIGN VertexTable b_in_a;
         HWY_ALIGN VertexTable a_in_b;
-        /// Corner by corner, where that is how they are fetched.
+        /// By vertex, if they are fetched like that.
         HWY_ALIGN PointTable a_points;
         HWY_ALIGN PointTable b_points;
 
-        HWY_INLINE Sight(const RelativePose& pose, const Bvh8Leaf& leaf_a, const Bvh8Leaf& leaf_b,
-                         const float t[4], float bound)
+        HWY_INLINE PosedLeaves(const RelativePose& pose, const Bvh8Leaf& leaf_a, const Bvh8Leaf& leaf_b,
+                               const float t[4], float bound)
             : a(leaf_a),
               b(leaf_b),
               error(bound),
-              doubt(greatest_doubt(leaf_a.radius, leaf_b.radius, length_of(t), bound)) {
+              max_volume_error(greatest_volume_error(leaf_a.radius, leaf_b.radius, length_of(t), bound)) {
             const Floats d;
             for (std::size_t c = 0; c < b.vertices; c += kLanes) {
                 const Real3 p = load(b.vertex, c);
@@ -143,52 +143,12 @@ private:
         }
     };
 
-    /// Open pairs: bit j of row i is triangle i of a and j of b.
-    struct OpenPairs {
-        HWY_ALIGN std::uint16_t rows[16];
-
-        /// Those that both say are open: `columns` by b's triangle, `of_a` by a's.
-        HWY_INLINE OpenPairs(const ByteRows& columns, const ByteRows& of_a) {
-            const ByteTag d;
-            Bytes low;
-            Bytes high;
-            transpose(columns, low, high);
-            low = hn::And(low, hn::InterleaveLower(d, of_a.low, of_a.high));
-            high = hn::And(high, hn::InterleaveUpper(d, of_a.low, of_a.high));
-            hn::Store(low, d, bytes());
-            hn::Store(high, d, bytes() + 16);
-        }
-
-        std::uint8_t* bytes() { return reinterpret_cast<std::uint8_t*>(rows); }
-        const std::uint8_t* bytes() const { return reinterpret_cast<const std::uint8_t*>(rows); }
-
-        HWY_INLINE std::size_t count() const {
-            std::size_t sum = 0;
-            for (std::size_t at = 0; at < 32; at += 8) {
-                std::uint64_t word = 0;
-                std::memcpy(&word, bytes() + at, sizeof word);
-                sum += static_cast<std::size_t>(std::popcount(word));
-            }
-            return sum;
-        }
-
-        /// Bit i: row i has open pairs.
-        HWY_INLINE std::uint32_t live_rows() const {
-            const hn::CappedTag<std::uint16_t, 16> d;
-            std::uint32_t live = 0;
-            for (std::size_t c = 0; c < 16; c += hn::MaxLanes(d)) {
-                live |= bits_of(d, hn::Ne(hn::Load(d, rows + c), hn::Zero(d))) << c;
-            }
-            return live;
-        }
-    };
-
     static HWY_INLINE Real along(const float direction[3], const Real3& p) {
         const Floats d;
         return dot({hn::Set(d, direction[0]), hn::Set(d, direction[1]), hn::Set(d, direction[2])}, p);
     }
 
-    /// Whether corners lie neither all beyond `high` nor all before `low` along a direction.
+    /// Whether the leaf's vertices are neither all above `high` nor all below `low` along a direction.
     static HWY_INLINE bool reaches(const float direction[3], float low, float high, const Bvh8Leaf& leaf) {
         const Floats d;
         Real least = along(direction, load(leaf.vertex, 0));
@@ -200,49 +160,49 @@ private:
         }
         const std::uint32_t some_below = bits_of(d, hn::Le(least, hn::Set(d, high)));
         const std::uint32_t some_above = bits_of(d, hn::Ge(most, hn::Set(d, low)));
-        // No jump: see slabs_overlap.
+        // No branch: see slabs_overlap.
         return (static_cast<int>(some_below != 0) & static_cast<int>(some_above != 0)) != 0;
     }
 
-    /// Each leaf between two planes at right angles to its mean normal.
+    /// Tests each leaf against the other's slab, perpendicular to its mean normal.
     HWY_INLINE bool slabs_overlap(const Bvh8Leaf& a, const Bvh8Leaf& b, const float t[4], float error) const {
         HWY_ALIGN float a_facing_in_b[4];
         HWY_ALIGN float b_facing_in_a[4];
-        turn(pose_.row, a.facing.data(), a_facing_in_b);
-        turn(pose_.column, b.facing.data(), b_facing_in_a);
+        rotate(pose_.row, a.facing.data(), a_facing_in_b);
+        rotate(pose_.column, b.facing.data(), b_facing_in_a);
         const float shift_a = a.facing[0] * t[0] + a.facing[1] * t[1] + a.facing[2] * t[2];
         const float shift_b = b_facing_in_a[0] * t[0] + b_facing_in_a[1] * t[1] + b_facing_in_a[2] * t[2];
         const bool b_reaches_a = reaches(a_facing_in_b, a.low - shift_a - error, a.high - shift_a + error, b);
         const bool a_reaches_b = reaches(b_facing_in_a, b.low + shift_b - error, b.high + shift_b + error, a);
-        // Either is as likely as not: one jump instead of two.
+        // Neither is predictable: one branch instead of two.
         return (static_cast<int>(b_reaches_a) & static_cast<int>(a_reaches_b)) != 0;
     }
 
-    /// False if sides are in doubt that must not be.
+    /// False if sides are uncertain that must be certain.
     template <Sides kSides>
-    HWY_INLINE bool find(const Sight& s) {
+    HWY_INLINE bool find(const PosedLeaves& s) {
         SideTable<kSides> of_b;
         SideTable<kSides> of_a;
-        const bool sure_b = of_b.fill(s.a, s.b_in_a, s.b.vertices, s.error);
-        const bool sure_a = of_a.fill(s.b, s.a_in_b, s.a.vertices, s.error);
-        if (!sure_a || !sure_b) {
+        const bool certain_b = of_b.fill(s.a, s.b_in_a, s.b.vertices, s.error);
+        const bool certain_a = of_a.fill(s.b, s.a_in_b, s.a.vertices, s.error);
+        if (!certain_a || !certain_b) {
             return false;
         }
-        OpenPairs open(of_b.not_clear(s.b, s.a.triangles), of_a.not_clear(s.a, s.b.triangles));
+        OpenPairs open(of_b.may_intersect(s.b, s.a.triangles), of_a.may_intersect(s.a, s.b.triangles));
         std::size_t count = open.count();
-        // As many are settled at once, as quickly as they would be parted.
+        // So few are decided at once, as quickly as they would be separated along the line.
         constexpr std::size_t kAtOnce = 16;
         if (count > kAtOnce) {
-            part_along_line(s, open);
+            separate_along_line(s, open);
             count = open.count();
         }
         if (count > 0) {
-            settle<kSides>(s, of_a, of_b, open);
+            decide<kSides>(s, of_a, of_b, open);
         }
         return true;
     }
 
-    /// The span of each triangle along a line, from those of its corners.
+    /// The span of each triangle along a line, from the positions of its vertices.
     static HWY_INLINE void spans(const Bvh8Leaf& leaf, const float vertices[16], float margin, float low[16],
                                  float high[16]) {
         const Floats d;
@@ -255,10 +215,10 @@ private:
         }
     }
 
-    /// Two surfaces cross along a line, and each triangle there straddles the planes of all others: what is
-    /// left of those far from each other on the line is parted here. Any line would be right; that of the
-    /// first open pair's planes parts most.
-    HWY_INLINE void part_along_line(const Sight& s, OpenPairs& open) const {
+    /// Two surfaces intersect along a line, where each triangle straddles the planes of all others: separates
+    /// pairs that are far from each other along it. Any line would be correct; that of the first open pair's
+    /// planes separates most.
+    HWY_INLINE void separate_along_line(const PosedLeaves& s, OpenPairs& open) const {
         const Floats d;
         std::uint32_t live = open.live_rows();
         const auto i = static_cast<std::size_t>(std::countr_zero(live));
@@ -266,7 +226,7 @@ private:
         const float m[3] = {s.a.plane[0][i], s.a.plane[1][i], s.a.plane[2][i]};
         const float m_b[3] = {s.b.plane[0][j], s.b.plane[1][j], s.b.plane[2][j]};
         HWY_ALIGN float n[4];
-        turn(pose_.column, m_b, n);
+        rotate(pose_.column, m_b, n);
         const float line[3] = {m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
                                m[0] * n[1] - m[1] * n[0]};
         HWY_ALIGN float vertices_a[16];
@@ -287,20 +247,20 @@ private:
             const auto at = static_cast<std::size_t>(std::countr_zero(live));
             const Real low = hn::Set(d, low_a[at]);
             const Real high = hn::Set(d, high_a[at]);
-            std::uint32_t near = 0;
+            std::uint32_t overlapping = 0;
             for (std::size_t c = 0; c < s.b.triangles; c += kLanes) {
-                near |= bits_of(d, hn::And(hn::Le(low, hn::Load(d, high_b + c)),
-                                           hn::Ge(high, hn::Load(d, low_b + c))))
-                        << c;
+                overlapping |= bits_of(d, hn::And(hn::Le(low, hn::Load(d, high_b + c)),
+                                                  hn::Ge(high, hn::Load(d, low_b + c))))
+                               << c;
             }
-            open.rows[at] = static_cast<std::uint16_t>(open.rows[at] & near);
+            open.rows[at] = static_cast<std::uint16_t>(open.rows[at] & overlapping);
         }
     }
 
-    /// The most that rounding can have added to m . (u x v) of three edges whose coordinates are at most M, A
-    /// and B. They are off by `error` at most, and by u of themselves: six products of three move by no more
-    /// than 6 error (AB + MA + MB), lengths taken with the error on them, and round by 54 u MAB.
-    static HWY_INLINE Real doubt(Real M, Real A, Real B, Real error) {
+    /// The greatest error of m . (u x v) for three edges with coordinates up to M, A and B. They are off by
+    /// at most `error`, and by u of themselves: six products of three move by at most 6 error (AB + MA + MB),
+    /// with lengths that include the error, and round by 54 u MAB.
+    static HWY_INLINE Real volume_error(Real M, Real A, Real B, Real error) {
         const Floats d;
         M = hn::Add(M, error);
         A = hn::Add(A, error);
@@ -311,78 +271,40 @@ private:
                                      hn::Set(d, 0x1p-120F)));
     }
 
-    /// Of any edges within two leaves and between them.
-    static HWY_INLINE float greatest_doubt(float radius_a, float radius_b, float apart, float error) {
+    /// For any edges within two leaves and between them.
+    static HWY_INLINE float greatest_volume_error(float radius_a, float radius_b, float apart, float error) {
         const Floats d;
-        return hn::GetLane(doubt(hn::Set(d, radius_a + radius_b + apart), hn::Set(d, 2.0F * radius_a),
-                                 hn::Set(d, 2.0F * radius_b), hn::Set(d, error)));
+        return hn::GetLane(volume_error(hn::Set(d, radius_a + radius_b + apart), hn::Set(d, 2.0F * radius_a),
+                                        hn::Set(d, 2.0F * radius_b), hn::Set(d, error)));
     }
 
-    /// Three edges from one corner, in every lane.
+    /// Three edges from one vertex, in every lane.
     struct Edges {
         Real3 m, u, v;
 
         /// Six times their volume.
         HWY_INLINE Real volume() const { return dot(m, cross(u, v)); }
-        HWY_INLINE Real doubt(Real error) const {
-            return LeafPairs::doubt(largest(m), largest(u), largest(v), error);
+        HWY_INLINE Real volume_error(Real error) const {
+            return LeafPairs::volume_error(largest(m), largest(u), largest(v), error);
         }
     };
 
-    /// What two volumes say of the triangles, a bit each; neither where one of them is in doubt.
+    /// What two volumes imply for the triangles, one bit per lane; neither where a volume is uncertain.
     struct Verdict {
         std::uint32_t apart;
-        std::uint32_t meet;
+        std::uint32_t overlapping;
 
-        HWY_INLINE Verdict(Real first, Real doubt_of_first, Real second, Real doubt_of_second) {
+        HWY_INLINE Verdict(Real first, Real first_error, Real second, Real second_error) {
             const Floats d;
             apart = bits_of(
-                d, hn::Or(hn::Lt(first, hn::Neg(doubt_of_first)), hn::Lt(second, hn::Neg(doubt_of_second))));
-            meet = bits_of(d, hn::And(hn::Gt(first, doubt_of_first), hn::Gt(second, doubt_of_second)));
+                d, hn::Or(hn::Lt(first, hn::Neg(first_error)), hn::Lt(second, hn::Neg(second_error))));
+            overlapping = bits_of(d, hn::And(hn::Gt(first, first_error), hn::Gt(second, second_error)));
         }
     };
 
-    /// Pairs of triangles, a byte each: a's above b's.
-    class PairList {
-    public:
-        std::size_t size() const { return count_; }
-        const std::uint8_t* operator+(std::size_t first) const { return ij_ + first; }
-
-        HWY_INLINE void add_all(const OpenPairs& open) {
-            // A member would be written and read again at each step: bytes may be anything's.
-            std::size_t count = 0;
-            for (std::uint32_t live = open.live_rows(); live != 0; live &= live - 1) {
-                const auto row = static_cast<std::size_t>(std::countr_zero(live));
-                for (std::size_t half = 0; half < 2; ++half) {
-                    const std::uint64_t bits = open.bytes()[2 * row + half];
-                    const std::uint64_t first = 16 * row + 8 * half;
-                    const std::uint64_t eight = kBitPlaces[bits] + first * 0x0101010101010101ULL;
-                    std::memcpy(ij_ + count, &eight, sizeof eight);
-                    count += static_cast<std::size_t>(std::popcount(bits));
-                }
-            }
-            const ByteTag d;
-            hn::StoreU(hn::Zero(d), d, ij_ + count);
-            count_ = count;
-        }
-
-        /// Of eight pairs those that have a bit.
-        HWY_INLINE void add_some(const std::uint8_t* eight, std::uint64_t bits) {
-            const hn::FixedTag<std::uint8_t, 8> d;
-            const auto places = hn::BitCast(d, hn::Set(hn::FixedTag<std::uint64_t, 1>(), kBitPlaces[bits]));
-            const auto chosen = hn::TableLookupBytes(hn::LoadU(d, eight), places);
-            hn::StoreU(chosen, d, ij_ + count_);
-            count_ += static_cast<std::size_t>(std::popcount(bits));
-        }
-
-    private:
-        HWY_ALIGN std::uint8_t ij_[16 * 16 + 16];  // room for what is written beyond the last
-        std::size_t count_ = 0;
-    };
-
-    /// Settles the open pairs, sixteen at a time, and adds those that overlap to the result.
+    /// Decides the open pairs, sixteen at a time, and adds those that overlap to the result.
     template <Sides kSides>
-    HWY_INLINE void settle(const Sight& s, const SideTable<kSides>& of_a, const SideTable<kSides>& of_b,
+    HWY_INLINE void decide(const PosedLeaves& s, const SideTable<kSides>& of_a, const SideTable<kSides>& of_b,
                            const OpenPairs& open) {
         PairList pairs;
         pairs.add_all(open);
@@ -398,19 +320,19 @@ private:
             const Bytes j = hn::And(at, low_bits);
             ArrangedVertices a = of_a.arrange(s.a, i, j);
             ArrangedVertices b = of_b.arrange(s.b, j, i);
-            // Seen from a lone corner below its plane, the other triangle turns the other way.
-            a.turn_over(b.lone_below);
-            b.turn_over(a.lone_below);
-            const std::uint32_t sure = sign_bits(d8, hn::And(a.sure, b.sure));
+            // Seen from a lone vertex below its plane, the other triangle has the opposite winding.
+            a.flip(b.lone_below);
+            b.flip(a.lone_below);
+            const std::uint32_t certain = sign_bits(d8, hn::And(a.certain, b.certain));
             HWY_ALIGN std::uint8_t order[6][16];
             a.store(order);
             b.store(order + 3);
-            const std::size_t here = std::min<std::size_t>(16, count - first);
-            for (std::size_t c = 0; c < here; c += kLanes) {
+            const std::size_t lanes = std::min<std::size_t>(16, count - first);
+            for (std::size_t c = 0; c < lanes; c += kLanes) {
                 const std::uint8_t* ij = pairs + first + c;
-                const std::uint32_t meet =
-                    settle_lanes(s, order, c, sure >> c, ij, std::min(kLanes, here - c));
-                found.add_some(ij, meet);
+                const std::uint32_t overlapping =
+                    decide_lanes(s, order, c, certain >> c, ij, std::min(kLanes, lanes - c));
+                found.add_some(ij, overlapping);
             }
         }
         for (std::size_t k = 0; k < found.size(); ++k) {
@@ -418,16 +340,17 @@ private:
         }
     }
 
-    static HWY_INLINE TrianglePair pair_of(const Sight& s, std::uint8_t ij) {
+    static HWY_INLINE TrianglePair pair_of(const PosedLeaves& s, std::uint8_t ij) {
         return {s.a.triangle[ij >> 4], s.b.triangle[ij & 15]};
     }
 
-    /// Which pairs overlap, a bit each.
+    /// Which pairs overlap, one bit per lane.
     ///
-    /// With p the lone corners and q, r turned alike, the edges pq and pr of one triangle pass those of the
-    /// other on the right sides if and only if their intervals on the common line overlap.
-    HWY_INLINE std::uint32_t settle_lanes(const Sight& s, const std::uint8_t order[6][16], std::size_t c,
-                                          std::uint32_t sure, const std::uint8_t* ij, std::size_t lanes) {
+    /// With p the lone vertices and q, r in the same winding, the edges pq and pr of one triangle pass those
+    /// of the other on the proper sides if and only if their intervals on the common line overlap.
+    HWY_INLINE std::uint32_t decide_lanes(const PosedLeaves& s, const std::uint8_t order[6][16],
+                                          std::size_t c, std::uint32_t certain, const std::uint8_t* ij,
+                                          std::size_t lanes) {
         const Floats d;
         const auto of_a = [&](std::size_t k) { return fetch(s.a.vertex, s.a_points, order[k] + c); };
         const auto of_b = [&](std::size_t k) { return fetch(s.b_in_a, s.b_points, order[3 + k] + c); };
@@ -437,22 +360,23 @@ private:
         const Edges second{m, subtract(of_b(2), p), subtract(of_a(2), p)};
         const Real first_volume = first.volume();
         const Real second_volume = second.volume();
-        const Real doubt_of_all = hn::Set(d, s.doubt);
-        const std::uint32_t there = (1U << lanes) - 1U;
-        Verdict verdict(first_volume, doubt_of_all, second_volume, doubt_of_all);
-        if (HWY_UNLIKELY((there & sure & ~(verdict.apart | verdict.meet)) != 0)) {
+        const Real max_error = hn::Set(d, s.max_volume_error);
+        const std::uint32_t valid = (1U << lanes) - 1U;
+        Verdict verdict(first_volume, max_error, second_volume, max_error);
+        if (HWY_UNLIKELY((valid & certain & ~(verdict.apart | verdict.overlapping)) != 0)) {
             const Real error = hn::Set(d, s.error);
-            verdict = Verdict(first_volume, first.doubt(error), second_volume, second.doubt(error));
+            verdict =
+                Verdict(first_volume, first.volume_error(error), second_volume, second.volume_error(error));
         }
-        std::uint32_t meet = there & sure & verdict.meet;
-        const std::uint32_t open = there & (~sure | ~(verdict.apart | verdict.meet));
+        std::uint32_t overlapping = valid & certain & verdict.overlapping;
+        const std::uint32_t open = valid & (~certain | ~(verdict.apart | verdict.overlapping));
         for (std::uint32_t bits = open; HWY_UNLIKELY(bits != 0); bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
             if (exactly_overlap(pair_of(s, ij[lane]))) {
-                meet |= 1U << lane;
+                overlapping |= 1U << lane;
             }
         }
-        return meet;
+        return overlapping;
     }
 
     HWY_NOINLINE bool exactly_overlap(const TrianglePair& pair) const {

@@ -28,15 +28,15 @@ struct BoxSlabs {
 
 inline constexpr std::uint32_t kAllBoxes = (1U << kBoxLanes) - 1U;
 
-/// What is asked of two nodes: which of their children may meet,
+// What is computed for two nodes: which of their children may overlap,
 struct ChildOverlaps : Fused {
     static constexpr bool kDepths = false;
-    /// Of two gaps: negative if one is.
+    /// Negative if either is.
     static HWY_INLINE BoxReal join(BoxReal a, BoxReal b) { return hn::Or(a, b); }
 };
 
-/// and how far they reach into each other, along the axis where it is least, as a share of how thick they
-/// are. That is the same on every instruction set, for it decides which pair is found first.
+// or also how deeply: along the axis where it is least, relative to their thickness. The depth is the same on
+// every instruction set, because it decides which pair is found first.
 struct OverlapDepths : Unfused {
     static constexpr bool kDepths = true;
     static HWY_INLINE BoxReal join(BoxReal a, BoxReal b) { return hn::Min(a, b); }
@@ -47,15 +47,15 @@ struct OverlapDepths : Unfused {
 };
 
 /// Negative where one box is apart from others along one of three axes.
-template <class Asked>
+template <class Output>
 HWY_INLINE BoxReal gap(const float low[3], const float high[3], const BoxSlabs& others) {
     const BoxTag d;
     const auto along = [&](std::size_t k, BoxReal others_low, BoxReal others_high) {
-        return Asked::join(hn::Sub(hn::Set(d, high[k]), others_low),
-                           hn::Sub(others_high, hn::Set(d, low[k])));
+        return Output::join(hn::Sub(hn::Set(d, high[k]), others_low),
+                            hn::Sub(others_high, hn::Set(d, low[k])));
     };
-    return Asked::join(
-        Asked::join(along(0, others.low.x, others.high.x), along(1, others.low.y, others.high.y)),
+    return Output::join(
+        Output::join(along(0, others.low.x, others.high.x), along(1, others.low.y, others.high.y)),
         along(2, others.low.z, others.high.z));
 }
 
@@ -74,12 +74,12 @@ struct SlabTable {
         hn::Store(s.high.z, d, high[2] + c);
     }
 
-    /// Of box i and others.
-    template <class Asked>
+    /// Between box i and others.
+    template <class Output>
     HWY_INLINE BoxReal gap(std::size_t i, const BoxSlabs& others) const {
         const float i_low[3] = {low[0][i], low[1][i], low[2][i]};
         const float i_high[3] = {high[0][i], high[1][i], high[2][i]};
-        return HWY_NAMESPACE::gap<Asked>(i_low, i_high, others);
+        return HWY_NAMESPACE::gap<Output>(i_low, i_high, others);
     }
 };
 
@@ -98,7 +98,7 @@ HWY_INLINE BoxReal least(const BoxReal3& half) {
     return hn::Min(half.x, hn::Min(half.y, half.z));
 }
 
-/// Boxes along one axis m of another frame: adds m . center to `middle` and |m| . half to `reach`.
+/// Projects boxes onto an axis m of another frame: adds m . center to `middle` and |m| . half to `reach`.
 template <class Arithmetic>
 HWY_INLINE void project(const float m[3], const BoxReal3& center, const BoxReal3& half, BoxReal& middle,
                         BoxReal& reach) {
@@ -152,22 +152,22 @@ struct FrameChange {
     }
 };
 
-/// Bit 8 i + j: child i of a and child j of b may meet; of those in `rows` and `columns`. Six axes, three of
-/// each frame: the nine edge axes part too few to pay.
+/// Bit 8 i + j: child i of a and child j of b may overlap; only those in `rows` and `columns`. Tests six
+/// axes, three per frame: the nine edge axes separate too few to pay off.
 ///
 /// Rounding: an entry of M is off by 10 u (two products of three, of rows no longer than 1), which moves a
 /// box by 18 u r, since its coordinates add up to at most sqrt(3) r; evaluating three products and a sum adds
-/// 7 u, the frames' own distance from rotations 7 u, the offset's rounding 11 u, the last additions 2 u:
-/// below 48 u L, of which 64 are added to each box.
-template <class Asked>
+/// 7 u, the frames' deviation from rotations 7 u, the offset's rounding 11 u, the last additions 2 u: less
+/// than 48 u L. 64 u L are added to each box.
+template <class Output>
 HWY_INLINE std::uint64_t overlapping_children(const RelativePose& pose, const Bvh8Node& a, const Bvh8Node& b,
-                                              std::uint32_t rows, std::uint32_t columns, Asked& asked) {
+                                              std::uint32_t rows, std::uint32_t columns, Output& output) {
     const BoxTag d;
-    const FrameChange<Asked> change(pose, a, b);
+    const FrameChange<Output> change(pose, a, b);
     const BoxReal slack = hn::Set(d, pose.bound(64.0F, a.radius + b.radius + length_of(change.s)));
 
-    // Boxes of a that miss all of b's at once are most; what is left of `rows` is held against each.
-    std::uint32_t near = 0;
+    // Most boxes of a miss all of b's at once; those left in `rows` are tested against each.
+    std::uint32_t candidates = 0;
     SlabTable a_own;
     SlabTable a_in_b;
     HWY_ALIGN float a_thickness[kBvh8Children];
@@ -175,47 +175,47 @@ HWY_INLINE std::uint64_t overlapping_children(const RelativePose& pose, const Bv
         BoxReal3 center = load_boxes(a.center, c);
         const BoxReal3 half = load_boxes(a.half, c);
         a_own.set(slabs(center, half), c);
-        if constexpr (Asked::kDepths) {
+        if constexpr (Output::kDepths) {
             hn::Store(hn::Add(least(half), slack), d, a_thickness + c);  // never 0
         }
         center = {hn::Sub(center.x, hn::Set(d, change.s[0])), hn::Sub(center.y, hn::Set(d, change.s[1])),
                   hn::Sub(center.z, hn::Set(d, change.s[2]))};
         BoxReal3 middle = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
         BoxReal3 reach = {slack, slack, slack};
-        project<Asked>(change.column[0], center, half, middle.x, reach.x);
-        project<Asked>(change.column[1], center, half, middle.y, reach.y);
-        project<Asked>(change.column[2], center, half, middle.z, reach.z);
+        project<Output>(change.column[0], center, half, middle.x, reach.x);
+        project<Output>(change.column[1], center, half, middle.y, reach.y);
+        project<Output>(change.column[2], center, half, middle.z, reach.z);
         const BoxSlabs in_b = slabs(middle, reach);
         a_in_b.set(in_b, c);
-        near |= (~sign_bits(d, gap<Asked>(b.low.data(), b.high.data(), in_b)) & kAllBoxes) << c;
+        candidates |= (~sign_bits(d, gap<Output>(b.low.data(), b.high.data(), in_b)) & kAllBoxes) << c;
     }
-    rows &= near;
+    rows &= candidates;
     if (rows == 0) {
         return 0;
     }
-    std::uint64_t met = 0;
+    std::uint64_t overlapping = 0;
     for (std::size_t c = 0; c < kBvh8Children; c += kBoxLanes) {
         const BoxReal3 center = load_boxes(b.center, c);
         const BoxReal3 half = load_boxes(b.half, c);
         BoxReal3 middle = {hn::Set(d, change.s[0]), hn::Set(d, change.s[1]), hn::Set(d, change.s[2])};
         BoxReal3 reach = {slack, slack, slack};
-        project<Asked>(change.row[0], center, half, middle.x, reach.x);
-        project<Asked>(change.row[1], center, half, middle.y, reach.y);
-        project<Asked>(change.row[2], center, half, middle.z, reach.z);
+        project<Output>(change.row[0], center, half, middle.x, reach.x);
+        project<Output>(change.row[1], center, half, middle.y, reach.y);
+        project<Output>(change.row[2], center, half, middle.z, reach.z);
         const BoxSlabs b_own = slabs(center, half);
         const BoxSlabs b_in_a = slabs(middle, reach);
         for (std::uint32_t m = rows; m != 0; m &= m - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(m));
-            const BoxReal gaps = Asked::join(a_own.gap<Asked>(i, b_in_a), a_in_b.gap<Asked>(i, b_own));
-            if constexpr (Asked::kDepths) {
+            const BoxReal gaps = Output::join(a_own.gap<Output>(i, b_in_a), a_in_b.gap<Output>(i, b_own));
+            if constexpr (Output::kDepths) {
                 const BoxReal thickness = hn::Add(hn::Set(d, a_thickness[i]), least(half));
-                hn::Store(hn::Div(gaps, thickness), d, asked.of[i] + c);
+                hn::Store(hn::Div(gaps, thickness), d, output.of[i] + c);
             }
             const std::uint64_t together = ~sign_bits(d, gaps) & kAllBoxes;
-            met |= together << (8 * i + c);
+            overlapping |= together << (8 * i + c);
         }
     }
-    return met & (0x0101010101010101ULL * columns);
+    return overlapping & (0x0101010101010101ULL * columns);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -15,25 +15,26 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// What is kept of a corner's distance from a plane.
+/// How a vertex' distance from a plane is classified.
 enum class Sides {
-    signs,    ///< above or below; good if no distance is near zero
-    certain,  ///< above, below, or too near to say
+    signs,    ///< above or below; only valid if no distance is near zero
+    certain,  ///< above, below, or uncertain
 };
 
-/// By triangle of one leaf, bits of triangles of the other: 0 to 7 and 8 to 15.
+/// For each triangle of one leaf, one bit per triangle of the other: 0 to 7 and 8 to 15.
 struct ByteRows {
     Bytes low;
     Bytes high;
 };
 
-/// The corners of sixteen triangles, the one alone on its side of a plane first, in cyclic order.
+/// The vertices of sixteen triangles in cyclic order, starting with the one alone on its side of a plane.
 struct ArrangedVertices {
     Bytes p, q, r;
-    Bytes lone_below;  ///< all bits where the lone corner is below the plane
-    Bytes sure;        ///< all bits where no side is in doubt
+    Bytes lone_below;  ///< all bits where the lone vertex is below the plane
+    Bytes certain;     ///< all bits where all sides are certain
 
-    HWY_INLINE void turn_over(Bytes where) {
+    /// Reverses the winding.
+    HWY_INLINE void flip(Bytes where) {
         const Bytes old_q = q;
         q = hn::IfVecThenElse(where, r, q);
         r = hn::IfVecThenElse(where, old_q, r);
@@ -46,12 +47,12 @@ struct ArrangedVertices {
     }
 };
 
-/// The sides of one leaf's corners as seen from the planes of another, bits 0 to 7 and 8 to 15.
+/// The sides of another leaf's planes that a leaf's vertices are on, bits 0 to 7 and 8 to 15.
 template <Sides kSides>
 class SideTable {
 public:
-    /// `corners` are in the frame of `planes`. Distances up to `error` are near zero. Whether the table is
-    /// good.
+    /// `vertices` are in the frame of `planes`. Distances up to `error` are near zero. Returns whether the
+    /// table is valid.
     HWY_INLINE bool fill(const Bvh8Leaf& planes, const float vertices[3][16], std::size_t count,
                          float error) {
         const Floats d;
@@ -64,17 +65,17 @@ public:
         for (std::size_t c = 0; c < planes.triangles; c += kPlanesAtOnce) {
             nearest = fill_planes(planes, vertices, count, error, c, nearest);
         }
-        const Bits doubtful = hn::BitCast(Unsigned(), hn::Set(d, 2.0F * error));
-        const auto in_doubt = hn::Eq(hn::Min(nearest, doubtful), nearest);
-        return kSides == Sides::certain || bits_of(Unsigned(), in_doubt) == 0;
+        const Bits uncertain = hn::BitCast(Unsigned(), hn::Set(d, 2.0F * error));
+        const auto any_uncertain = hn::Eq(hn::Min(nearest, uncertain), nearest);
+        return kSides == Sides::certain || bits_of(Unsigned(), any_uncertain) == 0;
     }
 
-    /// For each triangle of the corners' leaf, which of the first `planes` it isn't clear of.
-    HWY_INLINE ByteRows not_clear(const Bvh8Leaf& leaf, std::size_t planes) const {
-        return {not_clear(leaf, planes, 0), not_clear(leaf, planes, 1)};
+    /// For each triangle of the vertices' leaf, which of the first `planes` it may intersect.
+    HWY_INLINE ByteRows may_intersect(const Bvh8Leaf& leaf, std::size_t planes) const {
+        return {may_intersect(leaf, planes, 0), may_intersect(leaf, planes, 1)};
     }
 
-    /// By lane, the corners of a triangle as seen from a plane.
+    /// For each lane, the vertices of a triangle arranged by a plane.
     HWY_INLINE ArrangedVertices arrange(const Bvh8Leaf& leaf, Bytes triangle, Bytes plane) const {
         const ByteTag d;
         const Bytes p = lookup(leaf.vertex_of[0].data(), triangle);
@@ -96,16 +97,17 @@ public:
         c.r = choose(r, p, q);
         c.lone_below = choose(sp, sq, sr);
         if constexpr (kSides == Sides::certain) {
-            c.sure = hn::And(hn::Or(sp, side(above_, p, plane)),
-                             hn::And(hn::Or(sq, side(above_, q, plane)), hn::Or(sr, side(above_, r, plane))));
+            c.certain =
+                hn::And(hn::Or(sp, side(above_, p, plane)),
+                        hn::And(hn::Or(sq, side(above_, q, plane)), hn::Or(sr, side(above_, r, plane))));
         } else {
-            c.sure = hn::Set(d, 0xFF);
+            c.certain = hn::Set(d, 0xFF);
         }
         return c;
     }
 
 private:
-    /// Two vectors at a time, so that a corner is fetched once for both.
+    /// Two vectors at a time, so that a vertex is loaded once for both.
     static constexpr std::size_t kPlanesAtOnce = 2 * kLanes;
 
     using Table = std::uint8_t[2][kLeafVertices];
@@ -120,11 +122,11 @@ private:
         table[c / 8][vertex] = static_cast<std::uint8_t>(bits);
     }
 
-    /// The planes from c on. Returns `nearest` or what is nearer.
+    /// The planes from c on. Returns the least of `nearest` and the distances.
     ///
-    /// Planes are moved up by `error`, so that a negative distance is below for certain, and one up to twice
-    /// that is in doubt. As unsigned numbers, negative distances are the greatest: the least of all tells
-    /// whether any is in doubt.
+    /// Planes are moved up by `error`, so that a negative distance is certainly below, and one up to twice
+    /// `error` is uncertain. As unsigned numbers, negative distances are the greatest: the least of all tells
+    /// whether any is uncertain.
     HWY_INLINE Bits fill_planes(const Bvh8Leaf& planes, const float vertices[3][16], std::size_t count,
                                 float error, std::size_t c, Bits nearest) {
         const Floats d;
@@ -143,7 +145,7 @@ private:
         const auto is_above = [&](Real f) {
             return kSides == Sides::certain ? bits_of(d, hn::Gt(f, far)) : 0U;
         };
-        const auto see = [&](std::size_t v) {
+        const auto classify = [&](std::size_t v) {
             const Real3 x{hn::Set(d, vertices[0][v]), hn::Set(d, vertices[1][v]), hn::Set(d, vertices[2][v])};
             const Real f1 = distance(n1, x, d1);
             nearest = hn::Min(nearest, hn::BitCast(Unsigned(), f1));
@@ -161,13 +163,13 @@ private:
             record(below_, v, below, c);
             record_above(v, above, c);
         };
-        // By fours: leaves differ in how many corners they have, and a jump that can't be foreseen costs more
-        // than to see a corner again (see Bvh8Leaf).
+        // In fours: the number of vertices varies, and a mispredicted branch costs more than classifying a
+        // vertex again (unused slots repeat the last one, see Bvh8Leaf).
         for (std::size_t v = 0; v < count; v += 4) {
-            see(v);
-            see(v + 1);
-            see(v + 2);
-            see(v + 3);
+            classify(v);
+            classify(v + 1);
+            classify(v + 2);
+            classify(v + 3);
         }
         return nearest;
     }
@@ -178,7 +180,7 @@ private:
         }
     }
 
-    HWY_INLINE Bytes not_clear(const Bvh8Leaf& leaf, std::size_t planes, std::size_t half) const {
+    HWY_INLINE Bytes may_intersect(const Bvh8Leaf& leaf, std::size_t planes, std::size_t half) const {
         const ByteTag d;
         const Bytes p = hn::Load(d, leaf.vertex_of[0].data());
         const Bytes q = hn::Load(d, leaf.vertex_of[1].data());
@@ -199,7 +201,7 @@ private:
         return hn::IfThenElseZero(there, hn::AndNot(clear, hn::Set(d, mask)));
     }
 
-    /// By lane, all bits if the corner is on that side of the plane.
+    /// For each lane, all bits if the vertex is on that side of the plane.
     static HWY_INLINE Bytes side(const Table& table, Bytes vertex, Bytes plane) {
         const ByteTag d;
         alignas(16) static constexpr std::uint8_t kBits[16] = {1, 2, 4, 8, 16, 32, 64, 128,
@@ -214,7 +216,7 @@ private:
     HWY_ALIGN Table above_;
 };
 
-/// Bit j of row i, sixteen bits a row, rows 0 to 7 and 8 to 15: bit i of `columns`' row j.
+/// Sets bit j of row i to bit i of `columns`' row j; sixteen bits per row, rows 0 to 7 and 8 to 15.
 HWY_INLINE void transpose(const ByteRows& columns, Bytes& low, Bytes& high) {
     const ByteTag d;
     const hn::FixedTag<std::uint64_t, 1> word;

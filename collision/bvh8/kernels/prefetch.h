@@ -4,7 +4,7 @@
 
 namespace campuswalk::collision {
 
-/// Starts to fetch the first `bytes` of something that will be looked at soon.
+/// Starts to load the first `bytes` of something that will soon be read.
 template <typename Part>
 inline void prefetch(const Part& part, std::size_t bytes = sizeof(Part)) {
     for (std::size_t at = 0; at < bytes; at += 64) {

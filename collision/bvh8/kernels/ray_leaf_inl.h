@@ -11,8 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// A ray seen along the axis on which it goes farthest: sheared so that it lies on that axis, as `hit`
-/// (ray.h) does it in double.
+/// Shears a ray onto the axis along which it is longest, as `hit` (ray.h) does in double.
 class Shear {
 public:
     explicit Shear(const Ray& ray) : from_(ray.from) {
@@ -26,17 +25,17 @@ public:
         slope_y_ = d[static_cast<Eigen::Index>(y_)] / d[farthest];
     }
 
-    /// Bit i: `hit` may see triangle i of the leaf.
+    /// Bit i: `hit` may find a hit on triangle i of the leaf.
     ///
-    /// Rounding, in units u = kFloatUnit. Vertices are seen from the point of the ray's line beside the
-    /// leaf's origin, whose place is known to double: a few 2^-53 of the offset. Vertices are off by their
-    /// rounding, u r for each coordinate, r the leaf's radius; slopes are no steeper than 1. With p the
-    /// larger coordinate of that point, the difference of places is off by 2 u r + 2 u p, the product by 3 u
-    /// r, their difference by u (2 r + p): below e = 8 u (r + p) for each, where 2^-48 of the offset is added
-    /// for what is done in double, here and by `hit`. No sheared coordinate is greater than m = 2 r + p + e.
-    /// A triangle's edge u, v or w is a difference of two products of such coordinates: off by 4 e m + 2 e^2
-    /// for the coordinates and 4 u m^2 for what is rounded there; 5 of each, and a hair for what underflows.
-    HWY_INLINE std::uint32_t triangles_seen(const Bvh8Leaf& leaf) const {
+    /// Rounding, in units u = kFloatUnit. Vertices are relative to the point of the ray's line beside the
+    /// leaf's origin, which is computed in double: a few 2^-53 of the offset. Vertices are rounded by u r for
+    /// each coordinate, with r the leaf's radius; slopes are no steeper than 1. With p the larger coordinate
+    /// of that point, the difference of positions is off by 2 u r + 2 u p, the product by 3 u r, their
+    /// difference by u (2 r + p): each less than e = 8 u (r + p), where 2^-48 of the offset is added for what
+    /// is done in double, here and by `hit`. No sheared coordinate is greater than m = 2 r + p + e. A
+    /// triangle's edge u, v or w is a difference of two products of such coordinates: off by 4 e m + 2 e^2
+    /// for the coordinates and 4 u m^2 for its own rounding; 5 of each are allowed, and 2^-120 for underflow.
+    HWY_INLINE std::uint32_t triangles_on_ray(const Bvh8Leaf& leaf) const {
         const double z = offset(leaf, z_);
         const double x = offset(leaf, x_);
         const double y = offset(leaf, y_);

@@ -15,26 +15,26 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// Where b lies in a's frame, ready for float32 about any two origins: the large part of a position is
-/// subtracted in double, what remains is as long as the parts that are held against each other.
+/// The pose of b in a's frame, prepared for float32 about any two origins: the large part of a position is
+/// subtracted in double, and the rest is as small as the parts that are compared.
 ///
-/// Bounds below are in units u = kFloatUnit and lengths L = r_a + r_b + |offset|, where r is a part's radius.
-/// Two terms come on top of them:
-/// - `coordinates`: the truth itself (b_vertex_in_a) and `offset` are each rounded in double, by at most
+/// Bounds below are in units u = kFloatUnit and lengths L = r_a + r_b + |offset|, where r is a part's radius,
+/// plus two terms:
+/// - `coordinates`: the reference itself (b_vertex_in_a) and `offset` are each rounded in double, by at most
 ///   4 x 2^-53 times the coordinates' sum along each axis; 2^-49 times that sum is more than both.
-/// - `tilt`: what is brought to b by the transposed matrix instead of the inverse is off by at most the
-/// matrix'
-///   distance from a rotation times 3 L.
+/// - `tilt`: transforming to b by the transposed matrix instead of the inverse is off by at most 3 L times
+///   the matrix' distance from a rotation.
 class RelativePose {
 public:
     explicit RelativePose(const Bvh8Pair& pair) {
         for (std::size_t j = 0; j < 3; ++j) {
             for (std::size_t i = 0; i < 3; ++i) {
-                turn_[j][i] = pair.X_a_b.rotation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-                column[j][i] = static_cast<float>(turn_[j][i]);
+                rotation_[j][i] =
+                    pair.X_a_b.rotation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                column[j][i] = static_cast<float>(rotation_[j][i]);
                 row[i][j] = column[j][i];
             }
-            shift_[j] = pair.X_a_b.translation[static_cast<Eigen::Index>(j)];
+            translation_[j] = pair.X_a_b.translation[static_cast<Eigen::Index>(j)];
         }
         const double sum = static_cast<double>(pair.a.reach) + 3.0 * static_cast<double>(pair.b.reach) +
                            pair.X_a_b.translation.cwiseAbs().maxCoeff();
@@ -52,15 +52,16 @@ public:
         const auto y = hn::Set(d, static_cast<double>(o_b[1]));
         const auto z = hn::Set(d, static_cast<double>(o_b[2]));
         for (std::size_t k = 0; k < 4; k += hn::MaxLanes(d)) {
-            auto v = hn::Sub(hn::Load(d, shift_ + k), hn::PromoteTo(d, hn::LoadU(narrow, o_a.data() + k)));
-            v = Arithmetic::multiply_add(hn::Load(d, turn_[2] + k), z, v);
-            v = Arithmetic::multiply_add(hn::Load(d, turn_[1] + k), y, v);
-            v = Arithmetic::multiply_add(hn::Load(d, turn_[0] + k), x, v);
+            auto v =
+                hn::Sub(hn::Load(d, translation_ + k), hn::PromoteTo(d, hn::LoadU(narrow, o_a.data() + k)));
+            v = Arithmetic::multiply_add(hn::Load(d, rotation_[2] + k), z, v);
+            v = Arithmetic::multiply_add(hn::Load(d, rotation_[1] + k), y, v);
+            v = Arithmetic::multiply_add(hn::Load(d, rotation_[0] + k), x, v);
             hn::StoreU(hn::DemoteTo(narrow, v), narrow, out + k);
         }
     }
 
-    /// `units` u L, and what comes on top. The smallest float32 is for products that underflow.
+    /// `units` u L, plus the two terms. 2^-120 covers products that underflow.
     HWY_INLINE float bound(float units, float length) const {
         return (units * kFloatUnit + tilt_) * length + (2.0F * coordinates_ + 0x1p-120F);
     }
@@ -71,14 +72,14 @@ public:
     HWY_ALIGN float row[3][4] = {};
 
 private:
-    HWY_ALIGN double turn_[3][4] = {};  ///< by column
-    HWY_ALIGN double shift_[4] = {};
+    HWY_ALIGN double rotation_[3][4] = {};  ///< by column
+    HWY_ALIGN double translation_[4] = {};
     float coordinates_ = 0.0F;
     float tilt_ = 0.0F;
 };
 
-/// Adds up the rows of m, v of each; the fourth entry is 0.
-HWY_INLINE void turn(const float m[3][4], const float v[3], float out[4]) {
+/// The sum of the rows of m, weighted by v; the fourth entry is 0.
+HWY_INLINE void rotate(const float m[3][4], const float v[3], float out[4]) {
     const hn::FixedTag<float, 4> d;
     auto sum = hn::Mul(hn::Load(d, m[0]), hn::Set(d, v[0]));
     sum = hn::MulAdd(hn::Load(d, m[1]), hn::Set(d, v[1]), sum);
