@@ -3,7 +3,7 @@
 #include <fstream>
 #include <utility>
 
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
 
@@ -15,8 +15,8 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
         lines.push_back(std::move(line));
     }
     if (!stream.eof()) {
-        throw scene::InputError(
-            {file.string(), 0, 0}, "unreadable",
+        throw error_about(
+            file, "unreadable",
             std::filesystem::exists(file, none) ? "the file can't be read" : "there is no such file");
     }
     return lines;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -7,8 +9,15 @@
 
 namespace campuswalk::tools {
 
-/// A line each to standard error.
+/// About a file, a folder or an option as a whole.
+scene::InputError error_about(const std::filesystem::path& subject, const std::string& code,
+                              const std::string& message);
+
+/// To standard error, one per line.
 void diagnose(const std::vector<scene::Diagnostic>& diagnostics);
 void diagnostic_line(const std::string& line);
+
+/// Returns the command's exit code, or that for what it throws, which is reported.
+int report_exceptions(const std::function<int()>& command);
 
 }  // namespace campuswalk::tools

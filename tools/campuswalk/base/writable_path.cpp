@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
 
@@ -26,6 +26,12 @@ fs::path nearest_existing(fs::path path) {
         path = path.has_relative_path() ? path.parent_path() : fs::path();
     }
     return path.empty() ? fs::path(".") : path;
+}
+
+void require_none(const std::string& obstacle, const fs::path& path, const std::string& message) {
+    if (!obstacle.empty()) {
+        throw error_about(path, "output-unwritable", message + ": " + obstacle);
+    }
 }
 
 }  // namespace
@@ -52,11 +58,12 @@ std::string why_file_unwritable(const fs::path& file) {
     return why_folder_unwritable(file.parent_path());
 }
 
-void require_writable_image(const fs::path& file) {
-    if (const std::string why = why_file_unwritable(file); !why.empty()) {
-        throw scene::InputError({file.string(), 0, 0}, "output-unwritable",
-                                "the picture can't be written here: " + why);
-    }
+void require_writable_file(const fs::path& file, const std::string& message) {
+    require_none(why_file_unwritable(file), file, message);
+}
+
+void require_writable_folder(const fs::path& folder, const std::string& message) {
+    require_none(why_folder_unwritable(folder), folder, message);
 }
 
 }  // namespace campuswalk::tools

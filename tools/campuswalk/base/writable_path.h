@@ -13,7 +13,8 @@ std::string why_file_unwritable(const std::filesystem::path& file);
 /// The same for a folder and the files in it.
 std::string why_folder_unwritable(const std::filesystem::path& folder);
 
-/// Throws scene::InputError output-unwritable when an image can't be written there.
-void require_writable_image(const std::filesystem::path& file);
+/// Throw scene::InputError output-unwritable in these cases, with the reason after `message`.
+void require_writable_file(const std::filesystem::path& file, const std::string& message);
+void require_writable_folder(const std::filesystem::path& folder, const std::string& message);
 
 }  // namespace campuswalk::tools

@@ -8,10 +8,8 @@
 #include <utility>
 
 #include "collision/mesh/mesh_collider.h"
-#include "scene/cache/load_model.h"
 #include "scene/campus/bake_mesh.h"
 #include "tools/campuswalk/collide/parse_shape.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 
 namespace campuswalk::tools::collide {
@@ -87,8 +85,7 @@ Body read_body(const std::string& word, const scene::SceneFile& frame,
     file.file = word;
     file.path = word;
     file.mark.file = word;
-    scene::ImportedModel imported =
-        load_model(file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
+    scene::ImportedModel imported = read_model(file, scene::EmptyModel::refuse);
     const std::vector<scene::Model> models = {std::move(imported.model)};
     std::ranges::copy_if(
         imported.warnings, std::back_inserter(warnings), [](const scene::Diagnostic& repair) {

@@ -53,7 +53,7 @@ void triangles_of(const MeshCollider& mesh, const Wheel& wheel, const Pose& X,
 /// All pairs of kinds, with X_a_b for b's own frame: that of a mesh lies where its origin is.
 class Search {
 public:
-    Search(const Body& a, const Body& b, const Pose& X_a_b, SearchMode wanted) : mode_(wanted) {
+    Search(const Body& a, const Body& b, const Pose& X_a_b, SearchMode mode) : mode_(mode) {
         X_a_b_.rotation = X_a_b.rotation;
         X_a_b_.translation = X_a_b * b.p_body_mesh - a.p_body_mesh;
     }
@@ -97,7 +97,7 @@ private:
         Overlaps overlaps;
         triangles_of(mesh, solid, X_mesh_solid, overlaps.triangles);
         overlaps.any = !overlaps.triangles.empty();
-        if (mode_ == SearchMode::one && overlaps.any) {
+        if (mode_ == SearchMode::first && overlaps.any) {
             overlaps.triangles.resize(1);
         }
         return overlaps;
@@ -113,8 +113,8 @@ std::size_t Overlaps::count() const {
     return distance ? (any ? 1 : 0) : pairs.size() + triangles.size();
 }
 
-Overlaps find_overlaps(const Body& a, const Body& b, const Pose& X_a_b, SearchMode wanted) {
-    return std::visit(Search(a, b, X_a_b, wanted), a.shape, b.shape);
+Overlaps find_overlaps(const Body& a, const Body& b, const Pose& X_a_b, SearchMode mode) {
+    return std::visit(Search(a, b, X_a_b, mode), a.shape, b.shape);
 }
 
 }  // namespace campuswalk::tools::collide

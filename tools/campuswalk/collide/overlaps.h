@@ -20,9 +20,9 @@ struct Overlaps {
     std::size_t count() const;
 };
 
-/// All of them, or one alone: of two meshes the pair that is found first, else the lowest triangle.
-enum class SearchMode : std::uint8_t { all, one };
+/// All pairs or triangles, or one: of two meshes the pair that is found first, else the lowest triangle.
+enum class SearchMode : std::uint8_t { all, first };
 
-Overlaps find_overlaps(const Body& a, const Body& b, const collision::Pose& X_a_b, SearchMode wanted);
+Overlaps find_overlaps(const Body& a, const Body& b, const collision::Pose& X_a_b, SearchMode mode);
 
 }  // namespace campuswalk::tools::collide

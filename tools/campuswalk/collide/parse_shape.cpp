@@ -14,7 +14,7 @@
 #include "collision/geometry/trigonometry.h"
 #include "config/loader/values/number.h"
 #include "config/loader/yaml/wording.h"
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools::collide {
 
@@ -54,7 +54,7 @@ struct Word {
     std::string expected;  ///< ends every diagnostic
 
     [[noreturn]] void refuse(const std::string& why) const {
-        throw scene::InputError({whole, 0, 0}, code, why + "; " + expected);
+        throw error_about(whole, code, why + "; " + expected);
     }
 
     /// At least `least` of the places, the first ones; those left out are 0.
@@ -115,10 +115,9 @@ void refuse_unknown_kind(const std::string& word, std::string_view name) {
     for (const Kind& kind : kinds()) {
         names.emplace_back(kind.name);
     }
-    throw scene::InputError({word, 0, 0}, "unknown-shape",
-                            "no shape is called " + config::in_quotes(name) +
-                                config::suggestion_or_list(name, names) +
-                                "; write box:1,1,1 or a model file");
+    throw error_about(word, "unknown-shape",
+                      "no shape is called " + config::in_quotes(name) +
+                          config::suggestion_or_list(name, names) + "; write box:1,1,1 or a model file");
 }
 
 /// About the X, Y or Z axis.

@@ -1,11 +1,13 @@
 #include "tools/campuswalk/command_line/command.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools {
 
@@ -16,14 +18,12 @@ constexpr const char* kVersion = "campuswalk " CAMPUSWALK_VERSION;
 /// CLI11 only says that a command is missing when it doesn't know the one that is there.
 std::string mistake_before_a_command(const CLI::App& app) {
     std::vector<std::string> names;
-    std::string list;
     for (const CLI::App* command : app.get_subcommands({})) {
         names.push_back(command->get_name());
-        list += (list.empty() ? "" : ", ") + names.back();
     }
     const std::vector<std::string> unknown = app.remaining();
     if (unknown.empty()) {
-        return "a command is needed: " + list;
+        return "a command is needed: " + joined(names, ", ");
     }
     const std::string& word = unknown.front();
     return "there is no " + std::string(word.starts_with('-') ? "option" : "command") + " '" + word + "'" +
@@ -47,62 +47,57 @@ std::string mistake_in_a_command(const CLI::App& app, const CLI::Error& error) {
 }
 
 std::string explanation(const CLI::App* app, const CLI::Error& error) {
-    std::string path = app->get_name();
-    while (!app->get_subcommands().empty()) {
-        app = app->get_subcommands().front();
-        path += " " + app->get_name();
+    if (app->get_subcommands().empty()) {
+        return "error: " + mistake_before_a_command(*app) + "\nsee " + app->get_name() + " --help\n";
     }
-    const bool has_commands = !app->get_subcommands({}).empty();
-    return "error: " + (has_commands ? mistake_before_a_command(*app) : mistake_in_a_command(*app, error)) +
-           "\nsee " + path + " --help\n";
+    const CLI::App& command = *app->get_subcommands().front();
+    return "error: " + mistake_in_a_command(command, error) + "\nsee " + app->get_name() + " " +
+           command.get_name() + " --help\n";
 }
 
 /// `choice` shows its words as "a|b|c"; nothing else has a '|' in what is shown for its value.
 std::vector<std::string> words_of(const std::string& value) {
     std::vector<std::string> words;
-    std::size_t start = 0;
-    while (value.find('|') != std::string::npos && start <= value.size()) {
-        const std::size_t end = std::min(value.find('|', start), value.size());
-        words.push_back(value.substr(start, end - start));
-        start = end + 1;
+    std::istringstream stream(value.find('|') == std::string::npos ? "" : value);
+    for (std::string word; std::getline(stream, word, '|');) {
+        words.push_back(word);
     }
     return words;
 }
 
-KnownOption known_option(const CLI::Option& option) {
-    KnownOption known;
+OptionInfo describe_option(const CLI::Option& option) {
+    OptionInfo info;
     for (const std::string& name : option.get_snames()) {
-        known.names.push_back("-" + name);
+        info.names.push_back("-" + name);
     }
     for (const std::string& name : option.get_lnames()) {
-        known.names.push_back("--" + name);
+        info.names.push_back("--" + name);
     }
     if (option.get_positional()) {
-        known.names.push_back(option.get_name());
+        info.names.push_back(option.get_name());
     }
-    known.help = option.get_description();
-    const bool takes_value = option.get_items_expected_max() > 0;
-    known.value = takes_value ? option.get_type_name() : "";
-    known.choices = words_of(known.value);
-    known.repeats = option.get_items_expected_max() > 1;
-    return known;
+    info.help = option.get_description();
+    info.value = option.get_items_expected_max() > 0 ? option.get_type_name() : "";
+    info.choices = words_of(info.value);
+    return info;
 }
 
-KnownCommand known_command(const CLI::App& app) {
-    KnownCommand known{app.get_name(), app.get_description(), {}, {}};
+CommandInfo describe_command(const std::string& name, const CLI::App& app) {
+    CommandInfo info{name, app.get_description(), {}};
     for (const CLI::Option* option : app.get_options()) {
-        known.options.push_back(known_option(*option));
+        info.options.push_back(describe_option(*option));
     }
-    for (const CLI::App* command : app.get_subcommands({})) {
-        known.commands.push_back(known_command(*command));
-    }
-    return known;
+    return info;
 }
 
 }  // namespace
 
-KnownCommand Command::known() const {
-    return known_command(*app_);
+std::vector<CommandInfo> Command::describe() const {
+    std::vector<CommandInfo> commands = {describe_command("", *app_)};
+    for (const CLI::App* command : app_->get_subcommands({})) {
+        commands.push_back(describe_command(command->get_name(), *command));
+    }
+    return commands;
 }
 
 Command Command::add(const std::string& name, const std::string& description) {
@@ -136,37 +131,27 @@ void Command::finish(CLI::Option& option, const OptionSpec& spec) {
 }
 
 template <typename Value>
-CLI::Option& Command::add_option(const OptionSpec& spec, Value& target) {
+void Command::option(const OptionSpec& spec, Value& target) {
     CLI::Option* option = app_->add_option(spec.names, target, spec.help);
     finish(*option, spec);
-    return *option;
+    if (option->get_items_expected_max() > 1) {
+        // One value each time it is named: what follows belongs to the command.
+        option->allow_extra_args(!spec.names.starts_with('-'));
+    }
 }
+template void Command::option(const OptionSpec&, std::string&);
+template void Command::option(const OptionSpec&, std::filesystem::path&);
+template void Command::option(const OptionSpec&, std::optional<std::string>&);
+template void Command::option(const OptionSpec&, std::optional<std::filesystem::path>&);
+template void Command::option(const OptionSpec&, std::vector<std::string>&);
+template void Command::option(const OptionSpec&, std::vector<std::filesystem::path>&);
 
 template <typename Value, typename Number>
-void Command::add_number(const OptionSpec& spec, Value& target, const Limits<Number>& limits) {
-    OptionSpec shown = spec;
-    shown.value = spec.value.empty() ? "N" : spec.value;
-    add_option(shown, target).check(CLI::Range(limits.least, limits.most));
-}
-
-void Command::option(const OptionSpec& spec, std::string& target) {
-    add_option(spec, target);
-}
-void Command::option(const OptionSpec& spec, std::filesystem::path& target) {
-    add_option(spec, target);
-}
-void Command::option(const OptionSpec& spec, std::optional<std::string>& target) {
-    add_option(spec, target);
-}
-void Command::option(const OptionSpec& spec, std::optional<std::filesystem::path>& target) {
-    add_option(spec, target);
-}
-void Command::option(const OptionSpec& spec, std::vector<std::string>& target) {
-    // One value each time it is named: what follows belongs to the command.
-    add_option(spec, target).allow_extra_args(!spec.names.starts_with('-'));
-}
-void Command::option(const OptionSpec& spec, std::vector<std::filesystem::path>& target) {
-    add_option(spec, target).allow_extra_args(!spec.names.starts_with('-'));
+void Command::add_number(OptionSpec spec, Value& target, const Limits<Number>& limits) {
+    spec.value = spec.value.empty() ? "N" : spec.value;
+    CLI::Option* option = app_->add_option(spec.names, target, spec.help);
+    finish(*option, spec);
+    option->check(CLI::Range(limits.least, limits.most));
 }
 void Command::option(const OptionSpec& spec, int& target, const Limits<int>& limits) {
     add_number(spec, target, limits);
@@ -186,19 +171,11 @@ void Command::option(const OptionSpec& spec, const std::function<void(const std:
 }
 
 void Command::restrict_to(const std::vector<std::string>& words, OptionSpec& spec) {
-    for (const std::string& word : words) {
-        spec.value += (spec.value.empty() ? "" : "|") + word;
-    }
+    spec.value = joined(words, "|");
     spec.check = [words, shown = spec.value](const std::string& word) {
         const bool known = std::ranges::find(words, word) != words.end();
         return known ? std::string() : "'" + word + "' is none of " + shown;
     };
-}
-
-void Command::choices(OptionSpec spec, const std::vector<std::string>& words,
-                      std::vector<std::string>& target) {
-    restrict_to(words, spec);
-    option(spec, target);
 }
 
 void Command::flag(const OptionSpec& spec, bool& target) {

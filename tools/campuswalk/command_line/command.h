@@ -37,20 +37,18 @@ struct Limits {
 };
 
 /// An option, a flag or a positional argument as the user may type it.
-struct KnownOption {
+struct OptionInfo {
     std::vector<std::string> names;  ///< "-o", "--output"; one word without dashes: a positional argument
     std::string help;
     std::string value;                 ///< what the help shows for its value; empty: a flag
     std::vector<std::string> choices;  ///< the words it takes; empty: anything
-    bool repeats = false;              ///< takes several values
 };
 
-/// A command, its options and the commands below it, in the help's order.
-struct KnownCommand {
+/// A command and its options, in the help's order.
+struct CommandInfo {
     std::string name;
     std::string description;
-    std::vector<KnownOption> options;
-    std::vector<KnownCommand> commands;
+    std::vector<OptionInfo> options;
 };
 
 /// A command and its options. CLI11 stays behind it: that takes longer to compile than all of ours.
@@ -64,15 +62,12 @@ public:
     void choose(Chosen& chosen, Chosen action);
     /// What the help says below the options.
     void footer(const std::string& text);
-    /// Everything that has been added to it so far.
-    KnownCommand known() const;
+    /// This command, with an empty name, and the commands that have been added to it so far.
+    std::vector<CommandInfo> describe() const;
 
-    void option(const OptionSpec& spec, std::string& target);
-    void option(const OptionSpec& spec, std::filesystem::path& target);
-    void option(const OptionSpec& spec, std::optional<std::string>& target);
-    void option(const OptionSpec& spec, std::optional<std::filesystem::path>& target);
-    void option(const OptionSpec& spec, std::vector<std::string>& target);
-    void option(const OptionSpec& spec, std::vector<std::filesystem::path>& target);
+    /// A string or a path, also as std::optional or, for several values, as std::vector.
+    template <typename Value>
+    void option(const OptionSpec& spec, Value& target);
     void option(const OptionSpec& spec, int& target, const Limits<int>& limits);
     void option(const OptionSpec& spec, std::optional<int>& target, const Limits<int>& limits);
     void option(const OptionSpec& spec, double& target, const Limits<double>& limits);
@@ -94,7 +89,10 @@ public:
     }
 
     /// An option that takes one of a few words each time it is named.
-    void choices(OptionSpec spec, const std::vector<std::string>& words, std::vector<std::string>& target);
+    void choices(OptionSpec spec, const std::vector<std::string>& words, std::vector<std::string>& target) {
+        restrict_to(words, spec);
+        option(spec, target);
+    }
 
     /// A flag that takes one of a few words too, as in `--update=all`; `alone` is what it means without one.
     template <typename Value>
@@ -119,10 +117,8 @@ private:
     /// `take` says whether it knows the word.
     void worded_flag(const OptionSpec& spec, const std::string& alone,
                      std::function<bool(const std::string&)> take);
-    template <typename Value>
-    CLI::Option& add_option(const OptionSpec& spec, Value& target);
     template <typename Value, typename Number>
-    void add_number(const OptionSpec& spec, Value& target, const Limits<Number>& limits);
+    void add_number(OptionSpec spec, Value& target, const Limits<Number>& limits);
     void finish(CLI::Option& option, const OptionSpec& spec);
 
     CLI::App* app_;

@@ -1,16 +1,13 @@
 #include "tools/campuswalk/command_line/program.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "collision/base/simd_target.h"
-#include "scene/base/diagnostic.h"
 #include "scene/import/helper/serve_import.h"
-#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/environment.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
 
@@ -21,36 +18,28 @@ namespace {
 /// CAMPUSWALK_INSTRUCTIONS, where it is set: results are the same with any of them.
 void choose_simd_target() {
     using collision::SimdTarget;
-    const char* wanted = std::getenv("CAMPUSWALK_INSTRUCTIONS");
-    if (wanted == nullptr || *wanted == '\0') {
+    const std::optional<std::string> wanted = environment_variable("CAMPUSWALK_INSTRUCTIONS");
+    if (!wanted) {
         return;
     }
     const std::map<std::string, SimdTarget> known = {
         {"sse42", SimdTarget::sse42}, {"avx2", SimdTarget::avx2}, {"avx512", SimdTarget::avx512}};
-    const auto found = known.find(wanted);
-    const bool usable = found != known.end() && can_run(found->second);
-    if (!usable) {
-        const std::string why =
+    const auto found = known.find(*wanted);
+    if (found == known.end() || !can_run(found->second)) {
+        const char* why =
             found == known.end() ? "' is none of sse42, avx2, avx512" : "': this processor can't";
-        throw scene::InputError({"CAMPUSWALK_INSTRUCTIONS", 0, 0}, "bad-value",
-                                "'" + std::string(wanted) + why);
+        throw error_about("CAMPUSWALK_INSTRUCTIONS", "bad-value", "'" + *wanted + why);
     }
     collision::use_simd_target(found->second);
 }
 
 int guarded(const Chosen& command) {
-    try {
+    return report_exceptions([&] {
         choose_simd_target();
         const int exit_code = command();
         check_standard_output();
         return exit_code;
-    } catch (const scene::InputError& error) {
-        diagnose(error.diagnostics());
-        return kBadInput;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "error: %s\n", error.what());
-        return kRunFailed;
-    }
+    });
 }
 
 }  // namespace

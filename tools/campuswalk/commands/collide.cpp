@@ -1,17 +1,24 @@
+#include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "collision/mesh/mesh_collider.h"
+#include "engine/events/decimals.h"
 #include "scene/campus/campus_description.h"
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/collide/overlaps.h"
 #include "tools/campuswalk/collide/parse_shape.h"
-#include "tools/campuswalk/collide/print_overlaps.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 
 namespace campuswalk::tools {
 
-using namespace collide;
+using collide::Body;
+using collide::Overlaps;
 
 namespace {
 
@@ -21,28 +28,106 @@ struct CollideOptions {
     std::string pose;         ///< of b, see parse_pose; empty: where it is
     std::string pose_matrix;  ///< instead of `pose`
     scene::SceneFile frame;   ///< how files are to be read; which are a and b
-    collide::Told told = collide::Told::all;
+    bool first = false;       ///< report one pair or triangle
+    bool count = false;       ///< report only how many there are
     bool json = false;
 };
 
-collision::Pose pose_of(const CollideOptions& options) {
-    if (!options.pose_matrix.empty()) {
-        return parse_pose_matrix(options.pose_matrix);
-    }
-    return options.pose.empty() ? collision::Pose{} : parse_pose(options.pose);
+std::string described(const Body& body) {
+    return body.mesh() == nullptr
+               ? body.name
+               : body.name + " (" + scene::plural(body.mesh()->mesh().triangles.size(), "triangle") + ")";
 }
 
-/// Holds two models or shapes against each other and prints where they overlap. Returns the exit code: kPass
-/// when they are apart, kOverlapping when not.
+std::string verdict(const Overlaps& overlaps, bool first) {
+    if (!overlaps.any) {
+        return overlaps.distance ? "apart: " + engine::fixed(*overlaps.distance, 6) + " m" : "apart";
+    }
+    if (overlaps.distance || first) {
+        return "overlapping";
+    }
+    return "overlapping: " + (overlaps.pairs.empty() ? scene::plural(overlaps.triangles.size(), "triangle")
+                                                     : scene::plural(overlaps.pairs.size(), "triangle pair"));
+}
+
+/// A line about the bodies, one per pair or triangle (`a 12 b 907 "node of a" "node of b"`, `b 907 "node"`)
+/// and one with the verdict; or the count alone. Names are quoted as in JSON, so that none ends a line.
+void print_overlaps_as_text(const Body& a, const Body& b, const Overlaps& overlaps,
+                            const CollideOptions& options) {
+    if (options.count) {
+        std::printf("%zu\n", overlaps.count());
+        return;
+    }
+    std::printf("# a %s, b %s\n", described(a).c_str(), described(b).c_str());
+    for (const collision::TrianglePair& pair : overlaps.pairs) {
+        std::printf("a %u b %u %s %s\n", pair.a, pair.b, json_text(a.node_of(pair.a)).c_str(),
+                    json_text(b.node_of(pair.b)).c_str());
+    }
+    const bool of_a = a.mesh() != nullptr;
+    for (const std::uint32_t t : overlaps.triangles) {
+        std::printf("%s %u %s\n", of_a ? "a" : "b", t, json_text((of_a ? a : b).node_of(t)).c_str());
+    }
+    std::printf("%s\n", verdict(overlaps, options.first).c_str());
+}
+
+Json json_of(const Body& body) {
+    Json json = {{"name", body.name}};
+    if (body.mesh() != nullptr) {
+        json["triangles"] = body.mesh()->mesh().triangles.size();
+    }
+    return json;
+}
+
+/// The pairs or triangles that overlap, under the name that fits.
+void add_list(Json& json, const Body& a, const Body& b, const Overlaps& overlaps) {
+    if (a.mesh() != nullptr && b.mesh() != nullptr) {
+        json["pairs"] = Json::array();
+        for (const collision::TrianglePair& pair : overlaps.pairs) {
+            json["pairs"].push_back(
+                {{"a", pair.a}, {"b", pair.b}, {"a_node", a.node_of(pair.a)}, {"b_node", b.node_of(pair.b)}});
+        }
+        return;
+    }
+    const char* side = a.mesh() != nullptr ? "a" : "b";
+    const Body& body = a.mesh() != nullptr ? a : b;
+    json["triangles"] = Json::array();
+    for (const std::uint32_t t : overlaps.triangles) {
+        json["triangles"].push_back({{side, t}, {std::string(side) + "_node", body.node_of(t)}});
+    }
+}
+
+void print_overlaps_as_json(const Body& a, const Body& b, const Overlaps& overlaps,
+                            const CollideOptions& options) {
+    Json json = {{"a", json_of(a)}, {"b", json_of(b)}, {"overlapping", overlaps.any}};
+    if (!options.first) {
+        json["count"] = overlaps.count();
+    }
+    if (overlaps.distance) {
+        json["distance"] = *overlaps.distance;
+    } else if (!options.count) {
+        add_list(json, a, b, overlaps);
+    }
+    std::printf("%s\n", json_text(json, 2).c_str());
+}
+
+collision::Pose pose_of(const CollideOptions& options) {
+    if (!options.pose_matrix.empty()) {
+        return collide::parse_pose_matrix(options.pose_matrix);
+    }
+    return options.pose.empty() ? collision::Pose{} : collide::parse_pose(options.pose);
+}
+
+/// Prints where two models or shapes overlap. Returns the exit code: kPass when they are apart, kOverlapping
+/// when not.
 int collide_bodies(const CollideOptions& options) {
     const collision::Pose X_a_b = pose_of(options);
     std::vector<scene::Diagnostic> warnings;
-    const Body a = read_body(options.a, options.frame, warnings);
-    const Body b = read_body(options.b, options.frame, warnings);
+    const Body a = collide::read_body(options.a, options.frame, warnings);
+    const Body b = collide::read_body(options.b, options.frame, warnings);
     diagnose(warnings);
-    const SearchMode wanted = options.told == Told::one ? SearchMode::one : SearchMode::all;
-    const Overlaps overlaps = find_overlaps(a, b, X_a_b, wanted);
-    (options.json ? print_json : print_text)(a, b, overlaps, options.told);
+    const Overlaps overlaps =
+        find_overlaps(a, b, X_a_b, options.first ? collide::SearchMode::first : collide::SearchMode::all);
+    (options.json ? print_overlaps_as_json : print_overlaps_as_text)(a, b, overlaps, options);
     return overlaps.any ? kOverlapping : kPass;
 }
 
@@ -64,11 +149,9 @@ void add_collide(Command program, Chosen& chosen) {
                     .excludes = "--pose"},
                    options->pose_matrix);
     add_file_frame(command, options->frame, "the files");
-    const auto tell = [&told = options->told](collide::Told what) { return [&told, what] { told = what; }; };
-    command.flag({.names = "--first", .help = "One pair alone, as soon as it is found"},
-                 tell(collide::Told::one));
+    command.flag({.names = "--first", .help = "One pair alone, as soon as it is found"}, options->first);
     command.flag({.names = "--count", .help = "How many there are and no more", .excludes = "--first"},
-                 tell(collide::Told::count));
+                 options->count);
     command.flag({.names = "--json", .help = "As JSON"}, options->json);
     add_cache_flag(command);
     command.footer(

@@ -1,23 +1,31 @@
+#include <cstdio>
+#include <map>
 #include <memory>
 
+#include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/completion/completion_command.h"
+#include "tools/campuswalk/completion/scripts.h"
 
 namespace campuswalk::tools {
 
 void add_completion(Command program, Chosen& chosen) {
-    const auto shell = std::make_shared<Shell>(Shell::bash);
+    using Script = std::string (*)(const std::vector<CommandInfo>&);
+    const std::map<std::string, Script> scripts = {{"bash", completion::bash_script},
+                                                   {"zsh", completion::zsh_script},
+                                                   {"fish", completion::fish_script}};
+    const auto script = std::make_shared<Script>();
     Command command =
         program.add("completion", "Print a script with which a shell completes commands and options");
-    const std::map<std::string, Shell> shells = {
-        {"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
-    command.choice({.names = "SHELL", .help = "Whose script", .required = true}, shells, *shell);
+    command.choice({.names = "SHELL", .help = "Whose script", .required = true}, scripts, *script);
     command.footer(
         "In the shell's own start-up file:\n"
         "  bash: source <(campuswalk completion bash)\n"
         "  zsh:  source <(campuswalk completion zsh)      after compinit\n"
         "  fish: campuswalk completion fish | source");
-    command.choose(chosen, [program, shell] { return print_completion(program.known(), *shell); });
+    command.choose(chosen, [program, script] {
+        std::fputs((*script)(program.describe()).c_str(), stdout);
+        return kPass;
+    });
 }
 
 }  // namespace campuswalk::tools

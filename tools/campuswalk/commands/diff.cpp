@@ -10,6 +10,7 @@
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/read_lines.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
@@ -36,15 +37,12 @@ constexpr std::size_t kLinesAround = 3;
 
 using Lines = std::vector<std::string>;
 
-scene::InputError about(const std::string& file, int line, const char* code, const std::string& message) {
-    return scene::InputError(scene::SourceMark{file, line, line > 0 ? 1 : 0}, code, message);
-}
-
 Lines read_log(const fs::path& file) {
     Lines lines = read_lines(file);
     if (lines.empty() || !is_log_header(lines.front())) {
-        throw about(file.string(), 1, "no-log",
-                    "this is no event log as JSON lines; make one with campuswalk run --jsonl FILE");
+        throw scene::InputError(
+            {file.string(), 1, 1}, "no-log",
+            "this is no event log as JSON lines; make one with campuswalk run --jsonl FILE");
     }
     return lines;
 }
@@ -52,18 +50,17 @@ Lines read_log(const fs::path& file) {
 /// Seen before anything is compared.
 void check_images(const DiffOptions& options) {
     if (options.walk && !options.images) {
-        throw about("--walk", 0, "bad-value", "it is for pictures: add --pictures DIR");
+        throw error_about("--walk", "bad-value", "it is for pictures: add --pictures DIR");
     }
     if (!options.images) {
         return;
     }
     if (!options.walk) {
-        throw about("--pictures", 0, "bad-value", "name the walk of these logs, for its campus: --walk FILE");
+        throw error_about("--pictures", "bad-value",
+                          "name the walk of these logs, for its campus: --walk FILE");
     }
     require_images(options.backend);
-    if (const std::string why = why_folder_unwritable(*options.images); !why.empty()) {
-        throw about(options.images->string(), 0, "output-unwritable", "pictures can't be saved here: " + why);
-    }
+    require_writable_folder(*options.images, "pictures can't be saved here");
 }
 
 void print_line(char side, std::size_t index, const std::string& text) {

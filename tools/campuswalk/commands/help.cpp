@@ -1,21 +1,57 @@
+#include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/help/help_command.h"
 #include "tools/campuswalk/help/topics.h"
 
 namespace campuswalk::tools {
 
+namespace {
+
+std::string list_of_topics() {
+    std::string text = "campuswalk help TOPIC\n\n";
+    for (const help::Topic& topic : help::topics()) {
+        const std::string name(topic.name);
+        text += "  " + name + std::string(14 - name.size(), ' ') + std::string(topic.description) + "\n";
+    }
+    return text + "\nOptions of a command: campuswalk COMMAND --help\n";
+}
+
+/// Prints the text of a topic, or the list of topics for an empty name. Returns the exit code: an unknown
+/// topic is bad usage.
+int print_help(const std::string& word, const std::vector<std::string>& names) {
+    if (word.empty()) {
+        std::fputs(list_of_topics().c_str(), stdout);
+        return kPass;
+    }
+    for (const help::Topic& topic : help::topics()) {
+        if (topic.name == word) {
+            std::fputs(topic.text().c_str(), stdout);
+            return kPass;
+        }
+    }
+    std::fprintf(stderr, "error: unknown topic '%s'%s\nsee campuswalk help\n", word.c_str(),
+                 scene::did_you_mean(word, names).c_str());
+    return kBadInput;
+}
+
+}  // namespace
+
 void add_help(Command program, Chosen& chosen) {
     const auto topic = std::make_shared<std::string>();
     Command command = program.add("help", "Explain files, steps, expectations, events, ...");
-    std::string names;
+    std::vector<std::string> names;
     for (const help::Topic& each : help::topics()) {
-        names += (names.empty() ? "" : "|") + std::string(each.name);
+        names.emplace_back(each.name);
     }
-    command.option({.names = "TOPIC", .help = "All topics are listed without one", .value = names}, *topic);
-    command.choose(chosen, [topic] { return print_help(*topic); });
+    command.option(
+        {.names = "TOPIC", .help = "All topics are listed without one", .value = joined(names, "|")}, *topic);
+    command.choose(chosen, [topic, names] { return print_help(*topic, names); });
 }
 
 }  // namespace campuswalk::tools

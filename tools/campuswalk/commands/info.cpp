@@ -7,14 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "collision/world/broad_phase.h"
 #include "engine/events/decimals.h"
-#include "scene/cache/load_model.h"
 #include "scene/campus/campus_description.h"
 #include "scene/lint/model_report.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
@@ -23,6 +21,7 @@
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
+#include "tools/campuswalk/suggest/upright_model.h"
 
 namespace campuswalk::tools {
 
@@ -38,8 +37,6 @@ struct InfoOptions {
     std::optional<std::filesystem::path> map;      ///< an image from above to write
     Backend backend = engine::render::RenderingBackend::automatic;  ///< that draws it
 };
-
-using Json = nlohmann::ordered_json;
 
 // In text; more than that nobody reads, and the warnings come below.
 constexpr std::size_t kMostMaterials = 50;
@@ -176,15 +173,13 @@ void draw_map(const InfoOptions& options, scene::Model model) {
 
 /// A model that seems to lie on its side, upright: from above it would be a line.
 scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
-    const bool lies =
-        std::ranges::any_of(report.warnings, [](const scene::ModelLint& odd) { return odd.code == "z-up"; });
-    if (!lies || scene.up != scene::UpAxis::y) {
+    if (!has_lint(report, "z-up") || scene.up != scene::UpAxis::y) {
         return model;
     }
     std::fprintf(stderr, "%s: the map is drawn with --up z\n", scene.file.c_str());
     scene::SceneFile upright = scene;
     upright.up = scene::UpAxis::z;
-    return load_model(upright, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported.model;
+    return read_model(upright, scene::EmptyModel::accept).model;
 }
 
 /// Prints what is in a model file and what looks odd about it. Returns the exit code.
@@ -194,10 +189,9 @@ int print_info(const InfoOptions& options) {
     }
     if (options.map) {
         require_images(options.backend);
-        require_writable_image(*options.map);
+        require_writable_file(*options.map, "the picture can't be written here");
     }
-    scene::ImportedModel imported =
-        load_model(options.scene, scene::EmptyModel::accept, model_importer(), wanted_cache()).imported;
+    scene::ImportedModel imported = read_model(options.scene, scene::EmptyModel::accept);
     const ModelReport report = scene::report(imported.model);
     std::vector<scene::ModelLint> warnings;
     for (const scene::Diagnostic& repair : imported.warnings) {
@@ -205,9 +199,7 @@ int print_info(const InfoOptions& options) {
     }
     warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
     if (options.json) {
-        const std::string text =
-            json_of(report, warnings).dump(2, ' ', false, Json::error_handler_t::replace);
-        std::printf("%s\n", text.c_str());
+        std::printf("%s\n", json_text(json_of(report, warnings), 2).c_str());
     } else {
         print_text(report, warnings);
     }

@@ -1,10 +1,115 @@
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
 
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/init/init_command.h"
+#include "tools/campuswalk/init/templates.h"
 
 namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct InitOptions {
+    fs::path folder = ".";
+    init::Template which = init::Template::minimal;
+};
+
+/// A repository that was just made holds nothing but its own folder.
+bool may_stand_there(const fs::path& file) {
+    return file.filename() == ".git";
+}
+
+void check_folder(const fs::path& folder) {
+    std::error_code none;
+    if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
+        throw error_about(folder, "not-a-folder", "a file of this name exists; name another folder");
+    }
+    std::error_code error;
+    if (fs::is_directory(folder, none)) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+            if (!may_stand_there(entry.path())) {
+                throw error_about(folder, "not-empty",
+                                  "the folder isn't empty ('" + entry.path().filename().string() +
+                                      "'), and init overwrites nothing; name a new folder");
+            }
+        }
+    }
+    if (error) {
+        throw error_about(folder, "not-a-folder", "the folder can't be read: " + error.message());
+    }
+    require_writable_folder(folder, "the project can't be written here");
+}
+
+/// Files and folders made so far; what isn't finished is taken away again.
+class Undo {
+public:
+    Undo() = default;
+    Undo(const Undo&) = delete;
+    Undo& operator=(const Undo&) = delete;
+    ~Undo() {
+        std::error_code none;
+        for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
+            fs::remove(*path, none);
+        }
+    }
+    void add(const fs::path& path) { made_.push_back(path); }
+    void finish() { made_.clear(); }
+
+private:
+    std::vector<fs::path> made_;
+};
+
+void make_folders(const fs::path& folder, Undo& undo) {
+    if (folder.empty() || fs::is_directory(folder)) {
+        return;
+    }
+    make_folders(folder.parent_path(), undo);
+    if (fs::create_directory(folder)) {
+        undo.add(folder);
+    }
+}
+
+void write(const fs::path& path, const std::string& text, Undo& undo) {
+    make_folders(path.parent_path(), undo);
+    std::ofstream out(path, std::ios::binary);
+    undo.add(path);
+    out << text;
+    out.close();
+    if (!out) {
+        throw std::runtime_error("'" + path.string() + "' can't be written");
+    }
+}
+
+/// Makes a folder with a campus, walks that pass and one that fails as it says, and a workflow that runs
+/// them. Overwrites nothing: a folder with files in it is refused. Returns the exit code.
+int make_project(const InitOptions& options) {
+    check_folder(options.folder);
+    const std::vector<init::NewFile> files = init::files_of(options.which);
+    Undo undo;
+    for (const init::NewFile& file : files) {
+        write(options.folder / file.path, file.text, undo);
+    }
+    undo.finish();
+    for (const init::NewFile& file : files) {
+        std::printf("%s\n", (options.folder / file.path).lexically_normal().generic_string().c_str());
+    }
+    const std::string folder = options.folder.lexically_normal().generic_string();
+    std::fprintf(stderr, "now: %scampuswalk run\n", folder == "." ? "" : ("cd " + folder + " && ").c_str());
+    return kPass;
+}
+
+}  // namespace
 
 void add_init(Command program, Chosen& chosen) {
     const auto options = std::make_shared<InitOptions>();
@@ -12,8 +117,9 @@ void add_init(Command program, Chosen& chosen) {
         program.add("init", "Make a folder with a small school, walks and a CI workflow, to change");
     command.option({.names = "DIR", .help = "A new or an empty folder", .value = "DIR", .show_default = true},
                    options->folder);
-    const std::map<std::string, Template> templates = {
-        {"minimal", Template::minimal}, {"stairs", Template::stairs}, {"campus", Template::campus}};
+    const std::map<std::string, init::Template> templates = {{"minimal", init::Template::minimal},
+                                                             {"stairs", init::Template::stairs},
+                                                             {"campus", init::Template::campus}};
     command.choice(
         {.names = "--template",
          .help = "minimal (default): a library; stairs: and a gallery; campus: and two halls more"},

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/report/result_json.h"
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/run_options.h"
@@ -77,7 +77,7 @@ public:
                             "there is no jsonl report in here; make some with --reporter jsonl=FILE");
             }
         } else if (!fs::is_regular_file(input, none)) {
-            throw InputError({input.generic_string(), 0, 0}, "missing-file", "no such file; check the path");
+            throw error_about(input, "missing-file", "no such file; check the path");
         } else if (!add_file(input)) {
             throw about(input, 1, "this isn't what --reporter jsonl=FILE writes");
         }

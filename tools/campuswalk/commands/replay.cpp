@@ -17,6 +17,7 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/log_output.h"
 #include "tools/campuswalk/base/read_lines.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -152,8 +153,7 @@ int replay_run(const ReplayOptions& options) {
     const bool some =
         std::ranges::any_of(recorded, [](const RecordedWalk& walk) { return walk.hash.has_value(); });
     if (recorded.empty() || (options.verify && !some)) {
-        throw scene::InputError({options.run.string(), 0, 0}, "nothing-to-replay",
-                                "no walk in it has come to its end");
+        throw error_about(options.run, "nothing-to-replay", "no walk in it has come to its end");
     }
     const std::vector<LoadedWalk> loaded = load_all(options, recorded);
     return options.verify ? verify(recorded, loaded) : print_again(loaded);

@@ -88,9 +88,10 @@ void add_running(Command& command, const Options& options) {
                  options->watch);
 }
 
-std::vector<std::string> animation_names() {
+template <typename Kinds>
+std::vector<std::string> names_of(const Kinds& kinds) {
     std::vector<std::string> names;
-    for (const AnimationKind& kind : kAnimationKinds) {
+    for (const auto& kind : kinds) {
         names.emplace_back(kind.name);
     }
     return names;
@@ -110,7 +111,7 @@ void add_sequence(Command& command, SequenceRequest& request) {
                  request.contact_sheet);
     command.choices({.names = "--animation",
                      .help = "The frames as animation.png or .gif, 640 pixels wide at most; several times"},
-                    animation_names(), request.animations);
+                    names_of(kAnimationKinds), request.animations);
     command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"},
                  request.video);
     const std::map<std::string, std::optional<engine::View>> views = {
@@ -123,14 +124,6 @@ void add_sequence(Command& command, SequenceRequest& request) {
                     .help = "Their pixels across, the height in proportion [as the walk's camera is set]",
                     .value = "N"},
                    request.width, kFrameWidth);
-}
-
-std::vector<std::string> record_names() {
-    std::vector<std::string> names;
-    for (const RecordKind& kind : record_kinds()) {
-        names.emplace_back(kind.name);
-    }
-    return names;
 }
 
 void add_output(Command& command, const Options& options) {
@@ -154,18 +147,14 @@ void add_output(Command& command, const Options& options) {
          .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
                  "or .tum, its costs as trace.json, for Chrome's trace viewer, or with wall time as "
                  "timed-trace.json; several times"},
-        record_names(), options->records);
+        names_of(record_kinds()), options->records);
     add_sequence(command, options->sequence);
-    const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
-                                                          {"changed", UpdateSnapshots::changed},
-                                                          {"missing", UpdateSnapshots::missing},
-                                                          {"none", UpdateSnapshots::none}};
     command.choice_flag(
         {.names = "-u,--update-snapshots",
          .help =
              "Which golden logs and kept pictures are written; alone it means changed [missing; none where "
              "CI is set]"},
-        "changed", modes, options->update);
+        "changed", update_modes(), options->update);
     add_rendering_backend(command, options->backend);
     command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},
                  options->quiet);

@@ -10,6 +10,7 @@
 #include "config/loader/load_run.h"
 #include "engine/script/walk.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
@@ -46,8 +47,8 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
         }
         known.push_back(spawn.name);
     }
-    throw scene::InputError(
-        {kAsked, 0, 0}, "unknown-name",
+    throw error_about(
+        kAsked, "unknown-name",
         "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
 }
 
@@ -89,7 +90,7 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
 /// Draws one image of a campus nobody walks in. Returns the exit code.
 int draw_snapshot(const SnapshotOptions& options) {
     require_images(options.backend);
-    require_writable_image(options.output);
+    require_writable_file(options.output, "the picture can't be written here");
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     CampusImage image;

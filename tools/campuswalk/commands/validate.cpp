@@ -1,12 +1,17 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -14,13 +19,13 @@
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/validate/check_config.h"
 #include "tools/campuswalk/validate/findings.h"
-#include "tools/campuswalk/validate/found_files.h"
 
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
 using scene::Diagnostic;
+using scene::plural;
 
 namespace {
 
@@ -31,14 +36,63 @@ struct ValidateOptions {
     ValidateFormat format = ValidateFormat::text;
 };
 
-std::string count(std::size_t number, const char* thing) {
-    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+/// What a file is by its name.
+enum class FileKind { walk, campus, avatar, light, steps, config };
+
+constexpr std::array<std::pair<std::string_view, FileKind>, 6> kEndings = {{
+    {".walk.yaml", FileKind::walk},
+    {".campus.yaml", FileKind::campus},
+    {".avatar.yaml", FileKind::avatar},
+    {".light.yaml", FileKind::light},
+    {".steps.yaml", FileKind::steps},
+    {".config.yaml", FileKind::config},
+}};
+
+std::optional<FileKind> kind_of(const fs::path& file) {
+    const std::string name = file.filename().string();
+    for (const auto& [ending, kind] : kEndings) {
+        if (name.ends_with(ending)) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The files of a known kind in a folder and below, sorted, without folders whose name starts with a dot.
+/// Throws scene::InputError for a folder without any.
+std::vector<fs::path> files_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (auto entry = fs::recursive_directory_iterator(folder, options, error);
+         !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        std::error_code none;
+        if (entry->is_directory(none) && entry->path().filename().string().starts_with('.')) {
+            entry.disable_recursion_pending();
+        } else if (entry->is_regular_file(none) && kind_of(entry->path())) {
+            files.push_back(entry->path().lexically_normal());
+        }
+    }
+    std::ranges::sort(files, {}, [](const fs::path& file) { return file.generic_string(); });
+    if (files.empty()) {
+        throw error_about(folder, "no-files",
+                          "there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml, .light.yaml, .steps.yaml "
+                          "or walks.config.yaml in this folder");
+    }
+    return files;
+}
+
+/// The path itself, or the files in the folder that it is.
+std::vector<fs::path> found_files(const fs::path& path) {
+    std::error_code none;
+    return fs::is_directory(path, none) ? files_below(path) : std::vector{path};
 }
 
 std::string summary_of(const scene::Campus& campus) {
-    return count(campus.description.buildings.size(), "building") + ", " +
-           count(campus.objects.size(), "object") + ", " + count(campus.description.spawns.size(), "spawn") +
-           ", " + count(campus.description.places.size(), "place");
+    return plural(campus.description.buildings.size(), "building") + ", " +
+           plural(campus.objects.size(), "object") + ", " +
+           plural(campus.description.spawns.size(), "spawn") + ", " +
+           plural(campus.description.places.size(), "place");
 }
 
 /// What a file is that is to be checked; one that is none or not there is taken for a walk.
@@ -46,10 +100,9 @@ FileKind checked_kind(const fs::path& file) {
     const std::optional<FileKind> kind = kind_of(file);
     std::error_code none;
     if (!kind && fs::is_regular_file(file, none)) {
-        throw scene::InputError(
-            {file.string(), 0, 0}, "file-name",
-            "only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
-            "NAME.steps.yaml are checked; name another file or rename this one");
+        throw error_about(file, "file-name",
+                          "only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
+                          "NAME.steps.yaml are checked; name another file or rename this one");
     }
     return kind.value_or(FileKind::walk);
 }
@@ -66,15 +119,15 @@ std::string check(WalkLoader& loader, const fs::path& file) {
             config::load_light(file);
             return "a light";
         case FileKind::steps:
-            return count(config::load_steps(file).size(), "step");
+            return plural(config::load_steps(file).size(), "step");
         case FileKind::config:
-            return count(check_config(loader, file), "project");
+            return plural(check_config(loader, file), "project");
         case FileKind::walk:
             break;
     }
     const LoadedWalk loaded = loader.load_walk(file);
-    return count(loaded.walk.steps.size(), "step") + ", " +
-           count(loaded.walk.expectations.size(), "expectation") + ", on " + loaded.walk.campus_name + " (" +
+    return plural(loaded.walk.steps.size(), "step") + ", " +
+           plural(loaded.walk.expectations.size(), "expectation") + ", on " + loaded.walk.campus_name + " (" +
            summary_of(*loaded.campus) + ")";
 }
 

@@ -1,3 +1,4 @@
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/completion/scripts.h"
 
 namespace campuswalk::tools::completion {
@@ -6,7 +7,7 @@ namespace {
 
 constexpr const char* kStart = R"(# Load it with: source <(campuswalk completion bash)
 _campuswalk() {
-    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} place= words= files= i
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command= words= files= i
     # bash makes three words of --option=value.
     if [[ $current == = ]]; then
         current=
@@ -14,7 +15,7 @@ _campuswalk() {
         previous=${COMP_WORDS[COMP_CWORD - 2]}
     fi
     for ((i = 1; i < COMP_CWORD; ++i)); do
-        case "$place/${COMP_WORDS[i]}" in
+        case ${COMP_WORDS[i]} in
 )";
 
 constexpr const char* kEnd = R"(    esac
@@ -24,7 +25,7 @@ constexpr const char* kEnd = R"(    esac
 complete -o filenames -F _campuswalk campuswalk
 )";
 
-std::string reply(const KnownOption& option) {
+std::string reply(const OptionInfo& option) {
     switch (offer_for(option)) {
         case Offer::words:
             return "mapfile -t COMPREPLY < <(compgen -W '" + joined(option.choices, " ") +
@@ -39,25 +40,21 @@ std::string reply(const KnownOption& option) {
     return "COMPREPLY=(); return ;;\n";
 }
 
-std::string words_case(const Place& place) {
-    std::vector<std::string> words = plain_words(*place.command);
-    for (const KnownOption& option : place.command->options) {
-        if (!is_positional(option)) {
-            words.insert(words.end(), option.names.begin(), option.names.end());
-        }
-    }
-    return "        '" + place.path + "') words='" + joined(words, " ") + "'" +
-           (takes_files(*place.command) ? " files=1" : "") + " ;;\n";
-}
-
 }  // namespace
 
-std::string bash_script(const std::vector<Place>& places) {
-    std::string text = kStart;
-    text += "            " + all_paths(places, " | ") + ") place=$place/${COMP_WORDS[i]} ;;\n";
-    text += "        esac\n    done\n    case \"$place $previous\" in\n";
-    text += cases(places, reply, words_case);
-    return text + kEnd;
+std::string bash_script(const std::vector<CommandInfo>& commands) {
+    const auto words_case = [&](const CommandInfo& command) {
+        std::string words = command.name.empty() ? subcommand_names(commands, " ") : "";
+        for (const OptionInfo& option : command.options) {
+            words += " " + joined(is_positional(option) ? option.choices : option.names, " ");
+        }
+        return "        ('" + command.name + "') words='" + words + "'" +
+               (takes_files(command) ? " files=1" : "") + " ;;\n";
+    };
+    return kStart + ("            " + subcommand_names(commands, " | ")) +
+           ") command=${COMP_WORDS[i]}; break ;;\n        esac\n    done\n    case \"$command $previous\" "
+           "in\n" +
+           cases(commands, reply, words_case) + kEnd;
 }
 
 }  // namespace campuswalk::tools::completion

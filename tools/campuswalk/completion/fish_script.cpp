@@ -1,3 +1,4 @@
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/completion/scripts.h"
 
 namespace campuswalk::tools::completion {
@@ -6,15 +7,16 @@ namespace {
 
 constexpr const char* kStart = R"(# Load it with: campuswalk completion fish | source
 function __campuswalk_at
-    set -l place ''
+    set -l command ''
     for word in (commandline -opc)[2..-1]
-        switch "$place/$word"
-)";
+        if contains -- $word )";
 
-constexpr const char* kEnd = R"(                set place "$place/$word"
+constexpr const char* kEnd = R"(
+            set command $word
+            break
         end
     end
-    test "$place" = "$argv[1]"
+    test "$command" = "$argv[1]"
 end
 complete -c campuswalk -f
 )";
@@ -27,11 +29,7 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-std::string start_of(const Place& place) {
-    return "complete -c campuswalk -n '__campuswalk_at \"" + place.path + "\"'";
-}
-
-std::string value_of(const KnownOption& option) {
+std::string value_of(const OptionInfo& option) {
     switch (offer_for(option)) {
         case Offer::words:
             return " -x -a " + quoted(joined(option.choices, " "));
@@ -45,37 +43,33 @@ std::string value_of(const KnownOption& option) {
     return option.value.empty() ? "" : " -x";
 }
 
-std::string option_line(const Place& place, const KnownOption& option) {
+std::string option_arguments(const OptionInfo& option) {
+    if (is_positional(option)) {
+        return option.choices.empty() ? "" : " -a " + quoted(joined(option.choices, " "));
+    }
     std::string names;
-    for (const std::string& spec : option.names) {
-        names += spec.starts_with("--") ? " -l " + spec.substr(2) : " -s " + spec.substr(1);
+    for (const std::string& name : option.names) {
+        names += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     }
-    return start_of(place) + names + value_of(option) + " -d " + quoted(option.help) + "\n";
-}
-
-std::string lines_of(const Place& place) {
-    std::string text;
-    for (const KnownCommand& below : place.command->commands) {
-        text += start_of(place) + " -a " + below.name + " -d " + quoted(below.description) + "\n";
-    }
-    for (const KnownOption& option : place.command->options) {
-        if (!is_positional(option)) {
-            text += option_line(place, option);
-        } else if (!option.choices.empty()) {
-            text += start_of(place) + " -a " + quoted(joined(option.choices, " ")) + " -d " +
-                    quoted(option.help) + "\n";
-        }
-    }
-    return text + (takes_files(*place.command) ? start_of(place) + " -F\n" : "");
+    return names + value_of(option);
 }
 
 }  // namespace
 
-std::string fish_script(const std::vector<Place>& places) {
-    std::string text = kStart;
-    text += "            case " + all_paths(places, " ") + "\n" + kEnd;
-    for (const Place& place : places) {
-        text += lines_of(place);
+std::string fish_script(const std::vector<CommandInfo>& commands) {
+    std::string text = kStart + subcommand_names(commands, " ") + kEnd;
+    for (const CommandInfo& command : commands) {
+        const std::string start = "complete -c campuswalk -n '__campuswalk_at \"" + command.name + "\"'";
+        if (!command.name.empty()) {
+            text += "complete -c campuswalk -n '__campuswalk_at \"\"' -a " + command.name + " -d " +
+                    quoted(command.description) + "\n";
+        }
+        for (const OptionInfo& option : command.options) {
+            if (const std::string arguments = option_arguments(option); !arguments.empty()) {
+                text += start + arguments + " -d " + quoted(option.help) + "\n";
+            }
+        }
+        text += takes_files(command) ? start + " -F\n" : "";
     }
     return text;
 }

@@ -9,41 +9,31 @@
 
 namespace campuswalk::tools::completion {
 
+// Scripts that complete commands and options in a shell. `commands` are those of Command::describe(): the
+// program itself, whose name is empty here, then its subcommands. Each script finds out from the words before
+// the cursor which of them is being typed.
+
+std::string bash_script(const std::vector<CommandInfo>& commands);
+std::string zsh_script(const std::vector<CommandInfo>& commands);
+std::string fish_script(const std::vector<CommandInfo>& commands);
+
+// What the three have in common.
+
 /// What a shell may offer for an option's value.
 enum class Offer { nothing, words, files, folders };
 
-Offer offer_for(const KnownOption& option);
-bool is_positional(const KnownOption& option);
-
-/// A command by the way to it: "/bench/ray", "" for the program itself. The command must outlive it.
-struct Place {
-    std::string path;
-    const KnownCommand* command = nullptr;
-};
-
-/// The program and every command below it.
-std::vector<Place> places_of(const KnownCommand& program);
-
-/// "/run|/bench|/bench/ray": all but the program itself.
-std::string all_paths(const std::vector<Place>& places, std::string_view between);
-/// Commands' names, then words for positional arguments.
-std::vector<std::string> plain_words(const KnownCommand& command);
+Offer offer_for(const OptionInfo& option);
+bool is_positional(const OptionInfo& option);
 /// Whether a positional argument of the command is a file or a folder.
-bool takes_files(const KnownCommand& command);
+bool takes_files(const CommandInfo& command);
+/// "run|info": all but the program itself.
+std::string subcommand_names(const std::vector<CommandInfo>& commands, std::string_view between);
 
-/// What bash and zsh take alike: the lines of a `case` on "PLACE OPTION", which is over where an option's
-/// value is due, then those of one on the place. `reply` gives what is done for an option, `words` all of a
-/// place's line; both with the end of the line.
-std::string cases(const std::vector<Place>& places,
-                  const std::function<std::string(const KnownOption&)>& reply,
-                  const std::function<std::string(const Place&)>& words);
-
-std::string joined(const std::vector<std::string>& words, std::string_view between);
-
-// The scripts; each works out at which place it is from the words before the cursor.
-
-std::string bash_script(const std::vector<Place>& places);
-std::string zsh_script(const std::vector<Place>& places);
-std::string fish_script(const std::vector<Place>& places);
+/// The part that bash and zsh share: the lines of a `case` on "COMMAND OPTION", for an option's value, then
+/// those of a `case` on the command. `reply` returns what follows an option's pattern, `words` a command's
+/// whole line; both with the line's end.
+std::string cases(const std::vector<CommandInfo>& commands,
+                  const std::function<std::string(const OptionInfo&)>& reply,
+                  const std::function<std::string(const CommandInfo&)>& words);
 
 }  // namespace campuswalk::tools::completion

@@ -1,3 +1,4 @@
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/completion/scripts.h"
 
 namespace campuswalk::tools::completion {
@@ -7,10 +8,10 @@ namespace {
 constexpr const char* kStart = R"(#compdef campuswalk
 # Save it as _campuswalk in a folder of $fpath, or load it with: source <(campuswalk completion zsh)
 _campuswalk() {
-    local place= i
+    local command= i
     local -a plain options
     for ((i = 2; i < CURRENT; ++i)); do
-        case "$place/${words[i]}" in
+        case ${words[i]} in
 )";
 
 constexpr const char* kEnd = R"(    esac
@@ -32,7 +33,7 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-std::string reply(const KnownOption& option) {
+std::string reply(const OptionInfo& option) {
     switch (offer_for(option)) {
         case Offer::words:
             return "compadd -- " + joined(option.choices, " ") + "; return ;;\n";
@@ -46,29 +47,29 @@ std::string reply(const KnownOption& option) {
     return "return ;;\n";
 }
 
-std::string words_case(const Place& place) {
-    std::string plain;
-    for (const KnownCommand& below : place.command->commands) {
-        plain += " " + quoted(below.name + ":" + below.description);
-    }
-    std::string options;
-    for (const KnownOption& option : place.command->options) {
-        for (const std::string& word : is_positional(option) ? option.choices : option.names) {
-            (is_positional(option) ? plain : options) += " " + quoted(word + ":" + option.help);
-        }
-    }
-    return "        ('" + place.path + "') plain=(" + plain + " ) options=(" + options + " )" +
-           (takes_files(*place.command) ? "; _files" : "") + " ;;\n";
-}
-
 }  // namespace
 
-std::string zsh_script(const std::vector<Place>& places) {
-    std::string text = kStart;
-    text += "            (" + all_paths(places, "|") + ") place=$place/${words[i]} ;;\n";
-    text += "        esac\n    done\n    case \"$place ${words[CURRENT-1]}\" in\n";
-    text += cases(places, reply, words_case);
-    return text + kEnd;
+std::string zsh_script(const std::vector<CommandInfo>& commands) {
+    const auto words_case = [&](const CommandInfo& command) {
+        std::string plain;
+        for (const CommandInfo& other : commands) {
+            if (command.name.empty() && !other.name.empty()) {
+                plain += " " + quoted(other.name + ":" + other.description);
+            }
+        }
+        std::string options;
+        for (const OptionInfo& option : command.options) {
+            for (const std::string& word : is_positional(option) ? option.choices : option.names) {
+                (is_positional(option) ? plain : options) += " " + quoted(word + ":" + option.help);
+            }
+        }
+        return "        ('" + command.name + "') plain=(" + plain + " ) options=(" + options + " )" +
+               (takes_files(command) ? "; _files" : "") + " ;;\n";
+    };
+    return kStart + ("            (" + subcommand_names(commands, "|")) +
+           ") command=${words[i]}; break ;;\n        esac\n    done\n    case \"$command "
+           "${words[CURRENT-1]}\" in\n" +
+           cases(commands, reply, words_case) + kEnd;
 }
 
 }  // namespace campuswalk::tools::completion

@@ -5,13 +5,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/schemas.h"
 
 namespace campuswalk::tools::help {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -36,10 +36,11 @@ whose only key is 'steps'.
 }
 
 std::string expectations() {
-    return "Each entry of 'expect' is a map with a single key. All of them are evaluated when the walk has "
-           "ended; "
-           "one\nthat doesn't hold makes the exit code 1.\n\n" +
-           key_table("walk.schema.json#/definitions/single_expectation") + R"(
+    return R"(Each entry of 'expect' is a map with a single key. All of them are evaluated when the walk has ended; one
+that doesn't hold makes the exit code 1.
+
+)" + key_table("walk.schema.json#/definitions/single_expectation") +
+           R"(
 Four of them need no value: '- grounded', '- no_penetration', '- stuck', '- fell'; so does 'not':
 '- not: fell'. The step 'expect' evaluates the walk so far and ends it with a failure if one doesn't hold.
 
@@ -91,11 +92,10 @@ wheel, too:
 }
 
 std::string avatars() {
-    return "NAME.avatar.yaml describes who walks. Profiles are looked up in 'avatars' and 'config/avatars' "
-           "next "
-           "to the\nwalk and above it, then among those that come with the program (adult, child, "
-           "delivery-robot).\n\n" +
-           key_table("avatar.schema.json") +
+    return R"(NAME.avatar.yaml describes who walks. Profiles are looked up in 'avatars' and 'config/avatars' next to the
+walk and above it, then among those that come with the program (adult, child, delivery-robot).
+
+)" + key_table("avatar.schema.json") +
            "\nIn a walk: 'avatar: adult', or 'avatar: {profile: adult, speed: 1.8}'.\n";
 }
 
@@ -110,18 +110,20 @@ std::string exit_codes() {
 }
 
 std::string lights() {
-    return "NAME.light.yaml describes how pictures are lit. Profiles are looked up in 'lights' and "
-           "'config/lights' next\nto the walk and above it, then among those that come with the program: "
-           "day, "
-           "overcast, night. Keys left out\nkeep their daytime values.\n\n" +
-           key_table("light.schema.json") +
+    return R"(NAME.light.yaml describes how pictures are lit. Profiles are looked up in 'lights' and 'config/lights' next
+to the walk and above it, then among those that come with the program: day, overcast, night. Keys left out
+keep their daytime values.
+
+)" + key_table("light.schema.json") +
            "\nIn a walk: 'light: night', or 'light: {profile: night, anti_aliasing: fxaa}'.\n";
 }
 
 std::string projects() {
-    return "walks.config.yaml holds the settings of 'campuswalk run' for the walks in its folder and below; "
-           "options\non the command line take precedence.\n\n" +
-           key_table("walks-config.schema.json") + R"(
+    return R"(walks.config.yaml holds the settings of 'campuswalk run' for the walks in its folder and below; options
+on the command line take precedence.
+
+)" + key_table("walks-config.schema.json") +
+           R"(
   projects:
     adult: {}
     robot: {avatar: robot, tags: [ramps]}
@@ -131,12 +133,10 @@ runs every walk as an adult, and those with the tag 'ramps' as a robot as well; 
 }
 
 std::string popups() {
-    return "A building's pop-up opens when the visitor first touches, enters or looks at one of its "
-           "colliders, "
-           "and\ncloses when the last such contact ends; colliders with 'popup: false' don't count. Keys of "
-           "a "
-           "building:\n\n" +
-           key_table("campus.schema.json#/definitions/building") +
+    return R"(A building's pop-up opens when the visitor first touches, enters or looks at one of its colliders, and
+closes when the last such contact ends; colliders with 'popup: false' don't count. Keys of a building:
+
+)" + key_table("campus.schema.json#/definitions/building") +
            "\n'popup' may be a map, for all colliders of a building or for one of them:\n\n" +
            key_table("campus.schema.json#/definitions/popup/anyOf/1") + R"(
 Titles and texts may contain variables:

@@ -2,14 +2,12 @@
 
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/events/decimals.h"
 #include "engine/render/compare/compare_images.h"
 #include "engine/render/image/png.h"
 #include "engine/render/image/read_png.h"
-#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/writable_path.h"
 
 namespace campuswalk::tools {
@@ -50,7 +48,7 @@ void print_text(const ImgdiffOptions& options, const Verdict& verdict) {
 }
 
 void print_json(const ImgdiffOptions& options, const render::Image& a, const Verdict& verdict) {
-    nlohmann::ordered_json json = {
+    Json json = {
         {"a", options.a.generic_string()}, {"b", options.b.generic_string()}, {"same", verdict.why.empty()}};
     if (!verdict.why.empty()) {
         json["why"] = verdict.why;
@@ -64,24 +62,15 @@ void print_json(const ImgdiffOptions& options, const render::Image& a, const Ver
         json["tile_ssim"] = worst.ssim;
         json["worst_tile"] = {worst.box.x, worst.box.y, worst.box.width, worst.box.height};
     }
-    const auto broken_bytes = nlohmann::ordered_json::error_handler_t::replace;  // of file names
-    std::printf("%s\n", json.dump(2, ' ', false, broken_bytes).c_str());
-}
-
-void check_diff_file(const ImgdiffOptions& options) {
-    if (!options.diff) {
-        return;
-    }
-    if (const std::string why = why_file_unwritable(*options.diff); !why.empty()) {
-        throw scene::InputError({options.diff->string(), 0, 0}, "output-unwritable",
-                                "the difference can't be drawn here: " + why);
-    }
+    std::printf("%s\n", json_text(json, 2).c_str());
 }
 
 }  // namespace
 
 int compare_image_files(const ImgdiffOptions& options) {
-    check_diff_file(options);
+    if (options.diff) {
+        require_writable_file(*options.diff, "the difference can't be drawn here");
+    }
     const render::Image a = render::read_png(options.a);
     const render::Image b = render::read_png(options.b);
     const Verdict verdict = compare(a, b, options.tolerance);

@@ -2,15 +2,15 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <span>
+#include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "engine/events/decimals.h"
+#include "tools/campuswalk/base/environment.h"
 
 namespace campuswalk::tools {
 
@@ -50,15 +50,11 @@ std::vector<std::string> arguments(const engine::render::Image& image, double se
 }  // namespace
 
 bool has_ffmpeg() {
-    const char* path = std::getenv("PATH");
-    std::string_view folders = path != nullptr ? path : "";
-    while (!folders.empty()) {
-        const std::size_t colon = folders.find(':');
-        const fs::path program = fs::path(folders.substr(0, colon)) / "ffmpeg";
-        if (access(program.c_str(), X_OK) == 0) {
+    std::istringstream folders(environment_variable("PATH").value_or(""));
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) {
             return true;
         }
-        folders.remove_prefix(colon == std::string_view::npos ? folders.size() : colon + 1);
     }
     return false;
 }

@@ -29,19 +29,18 @@ namespace campuswalk::tools {
 
 bool can_draw();
 
-class SnapshotTaker : public engine::Observer {
-public:
-    /// What is to be seen in those snapshots that an ExpectVisible names.
-    virtual const engine::render::VisibleBuildingsBySnapshot& visible_buildings() const = 0;
+struct SnapshotTaker {
+    std::unique_ptr<engine::Observer> observer;
+    /// What is visible in those snapshots that an ExpectVisible refers to; lives as long as the observer.
+    const engine::render::VisibleBuildingsBySnapshot* visible_buildings = nullptr;
 };
 
 /// What draws the images of the walks that a process plays. Opens nothing before the first image.
 std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend);
 
 /// Writes the walk's snapshots to `FOLDER/`. `campus` and `painters` must outlive it.
-std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
-                                                   const std::filesystem::path& folder,
-                                                   engine::render::RendererStore& renderers);
+SnapshotTaker make_snapshot_taker(const scene::Campus& campus, const std::filesystem::path& folder,
+                                  engine::render::RendererStore& renderers);
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
 std::vector<std::string> files_of(const engine::SnapshotStep& step);

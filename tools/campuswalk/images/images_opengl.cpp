@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "collision/world/cast.h"
 #include "engine/render/image/png.h"
@@ -27,23 +28,6 @@ SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
     return settings;
 }
 
-class Taker final : public SnapshotTaker {
-public:
-    Taker(const scene::Campus& campus, const std::filesystem::path& folder,
-          engine::render::RendererStore& renderers)
-        : taker_(campus, folder, renderers) {}
-
-    void begin(const engine::Walk& walk) override { taker_.begin(walk); }
-    void frame(const engine::TickRecord& record) override { taker_.frame(record); }
-    void end() override { taker_.end(); }
-    const engine::render::VisibleBuildingsBySnapshot& visible_buildings() const override {
-        return taker_.visible_buildings();
-    }
-
-private:
-    engine::render::SnapshotObserver taker_;
-};
-
 }  // namespace
 
 bool can_draw() {
@@ -55,10 +39,11 @@ std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend) {
         [backend](const scene::Campus& campus) { return settings_for(campus, backend); });
 }
 
-std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus& campus,
-                                                   const std::filesystem::path& folder,
-                                                   engine::render::RendererStore& renderers) {
-    return std::make_unique<Taker>(campus, folder, renderers);
+SnapshotTaker make_snapshot_taker(const scene::Campus& campus, const std::filesystem::path& folder,
+                                  engine::render::RendererStore& renderers) {
+    auto observer = std::make_unique<engine::render::SnapshotObserver>(campus, folder, renderers);
+    const auto* visible_buildings = &observer->visible_buildings();
+    return {std::move(observer), visible_buildings};
 }
 
 std::vector<std::string> files_of(const engine::SnapshotStep& step) {

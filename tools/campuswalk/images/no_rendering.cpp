@@ -24,10 +24,10 @@ std::shared_ptr<engine::render::RendererStore> make_renderers(Backend) {
     return nullptr;
 }
 
-std::unique_ptr<SnapshotTaker> make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
-                                                   engine::render::RendererStore&) {
+SnapshotTaker make_snapshot_taker(const scene::Campus&, const std::filesystem::path&,
+                                  engine::render::RendererStore&) {
     assert(false);
-    return nullptr;
+    return {};
 }
 
 std::vector<std::string> files_of(const engine::SnapshotStep&) {

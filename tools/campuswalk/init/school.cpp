@@ -1,6 +1,9 @@
 #include "tools/campuswalk/init/school.h"
 
-#include <string>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <vector>
 
 #include "scene/model/mesh_parts.h"
 
@@ -18,6 +21,12 @@ const Eigen::Vector3f kPlaster(0.87F, 0.78F, 0.56F);
 const Eigen::Vector3f kSlate(0.42F, 0.52F, 0.66F);
 const Eigen::Vector3f kConcrete(0.72F, 0.71F, 0.68F);
 const Eigen::Vector3f kWood(0.55F, 0.38F, 0.22F);
+
+struct NamedMesh {
+    std::string name;
+    collision::TriangleMesh mesh;
+    Eigen::Vector3f color;  ///< red, green, blue in [0, 1]
+};
 
 /// Adds boxes by their corners to one mesh.
 class Masonry {
@@ -63,9 +72,7 @@ NamedMesh bench(const std::string& name, double x, double z) {
     return Masonry().box({x - 0.9, 0, z - 0.25}, {x + 0.9, 0.45, z + 0.25}).named(name, kWood);
 }
 
-}  // namespace
-
-std::vector<NamedMesh> school(Template which) {
+std::vector<NamedMesh> meshes_of(Template which) {
     std::vector<NamedMesh> meshes;
     meshes.push_back(Masonry().box({-25, -1, -20}, {25, 0, 20}).named("terrain", kGrass));
     meshes.push_back(hall("library_walls", kBrick, 0, -6));
@@ -81,6 +88,50 @@ std::vector<NamedMesh> school(Template which) {
         meshes.push_back(bench("bench_east", 3, 6));
     }
     return meshes;
+}
+
+/// The shortest digits that give the same number back.
+std::string digits(float value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+std::string digits(const Eigen::Vector3f& v) {
+    return digits(v.x()) + " " + digits(v.y()) + " " + digits(v.z());
+}
+
+std::string wavefront(const std::vector<NamedMesh>& meshes) {
+    std::string text = "mtllib school.mtl\n";
+    std::uint32_t first = 1;  // corners count from 1, through all objects
+    for (const NamedMesh& named : meshes) {
+        text += "o " + named.name + "\n";
+        for (const Eigen::Vector3f& p : named.mesh.positions) {
+            text += "v " + digits(p) + "\n";
+        }
+        text += "usemtl " + named.name + "\n";
+        for (const auto& [a, b, c] : named.mesh.triangles) {
+            text += "f " + std::to_string(first + a) + " " + std::to_string(first + b) + " " +
+                    std::to_string(first + c) + "\n";
+        }
+        first += static_cast<std::uint32_t>(named.mesh.positions.size());
+    }
+    return text;
+}
+
+std::string wavefront_materials(const std::vector<NamedMesh>& meshes) {
+    std::string text;
+    for (const NamedMesh& named : meshes) {
+        text += "newmtl " + named.name + "\nKd " + digits(named.color) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+SchoolModel school(Template which) {
+    const std::vector<NamedMesh> meshes = meshes_of(which);
+    return {wavefront(meshes), wavefront_materials(meshes)};
 }
 
 }  // namespace campuswalk::tools::init

@@ -1,8 +1,6 @@
 #include "tools/campuswalk/init/templates.h"
 
 #include "tools/campuswalk/base/schemas.h"
-#include "tools/campuswalk/init/school.h"
-#include "tools/campuswalk/init/wavefront.h"
 
 namespace campuswalk::tools::init {
 
@@ -189,9 +187,9 @@ std::string campus_yaml(Template which) {
 }  // namespace
 
 std::vector<NewFile> files_of(Template which) {
-    const std::vector<NamedMesh> meshes = school(which);
-    std::vector<NewFile> files = {{"school.obj", wavefront(meshes, "school.mtl")},
-                                  {"school.mtl", wavefront_materials(meshes)},
+    const SchoolModel model = school(which);
+    std::vector<NewFile> files = {{"school.obj", model.obj},
+                                  {"school.mtl", model.mtl},
                                   {"school.campus.yaml", campus_yaml(which)},
                                   {"avatars/adult.avatar.yaml", kAdult},
                                   {"walks/visit.walk.yaml", kVisit},

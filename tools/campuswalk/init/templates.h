@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/campuswalk/init/init_command.h"
+#include "tools/campuswalk/init/school.h"
 
 namespace campuswalk::tools::init {
 

@@ -4,14 +4,13 @@
 
 #include <atomic>
 #include <charconv>
-#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/environment.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
@@ -22,26 +21,20 @@ namespace {
 
 bool refused = false;
 
-/// Empty if it isn't set.
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 fs::path folder() {
-    if (const std::string own = variable("CAMPUSWALK_CACHE_DIR"); !own.empty()) {
-        return own;
+    if (const auto own = environment_variable("CAMPUSWALK_CACHE_DIR")) {
+        return *own;
     }
     // The XDG specification has relative paths ignored.
-    if (const fs::path caches = variable("XDG_CACHE_HOME"); caches.is_absolute()) {
+    if (const fs::path caches = environment_variable("XDG_CACHE_HOME").value_or(""); caches.is_absolute()) {
         return caches / "campuswalk";
     }
-    const fs::path home = variable("HOME");
+    const fs::path home = environment_variable("HOME").value_or("");
     return home.is_absolute() ? home / ".cache" / "campuswalk" : fs::path();
 }
 
 std::uint64_t max_bytes() {
-    const std::string text = variable("CAMPUSWALK_CACHE_SIZE");
+    const std::string text = environment_variable("CAMPUSWALK_CACHE_SIZE").value_or("");
     if (text.empty()) {
         return scene::CacheFolder::kDefaultLimit;
     }
@@ -55,8 +48,8 @@ std::uint64_t max_bytes() {
                                           : rest.empty() && count == 0 ? std::optional(0U)
                                                                        : std::nullopt;
     if (error != std::errc() || !shift || count > kMost) {
-        throw scene::InputError({"CAMPUSWALK_CACHE_SIZE", 0, 0}, "bad-value",
-                                "'" + text + "' is no size; write such as 500M or 8G, or 0 for no cache");
+        throw error_about("CAMPUSWALK_CACHE_SIZE", "bad-value",
+                          "'" + text + "' is no size; write such as 500M or 8G, or 0 for no cache");
     }
     return count << *shift;
 }

@@ -1,14 +1,13 @@
 #include "tools/campuswalk/logs/golden_log.h"
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "scene/base/atomic_file.h"
+#include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/logs/log_lines.h"
 
 namespace campuswalk::tools {
@@ -19,27 +18,10 @@ namespace {
 
 constexpr std::size_t kEventsBefore = 5;
 
-/// None when there is no such file.
-std::optional<std::vector<std::string>> lines_if_any(const fs::path& file) {
-    std::error_code error;
-    if (!fs::exists(file, error) && !error) {
-        return std::nullopt;
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) {
-        lines.push_back(std::move(line));
-    }
-    if (error || !stream.eof()) {
-        throw std::runtime_error("can't read '" + file.string() + "'");
-    }
-    return lines;
-}
-
 /// The header without what changes nothing: a time-out that isn't reached, and the seed of logs that were
 /// written while walks had one.
 std::string comparable(const std::string& header) {
-    auto json = nlohmann::ordered_json::parse(header);
+    Json json = Json::parse(header);
     return json.erase("timeout") + json.erase("seed") == 0 ? header : json.dump();
 }
 
@@ -63,7 +45,7 @@ Story without_verdicts(std::span<const std::string> lines) {
         if (i == 0 && is_log_header(line)) {
             line = comparable(line);
         } else if (event && event->kind == "walk.end") {
-            auto json = nlohmann::ordered_json::parse(line);
+            Json json = Json::parse(line);
             json.erase("result");
             json.erase("events");
             line = json.dump();
@@ -135,6 +117,14 @@ std::string joined(std::span<const std::string> lines) {
 
 }  // namespace
 
+const std::map<std::string, UpdateSnapshots>& update_modes() {
+    static const std::map<std::string, UpdateSnapshots> modes = {{"all", UpdateSnapshots::all},
+                                                                 {"changed", UpdateSnapshots::changed},
+                                                                 {"missing", UpdateSnapshots::missing},
+                                                                 {"none", UpdateSnapshots::none}};
+    return modes;
+}
+
 fs::path cached_file(const fs::path& walk_file, const std::string& project, const std::string& file) {
     fs::path folder = walk_file;
     folder += "-snapshots";
@@ -161,8 +151,8 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
         update();
         return check;
     }
-    const std::optional<std::vector<std::string>> golden_lines = lines_if_any(file);
-    if (!golden_lines) {
+    std::error_code error;
+    if (!fs::exists(file, error) && !error) {
         if (mode == UpdateSnapshots::none) {
             check.failure = missing(file);
         } else {
@@ -170,7 +160,7 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
         }
         return check;
     }
-    const Story golden = without_verdicts(*golden_lines);
+    const Story golden = without_verdicts(read_lines(file));
     const Story run = without_verdicts(lines);
     const std::optional<std::size_t> at = first_divergence(golden.lines, run.lines);
     if (at && mode == UpdateSnapshots::changed) {

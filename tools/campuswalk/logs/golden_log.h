@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,9 @@ enum class UpdateSnapshots {
     missing,  ///< those that aren't there yet
     none,     ///< a missing one is a failure
 };
+
+/// The modes by their names on the command line.
+const std::map<std::string, UpdateSnapshots>& update_modes();
 
 /// What comparing a run with a golden log gave.
 struct GoldenCheck {

@@ -1,16 +1,14 @@
 #include "tools/campuswalk/logs/log_lines.h"
 
 #include <algorithm>
-#include <array>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/events/decimals.h"
+#include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -59,16 +57,7 @@ std::string shown(const std::string& name, const Json& value) {
     if (value.is_string() && name != "title" && name != "body" && name != "message") {
         return value.get<std::string>();
     }
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
-    return text;
-}
-
-std::string right_aligned(const std::string& text, std::size_t width, char fill) {
-    return text.size() < width ? std::string(width - text.size(), fill) + text : text;
+    return json_text(value);
 }
 
 /// When and what, without the details.
@@ -78,7 +67,7 @@ std::string short_text(const Json& json) {
     }
     return is_event(json) ? shown("time", Json(json["time"].get<double>())) + " s " + text_in(json, "event") +
                                 " " + text_in(json, "object")
-                          : json.dump(-1, ' ', false, Json::error_handler_t::replace);
+                          : json_text(json);
 }
 
 /// What both are about; only details differ.
@@ -119,7 +108,6 @@ std::optional<LogHeader> log_header(std::string_view line) {
     }
     LogHeader header;
     header.walk = text_in(json, "walk");
-    header.campus = text_in(json, "campus");
     header.project = text_in(json, "project");
     if (const auto timeout = json.find("timeout"); timeout != json.end() && timeout->is_number()) {
         header.timeout = timeout->get<double>();
@@ -136,7 +124,6 @@ std::optional<LoggedEvent> logged_event(std::string_view line) {
     event.tick = json["tick"].get<engine::Tick>();
     event.time = json["time"].get<double>();
     event.kind = text_in(json, "event");
-    event.object = text_in(json, "object");
     event.hash = text_in(json, "hash");
     const auto at = json.find("pos");
     const auto number = [](const Json& part) { return part.is_number(); };
@@ -152,9 +139,11 @@ std::string as_text_line(std::string_view line) {
     if (!is_event(json)) {
         return std::string(line);
     }
-    std::string text = right_aligned(std::to_string(json["tick"].get<engine::Tick>()), 6, '0') + " " +
-                       right_aligned(engine::fixed(json["time"].get<double>(), 6), 11, ' ') + " " +
-                       padded(text_in(json, "event"), 16) + " " + padded(text_in(json, "object"), 17);
+    std::ostringstream start;
+    start << std::setw(6) << std::setfill('0') << json["tick"].get<engine::Tick>() << std::setfill(' ')
+          << std::setw(12) << engine::fixed(json["time"].get<double>(), 6) << " " << std::left
+          << std::setw(16) << text_in(json, "event") << " " << std::setw(17) << text_in(json, "object");
+    std::string text = start.str();
     for (const auto& [name, value] : json.items()) {
         if (name != "tick" && name != "time" && name != "event" && name != "object") {
             text += " " + name + "=" + shown(name, value);

@@ -21,7 +21,6 @@ bool is_log_header(std::string_view line);
 /// What a header tells of the walk.
 struct LogHeader {
     std::string walk;
-    std::string campus;
     std::string project;
     std::optional<double> timeout;  ///< simulated seconds
 };
@@ -32,7 +31,6 @@ struct LoggedEvent {
     engine::Tick tick = 0;
     double time = 0.0;  ///< seconds
     std::string kind;
-    std::string object;
     std::optional<Eigen::Vector3d> position;
     std::string hash;  ///< of walk.end
 };

@@ -6,7 +6,8 @@
 
 #include "engine/report/outcome_names.h"
 #include "engine/report/result_json.h"
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/logs/log_lines.h"
 
 namespace campuswalk::tools {
@@ -25,13 +26,10 @@ scene::InputError about_line(const fs::path& file, std::size_t line, const char*
 std::map<std::string, fs::path> by_name(const std::vector<fs::path>& files) {
     std::map<std::string, fs::path> named;
     for (const fs::path& file : files) {
-        std::string name = file.filename().string();
-        if (name.ends_with(kWalkSuffix)) {
-            name.resize(name.size() - kWalkSuffix.size());
-        }
+        const std::string name = without_ending(file.filename().string(), kWalkSuffix);
         if (!named.emplace(name, file).second) {
-            throw scene::InputError({file.string(), 0, 0}, "duplicate-name",
-                                    "two walks called " + name + ": give --walk one of them");
+            throw error_about(file, "duplicate-name",
+                              "two walks called " + name + ": give --walk one of them");
         }
     }
     return named;
@@ -89,7 +87,7 @@ std::vector<RecordedWalk> recorded_walks(const fs::path& source, const std::vect
                                          const std::vector<fs::path>& walk_files) {
     if (!lines.empty() && engine::cases_of_header(lines.front())) {
         if (!walk_files.empty()) {
-            throw scene::InputError({"--walk", 0, 0}, "bad-value", "a report names its walks itself");
+            throw error_about("--walk", "bad-value", "a report names its walks itself");
         }
         return walks_of_report(source, lines);
     }

@@ -10,7 +10,6 @@
 #include <string>
 #include <utility>
 
-#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
@@ -27,10 +26,6 @@ namespace campuswalk::tools {
 namespace fs = std::filesystem;
 
 namespace {
-
-scene::InputError about(const fs::path& what, const char* code, const std::string& message) {
-    return scene::InputError(scene::SourceMark{what.string(), 0, 0}, code, message);
-}
 
 bool takes_images(const Case& each) {
     return each.walk && std::ranges::any_of(each.walk->walk.steps, [](const engine::Step& step) {
@@ -98,12 +93,13 @@ public:
 private:
     void check_sequence() const {
         if (options_.sequence.any() && !images_) {
-            throw about("--every", "bad-value",
-                        can_draw() ? "no pictures are drawn with --rendering-backend none"
-                                   : "this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+            throw error_about("--every", "bad-value",
+                              can_draw()
+                                  ? "no pictures are drawn with --rendering-backend none"
+                                  : "this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
         }
         if (options_.sequence.video && !can_make_videos()) {
-            throw about(
+            throw error_about(
                 "--video", "bad-value",
                 "the program ffmpeg makes videos, and it isn't installed: apt-get install ffmpeg, or use "
                 "--animation apng");
@@ -117,13 +113,13 @@ private:
         const fs::path file = last_run_file(settings_.output);
         last_run_ = read_last_run(file);
         if (!last_run_) {
-            throw about(file, "missing-file",
-                        "nothing is known of a last run; run without --last-failed and --resume first");
+            throw error_about(file, "missing-file",
+                              "nothing is known of a last run; run without --last-failed and --resume first");
         }
         if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
-            throw about("--resume", "bad-value",
-                        "logs of walks that have been played aren't kept; ask for reports alone, as in "
-                        "--reporter list");
+            throw error_about("--resume", "bad-value",
+                              "logs of walks that have been played aren't kept; ask for reports alone, as in "
+                              "--reporter list");
         }
     }
 
@@ -172,18 +168,11 @@ private:
             if (!draws && options_.records.empty()) {
                 continue;
             }
-            const fs::path folder = settings_.output / each.folder;
-            if (const std::string why = why_folder_unwritable(folder); !why.empty()) {
-                throw about(folder, "output-unwritable",
-                            std::string(draws ? "pictures" : "records") + " can't be saved here: " + why);
-            }
+            require_writable_folder(settings_.output / each.folder,
+                                    std::string(draws ? "pictures" : "records") + " can't be saved here");
         }
-        if (!keeps_results_) {
-            return;
-        }
-        const fs::path file = last_run_file(settings_.output);
-        if (const std::string why = why_file_unwritable(file); !why.empty()) {
-            throw about(file, "output-unwritable", "results can't be kept here: " + why);
+        if (keeps_results_) {
+            require_writable_file(last_run_file(settings_.output), "results can't be kept here");
         }
     }
 
@@ -197,7 +186,7 @@ private:
             return std::make_unique<LastRunWriter>(file, print);
         }
         if (last_run_->plan != print) {
-            throw about(
+            throw error_about(
                 file, "other-run",
                 "the last run had other walks, files or options than this one, so it can't be gone on "
                 "with; run without --resume");

@@ -8,6 +8,7 @@
 
 #include "engine/report/result_json.h"
 #include "engine/script/planned_time.h"
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
@@ -185,8 +186,8 @@ int Scheduler::finish(bool interrupted) {
         return kInterrupted;
     }
     if (const std::size_t left = over_.size() - reported_; left > 0) {
-        diagnostic_line("stopped after " + std::to_string(failures_) +
-                        (failures_ == 1 ? " failure, " : " failures, ") + std::to_string(left) + " not run");
+        diagnostic_line("stopped after " + scene::plural(static_cast<std::size_t>(failures_), "failure") +
+                        ", " + std::to_string(left) + " not run");
     }
     return exit_code_for(report_.results);
 }

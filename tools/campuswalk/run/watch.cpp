@@ -18,7 +18,6 @@
 #include <string>
 #include <system_error>
 
-#include "scene/base/diagnostic.h"
 #include "scene/process/child_process.h"
 #include "scene/process/pipe.h"
 #include "tools/campuswalk/base/exit_codes.h"
@@ -96,13 +95,7 @@ void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
                const std::vector<fs::path>& changed) {
     std::fflush(stdout);
     scene::ChildProcess child = scene::fork_process([&] {
-        try {
-            run(changed);
-        } catch (const scene::InputError& error) {
-            diagnose(error.diagnostics());
-        } catch (const std::exception& error) {
-            diagnostic_line(std::string("error: ") + error.what());
-        }
+        report_exceptions([&] { return run(changed); });
         std::fflush(stdout);
     });
     bool passed_on = false;

@@ -4,10 +4,10 @@
 #include <cctype>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/events/decimals.h"
 #include "scene/model/name_words.h"
+#include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools {
 
@@ -17,7 +17,7 @@ namespace {
 
 /// JSON's strings are YAML's too.
 std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return json_text(text);
 }
 
 std::string list_of(const Eigen::Vector3d& v) {
@@ -25,18 +25,17 @@ std::string list_of(const Eigen::Vector3d& v) {
 }
 
 std::string box_yaml(const scene::UprightBox& box) {
-    constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-    const double yaw = std::atan2(-box.along.z(), box.along.x()) * kDegrees;
+    const double yaw_deg = engine::degrees(std::atan2(-box.along.z(), box.along.x()));
     return "shape: box, center: " + list_of(box.center) + ", size: " + list_of(box.size) +
-           (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw, 2));
+           (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw_deg, 2));
 }
 
 std::string except_yaml(const std::vector<scene::NodeGlob>& doors) {
-    std::string list;
+    std::vector<std::string> patterns;
     for (const scene::NodeGlob& door : doors) {
-        list += (list.empty() ? "" : ", ") + quoted(door.pattern);
+        patterns.push_back(quoted(door.pattern));
     }
-    return list.empty() ? "" : ", except: [" + list + "]";
+    return patterns.empty() ? "" : ", except: [" + joined(patterns, ", ") + "]";
 }
 
 /// `building-3` is read as Building 3: nobody can read the identifier that the node is called by.
@@ -64,7 +63,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
         "scenes:\n  - {file: " +
         quoted(campus.model);
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
-    text += campus.scene.scale != 1.0 ? ", scale: " + nlohmann::json(campus.scene.scale).dump() : "";
+    text += campus.scene.scale != 1.0 ? ", scale: " + json_text(campus.scene.scale) : "";
     text += "}\n";
     text += campus.origin.isZero(0.0) ? "" : "origin: {at: " + list_of(campus.origin) + "}\n";
     text += campus.buildings.empty() ? "" : "buildings:\n";

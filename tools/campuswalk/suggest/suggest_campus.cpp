@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision/mesh/mesh_collider.h"
+#include "engine/events/decimals.h"
 #include "engine/simulation/run_walk.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
@@ -20,6 +21,8 @@
 #include "scene/suggest/first_view.h"
 #include "scene/suggest/walkable_ground.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/lint_text.h"
@@ -36,22 +39,18 @@ namespace {
 
 constexpr std::size_t kLeastGround = 16;  // spots of a quarter of a square metre
 
-scene::InputError about(const fs::path& file, const char* code, const std::string& message) {
-    return scene::InputError(scene::SourceMark{file.string(), 0, 0}, code, message);
-}
-
 /// Throws if they may not be written.
 fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
-    const std::string name = campus_file.filename().string();
-    const std::string ending = ".campus.yaml";
-    if (!name.ends_with(ending) || name.size() == ending.size()) {
-        throw about(campus_file, "file-name", "a campus file is called NAME.campus.yaml");
+    const std::string file_name = campus_file.filename().string();
+    const std::string name = without_ending(file_name, ".campus.yaml");
+    if (name == file_name) {
+        throw error_about(campus_file, "file-name", "a campus file is called NAME.campus.yaml");
     }
     fs::path walk = campus_file;
-    walk.replace_filename(name.substr(0, name.size() - ending.size()) + ".walk.yaml");
+    walk.replace_filename(name + ".walk.yaml");
     for (const fs::path& file : {campus_file, walk}) {
         if (!overwrite && fs::exists(file)) {
-            throw about(file, "file-exists", "it is there already; name another, or say --overwrite");
+            throw error_about(file, "file-exists", "it is there already; name another, or say --overwrite");
         }
     }
     return walk;
@@ -137,7 +136,7 @@ bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampu
     const auto* target = nearest_building(campus.buildings, campus.spawn);
     const double yaw = scene::first_view(*solid.mesh, solid.p_world_origin, campus.spawn,
                                          target == nullptr ? middle : target->box.center);
-    campus.yaw_deg = yaw * 180.0 / 3.14159265358979323846;
+    campus.yaw_deg = engine::degrees(yaw);
     return true;
 }
 
@@ -166,9 +165,9 @@ WalkLoader quiet_loader() {
 void write_campus(const UprightModel& model, const fs::path& campus_file, SuggestedCampus& campus,
                   WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
-    const bool tiny = is_odd(model.report, "odd-scale") && size < 1.0;
+    const bool tiny = has_lint(model.report, "odd-scale") && size < 1.0;
     bool placed = false;
-    if (!tiny && !is_odd(model.report, "no-ground")) {
+    if (!tiny && !has_lint(model.report, "no-ground")) {
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // with a spawn that is none yet
         placed = place_visitor(model, solid_of(*loader.load_campus(campus_file)), campus);
     }
@@ -178,7 +177,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
         placed = place_visitor(model, solid_with(*campus.ground, model, campus.doors), campus);
     }
     if (!placed) {
-        throw about(
+        throw error_about(
             model.file.file, "no-ground",
             "nobody can stand anywhere in the middle of it; look at what `campuswalk info` says of its size "
             "and axes, and give --scale or --up");
@@ -196,7 +195,8 @@ std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_fil
             return visits;
         }
         if (visits == 0) {
-            throw about(campus.scene.file, "no-ground", "no place was found where a visitor stays standing");
+            throw error_about(campus.scene.file, "no-ground",
+                              "no place was found where a visitor stays standing");
         }
     }
 }

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 
-#include "scene/cache/load_model.h"
 #include "scene/lint/named_sizes.h"
 #include "scene/model/name_words.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 
 namespace campuswalk::tools {
 
 using Eigen::Vector3d;
 
-bool is_odd(const scene::ModelReport& report, const std::string& code) {
+bool has_lint(const scene::ModelReport& report, const std::string& code) {
     return std::ranges::any_of(report.warnings,
                                [&](const scene::ModelLint& odd) { return odd.code == code; });
 }
@@ -20,12 +18,11 @@ bool is_odd(const scene::ModelReport& report, const std::string& code) {
 UprightModel load_upright(const scene::SceneFile& file) {
     UprightModel upright{file, {}, {}, Vector3d::Zero()};
     for (int turn = 0; turn < 3; ++turn) {
-        scene::ImportedModel imported =
-            load_model(upright.file, scene::EmptyModel::refuse, model_importer(), wanted_cache()).imported;
+        scene::ImportedModel imported = read_model(upright.file, scene::EmptyModel::refuse);
         upright.report = scene::report(imported.model);
         upright.models.clear();
         upright.models.push_back(std::move(imported.model));
-        if (is_odd(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
+        if (has_lint(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
             upright.file.up = scene::UpAxis::z;
         } else if (const auto scale = scene::scale_from_doors(upright.models[0], upright.report.nodes)) {
             upright.file.scale *= *scale;
@@ -33,7 +30,7 @@ UprightModel load_upright(const scene::SceneFile& file) {
             break;
         }
     }
-    if (is_odd(upright.report, "far-from-origin")) {
+    if (has_lint(upright.report, "far-from-origin")) {
         const scene::Bounds& bounds = upright.report.bounds;
         Vector3d middle = 0.5 * (bounds.min + bounds.max);
         middle.y() = bounds.min.y();

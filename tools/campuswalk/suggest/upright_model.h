@@ -23,7 +23,7 @@ struct UprightModel {
 UprightModel load_upright(const scene::SceneFile& file);
 
 /// Whether it has a lint of that code.
-bool is_odd(const scene::ModelReport& report, const std::string& code);
+bool has_lint(const scene::ModelReport& report, const std::string& code);
 
 /// The names of doors that close a way through, of those that are called doors; each once.
 std::vector<std::string> closed_door_names(const scene::ModelReport& report);

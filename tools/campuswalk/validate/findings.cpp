@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include <nlohmann/json.hpp>
+#include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
 
-using Json = nlohmann::ordered_json;
 using scene::Diagnostic;
 using scene::Severity;
 
@@ -15,11 +14,6 @@ namespace {
 
 const char* level_of(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error ? "error" : "warning";
-}
-
-/// A file's name may be no UTF-8.
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 bool may_stand_in_uri(char c) {
@@ -113,7 +107,9 @@ std::string as_json(const Findings& findings) {
         entry["message"] = diagnostic.message;
         diagnostics.push_back(std::move(entry));
     }
-    return dumped({{"version", 1}, {"files", std::move(files)}, {"diagnostics", std::move(diagnostics)}});
+    return json_text({{"version", 1}, {"files", std::move(files)}, {"diagnostics", std::move(diagnostics)}},
+                     2) +
+           "\n";
 }
 
 std::string as_sarif(const Findings& findings, std::string_view version) {
@@ -129,9 +125,10 @@ std::string as_sarif(const Findings& findings, std::string_view version) {
     const Json driver = {{"name", "campuswalk"}, {"version", version}, {"rules", std::move(rules)}};
     const Json run = {
         {"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", std::move(results)}};
-    return dumped({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-                   {"version", "2.1.0"},
-                   {"runs", Json::array({run})}});
+    const Json sarif = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                        {"version", "2.1.0"},
+                        {"runs", Json::array({run})}};
+    return json_text(sarif, 2) + "\n";
 }
 
 std::string as_github(const Findings& findings) {

@@ -102,8 +102,7 @@ WalkResult CaseRunner::run(const Case& played, const Say& say) {
         result.status_reason = "it must fail in its pictures, and none are drawn";
         return result;
     }
-    CaseStream stream(
-        say, {settings_.log, settings_.events, settings_.place, golden_log_of(played.walk->walk) != nullptr});
+    CaseStream stream(say, settings_, golden_log_of(played.walk->walk) != nullptr);
     try {
         play_into(result, played, helpers.get(), stream);
     } catch (const Interrupted&) {

@@ -24,9 +24,9 @@ struct PlaySettings {
     std::filesystem::path output;
     bool images = false;
     Backend backend;                   ///< of images
-    bool log = false;                  ///< say the text log as it comes
-    bool events = false;               ///< say the log as JSON
-    bool place = false;                ///< say now and then how far the walk is
+    bool log = false;                  ///< send lines of the text log, as Topic::log
+    bool events = false;               ///< send the same as JSON, as Topic::events
+    bool place = false;                ///< send now and then how far the walk is, as Topic::place
     std::vector<std::string> records;  ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
     SequenceRequest sequence;

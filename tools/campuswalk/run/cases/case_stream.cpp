@@ -4,9 +4,10 @@
 
 namespace campuswalk::tools {
 
-CaseStream::CaseStream(const Say& say, const StreamSettings& settings)
+CaseStream::CaseStream(const Say& say, const PlaySettings& settings, bool keep_lines)
     : say_(say),
       settings_(settings),
+      keep_lines_(keep_lines),
       text_([this](std::string_view line) { add(log_, line); }),
       json_([this](std::string_view line) { add_event(line); }) {}
 
@@ -14,7 +15,7 @@ void CaseStream::begin(const engine::Walk& walk) {
     if (settings_.log) {
         text_.begin(walk);
     }
-    if (settings_.events || settings_.keep_lines) {
+    if (settings_.events || keep_lines_) {
         json_.begin(walk);
     }
 }
@@ -23,7 +24,7 @@ void CaseStream::frame(const engine::TickRecord& record) {
     if (settings_.log) {
         text_.frame(record);
     }
-    if (settings_.events || settings_.keep_lines) {
+    if (settings_.events || keep_lines_) {
         json_.frame(record);
     }
     const Clock::time_point now = Clock::now();
@@ -53,7 +54,7 @@ void CaseStream::add_event(std::string_view line) {
     if (settings_.events) {
         add(events_, line);
     }
-    if (settings_.keep_lines) {
+    if (keep_lines_) {
         kept_lines_.emplace_back(line);
     }
 }

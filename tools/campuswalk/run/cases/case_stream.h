@@ -8,24 +8,17 @@
 #include "engine/observers/json_lines.h"
 #include "engine/observers/text_log.h"
 #include "engine/record/observer.h"
+#include "tools/campuswalk/run/cases/case_runner.h"
 #include "tools/campuswalk/run/workers/worker.h"
 
 namespace campuswalk::tools {
-
-/// What a case sends while it is played.
-struct StreamSettings {
-    bool log = false;         ///< lines of the text log, as Topic::log
-    bool events = false;      ///< the same as JSON, as Topic::events
-    bool place = false;       ///< now and then how far the walk is, as Topic::place
-    bool keep_lines = false;  ///< the log as JSON stays here, to be compared
-};
 
 /// Sends a walk's log to the parent process while the walk is played, some lines at a time: a message for
 /// each would cost more than the walk.
 class CaseStream final : public engine::Observer {
 public:
-    /// `say` must outlive it.
-    CaseStream(const Say& say, const StreamSettings& settings);
+    /// `say` and `settings` must outlive it. With `keep_lines`, the log as JSON stays here, to be compared.
+    CaseStream(const Say& say, const PlaySettings& settings, bool keep_lines);
 
     void begin(const engine::Walk& walk) override;
     void frame(const engine::TickRecord& record) override;
@@ -52,7 +45,8 @@ private:
     void send_if_old(Batch& batch, Clock::time_point now);
 
     const Say& say_;
-    StreamSettings settings_;
+    const PlaySettings& settings_;
+    bool keep_lines_;
     Batch log_{Topic::log};
     Batch events_{Topic::events};
     Clock::time_point place_sent_ = Clock::now();

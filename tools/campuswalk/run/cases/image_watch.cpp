@@ -47,7 +47,7 @@ void ImageWatch::frame(const engine::TickRecord& record) {
 }
 
 std::vector<engine::Observer*> ImageWatch::observers() {
-    std::vector<engine::Observer*> all = {this, taker_.get()};
+    std::vector<engine::Observer*> all = {this, taker_.observer.get()};
     if (sequence_) {
         all.push_back(sequence_.get());
     }
@@ -64,7 +64,7 @@ std::vector<engine::Artifact> ImageWatch::evaluator(std::vector<engine::Failure>
     }
     EvaluatedImages evaluated =
         evaluate_images({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
-                         settings_.update, settings_.tolerance, moments_, taker_->visible_buildings()});
+                         settings_.update, settings_.tolerance, moments_, *taker_.visible_buildings});
     for (const std::filesystem::path& file : evaluated.written) {
         diagnostic_line("wrote " + file.generic_string());
     }

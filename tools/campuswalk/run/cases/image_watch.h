@@ -42,7 +42,7 @@ private:
     const Case& played_;
     const PlaySettings& settings_;
     std::vector<const engine::SnapshotStep*> taken_;
-    std::unique_ptr<SnapshotTaker> taker_;
+    SnapshotTaker taker_;
     std::unique_ptr<engine::Observer> sequence_;  ///< null when none is wished for
     engine::SnapshotStates moments_;
 };

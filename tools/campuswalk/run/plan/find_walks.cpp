@@ -5,7 +5,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools {
 
@@ -45,8 +46,8 @@ private:
             entries.push_back(entry->path());
         }
         if (error) {
-            throw scene::InputError({folder.generic_string(), 0, 0}, "folder-unreadable",
-                                    "walks can't be looked for here: " + error.message());
+            throw error_about(folder, "folder-unreadable",
+                              "walks can't be looked for here: " + error.message());
         }
         std::ranges::sort(entries);  // which of two names of a folder counts doesn't depend on the disk
         for (const fs::path& entry : entries) {
@@ -105,11 +106,7 @@ std::vector<std::string> output_names(const std::vector<fs::path>& files) {
     std::vector<std::string> names;
     names.reserve(whole.size());
     for (const fs::path& file : whole) {
-        std::string name = file.lexically_relative(root).generic_string();
-        if (name.ends_with(kSuffix)) {
-            name.resize(name.size() - kSuffix.size());
-        }
-        names.push_back(std::move(name));
+        names.push_back(without_ending(file.lexically_relative(root).generic_string(), kSuffix));
     }
     return names;
 }

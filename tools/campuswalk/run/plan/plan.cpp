@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
@@ -26,15 +27,6 @@ struct Candidate {
     std::string folder;
     std::optional<config::SharedRun> run;  ///< none when it has mistakes
 };
-
-std::string name_of(const fs::path& file) {
-    constexpr std::string_view kWalkSuffix = ".walk.yaml";
-    std::string name = file.filename().generic_string();
-    if (name.size() > kWalkSuffix.size() && name.ends_with(kWalkSuffix)) {
-        name.resize(name.size() - kWalkSuffix.size());
-    }
-    return name;
-}
 
 class Planner {
 public:
@@ -78,7 +70,7 @@ private:
         Candidate candidate;
         WalkResult& result = candidate.result;
         result.file = file.generic_string();
-        result.name = name_of(file);
+        result.name = without_ending(file.filename().generic_string(), ".walk.yaml");
         result.project = project.name;
         result.config = project.name.empty() ? "" : settings_.config.generic_string();
         result.id = result.file + (project.name.empty() ? "" : " " + project.name);

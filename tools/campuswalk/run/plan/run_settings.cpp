@@ -3,12 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <thread>
 
 #include "engine/report/make_reporter.h"
 #include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
@@ -132,22 +132,13 @@ std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& co
 
 }  // namespace
 
-std::optional<std::string> environment_variable(const std::string& name) {
-    const char* value = std::getenv(name.c_str());
-    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
-}
-
 void check_reporter(const std::string& name, const SourceMark& mark) {
     std::vector<std::string> known = engine::reporter_names();
     known.emplace_back("log");
     if (std::ranges::find(known, name) == known.end()) {
-        std::string list;
-        for (const std::string& each : known) {
-            list += (list.empty() ? "" : ", ") + each;
-        }
-        throw InputError(
-            mark, "unknown-name",
-            "a reporter must be one of " + list + ", not '" + name + "'" + scene::did_you_mean(name, known));
+        throw InputError(mark, "unknown-name",
+                         "a reporter must be one of " + joined(known, ", ") + ", not '" + name + "'" +
+                             scene::did_you_mean(name, known));
     }
 }
 

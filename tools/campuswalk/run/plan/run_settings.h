@@ -49,9 +49,6 @@ void check_reporter(const std::string& name, const scene::SourceMark& mark);
 /// What reports alone need of it.
 RunSettings settle_reports(const RunOptions& options, const Environment& environment);
 
-/// The real one.
-std::optional<std::string> environment_variable(const std::string& name);
-
 /// As JSON, for `--print-config`.
 std::string to_json(const RunSettings& settings, const RunOptions& options);
 

@@ -8,10 +8,10 @@ namespace campuswalk::tools {
 
 namespace {
 
-std::unique_ptr<re2::RE2> compiled(const std::string& regex, const scene::SourceMark& mark) {
+std::shared_ptr<const re2::RE2> compiled(const std::string& regex, const scene::SourceMark& mark) {
     re2::RE2::Options options;
     options.set_log_errors(false);
-    auto expression = std::make_unique<re2::RE2>(regex, options);
+    auto expression = std::make_shared<const re2::RE2>(regex, options);
     if (!expression->ok()) {
         throw scene::InputError(mark, "bad-regex",
                                 "'" + regex + "' is no regular expression: " + expression->error());
@@ -20,11 +20,6 @@ std::unique_ptr<re2::RE2> compiled(const std::string& regex, const scene::Source
 }
 
 }  // namespace
-
-Selector::Selector() = default;
-Selector::~Selector() = default;
-Selector::Selector(Selector&&) noexcept = default;
-Selector& Selector::operator=(Selector&&) noexcept = default;
 
 void Selector::require(const std::string& regex, const scene::SourceMark& mark) {
     required_.push_back(compiled(regex, mark));

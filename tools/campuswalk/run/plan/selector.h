@@ -15,11 +15,6 @@ namespace campuswalk::tools {
 /// Which walks are wanted. Regular expressions are RE2's: linear time, whatever a user writes.
 class Selector {
 public:
-    Selector();
-    ~Selector();
-    Selector(Selector&&) noexcept;
-    Selector& operator=(Selector&&) noexcept;
-
     /// Only walks that the expression finds in `FILE NAME TAGS…`; each further one narrows. `mark` is where
     /// it was written. Throws scene::InputError (bad-regex).
     void require(const std::string& regex, const scene::SourceMark& mark);
@@ -35,8 +30,8 @@ public:
 private:
     bool found_by_expressions(const std::string& text) const;
 
-    std::vector<std::unique_ptr<re2::RE2>> required_;
-    std::vector<std::unique_ptr<re2::RE2>> refused_;
+    std::vector<std::shared_ptr<const re2::RE2>> required_;
+    std::vector<std::shared_ptr<const re2::RE2>> refused_;
     std::vector<std::vector<std::string>> tags_;
 };
 

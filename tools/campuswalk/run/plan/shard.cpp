@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
 
@@ -19,8 +19,7 @@ std::optional<int> whole_number(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const std::string& variable, const std::string& why) {
-    throw scene::InputError({variable, 0, 0}, "bad-shard",
-                            why + "; mend the variables, or say --shard=1/1 for all walks");
+    throw error_about(variable, "bad-shard", why + "; mend the variables, or say --shard=1/1 for all walks");
 }
 
 int number_in(const Environment& environment, const std::string& name) {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
+
+#include "tools/campuswalk/base/environment.h"
 
 namespace campuswalk::tools {
 
@@ -17,9 +18,6 @@ struct Shard {
 
 /// `i/n` with i from 1 to n; nullopt for anything else.
 std::optional<Shard> parse_shard(const std::string& text);
-
-/// What a variable says; nullopt when it isn't set or empty.
-using Environment = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// From the variables of (the first that are set)
 ///   campuswalk  CAMPUSWALK_SHARD_INDEX, from 0, and CAMPUSWALK_SHARD_COUNT

@@ -2,19 +2,20 @@
 
 #include <unistd.h>
 
-#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <variant>
 
 #include "engine/report/result_json.h"
+#include "scene/base/content_hash.h"
 #include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
 
@@ -41,27 +42,11 @@ std::string contents_of(const fs::path& file) {
                             why + "; delete the file and run everything once more");
 }
 
-/// FNV-1a.
-class Digest {
-public:
-    void add(std::string_view bytes) {
-        for (const char byte : bytes) {
-            value_ = (value_ ^ static_cast<unsigned char>(byte)) * 1'099'511'628'211U;
-        }
-        value_ = (value_ ^ 0xFFU) * 1'099'511'628'211U;  // so that "a", "b" isn't "ab"
-    }
-    void add(double number) { add(std::to_string(std::bit_cast<std::uint64_t>(number))); }
-    std::string text() const { return std::to_string(value_); }
-
-private:
-    std::uint64_t value_ = 14'695'981'039'346'656'037U;
-};
-
 /// Files are read once, models not at all.
 class PlanDigest {
 public:
     void add(const Case& each) {
-        digest_.add(each.result.id);
+        hasher_.add_text(each.result.id);
         if (!each.walk) {
             return;
         }
@@ -75,41 +60,41 @@ public:
             add_stamp(scene.path);
         }
         add_avatar(walk.avatar);
-        digest_.add(walk.timeout.value_or(-1.0));
+        hasher_.add_number(walk.timeout.value_or(-1.0));
     }
 
-    std::string text() const { return digest_.text(); }
+    std::string text() const { return to_string(hasher_.result()); }
 
 private:
     void add_contents(const fs::path& file) {
         const auto [known, is_new] = known_.try_emplace(file.generic_string());
         if (is_new) {
-            Digest digest;
-            digest.add(contents_of(file));
-            known->second = digest.text();
+            const std::string contents = contents_of(file);
+            known->second = scene::hash_of(std::as_bytes(std::span(contents)));
         }
-        digest_.add(known->second);
+        hasher_.add_hash(known->second);
     }
 
     void add_stamp(const fs::path& file) {
         std::error_code none;
-        digest_.add(std::to_string(fs::file_size(file, none)));
-        digest_.add(std::to_string(fs::last_write_time(file, none).time_since_epoch().count()));
+        hasher_.add_number(std::uint64_t{fs::file_size(file, none)});
+        hasher_.add_number(
+            static_cast<std::uint64_t>(fs::last_write_time(file, none).time_since_epoch().count()));
     }
 
     void add_avatar(const engine::AvatarProfile& avatar) {
         for (const double number : {avatar.height, avatar.radius, avatar.eye_height, avatar.speed,
                                     avatar.run_speed.value_or(-1.0), avatar.step_height, avatar.max_slope,
                                     avatar.skin_width, avatar.turn_speed, avatar.look_distance}) {
-            digest_.add(number);
+            hasher_.add_number(number);
         }
         for (const std::string& layer : avatar.ignore_layers) {
-            digest_.add(layer);
+            hasher_.add_text(layer);
         }
     }
 
-    Digest digest_;
-    std::map<std::string, std::string> known_;
+    scene::ContentHasher hasher_;
+    std::map<std::string, scene::ContentHash> known_;
 };
 
 }  // namespace
@@ -135,7 +120,7 @@ std::optional<LastRun> read_last_run(const fs::path& file) {
         ++number;
         try {
             if (number == 1) {
-                run.plan = nlohmann::json::parse(line).at(kHeaderKey).get<std::string>();
+                run.plan = Json::parse(line).at(kHeaderKey).get<std::string>();
             } else {
                 run.results.push_back(engine::result_from_json_line(line));
             }
@@ -177,7 +162,7 @@ LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan) : na
         fs::create_directories(file.parent_path(), none);
     }
     file_.reset(std::fopen(file.c_str(), "wb"));
-    write_line(nlohmann::ordered_json{{kHeaderKey, plan}}.dump());
+    write_line(json_text({{kHeaderKey, plan}}));
     sync();
 }
 

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 
 namespace campuswalk::tools {
@@ -16,7 +16,7 @@ const char* code_for(const ReportTarget& target) {
 }
 
 scene::InputError about(const ReportTarget& target, const std::string& message) {
-    return scene::InputError({target.file->string(), 0, 0}, code_for(target), message);
+    return error_about(*target.file, code_for(target), message);
 }
 
 std::string thing(const ReportTarget& target) {

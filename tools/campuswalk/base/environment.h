@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdlib>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace campuswalk::tools {
+
+/// The value of a variable; nullopt when it isn't set or empty.
+using Environment = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// That of this process.
+inline std::optional<std::string> environment_variable(const std::string& name) {
+    const char* value = std::getenv(name.c_str());
+    return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
+}
+
+}  // namespace campuswalk::tools

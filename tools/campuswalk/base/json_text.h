@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace campuswalk::tools {
+
+using Json = nlohmann::ordered_json;
+
+/// On one line without an indent. Bytes that are no UTF-8, which names of files may hold, become U+FFFD.
+inline std::string json_text(const Json& json, int indent = -1) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace campuswalk::tools
