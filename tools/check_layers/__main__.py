@@ -19,14 +19,14 @@ def main():
     parser = argparse.ArgumentParser(prog="check-layers", description=sys.modules[__name__].__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--root", default=os.path.join(os.path.dirname(__file__), "..", ".."),
-                        help="the checkout to look at (default: this one)")
+                        help="the checkout to check (default: this one)")
     tree = Tree(parser.parse_args().root)
-    complaints = sorted(complaint for rule in RULES for complaint in rule(tree))
-    for complaint in complaints:
-        print("%s:%d:%d: error %s: %s" % complaint)
+    diagnostics = sorted(diagnostic for rule in RULES for diagnostic in rule(tree))
+    for diagnostic in diagnostics:
+        print("%s:%d:%d: error %s: %s" % diagnostic)
     print("layers: %d C++ files, %d build files, %s" % (
-        len(tree.cpp), len(tree.build), "%d wrong" % len(complaints) if complaints else "all in order"))
-    return 1 if complaints else 0
+        len(tree.cpp), len(tree.build), "%d wrong" % len(diagnostics) if diagnostics else "all in order"))
+    return 1 if diagnostics else 0
 
 
 if __name__ == "__main__":

@@ -2,15 +2,15 @@
 
 import re
 
-from .source import Complaint, code_only, includes
-from .table import (ANYWHERE, KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, SPELLED_AWAY, STRICTER, THIRD_PARTY, is_in,
+from .source import Diagnostic, code_only, includes
+from .table import (ANYWHERE, KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, OPTIONAL_PREFIXES, STRICTER, THIRD_PARTY, is_in,
                     needs_same_bits, place_of)
 
 _PRAGMA_ONCE = re.compile(r"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
 
 
-def _spelled_plainly(target):
-    for prefix in SPELLED_AWAY:
+def _without_optional_prefix(target):
+    for prefix in OPTIONAL_PREFIXES:
         if target.startswith(prefix):
             return target[len(prefix):]
     return target
@@ -36,7 +36,7 @@ def _project_fault(file, include):
 
 
 def _third_party_fault(file, target):
-    """What is wrong with including a header of somebody else's: (code, message) or None."""
+    """What is wrong with including a third-party header: (code, message) or None."""
     prefixes = [prefix for prefix in THIRD_PARTY if target.startswith(prefix)]
     if not prefixes:
         return "third-party", "<%s> has no place in tools/check_layers/table.py" % target
@@ -49,7 +49,7 @@ def _third_party_fault(file, target):
 def _fault(tree, file, include):
     if include.target in tree.cpp:
         return _project_fault(file, include)
-    target = _spelled_plainly(include.target)
+    target = _without_optional_prefix(include.target)
     if any(target.startswith(prefix) for prefix in THIRD_PARTY):
         return _third_party_fault(file, target)
     if include.quote == '"':
@@ -62,28 +62,28 @@ def _fault(tree, file, include):
 
 
 def check_includes(tree):
-    """Layers, headers of others, and paths that start at the root."""
+    """Checks layers, third-party headers, and that paths start at the root."""
     for file, text in tree.cpp.items():
         for include in includes(text):
             fault = _fault(tree, file, include)
             if fault:
-                yield Complaint(file, include.line, include.column, *fault)
+                yield Diagnostic(file, include.line, include.column, *fault)
 
 
 def check_pragma_once(tree):
-    """Every header can be included twice; a kernel's once for each instruction set."""
+    """Checks that every header can be included twice, and a kernel's once for each instruction set."""
     for file, text in tree.cpp.items():
         if not file.endswith((".h", ".hpp")):
             continue
         if file.endswith("_inl.h") and is_in(file, KERNEL_FOLDERS):
             if "defined(HWY_TARGET_TOGGLE)" not in text:
-                yield Complaint(file, 1, 1, "target-toggle", "a kernel's header needs HWY_TARGET_TOGGLE's guard")
+                yield Diagnostic(file, 1, 1, "target-toggle", "a kernel's header needs HWY_TARGET_TOGGLE's guard")
         elif not _PRAGMA_ONCE.search(code_only(text)):
-            yield Complaint(file, 1, 1, "pragma-once", "a header needs #pragma once")
+            yield Diagnostic(file, 1, 1, "pragma-once", "a header needs #pragma once")
 
 
 def check_cycles(tree):
-    """No file includes itself by way of others; each cycle is told once, from its first file."""
+    """Checks that no file includes itself indirectly; reports each cycle once, from its first file."""
     graph = {file: [i for i in includes(text) if i.target in tree.cpp] for file, text in tree.cpp.items()}
     done = set()
     for start in sorted(graph):
@@ -92,7 +92,7 @@ def check_cycles(tree):
 
 
 def _cycles_from(start, graph, done):
-    """Depth first without recursion: `path` is the way to here, a stack beside it holds what is left."""
+    """Depth first without recursion: `path` leads to the current file, `left` holds the includes still to follow."""
     path, left = [start], [list(graph[start])]
     while path:
         if not left[-1]:
@@ -101,8 +101,8 @@ def _cycles_from(start, graph, done):
             continue
         include = left[-1].pop(0)
         if include.target in path:
-            way = path[path.index(include.target):] + [include.target]
-            yield Complaint(path[-1], include.line, include.column, "include-cycle", " -> ".join(way))
+            cycle = path[path.index(include.target):] + [include.target]
+            yield Diagnostic(path[-1], include.line, include.column, "include-cycle", " -> ".join(cycle))
         elif include.target not in done:
             path.append(include.target)
             left.append(list(graph[include.target]))

@@ -2,15 +2,15 @@
 
 import re
 
-from .source import Complaint, code_only, position
+from .source import Diagnostic, code_only, position
 from .table import KERNEL_FOLDERS, needs_same_bits, is_in
 
-# Whatever isn't rounded correctly by everybody. sqrt is; abs, floor, ceil, trunc, round, isfinite,
-# nextafter and their like are exact. fma is exact too, but emulated in software where there is none.
+# Functions that aren't correctly rounded everywhere. sqrt is; abs, floor, ceil, trunc, round, isfinite,
+# nextafter and the like are exact. fma is exact, too, but emulated in software where the processor lacks it.
 _INEXACT = ("acos acosh asin asinh atan atan2 atanh beta cbrt cos cosh erf erfc exp exp2 expm1 fma fmod hypot lerp "
             "lgamma llrint log log10 log1p log2 logb lrint nearbyint pow remainder remquo rint sin sincos sinh "
             "tan tanh tgamma").split()
-# Eigen's ways to the same functions.
+# Members and types of Eigen that call the same functions.
 _EIGEN_MEMBERS = "acos asin atan canonicalEulerAngles cos cosh exp log log10 log1p sin sinh tan tanh".split()
 _EIGEN_MEMBERS_WITH_ARGUMENTS = "angularDistance computeDirect eulerAngles hypotNorm pow slerp".split()
 _EIGEN_TYPES = ("AngleAxis", "AngleAxisd", "AngleAxisf", "Rotation2D", "Rotation2Dd", "Rotation2Df")
@@ -27,7 +27,7 @@ _BUILD_COMMENT = re.compile(r"#[^\n]*")
 
 
 def _is_libm(match):
-    """Whether the name before a parenthesis is libm's, judged by what is written before it."""
+    """Whether the name before a parenthesis is libm's, going by what precedes it."""
     qualifier = (match["qualifier"] or "").replace(" ", "")
     if qualifier in (".", "->"):
         return False
@@ -44,19 +44,19 @@ def _calls(code):
 
 
 def check_libm(tree):
-    """The core calls no libm function but sqrt and the exact ones."""
+    """Checks that the core calls no libm function but sqrt and the exact ones."""
     for file, text in tree.cpp.items():
         if not needs_same_bits(file):
             continue
         code = code_only(text)
         for offset, name in sorted(_calls(code)):
             line, column = position(code, offset)
-            yield Complaint(file, line, column, "same-bits",
+            yield Diagnostic(file, line, column, "same-bits",
                             "%s differs between machines; see collision/geometry/trigonometry.h for what doesn't" % name)
 
 
 def check_compiler_flags(tree):
-    """No instruction set outside kernels, no arithmetic that is not IEEE's anywhere."""
+    """Checks that only kernels choose an instruction set, and that all arithmetic is IEEE's."""
     for file, text in tree.build.items():
         plain = text if file.endswith(".json") else _BUILD_COMMENT.sub(lambda m: " " * len(m[0]), text)
         for match in _FLAG.finditer(plain):
@@ -64,5 +64,5 @@ def check_compiler_flags(tree):
             if flag.startswith("-m") and is_in(file, KERNEL_FOLDERS):
                 continue
             line, column = position(plain, match.start())
-            yield Complaint(file, line, column, "compiler-flag",
+            yield Diagnostic(file, line, column, "compiler-flag",
                             "%s changes results%s" % (flag, "; it is for kernel folders" * flag.startswith("-m")))

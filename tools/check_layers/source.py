@@ -1,4 +1,4 @@
-"""Reading a tree: its files, and C++ text without what the compiler doesn't see."""
+"""Reads a tree's files, and blanks what isn't code in C++ text."""
 
 import os
 import re
@@ -6,7 +6,7 @@ from collections import namedtuple
 
 from .table import CODE_FOLDERS
 
-Complaint = namedtuple("Complaint", "file line column code message")
+Diagnostic = namedtuple("Diagnostic", "file line column code message")
 Include = namedtuple("Include", "line column quote target")
 
 _NOT_CODE = re.compile(
@@ -17,12 +17,12 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?P<target>"[^"\n]*"|<[^>\n]*
 
 
 def _blanked(text):
-    """As many characters and lines, nothing in them."""
+    """As many blanks and lines as the text has."""
     return re.sub(r"[^\n]", " ", text)
 
 
 def without_comments(text):
-    """The text with comments blanked; lines and columns stay where they are."""
+    """The text with comments blanked; lines and columns stay the same."""
     return _NOT_CODE.sub(lambda m: _blanked(m[0]) if m["comment"] else m[0], text)
 
 
@@ -37,7 +37,7 @@ def position(text, offset):
 
 
 def includes(text):
-    """All #include lines."""
+    """The #include lines of a text."""
     plain = without_comments(text)
     found = []
     for match in _INCLUDE.finditer(plain):

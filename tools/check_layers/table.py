@@ -5,10 +5,10 @@ A folder that isn't named here belongs to the nearest one above it that is.
 
 ANYWHERE = "anywhere"
 
-# All that the tools stand on.
+# The layers below the tools.
 _CORE = ["config/loader", "engine", "scene", "collision"]
 
-# Who may include whom: place -> places of the project, each with its subfolders. Every place may include itself.
+# Who may include whom: place -> places of the project, including their subfolders. Every place may include itself.
 PROJECT = {
     "collision/base": [],
     "collision/geometry": ["collision/base"],
@@ -28,7 +28,7 @@ PROJECT = {
     "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
     "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
-    # The simulation core: it hands out records and knows none of those that read them.
+    # The simulation core: it emits records and doesn't depend on their readers.
     "engine/events": ["scene", "collision"],
     "engine/script": ["engine/events", "scene", "collision"],
     "engine/record": ["engine/script", "engine/events", "scene", "collision"],
@@ -38,7 +38,7 @@ PROJECT = {
     "engine/testing": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
     "engine/report": ["engine/simulation", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
                       "collision"],
-    # Images are plain data: nothing that draws is needed to compare them.
+    # Images are plain data: comparing them needs nothing that draws.
     "engine/render/image": ["engine/events", "scene", "collision"],
     "engine/render/compare": ["engine/render/image", "engine/script", "engine/events"],
     "engine/render/geometry": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
@@ -75,7 +75,7 @@ PROJECT = {
     "tools/campuswalk/suggest": ["tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/validate": ["tools/campuswalk/run/plan", "tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk": _CORE,
-    # Other people's engines: of ours they see what they are given and what they are asked.
+    # Other engines: of our code they see only their input and the interface that they implement.
     "tools/campuswalk_bench/peers": ["tools/campuswalk_bench/engine", "collision"],
     "tools/campuswalk_bench/engine": ["collision"],
     "tools/campuswalk_bench/engines": ["tools/campuswalk_bench/engine", "collision"],
@@ -92,20 +92,20 @@ PROJECT = {
 }
 
 # Single files (named without .h or .cpp) that may include less than their folder. The oracle must share no
-# function with what it judges: of collision/ it sees the world's data, no more.
+# function with what it checks: of collision/ it sees only the world's data.
 _ORACLE = ["tests/support/penetration_oracle", "tests/support/plain_geometry", "tests/support/plain_solids",
            "tests/support/triangle_grid"]
 STRICTER = {file: _ORACLE + ["collision/mesh/mesh_collider", "collision/geometry/shapes", "collision/geometry/triangle_mesh",
                              "collision/world/world"] for file in _ORACLE}
 
-# Where headers of others may be included; the longest prefix that matches decides. The distribution puts
-# some in a folder that can be spelled too: see SPELLED_AWAY.
+# Where third-party headers may be included; the longest matching prefix decides. Some are in a folder that an include
+# may name or not: see OPTIONAL_PREFIXES.
 THIRD_PARTY = {
     "Eigen/": [ANYWHERE],
     "hwy/": ["collision/bvh8/kernels"],
     "BulletCollision/BroadphaseCollision/": ["collision/world", "tools/campuswalk_bench/peers"],
     "LinearMath/": ["collision/world"],
-    # Bullet's narrow phase, bodies and dynamics: what the hybrid trees are there for.
+    # Bullet's narrow phase, bodies and dynamics, which the hybrid trees replace.
     "BulletCollision/": ["tests", "tools/campuswalk_bench/peers"],
     "BulletDynamics/": ["tests", "tools/campuswalk_bench/peers"],
     "BulletSoftBody/": ["tests"],
@@ -152,9 +152,9 @@ THIRD_PARTY = {
     "tbb/": ["tools/campuswalk_bench/peers"],
     "ode/": ["tools/campuswalk_bench/peers"],
 }
-SPELLED_AWAY = ("bullet/", "eigen3/")
+OPTIONAL_PREFIXES = ("bullet/", "eigen3/")
 
-# Places whose results go into a walk's hash: no libm but sqrt and what is exact, no clock, no chance.
+# Places whose results go into a walk's hash: no libm but sqrt and the exact functions, no clock, no random numbers.
 SAME_EVERYWHERE = ["collision", "scene", "engine", "config/loader"]
 MAY_DIFFER = ["scene/import", "scene/process", "engine/render"]
 REFUSED_STANDARD = {
@@ -167,7 +167,7 @@ REFUSED_STANDARD = {
     "thread": "a walk is one thread",
 }
 
-# Instruction sets are chosen in kernel folders alone.
+# Instruction sets are chosen only in kernel folders.
 KERNEL_FOLDERS = ["collision/bvh8/kernels"]
 
 CODE_FOLDERS = ("collision", "scene", "engine", "config", "tools", "tests")
@@ -183,7 +183,7 @@ def place_of(path, places):
 
 
 def is_in(path, places):
-    """Whether one of `places` is `path`, lies above it, or is ANYWHERE."""
+    """Whether one of `places` is `path`, is above it, or is ANYWHERE."""
     return ANYWHERE in places or place_of(path, places) is not None
 
 

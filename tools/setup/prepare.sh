@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Shared by tools/run, tools/test and the checks: installs what is missing, configures, builds; says a line
-# a stage and nothing about what is done already. Sourced by scripts in tools/ and .ci/.
+# Shared by tools/run, tools/test and the checks: installs missing packages, configures, builds; prints one line
+# per stage, and nothing for stages that are done already. Sourced by scripts in tools/ and .ci/.
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 
@@ -13,7 +13,7 @@ fail() {
     exit 3
 }
 
-# Says how long a stage has been going on: every second on a terminal, every half minute elsewhere.
+# Prints how long a stage has been running: every second on a terminal, every half minute elsewhere.
 show_time() {
     local stage=$1 start=$SECONDS
     while true; do
@@ -27,7 +27,7 @@ show_time() {
     done
 }
 
-# quietly STAGE COMMAND…: a line for the stage; the command's output only when it fails.
+# quietly STAGE COMMAND…: prints a line for the stage, and the command's output only if it fails.
 quietly() {
     local stage=$1 log=$root/build/setup.log failed=0 clock
     shift
@@ -35,7 +35,7 @@ quietly() {
     say "$stage"
     show_time "$stage" >/dev/null &
     clock=$!
-    # shellcheck disable=SC2064  # the value of now
+    # shellcheck disable=SC2064  # the current value
     trap "kill $clock 2>/dev/null" EXIT
     "$@" >"$log" 2>&1 || failed=1
     kill $clock
@@ -48,18 +48,18 @@ quietly() {
     fi
 }
 
-# install_missing LIST…: the packages named in the lists that aren't installed.
+# install_missing LIST…: installs the packages of the lists that aren't installed.
 install_missing() {
-    local wanted missing sudo=()
-    wanted=$(sort -u "$@")
+    local packages missing sudo=()
+    packages=$(sort -u "$@")
     if ! command -v dpkg-query >/dev/null; then
         command -v cmake >/dev/null ||
-            fail "this set-up knows Debian 12; elsewhere install what these packages hold: ${wanted//$'\n'/ }"
+            fail "this setup supports Debian 12; elsewhere install what these packages contain: ${packages//$'\n'/ }"
         return
     fi
-    # shellcheck disable=SC2086  # a word a package; unknown ones are missing ones
-    missing=$(comm -23 <(printf '%s\n' $wanted) <(
-        dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' $wanted 2>/dev/null | sed -n 's/^[ih]i //p' | sort -u))
+    # shellcheck disable=SC2086  # one word per package; unknown ones count as missing
+    missing=$(comm -23 <(printf '%s\n' $packages) <(
+        dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' $packages 2>/dev/null | sed -n 's/^[ih]i //p' | sort -u))
     [[ -n $missing ]] || return 0
     command -v apt-get >/dev/null || fail "install these Debian packages: ${missing//$'\n'/ }"
     if [[ $EUID -ne 0 ]]; then
@@ -70,11 +70,11 @@ install_missing() {
     fi
     quietly "updating the package lists" "${sudo[@]}" apt-get update -q
     # shellcheck disable=SC2086
-    quietly "installing $(wc -w <<<"$missing") packages and what they need" "${sudo[@]}" env \
+    quietly "installing $(wc -w <<<"$missing") packages and their dependencies" "${sudo[@]}" env \
         DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
 }
 
-# Whether CMake has to be run: never done, the presets are newer, or a setting differs.
+# Whether CMake has run since the presets changed, and with these settings.
 is_configured() {
     local build=$1 setting
     shift
@@ -85,7 +85,7 @@ is_configured() {
     done
 }
 
-# configure PRESET [-DNAME=VALUE…]
+# configure PRESET [-DNAME=VALUE…]: runs CMake if necessary.
 configure() {
     local preset=$1 build=$root/build/$1
     shift
@@ -95,7 +95,7 @@ configure() {
     fi
 }
 
-# build PRESET [TARGET]: with ninja's own progress, and without a word when nothing has changed.
+# build PRESET [TARGET]: shows ninja's progress, and prints nothing if nothing has changed.
 build() {
     local preset=$1 target=${2:-all}
     if ! ninja -C "$root/build/$preset" -n "$target" 2>&1 | grep -q 'no work to do'; then

@@ -25,14 +25,14 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
     logger_ = std::make_shared<spdlog::logger>("walk", sinks.begin(), sinks.end());
     logger_->set_formatter(
         std::make_unique<spdlog::pattern_formatter>("%v", spdlog::pattern_time_type::local, ""));
-    // spdlog would print the failure and go on.
+    // By default, spdlog prints the failure and continues.
     logger_->set_error_handler([](const std::string& reason) { throw std::runtime_error(reason); });
 }
 
 void LogOutput::write(std::string_view text) {
     logger_->info(text);
     if (to_terminal_) {
-        check_standard_output();  // spdlog's terminal sink doesn't look at what its writes return
+        check_standard_output();  // spdlog's terminal sink ignores failed writes
     }
 }
 

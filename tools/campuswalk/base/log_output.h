@@ -12,15 +12,15 @@ class logger;
 
 namespace campuswalk::tools {
 
-/// Text to the terminal, to a file, or to both, through spdlog. The program's only use of it.
+/// Writes text to the terminal, to a file or to both, through spdlog, which nothing else uses.
 class LogOutput {
 public:
     /// Truncates `file`. Throws std::runtime_error when it can't be opened.
     LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file);
 
-    /// Throws std::runtime_error when the text can't be written; for a file that may show at `flush` only.
+    /// Throws std::runtime_error when the text can't be written; for a file perhaps only at `flush`.
     void write(std::string_view text);
-    /// The same, and the line's end.
+    /// The same with a line end.
     void line(std::string_view text) { write(std::string(text) + "\n"); }
     /// Everything is written when this returns; throws like `write`.
     void flush();

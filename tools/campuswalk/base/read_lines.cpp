@@ -8,7 +8,7 @@
 namespace campuswalk::tools {
 
 std::vector<std::string> read_lines(const std::filesystem::path& file) {
-    std::error_code none;
+    std::error_code ignored;
     std::ifstream stream(file, std::ios::binary);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) {
@@ -17,7 +17,7 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
     if (!stream.eof()) {
         throw error_about(
             file, "unreadable",
-            std::filesystem::exists(file, none) ? "the file can't be read" : "there is no such file");
+            std::filesystem::exists(file, ignored) ? "the file can't be read" : "there is no such file");
     }
     return lines;
 }

@@ -6,8 +6,8 @@
 
 namespace campuswalk::tools {
 
-/// A text file's lines without their ends. Throws scene::InputError when there is no such file or it can't be
-/// read.
+/// The lines of a text file without their line ends. Throws scene::InputError when the file is missing or
+/// can't be read.
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
 }  // namespace campuswalk::tools

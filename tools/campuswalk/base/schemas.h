@@ -5,13 +5,13 @@
 
 namespace campuswalk::tools {
 
-/// A JSON Schema of config/schema/, kept in the program: an installed one has no repository beside it.
+/// A JSON Schema of config/schema/, embedded because an installed program has no repository beside it.
 struct EmbeddedSchema {
     std::string_view name;  ///< "walk.schema.json"
     std::string_view text;
 };
 
-/// Those of the YAML files that users write.
+/// The schemas of the YAML files that users write.
 std::span<const EmbeddedSchema> embedded_schemas();
 
 }  // namespace campuswalk::tools

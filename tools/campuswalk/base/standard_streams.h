@@ -2,8 +2,8 @@
 
 namespace campuswalk::tools {
 
-/// Call first. Keeps a file that the program opens from becoming its standard output when the caller closed
-/// that, and turns a reader who went away into a failed write instead of a signal.
+/// Call this first. Keeps a file that the program opens from becoming its standard output when the caller has
+/// closed that, and makes writing to a closed pipe fail instead of raising a signal.
 void guard_standard_streams();
 
 /// Throws std::runtime_error when something printed so far could not be written.

@@ -21,8 +21,8 @@ std::string refusal(const fs::path& path, int mode) {
 
 /// The path itself, or the nearest folder above it that there is.
 fs::path nearest_existing(fs::path path) {
-    std::error_code none;
-    while (!path.empty() && !fs::exists(path, none)) {
+    std::error_code ignored;
+    while (!path.empty() && !fs::exists(path, ignored)) {
         path = path.has_relative_path() ? path.parent_path() : fs::path();
     }
     return path.empty() ? fs::path(".") : path;
@@ -38,9 +38,9 @@ void require_none(const std::string& obstacle, const fs::path& path, const std::
 
 std::string why_folder_unwritable(const fs::path& folder) {
     const fs::path nearest = nearest_existing(folder);
-    std::error_code none;
-    return fs::is_directory(nearest, none) ? refusal(nearest, W_OK | X_OK)
-                                           : "'" + nearest.string() + "' is not a folder";
+    std::error_code ignored;
+    return fs::is_directory(nearest, ignored) ? refusal(nearest, W_OK | X_OK)
+                                              : "'" + nearest.string() + "' is not a folder";
 }
 
 std::string why_file_unwritable(const fs::path& file) {

@@ -5,9 +5,9 @@
 
 namespace campuswalk::tools {
 
-// Looked at before a walk and without touching anything: a run that is refused leaves no trace.
+// Checked before a walk without touching anything, so that a run that is refused leaves no trace.
 
-/// Why a file can't be created or replaced here, together with the folders it needs; empty when it can.
+/// Why a file can't be created or replaced here, including the folders it needs; empty when it can.
 std::string why_file_unwritable(const std::filesystem::path& file);
 
 /// The same for a folder and the files in it.

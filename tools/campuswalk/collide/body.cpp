@@ -73,24 +73,24 @@ const std::string& Body::node_of(std::uint32_t triangle) const {
     return node->name;
 }
 
-Body read_body(const std::string& word, const scene::SceneFile& frame,
+Body read_body(const std::string& argument, const scene::SceneFile& frame,
                std::vector<scene::Diagnostic>& warnings) {
     Body body;
-    body.name = word;
-    if (const std::optional<collision::Shape> solid = parse_shape(word)) {
+    body.name = argument;
+    if (const std::optional<collision::Shape> solid = parse_shape(argument)) {
         body.shape = *solid;
         return body;
     }
     scene::SceneFile file = frame;
-    file.file = word;
-    file.path = word;
-    file.mark.file = word;
+    file.file = argument;
+    file.path = argument;
+    file.mark.file = argument;
     scene::ImportedModel imported = read_model(file, scene::EmptyModel::refuse);
     const std::vector<scene::Model> models = {std::move(imported.model)};
-    std::ranges::copy_if(
-        imported.warnings, std::back_inserter(warnings), [](const scene::Diagnostic& repair) {
-            return repair.code == "unsupported-feature";  // the others leave surfaces where they are
-        });
+    std::ranges::copy_if(imported.warnings, std::back_inserter(warnings),
+                         [](const scene::Diagnostic& repair) {
+                             return repair.code == "unsupported-feature";  // the others don't move surfaces
+                         });
     scene::BakedMesh baked =
         scene::bake_every_triangle(scene::gather_geometry(models, {roots_of(models[0]), {}}));
     check_size(baked.mesh, file.mark);

@@ -50,7 +50,8 @@ void triangles_of(const MeshCollider& mesh, const Wheel& wheel, const Pose& X,
                   [&](std::uint32_t t) { return distance_between(solid, vertices(mesh.mesh(), t)) > 0.0; });
 }
 
-/// All pairs of kinds, with X_a_b for b's own frame: that of a mesh lies where its origin is.
+/// Handles every combination of mesh and solid. X_a_b_ relates their own frames: a mesh's starts at its
+/// origin.
 class Search {
 public:
     Search(const Body& a, const Body& b, const Pose& X_a_b, SearchMode mode) : mode_(mode) {

@@ -9,14 +9,15 @@
 
 namespace campuswalk::tools::collide {
 
-/// Where two bodies overlap. Meshes are surfaces, solids are filled; touching is overlapping.
+/// Where two bodies overlap. Meshes are surfaces, solids are filled; touching counts as
+/// overlapping.
 struct Overlaps {
     bool any = false;
     std::vector<collision::TrianglePair> pairs;  ///< of two meshes, ascending
     std::vector<std::uint32_t> triangles;        ///< of the one mesh that a solid overlaps, ascending
     std::optional<double> distance;              ///< of two solids, metres
 
-    /// Pairs or triangles; of two solids themselves.
+    /// Of pairs or triangles; 1 for two solids that overlap.
     std::size_t count() const;
 };
 

@@ -27,9 +27,9 @@ using config::Range;
 namespace {
 
 constexpr Range kSize{0.0, 1e6, true, "m"};
-constexpr Range kMove{-1e9, 1e9, false, "m"};
-constexpr Range kTurn{-36000.0, 36000.0, false, "degrees"};
-constexpr Range kEntry{-1e9, 1e9, false, ""};
+constexpr Range kTranslation{-1e9, 1e9, false, "m"};
+constexpr Range kAngle{-36000.0, 36000.0, false, "degrees"};
+constexpr Range kMatrixEntry{-1e9, 1e9, false, ""};
 
 std::vector<std::string_view> split_at_commas(std::string_view list) {
     std::vector<std::string_view> parts;
@@ -41,40 +41,40 @@ std::vector<std::string_view> split_at_commas(std::string_view list) {
     return parts;
 }
 
-/// What stands at a place of a list of numbers.
-struct Place {
+/// One number of a list.
+struct Field {
     std::string_view name;
     Range range;
 };
 
-/// A word that is being read, and what to say when it is none.
-struct Word {
-    std::string whole;
+/// An argument that is being parsed, and how to report that it is wrong.
+struct Argument {
+    std::string text;
     std::string code;
-    std::string expected;  ///< ends every diagnostic
+    std::string expected;  ///< the end of every diagnostic
 
     [[noreturn]] void refuse(const std::string& why) const {
-        throw error_about(whole, code, why + "; " + expected);
+        throw error_about(text, code, why + "; " + expected);
     }
 
-    /// At least `least` of the places, the first ones; those left out are 0.
-    std::vector<double> numbers(std::string_view list, std::span<const Place> places,
+    /// The values of the fields; those after the first `least` may be omitted and are 0 then.
+    std::vector<double> numbers(std::string_view list, std::span<const Field> fields,
                                 std::size_t least) const {
         const std::vector<std::string_view> parts = split_at_commas(list);
         const std::size_t count = list.empty() ? 0 : parts.size();
-        if (count < least || count > places.size()) {
-            std::string wanted = std::to_string(least);
-            if (least < places.size()) {
-                wanted += " to " + std::to_string(places.size());
+        if (count < least || count > fields.size()) {
+            std::string needed = std::to_string(least);
+            if (least < fields.size()) {
+                needed += " to " + std::to_string(fields.size());
             }
-            wanted += places.size() == 1 ? " number is" : " numbers are";
-            refuse(wanted + " needed, not " + std::to_string(count));
+            needed += fields.size() == 1 ? " number is" : " numbers are";
+            refuse(needed + " needed, not " + std::to_string(count));
         }
-        std::vector<double> values(places.size(), 0.0);
+        std::vector<double> values(fields.size(), 0.0);
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const config::ParsedNumber number = config::parse_number(parts[i], places[i].range);
+            const config::ParsedNumber number = config::parse_number(parts[i], fields[i].range);
             if (!number.code.empty()) {
-                refuse("the " + std::string(places[i].name) + " " + number.message);
+                refuse("the " + std::string(fields[i].name) + " " + number.message);
             }
             values[i] = number.value;
         }
@@ -85,7 +85,7 @@ struct Word {
 struct Kind {
     std::string_view name;
     std::string_view expected;
-    std::vector<Place> places;
+    std::vector<Field> fields;
 };
 
 const std::array<Kind, 4>& kinds() {
@@ -104,27 +104,28 @@ const std::array<Kind, 4>& kinds() {
     return all;
 }
 
-/// Only a shape has letters and then a colon; but a file may.
-void refuse_unknown_kind(const std::string& word, std::string_view name) {
-    const bool like_a_shape = name.size() > 1 && name.size() < word.size() &&
-                              std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; });
-    if (!like_a_shape || std::filesystem::exists(word)) {
+/// Letters followed by a colon are meant as a shape, unless there is a file of that name.
+void refuse_unknown_kind(const std::string& argument, std::string_view name) {
+    const bool looks_like_a_shape =
+        name.size() > 1 && name.size() < argument.size() &&
+        std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (!looks_like_a_shape || std::filesystem::exists(argument)) {
         return;
     }
     std::vector<std::string> names;
     for (const Kind& kind : kinds()) {
         names.emplace_back(kind.name);
     }
-    throw error_about(word, "unknown-shape",
+    throw error_about(argument, "unknown-shape",
                       "no shape is called " + config::in_quotes(name) +
                           config::suggestion_or_list(name, names) + "; write box:1,1,1 or a model file");
 }
 
-/// About the X, Y or Z axis.
-Mat3 turn(double degrees, int axis) {
+/// `axis` is 0 for X, 1 for Y, 2 for Z.
+Mat3 rotation_about(double degrees, int axis) {
     constexpr double kRadians = 3.14159265358979323846 / 180.0;
     const auto [sin, cos] = collision::sin_cos(degrees * kRadians);
-    // Quarters leave axes on axes, so that what touches before a turn touches after it.
+    // Quarter turns map axes to axes exactly, so that what touches before a turn touches after it.
     const bool quarter = std::fmod(degrees, 90.0) == 0.0;
     const double s = quarter ? std::round(sin) : sin;
     const double c = quarter ? std::round(cos) : cos;
@@ -140,18 +141,18 @@ Mat3 turn(double degrees, int axis) {
 
 }  // namespace
 
-std::optional<Shape> parse_shape(const std::string& word) {
-    const std::size_t colon = word.find(':');
-    const std::string_view name = std::string_view(word).substr(0, colon);
+std::optional<Shape> parse_shape(const std::string& argument) {
+    const std::size_t colon = argument.find(':');
+    const std::string_view name = std::string_view(argument).substr(0, colon);
     const auto kind = std::ranges::find(kinds(), name, &Kind::name);
     if (kind == kinds().end()) {
-        refuse_unknown_kind(word, name);
+        refuse_unknown_kind(argument, name);
         return std::nullopt;
     }
     const std::string_view list =
-        colon == std::string::npos ? std::string_view() : std::string_view(word).substr(colon + 1);
-    const Word read{word, "bad-shape", std::string(kind->expected)};
-    const std::vector<double> n = read.numbers(list, kind->places, kind->places.size());
+        colon == std::string::npos ? std::string_view() : std::string_view(argument).substr(colon + 1);
+    const Argument read{argument, "bad-shape", std::string(kind->expected)};
+    const std::vector<double> n = read.numbers(list, kind->fields, kind->fields.size());
     if (name == "box") {
         return collision::Box{0.5 * Vec3(n[0], n[1], n[2])};
     }
@@ -167,26 +168,30 @@ std::optional<Shape> parse_shape(const std::string& word) {
     return collision::Capsule{n[0], 0.5 * n[1] - n[0]};
 }
 
-Pose parse_pose(const std::string& word) {
-    static constexpr std::array<Place, 6> kPlaces = {
-        {{"x", kMove}, {"y", kMove}, {"z", kMove}, {"yaw", kTurn}, {"pitch", kTurn}, {"roll", kTurn}}};
-    const Word read{"--pose " + word, "bad-pose",
-                    "write x,y,z in metres, then yaw, pitch and roll in degrees where they aren't 0, "
-                    "as in 0,1.5,-2,90"};
-    const std::vector<double> n = read.numbers(word, kPlaces, 3);
+Pose parse_pose(const std::string& argument) {
+    static constexpr std::array<Field, 6> kFields = {{{"x", kTranslation},
+                                                      {"y", kTranslation},
+                                                      {"z", kTranslation},
+                                                      {"yaw", kAngle},
+                                                      {"pitch", kAngle},
+                                                      {"roll", kAngle}}};
+    const Argument read{"--pose " + argument, "bad-pose",
+                        "write x,y,z in metres, then yaw, pitch and roll in degrees where they aren't 0, "
+                        "as in 0,1.5,-2,90"};
+    const std::vector<double> n = read.numbers(argument, kFields, 3);
     Pose pose;
     pose.translation = Vec3(n[0], n[1], n[2]);
-    pose.rotation = turn(n[3], 1) * turn(n[4], 0) * turn(n[5], 2);
+    pose.rotation = rotation_about(n[3], 1) * rotation_about(n[4], 0) * rotation_about(n[5], 2);
     return pose;
 }
 
-Pose parse_pose_matrix(const std::string& word) {
-    static constexpr Place kPlace{"matrix entry", kEntry};
-    static const std::vector<Place> places(12, kPlace);
-    const Word read{"--pose-matrix " + word, "bad-pose",
-                    "write the rows of a rotation, each followed by the move along its axis in metres, "
-                    "as in 1,0,0,0.5,0,1,0,0,0,0,1,-2"};
-    const std::vector<double> n = read.numbers(word, places, places.size());
+Pose parse_pose_matrix(const std::string& argument) {
+    static constexpr Field kField{"matrix entry", kMatrixEntry};
+    static const std::vector<Field> fields(12, kField);
+    const Argument read{"--pose-matrix " + argument, "bad-pose",
+                        "write the rows of a rotation, each followed by the move along its axis in metres, "
+                        "as in 1,0,0,0.5,0,1,0,0,0,0,1,-2"};
+    const std::vector<double> n = read.numbers(argument, fields, fields.size());
     Pose pose;
     for (int row = 0; row < 3; ++row) {
         const std::size_t at = std::size_t{4} * static_cast<std::size_t>(row);
@@ -194,9 +199,9 @@ Pose parse_pose_matrix(const std::string& word) {
         pose.translation[row] = n[at + 3];
     }
     const Mat3& R = pose.rotation;
-    const bool turns = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= 1e-3;
-    if (!turns || R.determinant() < 0.0) {
-        read.refuse(turns ? "the matrix is a mirror" : "the matrix is no rotation");
+    const bool is_orthonormal = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= 1e-3;
+    if (!is_orthonormal || R.determinant() < 0.0) {
+        read.refuse(is_orthonormal ? "the matrix is a mirror" : "the matrix is no rotation");
     }
     return pose;
 }

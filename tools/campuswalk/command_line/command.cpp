@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kVersion = "campuswalk " CAMPUSWALK_VERSION;
 
-/// CLI11 only says that a command is missing when it doesn't know the one that is there.
-std::string mistake_before_a_command(const CLI::App& app) {
+/// For an unknown command, CLI11 only says that one is missing.
+std::string command_message(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) {
         names.push_back(command->get_name());
@@ -30,8 +30,8 @@ std::string mistake_before_a_command(const CLI::App& app) {
            scene::did_you_mean(word, names);
 }
 
-/// CLI11 names what it doesn't know, but not what may have been meant.
-std::string mistake_in_a_command(const CLI::App& app, const CLI::Error& error) {
+/// CLI11 names an unknown option, but suggests no other.
+std::string option_message(const CLI::App& app, const CLI::Error& error) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) {
@@ -46,17 +46,17 @@ std::string mistake_in_a_command(const CLI::App& app, const CLI::Error& error) {
     return error.what();
 }
 
-std::string explanation(const CLI::App* app, const CLI::Error& error) {
+std::string failure_message(const CLI::App* app, const CLI::Error& error) {
     if (app->get_subcommands().empty()) {
-        return "error: " + mistake_before_a_command(*app) + "\nsee " + app->get_name() + " --help\n";
+        return "error: " + command_message(*app) + "\nsee " + app->get_name() + " --help\n";
     }
     const CLI::App& command = *app->get_subcommands().front();
-    return "error: " + mistake_in_a_command(command, error) + "\nsee " + app->get_name() + " " +
+    return "error: " + option_message(command, error) + "\nsee " + app->get_name() + " " +
            command.get_name() + " --help\n";
 }
 
-/// `choice` shows its words as "a|b|c"; nothing else has a '|' in what is shown for its value.
-std::vector<std::string> words_of(const std::string& value) {
+/// `choice` shows its words as "a|b|c"; no other placeholder of a value contains a '|'.
+std::vector<std::string> choices_in(const std::string& value) {
     std::vector<std::string> words;
     std::istringstream stream(value.find('|') == std::string::npos ? "" : value);
     for (std::string word; std::getline(stream, word, '|');) {
@@ -78,7 +78,7 @@ OptionInfo describe_option(const CLI::Option& option) {
     }
     info.help = option.get_description();
     info.value = option.get_items_expected_max() > 0 ? option.get_type_name() : "";
-    info.choices = words_of(info.value);
+    info.choices = choices_in(info.value);
     return info;
 }
 
@@ -114,7 +114,7 @@ void Command::footer(const std::string& text) {
     app_->footer(text);
 }
 
-void Command::finish(CLI::Option& option, const OptionSpec& spec) {
+void Command::apply(CLI::Option& option, const OptionSpec& spec) {
     option.type_name(spec.value)->required(spec.required);
     if (spec.check) {
         option.check(spec.check);
@@ -133,9 +133,9 @@ void Command::finish(CLI::Option& option, const OptionSpec& spec) {
 template <typename Value>
 void Command::option(const OptionSpec& spec, Value& target) {
     CLI::Option* option = app_->add_option(spec.names, target, spec.help);
-    finish(*option, spec);
+    apply(*option, spec);
     if (option->get_items_expected_max() > 1) {
-        // One value each time it is named: what follows belongs to the command.
+        // One value each time it is given: what follows belongs to the command.
         option->allow_extra_args(!spec.names.starts_with('-'));
     }
 }
@@ -150,7 +150,7 @@ template <typename Value, typename Number>
 void Command::add_number(OptionSpec spec, Value& target, const Limits<Number>& limits) {
     spec.value = spec.value.empty() ? "N" : spec.value;
     CLI::Option* option = app_->add_option(spec.names, target, spec.help);
-    finish(*option, spec);
+    apply(*option, spec);
     option->check(CLI::Range(limits.least, limits.most));
 }
 void Command::option(const OptionSpec& spec, int& target, const Limits<int>& limits) {
@@ -167,7 +167,7 @@ void Command::option(const OptionSpec& spec, std::optional<double>& target, cons
 }
 
 void Command::option(const OptionSpec& spec, const std::function<void(const std::string&)>& take) {
-    finish(*app_->add_option_function<std::string>(spec.names, take, spec.help), spec);
+    apply(*app_->add_option_function<std::string>(spec.names, take, spec.help), spec);
 }
 
 void Command::restrict_to(const std::vector<std::string>& words, OptionSpec& spec) {
@@ -179,23 +179,23 @@ void Command::restrict_to(const std::vector<std::string>& words, OptionSpec& spe
 }
 
 void Command::flag(const OptionSpec& spec, bool& target) {
-    finish(*app_->add_flag(spec.names, target, spec.help), spec);
+    apply(*app_->add_flag(spec.names, target, spec.help), spec);
 }
 
 void Command::flag(const OptionSpec& spec, std::function<void()> take) {
-    finish(*app_->add_flag_callback(spec.names, std::move(take), spec.help), spec);
+    apply(*app_->add_flag_callback(spec.names, std::move(take), spec.help), spec);
 }
 
-void Command::worded_flag(const OptionSpec& spec, const std::string& alone,
-                          std::function<bool(const std::string&)> take) {
+void Command::flag_with_value(const OptionSpec& spec, const std::string& default_word,
+                              std::function<bool(const std::string&)> take) {
     // CLI11 gives a flag the value "true" unless one is written after '='.
-    const CLI::callback_t callback = [take = std::move(take), alone](const CLI::results_t& words) {
-        return take(words.back() == "true" ? alone : words.back());
+    const CLI::callback_t callback = [take = std::move(take), default_word](const CLI::results_t& words) {
+        return take(words.back() == "true" ? default_word : words.back());
     };
     CLI::Option* flag = app_->add_option(spec.names, callback, spec.help)
                             ->expected(0)
                             ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    finish(*flag, spec);
+    apply(*flag, spec);
 }
 
 int read_command_line(int argc, char** argv, const ProgramName& name,
@@ -204,7 +204,7 @@ int read_command_line(int argc, char** argv, const ProgramName& name,
     CLI::App app(name.description, name.name);
     app.set_version_flag("--version", kVersion);
     app.require_subcommand(1);
-    app.failure_message(explanation);
+    app.failure_message(failure_message);
     Chosen chosen;
     add_commands(Command(app), chosen);
     try {

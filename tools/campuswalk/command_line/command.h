@@ -14,19 +14,19 @@ class Option;
 
 namespace campuswalk::tools {
 
-/// What the command line asks for; returns the exit code.
+/// Runs the command that the user chose; returns the exit code.
 using Chosen = std::function<int()>;
 
 /// How an option or a positional argument is spelled, explained and checked.
 struct OptionSpec {
     std::string names;  ///< "-o,--output"; a word without dashes is a positional argument
     std::string help;
-    std::string value = {};        ///< what is shown for its value: "FILE"; empty: nothing
-    bool required = false;         ///< of options, one; of several values, at least one
-    bool show_default = false;     ///< the target's value at this moment
-    std::string excludes = {};     ///< an option added before, by its long name
-    std::string environment = {};  ///< a variable that gives the value when the command line doesn't
-    /// What is wrong with a value as it was written; empty when nothing is.
+    std::string value = {};        ///< placeholder in the help: "FILE"; empty: none
+    bool required = false;         ///< where several values are taken, at least one
+    bool show_default = false;     ///< the target's current value
+    std::string excludes = {};     ///< an option that was added before, by its long name
+    std::string environment = {};  ///< a variable with the value, used when the command line has none
+    /// Returns what is wrong with a value as written; empty when nothing is.
     std::function<std::string(const std::string&)> check = {};
 };
 
@@ -40,7 +40,7 @@ struct Limits {
 struct OptionInfo {
     std::vector<std::string> names;  ///< "-o", "--output"; one word without dashes: a positional argument
     std::string help;
-    std::string value;                 ///< what the help shows for its value; empty: a flag
+    std::string value;                 ///< placeholder in the help; empty: a flag
     std::vector<std::string> choices;  ///< the words it takes; empty: anything
 };
 
@@ -51,16 +51,16 @@ struct CommandInfo {
     std::vector<OptionInfo> options;
 };
 
-/// A command and its options. CLI11 stays behind it: that takes longer to compile than all of ours.
-/// Targets must live until the command line has been read.
+/// A command and its options. Hides CLI11, which takes longer to compile than all of our code. Targets must
+/// live until the command line has been parsed.
 class Command {
 public:
     explicit Command(CLI::App& app) : app_(&app) {}
 
     Command add(const std::string& name, const std::string& description);
-    /// Sets `chosen`, which must live until then, when the user names this command.
+    /// Sets `chosen`, which must live as long as targets, when the user names this command.
     void choose(Chosen& chosen, Chosen action);
-    /// What the help says below the options.
+    /// Text below the options in the help.
     void footer(const std::string& text);
     /// This command, with an empty name, and the commands that have been added to it so far.
     std::vector<CommandInfo> describe() const;
@@ -72,7 +72,7 @@ public:
     void option(const OptionSpec& spec, std::optional<int>& target, const Limits<int>& limits);
     void option(const OptionSpec& spec, double& target, const Limits<double>& limits);
     void option(const OptionSpec& spec, std::optional<double>& target, const Limits<double>& limits);
-    /// `take` is called with the value as it was written, once it has passed the check.
+    /// Calls `take` with the value as written, once it has passed the check.
     void option(const OptionSpec& spec, const std::function<void(const std::string&)>& take);
     void flag(const OptionSpec& spec, bool& target);
     void flag(const OptionSpec& spec, std::function<void()> take);
@@ -88,21 +88,21 @@ public:
         option(spec, [choices, &target](const std::string& word) { target = choices.at(word); });
     }
 
-    /// An option that takes one of a few words each time it is named.
+    /// An option that takes one of a few words each time it is given.
     void choices(OptionSpec spec, const std::vector<std::string>& words, std::vector<std::string>& target) {
         restrict_to(words, spec);
         option(spec, target);
     }
 
-    /// A flag that takes one of a few words too, as in `--update=all`; `alone` is what it means without one.
+    /// A flag that also takes one of a few words, as in `--update=all`; without one it means `default_word`.
     template <typename Value>
-    void choice_flag(OptionSpec spec, const std::string& alone, const std::map<std::string, Value>& choices,
-                     std::optional<Value>& target) {
+    void choice_flag(OptionSpec spec, const std::string& default_word,
+                     const std::map<std::string, Value>& choices, std::optional<Value>& target) {
         for (const auto& [word, value] : choices) {
             spec.value += (spec.value.empty() ? "[=" : "|") + word;
         }
         spec.value += "]";
-        worded_flag(spec, alone, [choices, &target](const std::string& word) {
+        flag_with_value(spec, default_word, [choices, &target](const std::string& word) {
             const auto found = choices.find(word);
             if (found != choices.end()) {
                 target = found->second;
@@ -112,14 +112,14 @@ public:
     }
 
 private:
-    /// The option takes these words and no other, and shows them as its value.
+    /// Allows only these words, and shows them in the help as the value.
     static void restrict_to(const std::vector<std::string>& words, OptionSpec& spec);
-    /// `take` says whether it knows the word.
-    void worded_flag(const OptionSpec& spec, const std::string& alone,
-                     std::function<bool(const std::string&)> take);
+    /// `take` returns whether it knows the word.
+    void flag_with_value(const OptionSpec& spec, const std::string& default_word,
+                         std::function<bool(const std::string&)> take);
     template <typename Value, typename Number>
     void add_number(OptionSpec spec, Value& target, const Limits<Number>& limits);
-    void finish(CLI::Option& option, const OptionSpec& spec);
+    void apply(CLI::Option& option, const OptionSpec& spec);
 
     CLI::App* app_;
 };
@@ -129,8 +129,8 @@ struct ProgramName {
     std::string description;
 };
 
-/// Reads the command line and does what it asks for. `add_commands` names what there is; `guarded` runs the
-/// chosen one, and what merely prints. Returns the exit code.
+/// Parses the command line and runs the chosen command or prints help, a version or an error, all of it
+/// through `guarded`. `add_commands` adds the commands. Returns the exit code.
 int read_command_line(int argc, char** argv, const ProgramName& name,
                       const std::function<void(Command, Chosen&)>& add_commands,
                       const std::function<int(const Chosen&)>& guarded);

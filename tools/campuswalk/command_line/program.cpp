@@ -15,20 +15,20 @@ namespace campuswalk::tools {
 
 namespace {
 
-/// CAMPUSWALK_INSTRUCTIONS, where it is set: results are the same with any of them.
+/// Applies CAMPUSWALK_INSTRUCTIONS if it is set; results are the same for every target.
 void choose_simd_target() {
     using collision::SimdTarget;
-    const std::optional<std::string> wanted = environment_variable("CAMPUSWALK_INSTRUCTIONS");
-    if (!wanted) {
+    const std::optional<std::string> requested = environment_variable("CAMPUSWALK_INSTRUCTIONS");
+    if (!requested) {
         return;
     }
     const std::map<std::string, SimdTarget> known = {
         {"sse42", SimdTarget::sse42}, {"avx2", SimdTarget::avx2}, {"avx512", SimdTarget::avx512}};
-    const auto found = known.find(*wanted);
+    const auto found = known.find(*requested);
     if (found == known.end() || !can_run(found->second)) {
         const char* why =
             found == known.end() ? "' is none of sse42, avx2, avx512" : "': this processor can't";
-        throw error_about("CAMPUSWALK_INSTRUCTIONS", "bad-value", "'" + *wanted + why);
+        throw error_about("CAMPUSWALK_INSTRUCTIONS", "bad-value", "'" + *requested + why);
     }
     collision::use_simd_target(found->second);
 }

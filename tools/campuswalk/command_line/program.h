@@ -6,9 +6,9 @@
 
 namespace campuswalk::tools {
 
-/// All that a program's main does: guards the standard streams, reads the command line, runs the chosen
-/// command and turns what is thrown into a message and an exit code. A program started by model_importer()
-/// serves the import instead.
+/// All that a program's main does: guards the standard streams, parses the command line, runs the chosen
+/// command and turns exceptions into messages and exit codes. A process started by model_importer() serves
+/// the import instead.
 int run_program(int argc, char** argv, const ProgramName& name,
                 const std::function<void(Command, Chosen&)>& add_commands);
 

@@ -27,7 +27,7 @@ struct CollideOptions {
     std::string b;
     std::string pose;         ///< of b, see parse_pose; empty: where it is
     std::string pose_matrix;  ///< instead of `pose`
-    scene::SceneFile frame;   ///< how files are to be read; which are a and b
+    scene::SceneFile frame;   ///< how to read the files, a and b
     bool first = false;       ///< report one pair or triangle
     bool count = false;       ///< report only how many there are
     bool json = false;
@@ -50,8 +50,8 @@ std::string verdict(const Overlaps& overlaps, bool first) {
                                                      : scene::plural(overlaps.pairs.size(), "triangle pair"));
 }
 
-/// A line about the bodies, one per pair or triangle (`a 12 b 907 "node of a" "node of b"`, `b 907 "node"`)
-/// and one with the verdict; or the count alone. Names are quoted as in JSON, so that none ends a line.
+/// One line about the bodies, one per pair or triangle (`a 12 b 907 "node of a" "node of b"`, `b 907 "node"`)
+/// and one with the verdict; or the count alone. Names are quoted as in JSON, so that a line stays one.
 void print_overlaps_as_text(const Body& a, const Body& b, const Overlaps& overlaps,
                             const CollideOptions& options) {
     if (options.count) {
@@ -135,12 +135,12 @@ int collide_bodies(const CollideOptions& options) {
 
 void add_collide(Command program, Chosen& chosen) {
     const auto options = std::make_shared<CollideOptions>();
-    Command command = program.add("collide", "Tell where two models or shapes overlap");
+    Command command = program.add("collide", "Report where two models or shapes overlap");
     command.option({.names = "A", .help = "A model file, or a shape: see below", .required = true},
                    options->a);
     command.option({.names = "B", .help = "Likewise", .required = true}, options->b);
     command.option({.names = "--pose",
-                    .help = "Where B is: rolled, pitched, yawed, moved",
+                    .help = "Pose of B: rolled, pitched, yawed, then moved",
                     .value = "X,Y,Z[,YAW[,PITCH[,ROLL]]]"},
                    options->pose);
     command.option({.names = "--pose-matrix",
@@ -149,17 +149,17 @@ void add_collide(Command program, Chosen& chosen) {
                     .excludes = "--pose"},
                    options->pose_matrix);
     add_file_frame(command, options->frame, "the files");
-    command.flag({.names = "--first", .help = "One pair alone, as soon as it is found"}, options->first);
-    command.flag({.names = "--count", .help = "How many there are and no more", .excludes = "--first"},
+    command.flag({.names = "--first", .help = "Only one pair, as soon as it is found"}, options->first);
+    command.flag({.names = "--count", .help = "Only print how many there are", .excludes = "--first"},
                  options->count);
-    command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    command.flag({.names = "--json", .help = "Print JSON"}, options->json);
     add_cache_flag(command);
     command.footer(
         "Shapes, about the origin: box:WIDTH,HEIGHT,DEPTH, sphere:RADIUS, capsule:RADIUS,HEIGHT (upright,\n"
         "caps included), wheel:RADIUS,WIDTH (its axle along X). Metres and degrees, +Y up; roll is about Z,\n"
         "pitch about X, yaw about Y, each right-handed. A shape is filled; a model is its triangles, "
         "counted\n"
-        "from 0 in the order of its nodes, and not what they enclose. Touching is overlapping.\n"
+        "from 0 in the order of its nodes, and not what they enclose. Touching counts as overlapping.\n"
         "Exit code: 0 apart, 1 overlapping, 2 bad usage or input.");
     command.choose(chosen, [options] { return collide_bodies(*options); });
 }

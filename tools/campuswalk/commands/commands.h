@@ -11,7 +11,8 @@
 
 namespace campuswalk::tools {
 
-// Each adds a command and its options, a file each; the one the user names sets `chosen`.
+// Each function adds a command with its options, from a file of the same name. The command that the user
+// names sets `chosen`.
 
 void add_init(Command program, Chosen& chosen);
 void add_validate(Command program, Chosen& chosen);
@@ -26,13 +27,14 @@ void add_collide(Command program, Chosen& chosen);
 void add_completion(Command program, Chosen& chosen);
 void add_help(Command program, Chosen& chosen);
 
-// Options that several of them have; shared_options.cpp.
+// Options that several commands have, in shared_options.cpp.
 
-/// How model files are to be read that nothing else describes; `whose` ends the descriptions.
+/// `--up` and `--scale`: how to read model files that no campus file describes. `whose` ends the help texts,
+/// as in "the file".
 void add_file_frame(Command command, scene::SceneFile& file, const std::string& whose);
 /// `--rendering-backend`, for a command that draws.
 void add_rendering_backend(Command command, Backend& backend);
-/// `--tree`: what the walks' campuses are queried by.
+/// `--tree`: the kind of trees of the walks' campuses.
 void add_tree(Command command, std::optional<collision::TreeKind>& tree);
 /// `--color`, for a command that prints reports.
 void add_color(Command command, ColorChoice& color);

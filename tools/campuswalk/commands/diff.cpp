@@ -47,8 +47,8 @@ Lines read_log(const fs::path& file) {
     return lines;
 }
 
-/// Seen before anything is compared.
-void check_images(const DiffOptions& options) {
+/// Called before anything is compared.
+void check_image_options(const DiffOptions& options) {
     if (options.walk && !options.images) {
         throw error_about("--walk", "bad-value", "it is for pictures: add --pictures DIR");
     }
@@ -67,7 +67,7 @@ void print_line(char side, std::size_t index, const std::string& text) {
     std::printf("%c %6zu  %s\n", side, index + 1, engine::printable(as_text_line(text)).c_str());
 }
 
-/// From the divergence on.
+/// The lines from the divergence on.
 void print_side(char side, const Lines& lines, std::size_t at) {
     for (std::size_t i = at; i < std::min(at + kLinesAround, lines.size()); ++i) {
         print_line(side, i, lines[i]);
@@ -107,36 +107,36 @@ void print_divergence(const DiffOptions& options, const Lines& a, const Lines& b
     print_side('B', b, at);
 }
 
-/// The way that a log tells up to a line, the walk's own: from its header on.
-std::vector<Eigen::Vector3d> way_until(const Lines& lines, std::size_t at) {
-    std::vector<Eigen::Vector3d> way;
+/// The path that a log records up to a line, from the header of that line's walk on.
+std::vector<Eigen::Vector3d> path_until(const Lines& lines, std::size_t at) {
+    std::vector<Eigen::Vector3d> path;
     for (std::size_t i = 0; i < std::min(at + 1, lines.size()); ++i) {
         if (is_log_header(lines[i])) {
-            way.clear();
+            path.clear();
         } else if (const std::optional<LoggedEvent> event = logged_event(lines[i]);
                    event && event->position) {
-            way.push_back(*event->position);
+            path.push_back(*event->position);
         }
     }
-    return way;
+    return path;
 }
 
 void draw_side(const scene::Campus& campus, const engine::Walk& walk, const Lines& lines, std::size_t at,
                const std::string& side, const DiffOptions& options) {
-    const std::vector<Eigen::Vector3d> way = way_until(lines, at);
-    if (way.empty()) {
+    const std::vector<Eigen::Vector3d> path = path_until(lines, at);
+    if (path.empty()) {
         std::printf("%s has no position up to there: no picture\n", side.c_str());
         return;
     }
     const fs::path file = *options.images / (side + ".png");
-    draw_way(campus, walk.avatar, way, side + " \u00b7 line " + std::to_string(at + 1), file,
-             options.backend);
+    draw_walked_path(campus, walk.avatar, path, side + " \u00b7 line " + std::to_string(at + 1), file,
+                     options.backend);
     std::printf("%s\n", file.generic_string().c_str());
 }
 
 /// Prints the first divergence of two logs, both sides with some lines around it. Returns the exit code.
 int compare_logs(const DiffOptions& options) {
-    check_images(options);
+    check_image_options(options);
     const Lines a = read_log(options.a);
     const Lines b = read_log(options.b);
     std::optional<LoadedWalk> loaded;
@@ -162,14 +162,14 @@ int compare_logs(const DiffOptions& options) {
 
 void add_diff(Command program, Chosen& chosen) {
     const auto options = std::make_shared<DiffOptions>();
-    Command command = program.add("diff", "Show where two event logs part");
+    Command command = program.add("diff", "Show where two event logs diverge");
     command.option(
         {.names = "A", .help = "A log as JSON lines (run --jsonl)", .value = "FILE", .required = true},
         options->a);
     command.option({.names = "B", .help = "The log to compare with it", .value = "FILE", .required = true},
                    options->b);
     command.option({.names = "--pictures",
-                    .help = "Draw both sides of the parting from above: DIR/a.png, DIR/b.png",
+                    .help = "Draw both sides of the divergence from above: DIR/a.png, DIR/b.png",
                     .value = "DIR"},
                    options->images);
     command.option({.names = "--walk", .help = "The walk of these logs, for --pictures", .value = "FILE"},

@@ -17,7 +17,7 @@ constexpr Limits<double> kShare{0.0, 1.0};
 constexpr Limits<double> kSimilarity{-1.0, 1.0};
 constexpr Limits<int> kPixels{0, 1'000'000'000};
 
-/// Four whole numbers; none for anything else.
+/// X,Y,WIDTH,HEIGHT as whole numbers; nullopt for anything else.
 std::optional<engine::PixelBox> parse_mask(const std::string& text) {
     std::array<int, 4> numbers{};
     std::size_t from = 0;
@@ -36,66 +36,67 @@ std::optional<engine::PixelBox> parse_mask(const std::string& text) {
     return engine::PixelBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-/// What the command line says, as it says it.
-struct Said {
+/// The options as they are written on the command line.
+struct ImgdiffArguments {
     ImgdiffOptions options;
     std::vector<std::string> masks;
 };
 
-void add_tolerance(Command& command, Said& said) {
-    engine::ImageTolerance& tolerance = said.options.tolerance;
+void add_tolerance(Command& command, ImgdiffArguments& arguments) {
+    engine::ImageTolerance& tolerance = arguments.options.tolerance;
     command.option({.names = "--threshold",
                     .help = "Colours closer than this are the same: 0 the same bytes, 1 any",
                     .value = "0..1",
                     .show_default = true},
                    tolerance.threshold, kShare);
     command.option({.names = "--max-diff-pixels",
-                    .help = "So many may differ by more [0, unless there is a ratio]",
+                    .help = "How many pixels may differ by more [0, unless there is a ratio]",
                     .value = "N"},
                    tolerance.max_diff_pixels, kPixels);
-    command.option({.names = "--max-diff-pixel-ratio", .help = "Or so many of all pixels", .value = "0..1"},
-                   tolerance.max_diff_pixel_ratio, kShare);
+    command.option(
+        {.names = "--max-diff-pixel-ratio", .help = "The same as a share of all pixels", .value = "0..1"},
+        tolerance.max_diff_pixel_ratio, kShare);
     command.option({.names = "--min-tile-ssim",
                     .help = "The structural similarity that each tile of 64 pixels needs; -1 for none",
                     .value = "-1..1",
                     .show_default = true},
                    tolerance.min_tile_ssim, kSimilarity);
     command.option({.names = "--mask",
-                    .help = "Leave this rectangle out; given once for each",
+                    .help = "Ignore this rectangle; may be repeated",
                     .value = "X,Y,W,H",
                     .check =
                         [](const std::string& text) {
                             return parse_mask(text) ? std::string()
                                                     : "'" + text + "' isn't X,Y,WIDTH,HEIGHT in whole pixels";
                         }},
-                   said.masks);
+                   arguments.masks);
 }
 
 }  // namespace
 
 void add_imgdiff(Command program, Chosen& chosen) {
-    const auto said = std::make_shared<Said>();
-    ImgdiffOptions& options = said->options;
+    const auto arguments = std::make_shared<ImgdiffArguments>();
+    ImgdiffOptions& options = arguments->options;
     Command command = program.add("imgdiff", "Compare two pictures");
     command.option({.names = "A", .help = "A PNG file", .value = "FILE", .required = true}, options.a);
     command.option(
         {.names = "B", .help = "The PNG file to compare with it", .value = "FILE", .required = true},
         options.b);
-    add_tolerance(command, *said);
+    add_tolerance(command, *arguments);
     command.option(
         {.names = "--diff",
          .help = "Draw where they differ: red what is beyond the threshold, orange what is within, "
                  "yellow what is smoothed otherwise, magenta frames around tiles not alike enough",
          .value = "FILE"},
         options.diff);
-    command.flag({.names = "--json", .help = "As JSON"}, options.json);
+    command.flag({.names = "--json", .help = "Print JSON"}, options.json);
     command.footer(
         "Colours are compared as pixelmatch does it, with the weights of the eye; structure by the SSIM of\n"
         "brightness. Either finds what the other doesn't. The defaults allow for another processor.\n"
         "Exit code: 0 the same, 1 different or of different sizes, 2 bad usage or input.");
-    command.choose(chosen, [said] {
-        ImgdiffOptions chosen_options = said->options;
-        for (const std::string& mask : said->masks) {
+    command.choose(chosen, [arguments] {
+        ImgdiffOptions chosen_options = arguments->options;
+        for (const std::string& mask : arguments->masks) {
             chosen_options.tolerance.masks.push_back(parse_mask(mask).value_or(engine::PixelBox{}));
         }
         return compare_image_files(chosen_options);

@@ -33,12 +33,12 @@ struct InfoOptions {
     scene::SceneFile scene;
     bool json = false;
     std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
-    bool overwrite = false;                        ///< those two
+    bool overwrite = false;                        ///< replace those two
     std::optional<std::filesystem::path> map;      ///< an image from above to write
-    Backend backend = engine::render::RenderingBackend::automatic;  ///< that draws it
+    Backend backend = engine::render::RenderingBackend::automatic;  ///< draws it
 };
 
-// In text; more than that nobody reads, and the warnings come below.
+// Limits of the text: nobody reads more, and the warnings come below.
 constexpr std::size_t kMostMaterials = 50;
 constexpr std::size_t kMostNodes = 200;
 
@@ -46,7 +46,7 @@ Json json_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// Null where there is nothing.
+/// Null for empty bounds.
 Json json_of(const scene::Bounds& bounds) {
     return bounds.empty() ? Json() : Json{{"min", json_of(bounds.min)}, {"max", json_of(bounds.max)}};
 }
@@ -111,7 +111,7 @@ Json json_of(const ModelReport& report, const std::vector<scene::ModelLint>& war
     return json;
 }
 
-void print_rest(std::size_t count, std::size_t shown) {
+void print_omitted(std::size_t count, std::size_t shown) {
     if (count > shown) {
         std::printf("  and %zu more: see --json\n", count - shown);
     }
@@ -146,13 +146,13 @@ void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& 
         std::printf("  %-28s %8zu triangles  %s\n", m.name.c_str(), m.triangles,
                     m.texture.empty() ? "no texture" : m.texture.c_str());
     }
-    print_rest(report.materials.size(), kMostMaterials);
+    print_omitted(report.materials.size(), kMostMaterials);
     std::printf("nodes      %zu\n", report.nodes.size());
     for (std::size_t i = 0; i < std::min(report.nodes.size(), kMostNodes); ++i) {
         const scene::NodeReport& n = report.nodes[i];
         std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
     }
-    print_rest(report.nodes.size(), kMostNodes);
+    print_omitted(report.nodes.size(), kMostNodes);
     std::printf("warnings   %zu\n", warnings.size());
     print_lints(warnings);
 }
@@ -171,8 +171,8 @@ void draw_map(const InfoOptions& options, scene::Model model) {
     draw_campus(campus, image);
 }
 
-/// A model that seems to lie on its side, upright: from above it would be a line.
-scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
+/// The model, turned upright if it seems to lie on its side: from above it would be a line.
+scene::Model upright_for_map(const scene::SceneFile& scene, const ModelReport& report, scene::Model model) {
     if (!has_lint(report, "z-up") || scene.up != scene::UpAxis::y) {
         return model;
     }
@@ -182,7 +182,7 @@ scene::Model for_map(const scene::SceneFile& scene, const ModelReport& report, s
     return read_model(upright, scene::EmptyModel::accept).model;
 }
 
-/// Prints what is in a model file and what looks odd about it. Returns the exit code.
+/// Prints what is in a model file and what looks wrong with it. Returns the exit code.
 int print_info(const InfoOptions& options) {
     if (options.suggest) {
         return suggest_campus(options.scene, *options.suggest, options.overwrite);
@@ -204,7 +204,7 @@ int print_info(const InfoOptions& options) {
         print_text(report, warnings);
     }
     if (options.map) {
-        draw_map(options, for_map(options.scene, report, std::move(imported.model)));
+        draw_map(options, upright_for_map(options.scene, report, std::move(imported.model)));
     }
     return kPass;
 }
@@ -213,7 +213,7 @@ int print_info(const InfoOptions& options) {
 
 void add_info(Command program, Chosen& chosen) {
     const auto options = std::make_shared<InfoOptions>();
-    Command command = program.add("info", "Tell what is in a model file and what looks odd");
+    Command command = program.add("info", "Report what is in a model file and what looks wrong");
     command.option({.names = "SCENE",
                     .help = "A model file: glTF, OBJ, FBX, COLLADA, ...",
                     .value = "FILE",
@@ -224,14 +224,14 @@ void add_info(Command program, Chosen& chosen) {
                        scene.mark.file = file;
                    });
     add_file_frame(command, options->scene, "the file");
-    command.flag({.names = "--json", .help = "As JSON"}, options->json);
+    command.flag({.names = "--json", .help = "Print JSON"}, options->json);
     command.option(
         {.names = "--suggest",
          .help = "Write a first campus of it, with buildings, a spawn on open ground and triggers, and "
                  "NAME.walk.yaml beside it that visits some of them",
          .value = "NAME.campus.yaml"},
         options->suggest);
-    command.flag({.names = "--overwrite", .help = "What --suggest writes may be there already"},
+    command.flag({.names = "--overwrite", .help = "Let --suggest replace existing files"},
                  options->overwrite);
     command.option({.names = "--map", .help = "Draw it from above", .value = "FILE.png"}, options->map);
     add_rendering_backend(command, options->backend);

@@ -25,20 +25,20 @@ struct InitOptions {
     init::Template which = init::Template::minimal;
 };
 
-/// A repository that was just made holds nothing but its own folder.
-bool may_stand_there(const fs::path& file) {
+/// A new repository contains only this folder.
+bool is_repository_folder(const fs::path& file) {
     return file.filename() == ".git";
 }
 
 void check_folder(const fs::path& folder) {
-    std::error_code none;
-    if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
+    std::error_code ignored;
+    if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
         throw error_about(folder, "not-a-folder", "a file of this name exists; name another folder");
     }
     std::error_code error;
-    if (fs::is_directory(folder, none)) {
+    if (fs::is_directory(folder, ignored)) {
         for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-            if (!may_stand_there(entry.path())) {
+            if (!is_repository_folder(entry.path())) {
                 throw error_about(folder, "not-empty",
                                   "the folder isn't empty ('" + entry.path().filename().string() +
                                       "'), and init overwrites nothing; name a new folder");
@@ -51,16 +51,16 @@ void check_folder(const fs::path& folder) {
     require_writable_folder(folder, "the project can't be written here");
 }
 
-/// Files and folders made so far; what isn't finished is taken away again.
+/// Removes the files and folders that were made, unless all of them were.
 class Undo {
 public:
     Undo() = default;
     Undo(const Undo&) = delete;
     Undo& operator=(const Undo&) = delete;
     ~Undo() {
-        std::error_code none;
+        std::error_code ignored;
         for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
-            fs::remove(*path, none);
+            fs::remove(*path, ignored);
         }
     }
     void add(const fs::path& path) { made_.push_back(path); }
@@ -91,7 +91,7 @@ void write(const fs::path& path, const std::string& text, Undo& undo) {
     }
 }
 
-/// Makes a folder with a campus, walks that pass and one that fails as it says, and a workflow that runs
+/// Creates a folder with a campus, walks that pass and one that fails as expected, and a workflow that runs
 /// them. Overwrites nothing: a folder with files in it is refused. Returns the exit code.
 int make_project(const InitOptions& options) {
     check_folder(options.folder);
@@ -114,7 +114,7 @@ int make_project(const InitOptions& options) {
 void add_init(Command program, Chosen& chosen) {
     const auto options = std::make_shared<InitOptions>();
     Command command =
-        program.add("init", "Make a folder with a small school, walks and a CI workflow, to change");
+        program.add("init", "Create a folder with a small school, walks and a CI workflow to start from");
     command.option({.names = "DIR", .help = "A new or an empty folder", .value = "DIR", .show_default = true},
                    options->folder);
     const std::map<std::string, init::Template> templates = {{"minimal", init::Template::minimal},
@@ -122,7 +122,7 @@ void add_init(Command program, Chosen& chosen) {
                                                              {"campus", init::Template::campus}};
     command.choice(
         {.names = "--template",
-         .help = "minimal (default): a library; stairs: and a gallery; campus: and two halls more"},
+         .help = "minimal (default): a library; stairs: with a gallery; campus: with two more halls"},
         templates, options->which);
     command.footer("Nothing is overwritten: a folder with files in it is refused.");
     command.choose(chosen, [options] { return make_project(*options); });

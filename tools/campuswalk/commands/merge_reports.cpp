@@ -32,13 +32,13 @@ namespace {
 struct MergeOptions {
     std::vector<std::filesystem::path> inputs;  ///< jsonl reports, or folders to look for them in
     std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
-    std::filesystem::path output = "out";       ///< where the images are that reports name
+    std::filesystem::path output = "out";       ///< folder of the images that reports name
     ColorChoice color = ColorChoice::automatic;
 };
 
 /// The report of a shard.
 struct ShardReport {
-    std::size_t cases = 0;  ///< as announced; fewer came when the run ended early
+    std::size_t cases = 0;  ///< as announced; there are fewer results when the run ended early
     std::vector<WalkResult> results;
 };
 
@@ -68,27 +68,27 @@ std::optional<ShardReport> read_report(const fs::path& file) {
 class Merge {
 public:
     void add(const fs::path& input) {
-        std::error_code none;
+        std::error_code ignored;
         const std::size_t before = files_;
-        if (fs::is_directory(input, none)) {
+        if (fs::is_directory(input, ignored)) {
             add_folder(input);
             if (files_ == before) {
                 throw about(input, 0,
                             "there is no jsonl report in here; make some with --reporter jsonl=FILE");
             }
-        } else if (!fs::is_regular_file(input, none)) {
+        } else if (!fs::is_regular_file(input, ignored)) {
             throw error_about(input, "missing-file", "no such file; check the path");
         } else if (!add_file(input)) {
             throw about(input, 1, "this isn't what --reporter jsonl=FILE writes");
         }
     }
 
-    /// In the order in which one run would have told of them.
+    /// The results in the order in which a single run would have reported them.
     RunReport report() {
-        const auto place = [](const WalkResult& result) {
+        const auto key = [](const WalkResult& result) {
             return std::tie(result.file, result.project, result.repetition);
         };
-        std::ranges::stable_sort(results_, {}, place);
+        std::ranges::stable_sort(results_, {}, key);
         return {std::move(results_)};
     }
 
@@ -103,7 +103,7 @@ private:
             }
         }
         for (const fs::path& file : files) {
-            add_file(file);  // logs of events lie about too
+            add_file(file);  // event logs may be there, too
         }
     }
 
@@ -131,7 +131,7 @@ private:
     std::vector<WalkResult> results_;
 };
 
-/// The reports of a run's shards as those of the run. Returns the exit code that the run would have had.
+/// Merges the reports of a run's shards. Returns the exit code that the whole run would have had.
 int merge_reports(const MergeOptions& options) {
     Merge merge;
     for (const fs::path& input : options.inputs) {
@@ -140,7 +140,7 @@ int merge_reports(const MergeOptions& options) {
     RunOptions run;
     run.reporters = options.reporters;
     run.color = options.color;
-    const RunSettings settings = settle_reports(run, environment_variable);
+    const RunSettings settings = resolve_report_settings(run, environment_variable);
     check_targets(settings.reports);
     Reports reports(settings.reports,
                     {settings.color, false, as_seen_from_here(options.output).generic_string()}, false);
@@ -157,19 +157,19 @@ int merge_reports(const MergeOptions& options) {
 
 void add_merge_reports(Command program, Chosen& chosen) {
     const auto options = std::make_shared<MergeOptions>();
-    Command command = program.add("merge-reports", "Make one report of those of a run's shards");
+    Command command = program.add("merge-reports", "Merge the reports of a run's shards");
     command.option({.names = "REPORT",
                     .help = "What --reporter jsonl=FILE wrote, or folders to look for that in",
                     .value = "PATH",
                     .required = true},
                    options->inputs);
     command.option({.names = "--reporter",
-                    .help = "dot, github, json, jsonl, junit, list or tap; with =FILE there, several times "
-                            "[list]",
+                    .help = "dot, github, json, jsonl, junit, list or tap; =FILE writes it to a file; may be "
+                            "repeated [list]",
                     .value = "NAME[=FILE]"},
                    options->reporters);
     command.option({.names = "--output",
-                    .help = "Where the pictures lie that the reports name",
+                    .help = "Folder of the pictures that the reports name",
                     .value = "DIR",
                     .show_default = true},
                    options->output);

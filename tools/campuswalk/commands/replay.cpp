@@ -31,12 +31,12 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ReplayOptions {
-    std::filesystem::path run;                 ///< a log or a report as JSON lines
+    std::filesystem::path run;                 ///< a log or a report in JSON lines
     std::vector<std::filesystem::path> walks;  ///< the walk files of a log
-    /// The walks.config.yaml with the walks' projects; otherwise the one that a report names or, for a log,
-    /// the one here or above.
+    /// The walks.config.yaml with the walks' projects; without one, that which a report names or, for a log,
+    /// the one in this folder or above.
     std::optional<std::filesystem::path> config;
-    std::optional<collision::TreeKind> tree;  ///< in the place of that which a walk says
+    std::optional<collision::TreeKind> tree;  ///< instead of the walk's own
     bool verify = false;                      ///< compare hashes; otherwise the event log is printed
 };
 
@@ -44,7 +44,7 @@ std::string title_of(const RecordedWalk& walk) {
     return walk.file.generic_string() + (walk.project.empty() ? "" : " " + walk.project);
 }
 
-/// Makes walks as they were run: in their project, with their time-out.
+/// Loads walks as they were run: in their project, with their timeout.
 class RecordedLoader {
 public:
     explicit RecordedLoader(const ReplayOptions& options) : options_(options) {}
@@ -98,7 +98,7 @@ private:
     std::map<fs::path, config::WalksConfig> configs_;
 };
 
-/// All of them, so that nothing is walked when one can't be.
+/// Loads all walks before any is played, so that nothing is played when one can't be.
 std::vector<LoadedWalk> load_all(const ReplayOptions& options, const std::vector<RecordedWalk>& recorded) {
     RecordedLoader loader(options);
     std::vector<LoadedWalk> loaded;
@@ -109,7 +109,7 @@ std::vector<LoadedWalk> load_all(const ReplayOptions& options, const std::vector
     return loaded;
 }
 
-int print_again(const std::vector<LoadedWalk>& walks) {
+int print_logs(const std::vector<LoadedWalk>& walks) {
     LogOutput output(true, std::nullopt);
     for (const LoadedWalk& loaded : walks) {
         engine::TextLog log([&](std::string_view line) { output.line(line); });
@@ -120,8 +120,8 @@ int print_again(const std::vector<LoadedWalk>& walks) {
     return kPass;
 }
 
-/// Whether the walk went as it did then.
-bool went_the_same(const RecordedWalk& recorded, const LoadedWalk& loaded) {
+/// Plays the walk and prints whether its hash is the recorded one.
+bool has_same_hash(const RecordedWalk& recorded, const LoadedWalk& loaded) {
     const std::uint64_t hash = engine::run_walk(*loaded.campus, loaded.walk, {}).hash;
     if (hash == *recorded.hash) {
         std::printf("same    %s\n", title_of(recorded).c_str());
@@ -137,9 +137,9 @@ int verify(const std::vector<RecordedWalk>& recorded, const std::vector<LoadedWa
     std::size_t different = 0;
     for (std::size_t i = 0; i < recorded.size(); ++i) {
         if (!recorded[i].hash) {
-            std::printf("no hash %s: %s\n", title_of(recorded[i]).c_str(), recorded[i].why_none.c_str());
+            std::printf("no hash %s: %s\n", title_of(recorded[i]).c_str(), recorded[i].why_no_hash.c_str());
         } else {
-            ++(went_the_same(recorded[i], loaded[i]) ? same : different);
+            ++(has_same_hash(recorded[i], loaded[i]) ? same : different);
         }
     }
     std::printf("%zu of %zu walks went the same again\n", same, recorded.size());
@@ -156,21 +156,21 @@ int replay_run(const ReplayOptions& options) {
         throw error_about(options.run, "nothing-to-replay", "no walk in it has come to its end");
     }
     const std::vector<LoadedWalk> loaded = load_all(options, recorded);
-    return options.verify ? verify(recorded, loaded) : print_again(loaded);
+    return options.verify ? verify(recorded, loaded) : print_logs(loaded);
 }
 
 }  // namespace
 
 void add_replay(Command program, Chosen& chosen) {
     const auto options = std::make_shared<ReplayOptions>();
-    Command command = program.add("replay", "Walk once more what a log or a report tells of");
+    Command command = program.add("replay", "Play the walks of a log or a report again");
     command.option({.names = "RUN",
                     .help = "A log (run --jsonl) or a report (--reporter jsonl) as JSON lines",
                     .value = "FILE",
                     .required = true},
                    options->run);
     command.option(
-        {.names = "--walk", .help = "A walk file that a log tells of; reports name theirs", .value = "FILE"},
+        {.names = "--walk", .help = "The walk file of a walk in a log; reports name theirs", .value = "FILE"},
         options->walks);
     command.option({.names = "--config",
                     .help = "The walks.config.yaml with the walks' projects; without, the one that a report "

@@ -26,14 +26,14 @@ void add_selection(Command& command, const Options& options) {
                     .value = "PATH"},
                    options->paths);
     command.option(
-        {.names = "--config", .help = "In the place of the walks.config.yaml here or above", .value = "FILE"},
+        {.names = "--config", .help = "Instead of the walks.config.yaml here or above", .value = "FILE"},
         options->config);
     command.option({.names = "-g,--grep",
-                    .help = "Only walks that the regular expression finds in 'FILE NAME TAGS'",
+                    .help = "Only walks in whose 'FILE NAME TAGS' the regular expression matches",
                     .value = "REGEX"},
                    options->grep);
     command.option(
-        {.names = "-G,--grep-invert", .help = "Only walks that it doesn't find there", .value = "REGEX"},
+        {.names = "-G,--grep-invert", .help = "Only walks where it doesn't match", .value = "REGEX"},
         options->grep_invert);
     command.option({.names = "--tag", .help = "Only walks with one of these tags", .value = "TAG"},
                    options->tags);
@@ -41,12 +41,12 @@ void add_selection(Command& command, const Options& options) {
                    options->projects);
     command.option({.names = "--shard",
                     .help = "The i-th of n parts, i from 1; without it the variables of Bazel, Slurm and "
-                            "indexed jobs are heard, and CAMPUSWALK_SHARD_INDEX (from 0) and _COUNT",
+                            "indexed jobs are used, and CAMPUSWALK_SHARD_INDEX (from 0) and _COUNT",
                     .value = "I/N"},
                    options->shard);
-    command.flag({.names = "--last-failed", .help = "Only what didn't pass the last time"},
+    command.flag({.names = "--last-failed", .help = "Only walks that didn't pass in the last run"},
                  options->last_failed);
-    command.flag({.names = "--list", .help = "Say what would be run"}, options->list);
+    command.flag({.names = "--list", .help = "List what would be run"}, options->list);
     command.flag({.names = "--forbid-only", .help = "Refuse walks with 'status: only'"},
                  options->forbid_only);
     command.flag({.names = "--pass-with-no-tests", .help = "Exit code 0 when nothing is selected"},
@@ -60,14 +60,14 @@ void add_running(Command& command, const Options& options) {
          .value = "N"},
         options->workers, kWorkers);
     command.flag({.names = "-x", .help = "Stop at the first failure"}, options->stop_at_first);
-    command.option({.names = "--max-failures", .help = "Stop after so many failures", .value = "N"},
+    command.option({.names = "--max-failures", .help = "Stop after N failures", .value = "N"},
                    options->max_failures, kTimes);
-    command.option({.names = "--repeat-each", .help = "Play every walk so many times", .value = "N"},
+    command.option({.names = "--repeat-each", .help = "Play every walk N times", .value = "N"},
                    options->repeat_each, kTimes);
     command.flag({.names = "--require-identical", .help = "Repetitions that differ are failures"},
                  options->require_identical);
     command.option({.names = "--seed",
-                    .help = "Ignored: nothing draws random numbers; goes with the next version",
+                    .help = "Ignored: nothing draws random numbers; the next version won't have it",
                     .value = "N"},
                    [](const std::string&) {
                        diagnostic_line(
@@ -83,8 +83,8 @@ void add_running(Command& command, const Options& options) {
                     .help = "Seconds of wall clock after which a walk is stopped, with exit code 3",
                     .value = "SECONDS"},
                    options->kill_after, kSeconds);
-    command.flag({.names = "--resume", .help = "Go on with a run that was killed"}, options->resume);
-    command.flag({.names = "--watch", .help = "Run again the walks that a changed file is for"},
+    command.flag({.names = "--resume", .help = "Continue a run that was killed"}, options->resume);
+    command.flag({.names = "--watch", .help = "Whenever a file changes, run the walks that use it"},
                  options->watch);
 }
 
@@ -97,20 +97,21 @@ std::vector<std::string> names_of(const Kinds& kinds) {
     return names;
 }
 
-/// Images at even times. What is to be made of them can be asked for alone.
+/// Frames at a fixed interval; options for what is made of them imply one.
 void add_sequence(Command& command, SequenceRequest& request) {
     command.option(
         {.names = "--every",
-         .help = "Draw a frame each so many simulated seconds, to frames/ in the walk's folder below "
+         .help = "Draw a frame every SECONDS of simulated time, to frames/ in the walk's folder below "
                  "--output",
          .value = "SECONDS"},
         request.every, kSeconds);
-    command.flag({.names = "--contact-sheet",
-                  .help = "The frames on one picture, contact-sheet.png; like the others below it takes one "
-                          "each 0.5 s unless --every says otherwise"},
-                 request.contact_sheet);
+    command.flag(
+        {.names = "--contact-sheet",
+         .help = "All frames on one picture, contact-sheet.png; like the options below, it takes one "
+                 "every 0.5 s unless --every says otherwise"},
+        request.contact_sheet);
     command.choices({.names = "--animation",
-                     .help = "The frames as animation.png or .gif, 640 pixels wide at most; several times"},
+                     .help = "The frames as animation.png or .gif, at most 640 pixels wide; may be repeated"},
                     names_of(kAnimationKinds), request.animations);
     command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"},
                  request.video);
@@ -118,10 +119,10 @@ void add_sequence(Command& command, SequenceRequest& request) {
         {"first_person", engine::FirstPersonView{}},
         {"third_person", engine::ThirdPersonView{}},
         {"top", engine::TopView{}}};
-    command.choice({.names = "--frame-view", .help = "How frames are taken [as the walk's camera is set]"},
-                   views, request.view);
+    command.choice({.names = "--frame-view", .help = "View of the frames [the walk's camera]"}, views,
+                   request.view);
     command.option({.names = "--frame-width",
-                    .help = "Their pixels across, the height in proportion [as the walk's camera is set]",
+                    .help = "Width of the frames in pixels, the height in proportion [the walk's camera]",
                     .value = "N"},
                    request.width, kFrameWidth);
 }
@@ -158,10 +159,10 @@ void add_output(Command& command, const Options& options) {
     add_rendering_backend(command, options->backend);
     command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},
                  options->quiet);
-    command.flag({.names = "-v,--verbose", .help = "Say on standard error too how each walk ended"},
+    command.flag({.names = "-v,--verbose", .help = "Also report on standard error how each walk ended"},
                  options->verbose);
     add_color(command, options->color);
-    command.flag({.names = "--print-config", .help = "Say, as JSON, how the run would be done"},
+    command.flag({.names = "--print-config", .help = "Print the settings of the run as JSON"},
                  options->print_config);
 }
 
@@ -169,7 +170,7 @@ void add_output(Command& command, const Options& options) {
 
 void add_run(Command program, Chosen& chosen) {
     const auto options = std::make_shared<RunOptions>();
-    Command command = program.add("run", "Play walks and tell what happens");
+    Command command = program.add("run", "Play walks and report what happens");
     add_selection(command, options);
     add_running(command, options);
     add_output(command, options);

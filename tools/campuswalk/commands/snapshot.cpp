@@ -30,14 +30,14 @@ struct SnapshotOptions {
     std::string light;  ///< as in a walk: a profile's name or what differs; empty: day
     engine::ImageChannels channels;
     engine::ImageOverlays overlays;
-    std::vector<std::string> overlay_names;  ///< go into `overlays` too
+    std::vector<std::string> overlay_names;  ///< set the flags of `overlays`
     std::filesystem::path output;
     int width = 1280;  ///< pixels
     int height = 720;  ///< pixels
     Backend backend = engine::render::RenderingBackend::automatic;
 };
 
-constexpr const char* kAsked = "--camera";
+constexpr const char* kCameraOption = "--camera";
 
 const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const std::string& name) {
     std::vector<std::string> known = {"top"};
@@ -48,12 +48,13 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
         known.push_back(spawn.name);
     }
     throw error_about(
-        kAsked, "unknown-name",
+        kCameraOption, "unknown-name",
         "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
 }
 
-/// Fills in from where the image is taken.
-void aim(const SnapshotOptions& options, const scene::CampusDescription& campus, CampusImage& image) {
+/// Sets from where the image is taken.
+void set_viewpoint(const SnapshotOptions& options, const scene::CampusDescription& campus,
+                   CampusImage& image) {
     image.camera.width = options.width;
     image.camera.height = options.height;
     if (options.camera == "top") {
@@ -66,12 +67,12 @@ void aim(const SnapshotOptions& options, const scene::CampusDescription& campus,
         image.avatar.yaw = spawn.yaw;
         return;
     }
-    image.camera = config::read_camera_text(options.camera, kAsked, campus, image.camera);
+    image.camera = config::read_camera_text(options.camera, kCameraOption, campus, image.camera);
     const auto* fixed = std::get_if<engine::FixedView>(&image.camera.view);
     const auto* orbit = std::get_if<engine::OrbitView>(&image.camera.view);
     if (!(fixed != nullptr && fixed->position) && !(orbit != nullptr && orbit->around)) {
         throw scene::InputError(
-            {kAsked, 1, 1}, "bad-value",
+            {kCameraOption, 1, 1}, "bad-value",
             "nobody walks here whom a camera could follow: use {view: orbit, around: NAME} or "
             "{view: fixed, position: [x, y, z]}");
     }
@@ -87,14 +88,14 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
     return overlays;
 }
 
-/// Draws one image of a campus nobody walks in. Returns the exit code.
+/// Draws one image of a campus without a visitor. Returns the exit code.
 int draw_snapshot(const SnapshotOptions& options) {
     require_images(options.backend);
     require_writable_file(options.output, "the picture can't be written here");
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     CampusImage image;
-    aim(options, campus->description, image);
+    set_viewpoint(options, campus->description, image);
     if (!options.light.empty()) {
         image.light =
             config::read_light_text(options.light, "--light", options.campus.parent_path(), search_paths());
@@ -107,7 +108,7 @@ int draw_snapshot(const SnapshotOptions& options) {
     return kPass;
 }
 
-/// None when a word is no channel.
+/// Nullopt if a word isn't a channel.
 std::optional<engine::ImageChannels> channels_in(const std::string& list) {
     engine::ImageChannels channels;
     std::istringstream words(list);
@@ -125,7 +126,7 @@ std::optional<engine::ImageChannels> channels_in(const std::string& list) {
     return channels;
 }
 
-std::string why_no_channels(const std::string& list) {
+std::string check_channels(const std::string& list) {
     return channels_in(list) ? "" : "'" + list + "' is no list of depth, ids and normals, as in depth,ids";
 }
 
@@ -158,10 +159,10 @@ void add_snapshot(Command program, Chosen& chosen) {
          .help = "Of depth, ids and normals, with commas: kept beside the picture, FILE-depth.png, "
                  "-ids.png, -ids.json, -normals.png",
          .value = "LIST",
-         .check = why_no_channels},
+         .check = check_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
     command.choices(
-        {.names = "--overlay", .help = "Drawn over the picture, but not over a plan; several times"},
+        {.names = "--overlay", .help = "Draw this over the picture, but not over a plan; may be repeated"},
         {"colliders", "compass", "labels", "triggers"}, options->overlay_names);
     command.option({.names = "--tree-level",
                     .help = "Draw the boxes at this level of the collision meshes' trees",

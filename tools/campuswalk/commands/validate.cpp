@@ -66,10 +66,10 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     const auto options = fs::directory_options::skip_permission_denied;
     for (auto entry = fs::recursive_directory_iterator(folder, options, error);
          !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        std::error_code none;
-        if (entry->is_directory(none) && entry->path().filename().string().starts_with('.')) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored) && entry->path().filename().string().starts_with('.')) {
             entry.disable_recursion_pending();
-        } else if (entry->is_regular_file(none) && kind_of(entry->path())) {
+        } else if (entry->is_regular_file(ignored) && kind_of(entry->path())) {
             files.push_back(entry->path().lexically_normal());
         }
     }
@@ -84,8 +84,8 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 
 /// The path itself, or the files in the folder that it is.
 std::vector<fs::path> found_files(const fs::path& path) {
-    std::error_code none;
-    return fs::is_directory(path, none) ? files_below(path) : std::vector{path};
+    std::error_code ignored;
+    return fs::is_directory(path, ignored) ? files_below(path) : std::vector{path};
 }
 
 std::string summary_of(const scene::Campus& campus) {
@@ -95,11 +95,11 @@ std::string summary_of(const scene::Campus& campus) {
            plural(campus.description.places.size(), "place");
 }
 
-/// What a file is that is to be checked; one that is none or not there is taken for a walk.
+/// The kind of a file to be checked. One that doesn't exist counts as a walk, whose loader reports it.
 FileKind checked_kind(const fs::path& file) {
     const std::optional<FileKind> kind = kind_of(file);
-    std::error_code none;
-    if (!kind && fs::is_regular_file(file, none)) {
+    std::error_code ignored;
+    if (!kind && fs::is_regular_file(file, ignored)) {
         throw error_about(file, "file-name",
                           "only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
                           "NAME.steps.yaml are checked; name another file or rename this one");
@@ -107,7 +107,7 @@ FileKind checked_kind(const fs::path& file) {
     return kind.value_or(FileKind::walk);
 }
 
-/// Checks one file by what its name says it is; returns what is in it.
+/// Checks a file of the kind that its name says; returns a summary of its contents.
 std::string check(WalkLoader& loader, const fs::path& file) {
     switch (checked_kind(file)) {
         case FileKind::campus:
@@ -131,7 +131,7 @@ std::string check(WalkLoader& loader, const fs::path& file) {
            summary_of(*loaded.campus) + ")";
 }
 
-/// Checks files and keeps what is found; text is printed as it comes.
+/// Checks files and collects the findings; prints them as text at once if it `prints`.
 class Validation {
 public:
     explicit Validation(bool prints) : prints_(prints) {}
@@ -140,19 +140,19 @@ public:
         CheckedFile checked{file.string(), false, ""};
         try {
             checked.summary = check(loader_, file);
-            checked.holds = true;
+            checked.valid = true;
             if (prints_) {
                 std::printf("%s: ok: %s\n", checked.file.c_str(), checked.summary.c_str());
             }
         } catch (const scene::InputError& error) {
-            tell(error.diagnostics());
+            report(error.diagnostics());
         }
         findings_.files.push_back(std::move(checked));
     }
 
-    void tell(const std::vector<Diagnostic>& diagnostics) {
+    void report(const std::vector<Diagnostic>& diagnostics) {
         for (const Diagnostic& diagnostic : diagnostics) {
-            if (told_.insert(scene::to_string(diagnostic)).second) {
+            if (reported_.insert(scene::to_string(diagnostic)).second) {
                 findings_.diagnostics.push_back(diagnostic);
                 if (prints_) {
                     diagnose({diagnostic});
@@ -166,15 +166,15 @@ public:
 private:
     bool prints_;
     Findings findings_;
-    std::set<std::string> told_;
-    WalkLoader loader_{[this](const std::vector<Diagnostic>& warnings) { tell(warnings); }};
+    std::set<std::string> reported_;
+    WalkLoader loader_{[this](const std::vector<Diagnostic>& warnings) { report(warnings); }};
 };
 
 void print(const std::string& text) {
     std::fputs(text.c_str(), stdout);
 }
 
-/// Reads and checks YAML files as `run` would, and runs nothing. Returns the exit code.
+/// Reads and checks YAML files as `run` would, without running anything. Returns the exit code.
 int validate_files(const ValidateOptions& options) {
     Validation validation(options.format == ValidateFormat::text);
     for (const fs::path& path : options.paths) {
@@ -183,7 +183,7 @@ int validate_files(const ValidateOptions& options) {
                 validation.add(file);
             }
         } catch (const scene::InputError& error) {
-            validation.tell(error.diagnostics());
+            validation.report(error.diagnostics());
         }
     }
     const Findings& findings = validation.findings();
@@ -200,10 +200,10 @@ int validate_files(const ValidateOptions& options) {
         case ValidateFormat::text:
             break;
     }
-    const bool mistaken = std::ranges::any_of(findings.diagnostics, [](const Diagnostic& diagnostic) {
+    const bool has_errors = std::ranges::any_of(findings.diagnostics, [](const Diagnostic& diagnostic) {
         return diagnostic.severity == scene::Severity::error;
     });
-    return mistaken ? kBadInput : kPass;
+    return has_errors ? kBadInput : kPass;
 }
 
 }  // namespace
@@ -223,11 +223,10 @@ void add_validate(Command program, Chosen& chosen) {
                                                            {"json", ValidateFormat::json},
                                                            {"sarif", ValidateFormat::sarif},
                                                            {"github", ValidateFormat::github}};
-    command.choice(
-        {.names = "--format", .help = "Who reads it: you, a program, code scanning, a GitHub workflow"},
-        formats, options->format);
+    command.choice({.names = "--format", .help = "For people, programs, code scanning or a GitHub workflow"},
+                   formats, options->format);
     add_cache_flag(command);
-    command.footer("Exit code: 0 all hold, 2 some don't (or bad usage).");
+    command.footer("Exit code: 0 all files are valid, 2 some aren't, or bad usage.");
     command.choose(chosen, [options] { return validate_files(*options); });
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kWidth = 100;
 
-/// A schema with the file it stands in, which its references start from.
-struct Placed {
+/// A part of a schema, and its file, which its references are relative to.
+struct SchemaPart {
     std::string file;
     Json schema;
 };
@@ -29,38 +29,38 @@ Json file_of(std::string_view name) {
     return Json::parse(found->text);
 }
 
-Placed at(std::string_view reference, const std::string& from) {
+SchemaPart part_at(std::string_view reference, const std::string& from) {
     const std::size_t hash = std::min(reference.find('#'), reference.size());
     const std::string file = hash == 0 ? from : std::string(reference.substr(0, hash));
     const std::string pointer(reference.substr(std::min(hash + 1, reference.size())));
     return {file, file_of(file).at(Json::json_pointer(pointer))};
 }
 
-/// Follows the reference, if it is one; a description beside it goes first.
-Placed resolved(Placed placed) {
-    while (placed.schema.contains("$ref")) {
-        Placed target = at(placed.schema["$ref"].get<std::string>(), placed.file);
-        if (placed.schema.contains("description")) {
-            target.schema["description"] = placed.schema["description"];
+/// Follows the part if it is a reference; a description beside that takes precedence.
+SchemaPart resolved(SchemaPart part) {
+    while (part.schema.contains("$ref")) {
+        SchemaPart target = part_at(part.schema["$ref"].get<std::string>(), part.file);
+        if (part.schema.contains("description")) {
+            target.schema["description"] = part.schema["description"];
         }
-        placed = std::move(target);
+        part = std::move(target);
     }
-    return placed;
+    return part;
 }
 
-/// Names of the keys of the map that the value may be.
-std::vector<std::string> keys_in(const Placed& placed) {
+/// The keys of a value that may be a map.
+std::vector<std::string> keys_of(const SchemaPart& part) {
     std::vector<std::string> keys;
-    const Json properties = placed.schema.value("properties", Json::object());
+    const Json properties = part.schema.value("properties", Json::object());
     for (const auto& [key, unused] : properties.items()) {
         keys.push_back(key);
     }
     for (const char* list : {"anyOf", "oneOf"}) {
-        if (!keys.empty() || !placed.schema.contains(list)) {
+        if (!keys.empty() || !part.schema.contains(list)) {
             continue;
         }
-        for (const Json& alternative : placed.schema[list]) {
-            for (const std::string& key : keys_in(resolved({placed.file, alternative}))) {
+        for (const Json& alternative : part.schema[list]) {
+            for (const std::string& key : keys_of(resolved({part.file, alternative}))) {
                 if (std::ranges::find(keys, key) == keys.end()) {
                     keys.push_back(key);
                 }
@@ -70,33 +70,32 @@ std::vector<std::string> keys_in(const Placed& placed) {
     return keys;
 }
 
-/// The map that the entries of a list or the named values of a map are.
-Placed inner(const Placed& placed) {
-    for (const char* part : {"items", "additionalProperties"}) {
-        if (placed.schema.contains(part) && placed.schema[part].is_object()) {
-            return resolved({placed.file, placed.schema[part]});
+/// The schema of a list's entries or of the values of a map with free keys; any other part itself.
+SchemaPart element_schema(const SchemaPart& part) {
+    for (const char* key : {"items", "additionalProperties"}) {
+        if (part.schema.contains(key) && part.schema[key].is_object()) {
+            return resolved({part.file, part.schema[key]});
         }
     }
-    return placed;
+    return part;
 }
 
-std::string meaning_of(const Placed& placed) {
-    std::string text = placed.schema.value("description", "");
-    if (placed.schema.contains("default")) {
-        const Json& value = placed.schema["default"];
+std::string description_of(const SchemaPart& part) {
+    std::string text = part.schema.value("description", "");
+    if (part.schema.contains("default")) {
+        const Json& value = part.schema["default"];
         text += " Default: " + (value.is_string() ? value.get<std::string>() : value.dump()) + ".";
     }
-    const Placed map = inner(placed);
+    const SchemaPart map = element_schema(part);
     std::string keys;
     for (const std::string& key :
-         map.schema.contains("maxProperties") ? std::vector<std::string>() : keys_in(map)) {
+         map.schema.contains("maxProperties") ? std::vector<std::string>() : keys_of(map)) {
         keys += (keys.empty() ? " Keys: " : ", ") + key;
     }
     return text + keys + (keys.empty() ? "" : ".");
 }
 
-}  // namespace
-
+/// The text in lines of at most kWidth columns. The first one starts at `column`, the others at `indent`.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent) {
     std::istringstream words{std::string(text)};
     std::string result;
@@ -114,8 +113,10 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
     return result;
 }
 
-std::string key_table(std::string_view place) {
-    const Placed map = resolved(at(place, ""));
+}  // namespace
+
+std::string key_table(std::string_view location) {
+    const SchemaPart map = resolved(part_at(location, ""));
     std::size_t widest = 0;
     for (const auto& [key, unused] : map.schema.at("properties").items()) {
         widest = std::max(widest, key.size());
@@ -124,7 +125,7 @@ std::string key_table(std::string_view place) {
     const std::size_t indent = widest + 4;
     for (const auto& [key, value] : map.schema.at("properties").items()) {
         text += "  " + key + std::string(indent - 2 - key.size(), ' ') +
-                wrapped(meaning_of(resolved({map.file, value})), indent, indent) + "\n";
+                wrapped(description_of(resolved({map.file, value})), indent, indent) + "\n";
     }
     return text;
 }

@@ -65,7 +65,7 @@ std::string events() {
   avatar.arrive .blocked          a walk_to or follow has ended
   avatar.stuck                    it tried to move for a second and got less than 10 cm farther
   avatar.jump .crouch .stand      a step of the walk did so
-  avatar.landed .fell             a jump or fall has ended, or never will
+  avatar.landed .fell             a jump or fall has ended, or is endless
   avatar.depenetrated             it was put down inside an object and pushed out
   object.enable .disable          a step switched an object on or off
   snapshot.take                   a picture was requested

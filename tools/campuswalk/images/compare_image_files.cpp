@@ -16,10 +16,10 @@ namespace render = engine::render;
 
 namespace {
 
-/// What the comparison gave; without one the sizes differ.
+/// The comparison, which is missing if the sizes differ.
 struct Verdict {
     std::optional<render::ImageComparison> comparison;
-    std::string why;  ///< they differ; empty: the same
+    std::string why;  ///< how they differ; empty: they are the same
 };
 
 std::string size_of(const render::Image& image) {

@@ -15,8 +15,8 @@ struct ImgdiffOptions {
     bool json = false;
 };
 
-/// Compares two PNG files and says how they differ. Returns the exit code: kPass when they are the same
-/// within the tolerance, kDifferent when not, or when their sizes differ. A build without rendering can't
+/// Compares two PNG files and prints how they differ. Returns the exit code: kPass when they are the same
+/// within the tolerance, kDifferent otherwise, also when their sizes differ. A build without rendering can't
 /// read images and throws.
 int compare_image_files(const ImgdiffOptions& options);
 

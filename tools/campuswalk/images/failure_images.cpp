@@ -44,7 +44,7 @@ std::string caption_of(std::span<const engine::Failure> failures, engine::Tick t
     return codes + " \u00b7 " + engine::fixed(time, 2) + " s";
 }
 
-/// Draws moments of one walk; they are shown in order.
+/// Draws moments of one walk, which come in order.
 class FailureImageRenderer {
 public:
     FailureImageRenderer(const scene::Campus& campus, const engine::Walk& walk,
@@ -68,8 +68,8 @@ public:
         request.open_popups = record.open_popups;
         request.caption = caption;
         request.minimap = false;  // the image from above says more
-        keep(snapshot_renderer_.draw(request), "eyes", "from the eyes", record.time);
-        keep(draw_map(campus_, snapshot_renderer_, {record.avatar, walk_.avatar, path, caption}, kWidth,
+        save(snapshot_renderer_.draw(request), "eyes", "from the eyes", record.time);
+        save(draw_map(campus_, snapshot_renderer_, {record.avatar, walk_.avatar, path, caption}, kWidth,
                       kHeight),
              "above", "from above", record.time);
     }
@@ -77,12 +77,12 @@ public:
     const std::vector<engine::Artifact>& artifacts() const { return artifacts_; }
 
 private:
-    void keep(const render::Image& image, const std::string& view, const std::string& words, double time) {
+    void save(const render::Image& image, const std::string& view, const std::string& from, double time) {
         const std::string number = moments_ == 1 ? "" : std::to_string(moments_) + "-";
         const fs::path file = folder_ / ("failure-" + number + view + ".png");
         render::write_png(image, output_ / file);
         artifacts_.push_back(
-            {"failure at " + engine::fixed(time, 2) + " s " + words, file.generic_string(), "image/png"});
+            {"failure at " + engine::fixed(time, 2) + " s " + from, file.generic_string(), "image/png"});
     }
 
     const scene::Campus& campus_;
@@ -103,20 +103,20 @@ std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const e
     if (moments.empty()) {
         return {};
     }
-    FailureImageRenderer snapshot_renderer(campus, walk, renderers.of(campus, walk.light), output, folder);
+    FailureImageRenderer images(campus, walk, renderers.of(campus, walk.light), output, folder);
     engine::Simulation simulation(campus, walk);
     render::WalkTrail trail;
     auto next = moments.begin();
     while (next != moments.end() && !simulation.finished()) {
         const engine::TickRecord& record = simulation.step();
         trail.follow(record.avatar);
-        // A failure that the walk's end shows is one of its last tick, whatever comes after that.
+        // A failure that only the walk's end shows counts for its last tick, even if its own is later.
         if (record.tick == *next || (simulation.finished() && record.tick < *next)) {
-            snapshot_renderer.draw(record, trail, caption_of(failures, *next, record.time));
+            images.draw(record, trail, caption_of(failures, *next, record.time));
             ++next;
         }
     }
-    return snapshot_renderer.artifacts();
+    return images.artifacts();
 }
 
 }  // namespace campuswalk::tools

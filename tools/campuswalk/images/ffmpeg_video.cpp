@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What ffmpeg is told; H.264 halves the colours, so a side that is odd loses its last pixel.
+/// ffmpeg's arguments. H.264 stores colours at half the resolution, so an odd width or height loses its last
+/// pixel.
 std::vector<std::string> arguments(const engine::render::Image& image, double seconds_per_frame,
                                    const fs::path& file) {
     return {"-hide_banner",
@@ -60,7 +61,7 @@ bool has_ffmpeg() {
 }
 
 FfmpegVideo::FfmpegVideo(fs::path file, double seconds_per_frame)
-    : file_(std::move(file)), part_(file_), seconds_a_frame_(seconds_per_frame) {
+    : file_(std::move(file)), part_(file_), seconds_per_frame_(seconds_per_frame) {
     part_ += ".part";
 }
 
@@ -77,7 +78,7 @@ void FfmpegVideo::start(const engine::render::Image& image) {
     try {
         scene::Pipe pipe = scene::make_pipe();
         process_ = scene::start_program({.program = "ffmpeg",
-                                         .arguments = arguments(image, seconds_a_frame_, part_),
+                                         .arguments = arguments(image, seconds_per_frame_, part_),
                                          .environment = {},
                                          .input = pipe.reading.number(),
                                          .output = STDERR_FILENO});
@@ -93,7 +94,7 @@ void FfmpegVideo::add(const engine::render::Frame& frame) {
     }
     if (!scene::write_all(pipe_.number(), std::as_bytes(std::span(frame.image.rgba)))) {
         wait_for_end();
-        fail("ffmpeg ended before the walk did; see what it said");
+        fail("ffmpeg ended before the walk did; see its output");
     }
 }
 
@@ -102,7 +103,7 @@ void FfmpegVideo::finish() {
         return;
     }
     if (!wait_for_end()) {
-        fail("ffmpeg could not make it; see what it said");
+        fail("ffmpeg failed; see its output");
     }
     std::error_code error;
     fs::rename(part_, file_, error);

@@ -9,13 +9,13 @@
 
 namespace campuswalk::tools {
 
-/// Whether a program `ffmpeg` is where programs are looked for.
+/// Whether there is a program `ffmpeg` in PATH.
 bool has_ffmpeg();
 
-/// Frames as H.264 in MP4, by the program ffmpeg, which gets their bytes through a pipe.
+/// Writes frames as H.264 in MP4 with the program ffmpeg, which gets their bytes through a pipe.
 class FfmpegVideo final : public engine::render::FrameSink {
 public:
-    /// A frame is shown for so many seconds.
+    /// Shows each frame for `seconds_per_frame`.
     FfmpegVideo(std::filesystem::path file, double seconds_per_frame);
     /// Ends ffmpeg, and leaves no half-written file.
     ~FfmpegVideo() override;
@@ -27,13 +27,13 @@ public:
 
 private:
     void start(const engine::render::Image& image);
-    /// Closes the pipe and waits. Whether all went well.
+    /// Closes the pipe and waits for ffmpeg. Returns whether it succeeded.
     bool wait_for_end();
     [[noreturn]] void fail(const std::string& why) const;
 
     std::filesystem::path file_;
-    std::filesystem::path part_;  ///< what ffmpeg writes; renamed in the end
-    double seconds_a_frame_;
+    std::filesystem::path part_;  ///< what ffmpeg writes; renamed when it is complete
+    double seconds_per_frame_;
     scene::ChildProcess process_;
     scene::Descriptor pipe_;
 };

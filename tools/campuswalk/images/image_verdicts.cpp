@@ -39,81 +39,88 @@ std::string pixel_size_of(const render::Image& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-/// An image of this run and the one that was kept.
-struct Pair {
+/// An image of this run beside its reference.
+struct Comparison {
     render::Image actual;
-    std::optional<render::Image> kept;  ///< none: it can't be read
-    std::string why;                    ///< they differ; empty: they don't
+    std::optional<render::Image> reference;  ///< nullopt if it can't be read
+    std::string why;                         ///< they differ; empty: they don't
     std::optional<render::Image> difference;
 };
 
-Pair compare(const fs::path& actual, const fs::path& kept, const engine::ImageTolerance& tolerance) {
-    Pair pair;
-    pair.actual = render::read_png(actual);
+Comparison compare(const fs::path& actual, const fs::path& reference,
+                   const engine::ImageTolerance& tolerance) {
+    Comparison comparison;
+    comparison.actual = render::read_png(actual);
     try {
-        pair.kept = render::read_png(kept);
+        comparison.reference = render::read_png(reference);
     } catch (const scene::InputError& error) {
-        pair.why = error.diagnostics().front().message;
-        return pair;
+        comparison.why = error.diagnostics().front().message;
+        return comparison;
     }
-    if (pair.actual.width != pair.kept->width || pair.actual.height != pair.kept->height) {
-        pair.why =
-            "it has " + pixel_size_of(pair.actual) + " pixels, the kept one " + pixel_size_of(*pair.kept);
-        return pair;
+    if (comparison.actual.width != comparison.reference->width ||
+        comparison.actual.height != comparison.reference->height) {
+        comparison.why = "it has " + pixel_size_of(comparison.actual) + " pixels, the kept one " +
+                         pixel_size_of(*comparison.reference);
+        return comparison;
     }
-    const auto comparison = render::compare_images(*pair.kept, pair.actual, tolerance);
-    pair.why = render::describe_violations(comparison, tolerance);
-    if (!pair.why.empty()) {
-        pair.difference = render::draw_difference(*pair.kept, pair.actual, comparison, tolerance);
+    const auto difference = render::compare_images(*comparison.reference, comparison.actual, tolerance);
+    comparison.why = render::describe_violations(difference, tolerance);
+    if (!comparison.why.empty()) {
+        comparison.difference =
+            render::draw_difference(*comparison.reference, comparison.actual, difference, tolerance);
     }
-    return pair;
+    return comparison;
 }
 
-class Evaluation {
+class Evaluator {
 public:
-    explicit Evaluation(const ImageEvaluation& trial) : trial_(trial) {}
+    explicit Evaluator(const ImageEvaluation& request) : request_(request) {}
 
-    void evaluator(const ExpectSnapshot& expected) {
-        clean_up(expected.name);
-        if (trial_.moments.taken(expected.name) == nullptr) {
+    void evaluate(const ExpectSnapshot& expected) {
+        remove_old_files(expected.name);
+        if (request_.moments.taken(expected.name) == nullptr) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
                  "the walk ended before it took the snapshot '" + expected.name + "'");
             return;
         }
-        const fs::path actual = own_file(expected.name, "");
-        const fs::path kept = cached_file(trial_.walk_file, trial_.walk.project, expected.name + ".png");
+        const fs::path actual = output_file(expected.name, "");
+        const fs::path reference =
+            reference_file(request_.walk_file, request_.walk.project, expected.name + ".png");
         std::error_code error;
-        const bool missing = !fs::exists(kept, error);
-        if (trial_.update == UpdateSnapshots::all || (missing && trial_.update != UpdateSnapshots::none)) {
-            keep(actual, kept);
+        const bool missing = !fs::exists(reference, error);
+        if (request_.update == UpdateSnapshots::all ||
+            (missing && request_.update != UpdateSnapshots::none)) {
+            update_reference(actual, reference);
             return;
         }
         if (missing) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
-                 "there is no kept picture '" + kept.string() +
+                 "there is no kept picture '" + reference.string() +
                      "' yet; run with --update-snapshots=missing where you develop, and commit it");
             return;
         }
-        const Pair pair = compare(actual, kept, engine::changed(trial_.tolerance, expected.tolerance));
-        if (!pair.why.empty() && trial_.update == UpdateSnapshots::changed) {
-            keep(actual, kept);
-        } else if (!pair.why.empty()) {
+        const Comparison comparison =
+            compare(actual, reference, engine::changed(request_.tolerance, expected.tolerance));
+        if (!comparison.why.empty() && request_.update == UpdateSnapshots::changed) {
+            update_reference(actual, reference);
+        } else if (!comparison.why.empty()) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
-                 "the snapshot '" + expected.name + "' is not the kept one (" + kept.filename().string() +
-                     "): " + pair.why + "; if that is meant, run with --update-snapshots=changed");
-            show(expected.name, actual, kept, pair);
+                 "the snapshot '" + expected.name + "' is not the kept one (" +
+                     reference.filename().string() + "): " + comparison.why +
+                     "; if that is meant, run with --update-snapshots=changed");
+            save_comparison(expected.name, actual, reference, comparison);
         }
     }
 
-    void evaluator(const ExpectVisible& expected) {
-        if (trial_.moments.taken(expected.snapshot) == nullptr) {
+    void evaluate(const ExpectVisible& expected) {
+        if (request_.moments.taken(expected.snapshot) == nullptr) {
             fail(expected.mark, engine::code_of(expected), expected.snapshot,
                  "the walk ended before it took the snapshot '" + expected.snapshot + "'");
             return;
         }
-        const render::VisibleBuildings& sight = trial_.visible_buildings.at(expected.snapshot);
-        const std::size_t seen = pixels_of(expected.building.glob, sight);
-        const double ratio = static_cast<double>(seen) / static_cast<double>(sight.pixels);
+        const render::VisibleBuildings& visible = request_.visible_buildings.at(expected.snapshot);
+        const std::size_t seen = pixels_of(expected.building.glob, visible);
+        const double ratio = static_cast<double>(seen) / static_cast<double>(visible.pixels);
         const bool enough = seen >= static_cast<std::size_t>(expected.min_pixels) &&
                             (!expected.min_ratio || ratio >= *expected.min_ratio);
         if (enough == expected.negated) {
@@ -121,17 +128,17 @@ public:
                  std::string(expected.negated ? "not expected, but " : "") + "of '" + expected.building.glob +
                      "' " + std::to_string(seen) + (seen == 1 ? " pixel is" : " pixels are") +
                      " to be seen in '" + expected.snapshot + "' (" + engine::fixed(100.0 * ratio, 3) +
-                     " %)" + wanted(expected));
+                     " %)" + expected_share(expected));
         }
     }
 
     template <typename Other>
-    void evaluator(const Other& /*nothing about images*/) {}
+    void evaluate(const Other& /*not about images*/) {}
 
     EvaluatedImages take() { return std::move(evaluated_); }
 
 private:
-    static std::string wanted(const ExpectVisible& expected) {
+    static std::string expected_share(const ExpectVisible& expected) {
         const char* least = expected.negated ? "less than " : "at least ";
         std::string words = std::string(", ") + least + std::to_string(expected.min_pixels);
         if (expected.min_ratio) {
@@ -141,71 +148,72 @@ private:
         return words + " expected";
     }
 
-    std::size_t pixels_of(const std::string& glob, const render::VisibleBuildings& sight) const {
+    std::size_t pixels_of(const std::string& glob, const render::VisibleBuildings& visible) const {
         std::size_t pixels = 0;
-        for (std::size_t i = 0; i < sight.pixels_of_building.size(); ++i) {
-            if (scene::glob_matches(glob, trial_.campus.description.buildings[i].id)) {
-                pixels += sight.pixels_of_building[i];
+        for (std::size_t i = 0; i < visible.pixels_of_building.size(); ++i) {
+            if (scene::glob_matches(glob, request_.campus.description.buildings[i].id)) {
+                pixels += visible.pixels_of_building[i];
             }
         }
         return pixels;
     }
 
-    fs::path own_file(const std::string& snapshot, const std::string& which) const {
-        return trial_.output / trial_.folder / (snapshot + which + ".png");
+    fs::path output_file(const std::string& snapshot, const std::string& suffix) const {
+        return request_.output / request_.folder / (snapshot + suffix + ".png");
     }
 
-    /// What an earlier run left would be taken for this one's.
-    void clean_up(const std::string& snapshot) const {
-        for (const char* which : {"-actual", "-expected", "-diff"}) {
+    /// Files of an earlier run would be mistaken for this one's.
+    void remove_old_files(const std::string& snapshot) const {
+        for (const char* suffix : {"-actual", "-expected", "-diff"}) {
             std::error_code ignored;
-            fs::remove(own_file(snapshot, which), ignored);
+            fs::remove(output_file(snapshot, suffix), ignored);
         }
     }
 
-    void keep(const fs::path& actual, const fs::path& kept) {
-        scene::write_file_atomically(kept, bytes_of(actual));
-        evaluated_.written.push_back(kept);
+    void update_reference(const fs::path& actual, const fs::path& reference) {
+        scene::write_file_atomically(reference, bytes_of(actual));
+        evaluated_.written.push_back(reference);
     }
 
     void fail(const scene::SourceMark& mark, std::string code, const std::string& snapshot,
               std::string message) {
-        const engine::StateSnapshot* taken = trial_.moments.taken(snapshot);
+        const engine::StateSnapshot* taken = request_.moments.taken(snapshot);
         evaluated_.failures.push_back({mark, std::move(code), std::move(message),
-                                       engine::scene_of(taken != nullptr ? *taken : trial_.moments.last(),
-                                                        trial_.campus, trial_.walk.avatar)});
+                                       engine::scene_of(taken != nullptr ? *taken : request_.moments.last(),
+                                                        request_.campus, request_.walk.avatar)});
     }
 
-    void show(const std::string& snapshot, const fs::path& actual, const fs::path& kept, const Pair& pair) {
-        scene::write_file_atomically(own_file(snapshot, "-actual"), bytes_of(actual));
-        tell_of(snapshot, "-actual");
-        if (pair.kept) {
-            scene::write_file_atomically(own_file(snapshot, "-expected"), bytes_of(kept));
-            tell_of(snapshot, "-expected");
+    void save_comparison(const std::string& snapshot, const fs::path& actual, const fs::path& reference,
+                         const Comparison& comparison) {
+        scene::write_file_atomically(output_file(snapshot, "-actual"), bytes_of(actual));
+        add_artifact(snapshot, "-actual");
+        if (comparison.reference) {
+            scene::write_file_atomically(output_file(snapshot, "-expected"), bytes_of(reference));
+            add_artifact(snapshot, "-expected");
         }
-        if (pair.difference) {
-            render::write_png(*pair.difference, own_file(snapshot, "-diff"));
-            tell_of(snapshot, "-diff");
+        if (comparison.difference) {
+            render::write_png(*comparison.difference, output_file(snapshot, "-diff"));
+            add_artifact(snapshot, "-diff");
         }
     }
 
-    void tell_of(const std::string& snapshot, const std::string& which) {
-        const std::string name = snapshot + which;
-        evaluated_.artifacts.push_back({name, trial_.folder + "/" + name + ".png", "image/png"});
+    void add_artifact(const std::string& snapshot, const std::string& suffix) {
+        const std::string name = snapshot + suffix;
+        evaluated_.artifacts.push_back({name, request_.folder + "/" + name + ".png", "image/png"});
     }
 
-    const ImageEvaluation& trial_;
+    const ImageEvaluation& request_;
     EvaluatedImages evaluated_;
 };
 
 }  // namespace
 
-EvaluatedImages evaluate_images(const ImageEvaluation& trial) {
-    Evaluation evaluation(trial);
-    for (const engine::Expectation& expectation : trial.walk.expectations) {
-        std::visit([&](const auto& expected) { evaluation.evaluator(expected); }, expectation);
+EvaluatedImages evaluate_images(const ImageEvaluation& request) {
+    Evaluator evaluator(request);
+    for (const engine::Expectation& expectation : request.walk.expectations) {
+        std::visit([&](const auto& expected) { evaluator.evaluate(expected); }, expectation);
     }
-    return evaluation.take();
+    return evaluator.take();
 }
 
 }  // namespace campuswalk::tools

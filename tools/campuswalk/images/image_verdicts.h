@@ -15,15 +15,15 @@
 
 namespace campuswalk::tools {
 
-/// A walk that has been played, and the images that it took. What is named must outlive it.
+/// A walk that has been played, and its images. References must outlive this.
 struct ImageEvaluation {
     std::filesystem::path walk_file;
     const scene::Campus& campus;
     const engine::Walk& walk;
     std::filesystem::path output;      ///< the run's output folder
     std::string folder;                ///< the walk's, below it: where its snapshots are
-    UpdateSnapshots update;            ///< of the kept images
-    engine::ImageTolerance tolerance;  ///< where an expectation doesn't say
+    UpdateSnapshots update;            ///< of the reference images
+    engine::ImageTolerance tolerance;  ///< unless an expectation says otherwise
     const engine::SnapshotStates& moments;
     const engine::render::VisibleBuildingsBySnapshot& visible_buildings;
 };
@@ -31,13 +31,12 @@ struct ImageEvaluation {
 struct EvaluatedImages {
     std::vector<engine::Failure> failures;       ///< in the order of the expectations
     std::vector<engine::Artifact> artifacts;     ///< of those that differ
-    std::vector<std::filesystem::path> written;  ///< kept images, as the walk file's path leads to them
+    std::vector<std::filesystem::path> written;  ///< reference images, relative like the walk file
 };
 
-/// Holds a walk's snapshots against its ExpectSnapshot and ExpectVisible. Of one that differs from what was
-/// kept there are then OUTPUT/FOLDER/NAME-actual.png, -expected.png and, if their sizes are the same,
-/// -diff.png. Throws std::runtime_error when something can't be written. A build without rendering never
-/// calls it.
-EvaluatedImages evaluate_images(const ImageEvaluation& trial);
+/// Evaluates a walk's ExpectSnapshot and ExpectVisible. For a snapshot that differs from its reference image
+/// it writes OUTPUT/FOLDER/NAME-actual.png, -expected.png and, if their sizes are the same, -diff.png. Throws
+/// std::runtime_error when something can't be written. A build without rendering never calls it.
+EvaluatedImages evaluate_images(const ImageEvaluation& request);
 
 }  // namespace campuswalk::tools

@@ -24,8 +24,8 @@ class RendererStore;
 
 namespace campuswalk::tools {
 
-// What the program asks of rendering. A build without it (CAMPUSWALK_RENDER=OFF) answers no to the first
-// and never calls the others.
+// What the program needs of rendering. In a build without it (CAMPUSWALK_RENDER=OFF) can_draw() and
+// can_make_videos() return false and the other functions are never called.
 
 bool can_draw();
 
@@ -35,73 +35,74 @@ struct SnapshotTaker {
     const engine::render::VisibleBuildingsBySnapshot* visible_buildings = nullptr;
 };
 
-/// What draws the images of the walks that a process plays. Opens nothing before the first image.
+/// The renderers of the walks that a process plays. Opens nothing before the first image.
 std::shared_ptr<engine::render::RendererStore> make_renderers(Backend backend);
 
-/// Writes the walk's snapshots to `FOLDER/`. `campus` and `painters` must outlive it.
+/// Writes the walk's snapshots to `FOLDER/`. `campus` and `renderers` must outlive it.
 SnapshotTaker make_snapshot_taker(const scene::Campus& campus, const std::filesystem::path& folder,
                                   engine::render::RendererStore& renderers);
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
 std::vector<std::string> files_of(const engine::SnapshotStep& step);
 
-// Files of a sequence, in the walk's folder.
+// The files of a sequence, in the walk's folder.
 inline constexpr const char* kFramesFolder = "frames";
 inline constexpr const char* kContactSheetFile = "contact-sheet.png";
 inline constexpr const char* kVideoFile = "video.mp4";
 
-/// A walk's frames drawn by several processes in turn, all of which play it.
+/// How several processes, all of which play the same walk, take turns drawing its frames.
 struct SequenceSharing {
     std::size_t parts = 1;
-    /// The next frame of a part other than 0, as that part handed it over; waits for it. Throws
-    /// std::runtime_error when it will never come.
+    /// Waits for the next frame of a part other than 0 and returns it as that part handed it over. Throws
+    /// std::runtime_error when there won't be one.
     std::function<std::string(std::size_t part)> take;
 };
 
-/// Takes the images that are wished for, of them part 0 by itself, and writes what is to be made of them to
-/// `FOLDER/`. `campus` and `painters` must outlive it.
+/// Collects the requested frames, of which it draws part 0, and writes what is to be made of them to
+/// `FOLDER/`. `campus` and `renderers` must outlive it.
 std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campus, const engine::Walk& walk,
                                                       const std::filesystem::path& folder,
                                                       const SequenceRequest& request, SequenceSharing sharing,
                                                       engine::render::RendererStore& renderers);
 
-/// Takes those of one part, and hands them over, on a thread of its own.
+/// Draws the frames of one part and hands them over, on a thread of its own.
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
                                                        const SequenceRequest& request, std::size_t part,
                                                        std::size_t parts,
                                                        std::function<void(std::string_view frame)> hand_over,
                                                        engine::render::RendererStore& renderers);
 
-/// So many processes, of which this is one, are about to draw at the same time; to be said before the first
-/// image.
+/// Announces that `processes`, of which this is one, are going to draw at the same time. To be called before
+/// the first image.
 void share_processors(std::size_t processes);
 
-/// Whether a video can be made: it takes a program of others.
+/// Whether a video can be made: that needs ffmpeg.
 bool can_make_videos();
 
-/// Draws the moments of a walk's failures, each from the avatar's eyes and from above with the way walked so
+/// Draws the moments of a walk's failures, each from the avatar's eyes and from above with the path walked so
 /// far: `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second
-/// moment on. Failures of one tick share their images, and later ones than the fourth moment get none. The
-/// walk is played again up to there. Returns what was written, paths relative to `output`. `campus` must
-/// outlive `painters`. Throws std::runtime_error when it can't be drawn or written.
+/// moment on. Failures of one tick share their images, and those after the fourth moment get none. Plays the
+/// walk again up to the last one. Returns what was written, with paths relative to `output`. `campus` must
+/// outlive `renderers`. Throws std::runtime_error when an image can't be drawn or written.
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures,
                                             const std::filesystem::path& output,
                                             const std::filesystem::path& folder,
                                             engine::render::RendererStore& renderers);
 
-/// The end of a way from above, with the way; the avatar looks where it leads. `way` has at least one point.
-void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
-              std::span<const Eigen::Vector3d> way, const std::string& caption,
-              const std::filesystem::path& file, Backend backend);
+/// Draws the end of a path from above, with the path; the avatar faces along it. `path` has at least one
+/// point.
+void draw_walked_path(const scene::Campus& campus, const engine::AvatarProfile& avatar,
+                      std::span<const Eigen::Vector3d> path, const std::string& caption,
+                      const std::filesystem::path& file, Backend backend);
 
-/// An image of a campus that nobody walks in.
+/// An image of a campus without a visitor.
 struct CampusImage {
-    bool plan = false;              ///< from above, all of it; of `camera` only the size counts
-    engine::CameraSettings camera;  ///< FirstPersonView from `avatar`'s place, or one that needs nobody
+    bool plan = false;              ///< all of it from above; only the size of `camera` counts
+    engine::CameraSettings camera;  ///< FirstPersonView from `avatar`, or a view that needs no avatar
     engine::AvatarState avatar;
     engine::LightSettings light;
-    engine::ImageChannels channels;  ///< go beside `file`
+    engine::ImageChannels channels;  ///< written beside `file`
     engine::ImageOverlays overlays;  ///< not on a plan
     std::filesystem::path file;
     Backend backend = engine::render::RenderingBackend::automatic;

@@ -16,7 +16,7 @@ using engine::render::SnapshotSettings;
 
 namespace {
 
-/// How this program draws a campus: cameras stay out of its walls. `campus` must outlive what uses them.
+/// How this program draws a campus: cameras stay out of its walls. `campus` must outlive the settings.
 SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
     SnapshotSettings settings;
     settings.backend = backend.value_or(engine::render::RenderingBackend::automatic);
@@ -54,24 +54,24 @@ std::vector<std::string> files_of(const engine::SnapshotStep& step) {
     return files;
 }
 
-void draw_way(const scene::Campus& campus, const engine::AvatarProfile& avatar,
-              std::span<const Eigen::Vector3d> way, const std::string& caption,
-              const std::filesystem::path& file, Backend backend) {
-    constexpr double kStep = 0.05;  // metres: less has no direction
-    MapState moment;
-    moment.avatar.position = way.back();
-    moment.profile = avatar;
-    moment.path = way;
-    moment.caption = caption;
-    for (std::size_t i = way.size(); i > 0; --i) {
-        const Eigen::Vector3d along = way.back() - way[i - 1];
+void draw_walked_path(const scene::Campus& campus, const engine::AvatarProfile& avatar,
+                      std::span<const Eigen::Vector3d> path, const std::string& caption,
+                      const std::filesystem::path& file, Backend backend) {
+    constexpr double kStep = 0.05;  // metres: anything shorter has no clear direction
+    MapState state;
+    state.avatar.position = path.back();
+    state.profile = avatar;
+    state.path = path;
+    state.caption = caption;
+    for (std::size_t i = path.size(); i > 0; --i) {
+        const Eigen::Vector3d along = path.back() - path[i - 1];
         if (std::hypot(along.x(), along.z()) > kStep) {
-            moment.avatar.yaw = std::atan2(-along.x(), -along.z());
+            state.avatar.yaw = std::atan2(-along.x(), -along.z());
             break;
         }
     }
     engine::render::SnapshotRenderer snapshot_renderer(campus, settings_for(campus, backend));
-    engine::render::write_png(draw_map(campus, snapshot_renderer, moment, 1280, 720), file);
+    engine::render::write_png(draw_map(campus, snapshot_renderer, state, 1280, 720), file);
 }
 
 void draw_campus(const scene::Campus& campus, const CampusImage& image) {

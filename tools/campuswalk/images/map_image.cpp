@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kHeightAbove = 26.0;        // metres: 30 m from edge to edge
 constexpr double kFov = 1.0471975511965976;  // radians
-constexpr double kOverHead = 0.4;            // metres that are left when the rest is cut away
+constexpr double kOverHead = 0.4;            // metres above the head that aren't cut away
 constexpr double kHighestCeiling = 60.0;     // metres
 constexpr double kArrow = 13.0;              // pixels in an image 720 high
 
-/// Cuts off what is over the avatar's head.
-void open_roof(const scene::Campus& campus, const MapState& moment, render::Viewpoint& view) {
-    const double tall = moment.avatar.stature * moment.profile.height;
-    const Vector3d head = moment.avatar.position + tall * Vector3d::UnitY();
+/// Cuts away what is above the avatar's head.
+void open_roof(const scene::Campus& campus, const MapState& state, render::Viewpoint& view) {
+    const double tall = state.avatar.stature * state.profile.height;
+    const Vector3d head = state.avatar.position + tall * Vector3d::UnitY();
     const Vector3d sky = head + kHighestCeiling * Vector3d::UnitY();
     const auto ceiling = collision::cast(campus.world, {collision::Detection::solid, 0}, {head, sky},
                                          collision::Detection::solid);
@@ -35,22 +35,22 @@ void open_roof(const scene::Campus& campus, const MapState& moment, render::View
 }  // namespace
 
 render::Image draw_map(const scene::Campus& campus, render::SnapshotRenderer& snapshot_renderer,
-                       const MapState& moment, int width, int height) {
+                       const MapState& state, int width, int height) {
     render::Viewpoint view =
-        render::top(moment.avatar.position, kHeightAbove, kFov, snapshot_renderer.bounds());
-    open_roof(campus, moment, view);
+        render::top(state.avatar.position, kHeightAbove, kFov, snapshot_renderer.bounds());
+    open_roof(campus, state, view);
     const render::Fonts fonts;
     const render::Canvas canvas(snapshot_renderer.draw_view(view, width, height), fonts);
     const double s = canvas.scale();
-    render::draw_path(canvas, view, moment.path);
-    if (const auto here = render::pixel_of(view, width, height, moment.avatar.position)) {
-        render::draw_heading_arrow(canvas, here->x(), here->y(), moment.avatar.yaw, kArrow * s);
+    render::draw_path(canvas, view, state.path);
+    if (const auto here = render::pixel_of(view, width, height, state.avatar.position)) {
+        render::draw_heading_arrow(canvas, here->x(), here->y(), state.avatar.yaw, kArrow * s);
     }
     render::draw_scale_bar(canvas, view);
     render::draw_north_arrow(canvas);
     const render::TextStyle style = {16.0 * s, true, {1, 1, 1, 1}, 0.0, 1};
-    const Eigen::Vector2d size = canvas.text_size(moment.caption, style);
-    canvas.label(20.0 * s + 0.5 * size.x(), 26.0 * s, moment.caption, style);
+    const Eigen::Vector2d size = canvas.text_size(state.caption, style);
+    canvas.label(20.0 * s + 0.5 * size.x(), 26.0 * s, state.caption, style);
     return canvas.image();
 }
 

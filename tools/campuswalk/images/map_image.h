@@ -14,7 +14,7 @@
 
 namespace campuswalk::tools {
 
-/// A place on a walk, as it shall be drawn from above.
+/// What a map shows of a walk at one moment.
 struct MapState {
     engine::AvatarState avatar;
     engine::AvatarProfile profile;
@@ -22,10 +22,10 @@ struct MapState {
     std::string caption;                    ///< in the upper left corner
 };
 
-/// The surroundings from above, north up, with the way walked and where the avatar looks. What is over the
-/// avatar's head is cut away where it stands under something solid.
+/// Draws the surroundings from above, north up, with the path walked and the direction in which the avatar
+/// looks. What is above its head is cut away if it stands under something solid.
 engine::render::Image draw_map(const scene::Campus& campus,
-                               engine::render::SnapshotRenderer& snapshot_renderer, const MapState& moment,
+                               engine::render::SnapshotRenderer& snapshot_renderer, const MapState& state,
                                int width, int height);
 
 }  // namespace campuswalk::tools

@@ -1,4 +1,4 @@
-// A build without rendering (CAMPUSWALK_RENDER=OFF): it says so, and the rest is never called.
+// A build without rendering (CAMPUSWALK_RENDER=OFF): these functions say so, and the others are never called.
 #include <cassert>
 #include <stdexcept>
 
@@ -64,8 +64,8 @@ EvaluatedImages evaluate_images(const ImageEvaluation&) {
     return {};
 }
 
-void draw_way(const scene::Campus&, const engine::AvatarProfile&, std::span<const Eigen::Vector3d>,
-              const std::string&, const std::filesystem::path&, Backend) {
+void draw_walked_path(const scene::Campus&, const engine::AvatarProfile&, std::span<const Eigen::Vector3d>,
+                      const std::string&, const std::filesystem::path&, Backend) {
     assert(false);
 }
 

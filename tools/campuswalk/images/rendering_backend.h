@@ -6,13 +6,13 @@
 
 namespace campuswalk::tools {
 
-/// What draws images, as `--rendering-backend` has it; nullopt: nothing does.
+/// What draws images, from `--rendering-backend`; nullopt: nothing.
 using Backend = std::optional<engine::render::RenderingBackend>;
 
-/// Whether images are to be drawn. Throws scene::InputError for a backend that this build hasn't got.
+/// Whether images are to be drawn. Throws scene::InputError for a backend that this build lacks.
 bool wants_images(Backend backend);
 
-/// For a command that is there to draw. Throws scene::InputError for `none`, std::runtime_error in a build
+/// For a command that has to draw. Throws scene::InputError for `none`, std::runtime_error in a build
 /// without rendering.
 void require_images(Backend backend);
 

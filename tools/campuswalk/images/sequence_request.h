@@ -9,22 +9,22 @@
 
 namespace campuswalk::tools {
 
-/// What is to be made of a walk besides its snapshots: images at even times, and what is put together from
+/// What to make of a walk besides its snapshots: frames at a fixed interval, and what is put together from
 /// them.
 struct SequenceRequest {
-    std::optional<double> every;          ///< simulated seconds; frames are kept as files
-    bool contact_sheet = false;           ///< all of them on one image
+    std::optional<double> every;          ///< simulated seconds; frames are saved as files
+    bool contact_sheet = false;           ///< all frames on one image
     std::vector<std::string> animations;  ///< names of kAnimationKinds
-    bool video = false;                   ///< by ffmpeg
-    std::optional<engine::View> view;     ///< of this kind, as the walk has it; its own camera without
-    std::optional<int> width;             ///< pixels, the height in proportion; as the walk says without
+    bool video = false;                   ///< with ffmpeg
+    std::optional<engine::View> view;     ///< the walk's settings of this view; nullopt: of its camera
+    std::optional<int> width;             ///< pixels, the height in proportion; nullopt: as in the walk
 
     bool any() const { return every || contact_sheet || !animations.empty() || video; }
 };
 
 /// Between two frames, simulated seconds.
-inline double interval_of(const SequenceRequest& desired) {
-    return desired.every.value_or(0.5);
+inline double interval_of(const SequenceRequest& request) {
+    return request.every.value_or(0.5);
 }
 
 struct AnimationKind {

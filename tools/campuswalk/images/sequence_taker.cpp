@@ -79,10 +79,10 @@ std::vector<std::unique_ptr<render::FrameSink>> sinks_of(const SequenceRequest& 
     return sinks;
 }
 
-/// What the other parts hand over.
-class OtherParts final : public render::FrameSource {
+/// The frames of the other parts, as these hand them over.
+class HelperFrames final : public render::FrameSource {
 public:
-    explicit OtherParts(SequenceSharing sharing) : sharing_(std::move(sharing)) {}
+    explicit HelperFrames(SequenceSharing sharing) : sharing_(std::move(sharing)) {}
 
     render::Frame take(std::size_t number) override {
         render::Frame frame = render::deserialize_frame(sharing_.take(number % sharing_.parts));
@@ -96,9 +96,10 @@ private:
     SequenceSharing sharing_;
 };
 
-class HandedOver final : public render::FrameSink {
+class FrameSender final : public render::FrameSink {
 public:
-    explicit HandedOver(std::function<void(std::string_view)> hand_over) : hand_over_(std::move(hand_over)) {}
+    explicit FrameSender(std::function<void(std::string_view)> hand_over)
+        : hand_over_(std::move(hand_over)) {}
     void add(const render::Frame& frame) override { hand_over_(render::serialize(frame)); }
     void finish() override {}
 
@@ -115,7 +116,7 @@ std::unique_ptr<engine::Observer> make_sequence_taker(const scene::Campus& campu
     const std::size_t parts = sharing.parts;  // before it is moved from: arguments have no order
     return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, request, {0, parts}),
                                                       renderers, sinks_of(request, folder),
-                                                      std::make_unique<OtherParts>(std::move(sharing)));
+                                                      std::make_unique<HelperFrames>(std::move(sharing)));
 }
 
 std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& campus, const engine::Walk& walk,
@@ -124,7 +125,7 @@ std::unique_ptr<engine::Observer> make_sequence_helper(const scene::Campus& camp
                                                        std::function<void(std::string_view)> hand_over,
                                                        render::RendererStore& renderers) {
     std::vector<std::unique_ptr<render::FrameSink>> sinks;
-    sinks.push_back(std::make_unique<HandedOver>(std::move(hand_over)));
+    sinks.push_back(std::make_unique<FrameSender>(std::move(hand_over)));
     return std::make_unique<render::SequenceObserver>(campus, settings_of(walk, request, {part, parts}),
                                                       renderers, std::move(sinks));
 }

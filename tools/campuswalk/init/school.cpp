@@ -28,7 +28,7 @@ struct NamedMesh {
     Eigen::Vector3f color;  ///< red, green, blue in [0, 1]
 };
 
-/// Adds boxes by their corners to one mesh.
+/// Adds boxes, given by opposite vertices, to one mesh.
 class Masonry {
 public:
     Masonry& box(const Vec3& low, const Vec3& high) {
@@ -45,17 +45,17 @@ private:
 
 /// Walls around 10 m by 8 m; the doorway is in the middle of the wall at `z`, the rest to the north of it.
 NamedMesh hall(const std::string& name, const Eigen::Vector3f& color, double x, double z) {
-    constexpr double kThick = 0.3;
-    constexpr double kHigh = 3.0;
+    constexpr double kThickness = 0.3;
+    constexpr double kHeight = 3.0;
     const double west = x - 5.0;
     const double east = x + 5.0;
     const double north = z - 8.0;
     return Masonry()
-        .box({west, 0, z - kThick}, {x - 1.0, kHigh, z})
-        .box({x + 1.0, 0, z - kThick}, {east, kHigh, z})
-        .box({west, 0, north}, {west + kThick, kHigh, z - kThick})
-        .box({east - kThick, 0, north}, {east, kHigh, z - kThick})
-        .box({west + kThick, 0, north}, {east - kThick, kHigh, north + kThick})
+        .box({west, 0, z - kThickness}, {x - 1.0, kHeight, z})
+        .box({x + 1.0, 0, z - kThickness}, {east, kHeight, z})
+        .box({west, 0, north}, {west + kThickness, kHeight, z - kThickness})
+        .box({east - kThickness, 0, north}, {east, kHeight, z - kThickness})
+        .box({west + kThickness, 0, north}, {east - kThickness, kHeight, north + kThickness})
         .named(name, color);
 }
 
@@ -90,7 +90,7 @@ std::vector<NamedMesh> meshes_of(Template which) {
     return meshes;
 }
 
-/// The shortest digits that give the same number back.
+/// The shortest digits that are read as the same number.
 std::string digits(float value) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
@@ -103,7 +103,7 @@ std::string digits(const Eigen::Vector3f& v) {
 
 std::string wavefront(const std::vector<NamedMesh>& meshes) {
     std::string text = "mtllib school.mtl\n";
-    std::uint32_t first = 1;  // corners count from 1, through all objects
+    std::uint32_t first = 1;  // vertices count from 1, through all objects
     for (const NamedMesh& named : meshes) {
         text += "o " + named.name + "\n";
         for (const Eigen::Vector3f& p : named.mesh.positions) {

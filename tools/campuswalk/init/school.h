@@ -16,7 +16,7 @@ struct SchoolModel {
 /// 3 m high with a doorway 2 m wide to the south, and no roof, so that a plan shows what is in them.
 ///
 /// `minimal`: terrain, library (its door at z = -6), desk. `stairs`: with a gallery 1.7 m up at the east side
-/// of the yard and a flight of ten to it. `campus`: with cafeteria (west), gym (east) and benches, too.
+/// of the yard and a flight of ten steps to it. `campus`: with cafeteria (west), gym (east) and benches, too.
 SchoolModel school(Template which);
 
 }  // namespace campuswalk::tools::init

@@ -89,7 +89,7 @@ expect:
   - not: {reaches: gallery}
 )";
 
-// Where campuswalk comes from is up to the repository: its variable CAMPUSWALK names another, OWNER/NAME.
+// The repository variable CAMPUSWALK, as OWNER/NAME, says where to get campuswalk's sources.
 constexpr const char* kWorkflow = R"(name: walks
 on: [push, pull_request]
 jobs:

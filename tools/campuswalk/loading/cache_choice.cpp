@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool refused = false;
+bool disabled = false;
 
 fs::path folder() {
     if (const auto own = environment_variable("CAMPUSWALK_CACHE_DIR")) {
@@ -38,7 +38,7 @@ std::uint64_t max_bytes() {
     if (text.empty()) {
         return scene::CacheFolder::kDefaultLimit;
     }
-    constexpr std::uint64_t kMost = 1U << 20U;  // in any of the units: far from overflow
+    constexpr std::uint64_t kMost = 1U << 20U;  // far from overflow in any unit
     std::uint64_t count = 0;
     const char* end = text.data() + text.size();
     const auto [unit, error] = std::from_chars(text.data(), end, count);
@@ -54,8 +54,8 @@ std::uint64_t max_bytes() {
     return count << *shift;
 }
 
-/// Shared by the processes that this one starts with fork, so that one of them tells for all.
-std::atomic<bool>& told() {
+/// Shared with the processes that this one forks, so that only one of them warns.
+std::atomic<bool>& warned() {
     static_assert(std::atomic<bool>::is_always_lock_free);
     static std::atomic<bool> own;
     static std::atomic<bool>& shared = [&]() -> std::atomic<bool>& {
@@ -65,9 +65,9 @@ std::atomic<bool>& told() {
     return shared;
 }
 
-/// A cache that can't be written is no mistake of a campus: nothing but the next start's time depends on it.
+/// A cache that can't be written isn't an error: only the time that the next start takes depends on it.
 void warn_once(const std::string& reason) {
-    if (!told().exchange(true)) {
+    if (!warned().exchange(true)) {
         diagnostic_line("warning cache-unwritable: models are imported anew each time: " + reason +
                         "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
     }
@@ -75,21 +75,21 @@ void warn_once(const std::string& reason) {
 
 }  // namespace
 
-const scene::CacheFolder* wanted_cache() {
+const scene::CacheFolder* model_cache() {
     static const std::optional<scene::CacheFolder> cache = [] {
         const fs::path where = folder();
-        const std::uint64_t size = refused || where.empty() ? 0 : max_bytes();
+        const std::uint64_t size = disabled || where.empty() ? 0 : max_bytes();
         return size > 0 ? std::optional(scene::CacheFolder(where, size, warn_once)) : std::nullopt;
     }();
     return cache ? &*cache : nullptr;
 }
 
 void add_cache_flag(Command command) {
-    told();  // before there are other processes
+    warned();  // before there are other processes
     command.flag({.names = "--no-cache",
-                  .help = "Import models anew and keep nothing; else see CAMPUSWALK_CACHE_DIR and "
+                  .help = "Neither read nor write the model cache; see CAMPUSWALK_CACHE_DIR and "
                           "CAMPUSWALK_CACHE_SIZE (such as 8G)"},
-                 [] { refused = true; });
+                 [] { disabled = true; });
 }
 
 }  // namespace campuswalk::tools

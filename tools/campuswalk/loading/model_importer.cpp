@@ -7,12 +7,12 @@
 namespace campuswalk::tools {
 
 scene::Importer model_importer() {
-    // This very program, even if another has taken its place on disk meanwhile.
+    // This program, even if its file has been replaced meanwhile.
     return scene::import_in_process({"/proc/self/exe", {scene::kImportHelperArgument}});
 }
 
 scene::ImportedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty) {
-    return load_model(file, empty, model_importer(), wanted_cache()).imported;
+    return load_model(file, empty, model_importer(), model_cache()).imported;
 }
 
 }  // namespace campuswalk::tools

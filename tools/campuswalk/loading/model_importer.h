@@ -5,8 +5,8 @@
 
 namespace campuswalk::tools {
 
-/// Imports models in processes of their own, which are this program under another argument: the models of
-/// strangers can crash, hang or bloat those, and the user gets a message.
+/// Imports each model in a process of its own, this program with another argument: a model from strangers can
+/// only crash, hang or bloat that, and the user gets a message.
 scene::Importer model_importer();
 
 /// The model of a file, from the cache where that holds it. Throws scene::InputError.

@@ -13,8 +13,8 @@ namespace campuswalk::tools {
 namespace fs = std::filesystem;
 
 config::SearchPaths search_paths() {
-    std::error_code none;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+    std::error_code ignored;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     config::SearchPaths paths;
     for (const fs::path& config : {folder.parent_path().parent_path() / "config",
                                    folder.parent_path() / "share" / "campuswalk" / "config"}) {
@@ -24,7 +24,7 @@ config::SearchPaths search_paths() {
     return paths;
 }
 
-WalkLoader::WalkLoader(Told warn) : warn_(std::move(warn)), loader_(search_paths()) {}
+WalkLoader::WalkLoader(Warn warn) : warn_(std::move(warn)), loader_(search_paths()) {}
 
 LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
     return ready(read(walk_file));
@@ -43,9 +43,9 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
     warn_(warnings);
-    if (std::vector<scene::Diagnostic> mistakes = engine::check_walk(*loaded.campus, loaded.walk);
-        !mistakes.empty()) {
-        throw scene::InputError(std::move(mistakes));
+    if (std::vector<scene::Diagnostic> errors = engine::check_walk(*loaded.campus, loaded.walk);
+        !errors.empty()) {
+        throw scene::InputError(std::move(errors));
     }
     return loaded;
 }
@@ -63,16 +63,16 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
                                                        const scene::CampusDescription& description,
                                                        collision::TreeKind tree,
                                                        std::vector<scene::Diagnostic>& warnings) {
-    std::error_code none;
-    const fs::path key = fs::weakly_canonical(file, none);
+    std::error_code ignored;
+    const fs::path key = fs::weakly_canonical(file, ignored);
     if (const auto known = broken_.find(key); known != broken_.end()) {
-        throw known->second;  // models take long to read, and a thousand walks may be on them
+        throw known->second;  // models take long to read, and a thousand walks may use them
     }
     std::shared_ptr<const scene::Campus>& campus = campuses_[{key, tree}];
     if (!campus) {
         try {
             campus = std::make_shared<scene::Campus>(scene::load_campus(
-                description, collision::make_bullet_broad_phase(), warnings, model_importer(), wanted_cache(),
+                description, collision::make_bullet_broad_phase(), warnings, model_importer(), model_cache(),
                 std::thread::hardware_concurrency(), tree));
         } catch (const scene::InputError& error) {
             broken_.emplace(key, error);

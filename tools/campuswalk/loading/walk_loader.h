@@ -14,27 +14,27 @@
 
 namespace campuswalk::tools {
 
-/// A walk that may be run: read, checked, its campus built.
+/// A walk that is ready to run: read and checked, with its campus.
 struct LoadedWalk {
     engine::Walk walk;
     std::shared_ptr<const scene::Campus> campus;
 };
 
-/// Reads walks; those on one campus, with one kind of trees, share it. Warnings are told as they come;
-/// mistakes are thrown as scene::InputError, all of a file together.
+/// Reads walks; those on the same campus with the same kind of trees share it. Warnings are reported at once;
+/// errors are thrown as scene::InputError, all of a file together.
 class WalkLoader {
 public:
-    using Told = std::function<void(const std::vector<scene::Diagnostic>&)>;
-    explicit WalkLoader(Told warn = diagnose);
+    using Warn = std::function<void(const std::vector<scene::Diagnostic>&)>;
+    explicit WalkLoader(Warn warn = diagnose);
 
     /// The same as `read`, then `ready`.
     LoadedWalk load_walk(const std::filesystem::path& walk_file);
 
-    /// What is written; the campus' models aren't looked at.
+    /// Reads only the YAML; the campus's models aren't read.
     config::SharedRun read(const std::filesystem::path& walk_file, const config::Overrides& overrides = {});
-    /// What a project names, without a walk; see config::RunLoader::check.
+    /// Checks what a project names, without a walk; see config::RunLoader::check.
     void check(const config::Overrides& overrides) { loader_.check(overrides); }
-    /// Builds the campus if it isn't yet, and checks the walk against it.
+    /// Builds the campus unless that was done before, and checks the walk against it.
     LoadedWalk ready(config::SharedRun run);
 
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
@@ -45,14 +45,14 @@ private:
                                                collision::TreeKind tree,
                                                std::vector<scene::Diagnostic>& warnings);
 
-    Told warn_;
+    Warn warn_;
     config::RunLoader loader_;
     std::map<std::pair<std::filesystem::path, collision::TreeKind>, std::shared_ptr<const scene::Campus>>
         campuses_;
-    std::map<std::filesystem::path, scene::InputError> broken_;  ///< what was wrong with campuses
+    std::map<std::filesystem::path, scene::InputError> broken_;  ///< why campuses can't be built
 };
 
-/// Where the program's own files are: beside the source tree it was built in, or installed.
+/// Where the program's own profiles are: in the source tree that it was built in, or where it is installed.
 config::SearchPaths search_paths();
 
 }  // namespace campuswalk::tools

@@ -18,23 +18,24 @@ namespace {
 
 constexpr std::size_t kEventsBefore = 5;
 
-/// The header without what changes nothing: a time-out that isn't reached, and the seed of logs that were
-/// written while walks had one.
+/// The header without what doesn't change a walk: a timeout that isn't reached, and the seed that logs
+/// contained while walks had one.
 std::string comparable(const std::string& header) {
     Json json = Json::parse(header);
     return json.erase("timeout") + json.erase("seed") == 0 ? header : json.dump();
 }
 
-/// Without what was thought of the walk: expect.fail lines, and the end's result with the count of events.
-struct Story {
+/// A log without verdicts: without expect.fail lines, and without the result and the number of events in
+/// walk.end.
+struct ComparableLog {
     std::vector<std::string> lines;
-    std::vector<std::size_t> numbers;  ///< of each in the file, from 1
+    std::vector<std::size_t> numbers;  ///< of the lines in the file, from 1
 };
 
-Story without_verdicts(std::span<const std::string> lines) {
-    Story story;
+ComparableLog without_verdicts(std::span<const std::string> lines) {
+    ComparableLog log;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        // Few lines are worth the parsing.
+        // Most lines needn't be parsed.
         const bool maybe = lines[i].find("expect.fail") != std::string::npos ||
                            lines[i].find("walk.end") != std::string::npos;
         const std::optional<LoggedEvent> event = maybe ? logged_event(lines[i]) : std::nullopt;
@@ -50,13 +51,13 @@ Story without_verdicts(std::span<const std::string> lines) {
             json.erase("events");
             line = json.dump();
         }
-        story.lines.push_back(std::move(line));
-        story.numbers.push_back(i + 1);
+        log.lines.push_back(std::move(line));
+        log.numbers.push_back(i + 1);
     }
-    return story;
+    return log;
 }
 
-std::string how_they_differ(const Story& golden, const Story& run, std::size_t at) {
+std::string how_they_differ(const ComparableLog& golden, const ComparableLog& run, std::size_t at) {
     if (at >= run.lines.size()) {
         return "the run ends there, and the golden log goes on with " + as_text_line(golden.lines[at]);
     }
@@ -66,8 +67,8 @@ std::string how_they_differ(const Story& golden, const Story& run, std::size_t a
     return difference(golden.lines[at], run.lines[at]).value_or("");
 }
 
-/// The moment as far as the run's log tells it.
-engine::FailureScene scene_of(const Story& run, std::size_t at) {
+/// The scene of a divergence, as far as the run's log contains it.
+engine::FailureScene scene_of(const ComparableLog& run, std::size_t at) {
     engine::FailureScene scene;
     const std::size_t last = std::min(at + 1, run.lines.size());
     for (std::size_t i = 0; i < last; ++i) {
@@ -85,7 +86,8 @@ engine::FailureScene scene_of(const Story& run, std::size_t at) {
     return scene;
 }
 
-engine::Failure failure_at(const fs::path& file, const Story& golden, const Story& run, std::size_t at) {
+engine::Failure failure_at(const fs::path& file, const ComparableLog& golden, const ComparableLog& run,
+                           std::size_t at) {
     engine::Failure failure;
     failure.code = "log";
     const std::size_t number = at < golden.numbers.size() ? golden.numbers[at]
@@ -125,14 +127,14 @@ const std::map<std::string, UpdateSnapshots>& update_modes() {
     return modes;
 }
 
-fs::path cached_file(const fs::path& walk_file, const std::string& project, const std::string& file) {
+fs::path reference_file(const fs::path& walk_file, const std::string& project, const std::string& file) {
     fs::path folder = walk_file;
     folder += "-snapshots";
     return folder / ((project.empty() ? "" : project + "-") + file);
 }
 
 fs::path golden_log_file(const fs::path& walk_file, const std::string& project) {
-    return cached_file(walk_file, project, "log.jsonl");
+    return reference_file(walk_file, project, "log.jsonl");
 }
 
 GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
@@ -160,8 +162,8 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
         }
         return check;
     }
-    const Story golden = without_verdicts(read_lines(file));
-    const Story run = without_verdicts(lines);
+    const ComparableLog golden = without_verdicts(read_lines(file));
+    const ComparableLog run = without_verdicts(lines);
     const std::optional<std::size_t> at = first_divergence(golden.lines, run.lines);
     if (at && mode == UpdateSnapshots::changed) {
         update();

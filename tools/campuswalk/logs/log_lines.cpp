@@ -16,7 +16,7 @@ bool is_header(const Json& json) {
     return json.is_object() && json.value("walk_log", Json()) == 1;
 }
 
-/// Headers without a seed, which logs told while walks had one.
+/// Headers without the seed, which logs contained while walks had one.
 Json parsed(std::string_view line) {
     Json json = Json::parse(line, nullptr, false);
     if (is_header(json)) {
@@ -36,7 +36,7 @@ bool is_event(const Json& json) {
            has("object", text);
 }
 
-/// The member as a text, nothing when it is none.
+/// The member if it is a string, otherwise an empty one.
 std::string text_in(const Json& json, const char* name) {
     const auto found = json.find(name);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -70,7 +70,7 @@ std::string short_text(const Json& json) {
                           : json_text(json);
 }
 
-/// What both are about; only details differ.
+/// Whether both are the same event; details may differ.
 bool same_event(const Json& a, const Json& b) {
     return is_event(a) && is_event(b) && a["tick"] == b["tick"] && a["event"] == b["event"] &&
            a["object"] == b["object"];

@@ -10,20 +10,21 @@
 
 namespace campuswalk::tools {
 
-/// A walk that was run, as a log or a report has kept it.
+/// A walk that was run, as a log or a report records it.
 struct RecordedWalk {
     std::string name;
     std::string project;
-    std::filesystem::path config;       ///< the walks.config.yaml with the project; empty when it isn't told
+    std::filesystem::path config;       ///< the walks.config.yaml with the project; empty if unknown
     std::filesystem::path file;         ///< its walk file
     std::optional<double> timeout;      ///< simulated seconds
-    std::optional<std::uint64_t> hash;  ///< none when it didn't come to its end
-    std::string why_none;               ///< "skipped", "interrupted", …
-    std::size_t line = 0;               ///< where it stands, from 1
+    std::optional<std::uint64_t> hash;  ///< nullopt if it didn't reach its end
+    std::string why_no_hash;            ///< "skipped", "interrupted", …
+    std::size_t line = 0;               ///< in the source, from 1
 };
 
-/// The walks of `lines`, a log or a report of JSON lines read from `source`. A log doesn't say where its
-/// walks' files are: they are among `walk_files`. Throws scene::InputError with the line that can't be used.
+/// The walks of `lines`, a log or a report in JSON lines that was read from `source`. A log doesn't say where
+/// its walks' files are: they are looked up in `walk_files`. Throws scene::InputError with the line that
+/// can't be used.
 std::vector<RecordedWalk> recorded_walks(const std::filesystem::path& source,
                                          const std::vector<std::string>& lines,
                                          const std::vector<std::filesystem::path>& walk_files);

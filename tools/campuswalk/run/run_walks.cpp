@@ -27,13 +27,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool takes_images(const Case& each) {
+bool takes_snapshots(const Case& each) {
     return each.walk && std::ranges::any_of(each.walk->walk.steps, [](const engine::Step& step) {
                return std::holds_alternative<engine::SnapshotStep>(step);
            });
 }
 
-std::ptrdiff_t expectations_about_images(const Plan& plan) {
+std::ptrdiff_t count_image_expectations(const Plan& plan) {
     std::ptrdiff_t count = 0;
     for (const Case& each : plan.cases) {
         count += each.walk ? std::ranges::count_if(each.walk->walk.expectations, engine::is_about_images) : 0;
@@ -61,18 +61,18 @@ Selector selector_for(const RunOptions& options) {
     return selector;
 }
 
-/// A run of one command line, from what is wanted to the exit code.
+/// A run, from the options to the exit code.
 class Run {
 public:
     Run(const RunOptions& options, RunSettings settings)
-        : options_(options), settings_(std::move(settings)), keeps_results_(!settings_.single) {}
+        : options_(options), settings_(std::move(settings)), saves_results_(!settings_.single) {}
 
     int run() {
         images_ = wants_images(options_.backend);
         check_sequence();
-        read_last_run_if_wanted();
-        Plan plan =
-            make_plan(settings_, {selector_for(options_), wanted_ids(), options_.repeat_each, options_.tree});
+        read_last_run_if_needed();
+        Plan plan = make_plan(settings_,
+                              {selector_for(options_), selected_ids(), options_.repeat_each, options_.tree});
         note_shard();
         if (plan.selected == 0) {
             return nothing_selected(plan);
@@ -81,10 +81,10 @@ public:
             print_cases(plan);
             return exit_code_of_list(plan);
         }
-        plays_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
+        any_played_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
         const bool bad = plan.cases.size() == 1 && is_bad(plan.cases.front());
         if (settings_.single && bad && std::ranges::all_of(settings_.reports, is_log)) {
-            return kBadInput;  // which has been said, and there is nothing to report it to
+            return kBadInput;  // which has been reported, and no report needs it
         }
         check_outputs(plan);
         return play(std::move(plan));
@@ -106,7 +106,7 @@ private:
         }
     }
 
-    void read_last_run_if_wanted() {
+    void read_last_run_if_needed() {
         if (!options_.last_failed && !options_.resume) {
             return;
         }
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    std::optional<std::set<std::string>> wanted_ids() const {
+    std::optional<std::set<std::string>> selected_ids() const {
         return options_.last_failed ? std::optional(failed_ids(*last_run_)) : std::nullopt;
     }
 
@@ -155,7 +155,7 @@ private:
         return std::ranges::any_of(plan.cases, is_bad) ? kBadInput : kPass;
     }
 
-    /// What can't be written is seen before the walks, not after their first minute, and before anything is
+    /// Reports what can't be written before the walks, not after their first minute, and before anything is
     /// overwritten.
     void check_outputs(const Plan& plan) const {
         std::vector<ReportTarget> targets = settings_.reports;
@@ -164,28 +164,28 @@ private:
         }
         check_targets(targets);
         for (const Case& each : plan.cases) {
-            const bool draws = images_ && (takes_images(each) || (each.walk && options_.sequence.any()));
+            const bool draws = images_ && (takes_snapshots(each) || (each.walk && options_.sequence.any()));
             if (!draws && options_.records.empty()) {
                 continue;
             }
             require_writable_folder(settings_.output / each.folder,
                                     std::string(draws ? "pictures" : "records") + " can't be saved here");
         }
-        if (keeps_results_) {
+        if (saves_results_) {
             require_writable_file(last_run_file(settings_.output), "results can't be kept here");
         }
     }
 
     std::unique_ptr<LastRunWriter> open_last_run(const Plan& plan) const {
-        if (!keeps_results_) {
+        if (!saves_results_) {
             return nullptr;
         }
         const fs::path file = last_run_file(settings_.output);
-        const std::string print = fingerprint(plan);
+        const std::string plan_hash = fingerprint(plan);
         if (!options_.resume) {
-            return std::make_unique<LastRunWriter>(file, print);
+            return std::make_unique<LastRunWriter>(file, plan_hash);
         }
-        if (last_run_->plan != print) {
+        if (last_run_->plan != plan_hash) {
             throw error_about(
                 file, "other-run",
                 "the last run had other walks, files or options than this one, so it can't be gone on "
@@ -196,20 +196,20 @@ private:
 
     int play(Plan plan) {
         if (!images_ && options_.backend == engine::render::RenderingBackend::automatic &&
-            std::ranges::any_of(plan.cases, takes_images)) {
+            std::ranges::any_of(plan.cases, takes_snapshots)) {
             diagnostic_line("this build has no rendering: snapshots are logged but not drawn");
         }
-        if (const std::ptrdiff_t not_evaluated = images_ ? 0 : expectations_about_images(plan);
+        if (const std::ptrdiff_t not_evaluated = images_ ? 0 : count_image_expectations(plan);
             not_evaluated > 0) {
             diagnostic_line("no pictures are drawn: " + std::to_string(not_evaluated) +
-                            (not_evaluated == 1 ? " expectation about them isn't judged"
-                                                : " expectations about them aren't judged"));
+                            (not_evaluated == 1 ? " expectation about them isn't evaluated"
+                                                : " expectations about them aren't evaluated"));
         }
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         Reports reports(settings_.reports,
-                        {settings_.color, options_.quiet, settings_.output.generic_string()}, plays_);
+                        {settings_.color, options_.quiet, settings_.output.generic_string()}, any_played_);
         std::unique_ptr<LogOutput> events;
-        if (options_.jsonl && plays_) {
+        if (options_.jsonl && any_played_) {
             events = std::make_unique<LogOutput>(false, options_.jsonl);
         }
         Scheduler scheduler(std::move(plan), scheduler_settings(reports, events != nullptr), reports,
@@ -235,7 +235,7 @@ private:
         scheduler.pool.kill_after = settings_.kill_after;
         scheduler.max_failures = settings_.max_failures;
         scheduler.require_identical = options_.require_identical;
-        scheduler.told_on_standard_error = options_.verbose || !reports.prints_outcomes();
+        scheduler.print_verdicts = options_.verbose || !reports.prints_outcomes();
         scheduler.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
         scheduler.play.place = scheduler.progress;
         return scheduler;
@@ -243,23 +243,23 @@ private:
 
     const RunOptions& options_;
     RunSettings settings_;
-    bool keeps_results_;
+    bool saves_results_;
     bool images_ = false;
-    bool plays_ = false;
+    bool any_played_ = false;
     std::optional<LastRun> last_run_;
 };
 
 }  // namespace
 
 int run_walks(const RunOptions& options) {
-    RunSettings settings = settle(options, environment_variable);
+    RunSettings settings = resolve_settings(options, environment_variable);
     if (options.print_config) {
         std::printf("%s\n", to_json(settings, options).c_str());
         return kPass;
     }
     if (options.watch) {
         return watch_and_run(settings, [&](const std::vector<fs::path>& changed) {
-            RunSettings again = settle(options, environment_variable);
+            RunSettings again = resolve_settings(options, environment_variable);
             if (!changed.empty()) {
                 again.paths = changed;
             }

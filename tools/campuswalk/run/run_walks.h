@@ -4,8 +4,7 @@
 
 namespace campuswalk::tools {
 
-/// Finds, reads and checks all walks that are wanted, then plays those that are in order. Returns the exit
-/// code.
+/// Finds, reads and checks the selected walks, then plays those without errors. Returns the exit code.
 int run_walks(const RunOptions& options);
 
 }  // namespace campuswalk::tools

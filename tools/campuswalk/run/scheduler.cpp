@@ -62,7 +62,7 @@ std::vector<std::size_t> Scheduler::to_play() const {
 int Scheduler::run() {
     watch_for_interrupts();
     reports_.begin(plan_.cases.size());
-    check_standard_output();  // workers would inherit what is still to be written
+    check_standard_output();  // workers would inherit unwritten output
     for (const Case& each : plan_.cases) {
         if (last_run_ != nullptr && each.walk == nullptr) {
             last_run_->add(engine::to_json_line(each.result));
@@ -81,14 +81,14 @@ int Scheduler::run() {
     if (!over_.empty() && over_.front()) {
         report_up_to(0);
     }
-    return finish(!enough() && !WorkerPool(start, tasks, listener(), settings_.pool).run());
+    return finish(!has_enough_failures() && !WorkerPool(start, tasks, listener(), settings_.pool).run());
 }
 
 PoolListener Scheduler::listener() {
     PoolListener listener;
-    listener.ended_first = [this](std::size_t index, const Ending& ending) { keep(index, ending); };
+    listener.ended_first = [this](std::size_t index, const Ending& ending) { save(index, ending); };
     listener.heard = [this](std::size_t index, Topic topic, std::string_view body) {
-        hear(index, topic, body);
+        handle_message(index, topic, body);
     };
     listener.ended = [this](std::size_t index, const Ending& ending) {
         plan_.cases[index].result = result_of(index, ending);
@@ -104,7 +104,7 @@ PoolListener Scheduler::listener() {
     return listener;
 }
 
-void Scheduler::keep(std::size_t index, const Ending& ending) {
+void Scheduler::save(std::size_t index, const Ending& ending) {
     if (last_run_ != nullptr) {
         last_run_->add(ending.answered ? ending.text : engine::to_json_line(result_of(index, ending)));
     }
@@ -120,7 +120,7 @@ WalkResult Scheduler::result_of(std::size_t index, const Ending& ending) const {
     return result;
 }
 
-void Scheduler::hear(std::size_t index, Topic topic, std::string_view body) {
+void Scheduler::handle_message(std::size_t index, Topic topic, std::string_view body) {
     if (topic == Topic::place) {
         const Case& played = plan_.cases[index];
         progress_.walk_is_at(played.result.name, std::stod(std::string(body)),
@@ -136,12 +136,13 @@ void Scheduler::hear(std::size_t index, Topic topic, std::string_view body) {
 }
 
 bool Scheduler::report_up_to(std::size_t index) {
-    for (; reported_ < over_.size() && (reported_ <= index || over_[reported_]) && !enough(); ++reported_) {
-        if (over_[reported_]) {  // others were being played when the run was interrupted
+    for (; reported_ < over_.size() && (reported_ <= index || over_[reported_]) && !has_enough_failures();
+         ++reported_) {
+        if (over_[reported_]) {  // the others were being played when the run was interrupted
             report(std::move(plan_.cases[reported_].result));
         }
     }
-    return !enough();
+    return !has_enough_failures();
 }
 
 void Scheduler::report(WalkResult result) {
@@ -155,7 +156,7 @@ void Scheduler::report(WalkResult result) {
     if (events_ != nullptr) {
         events_->flush();
     }
-    if (settings_.told_on_standard_error) {
+    if (settings_.print_verdicts) {
         for (const std::string& line : verdict_lines(result, settings_.play.output)) {
             diagnostic_line(line);
         }
@@ -165,7 +166,7 @@ void Scheduler::report(WalkResult result) {
     report_.results.push_back(std::move(result));
 }
 
-bool Scheduler::enough() const {
+bool Scheduler::has_enough_failures() const {
     return settings_.max_failures && failures_ >= *settings_.max_failures;
 }
 

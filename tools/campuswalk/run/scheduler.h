@@ -14,17 +14,17 @@
 
 namespace campuswalk::tools {
 
-/// How a plan is carried out.
+/// How to run a plan.
 struct SchedulerSettings {
-    PlaySettings play;  ///< how many processes draw is found out by the scheduler
+    PlaySettings play;  ///< the scheduler sets how many processes draw
     PoolSettings pool;
     std::optional<int> max_failures;
     bool require_identical = false;
-    bool told_on_standard_error = false;  ///< how each walk ended
+    bool print_verdicts = false;  ///< of each walk on standard error
     bool progress = false;
 };
 
-/// The parent's side of a run: has workers play a plan's cases, and reports their results in the plan's
+/// The parent process of a run: lets workers play a plan's cases and reports their results in the plan's
 /// order.
 class Scheduler {
 public:
@@ -32,7 +32,7 @@ public:
     Scheduler(Plan plan, SchedulerSettings settings, Reports& reports, LogOutput* events,
               LastRunWriter* last_run);
 
-    /// Takes the results of a run that was killed, by their ids.
+    /// Uses the results of a run that was killed, by their ids, instead of playing those cases.
     void take_over(const std::vector<engine::WalkResult>& earlier);
 
     /// Returns the exit code.
@@ -41,13 +41,13 @@ public:
 private:
     std::vector<std::size_t> to_play() const;
     PoolListener listener();
-    void keep(std::size_t index, const Ending& ending);
-    void hear(std::size_t index, Topic topic, std::string_view body);
-    /// Those up to the case and those that need no playing after it; false when there have been enough
+    void save(std::size_t index, const Ending& ending);
+    void handle_message(std::size_t index, Topic topic, std::string_view body);
+    /// Reports the cases up to `index` and those after it that are over; false when there have been enough
     /// failures.
     bool report_up_to(std::size_t index);
     void report(engine::WalkResult result);
-    bool enough() const;
+    bool has_enough_failures() const;
     engine::WalkResult result_of(std::size_t index, const Ending& ending) const;
     int finish(bool interrupted);
 
@@ -57,10 +57,10 @@ private:
     LogOutput* events_;
     LastRunWriter* last_run_;
     Progress progress_;
-    std::vector<bool> over_;    ///< of each case: its result is known
+    std::vector<bool> over_;    ///< of each case: whether its result is known
     std::size_t reported_ = 0;  ///< cases
     int failures_ = 0;
-    engine::WalkResult first_;  ///< repetition of the walk that is being reported
+    engine::WalkResult first_;  ///< repetition of the walk that is reported now
     engine::RunReport report_;
 };
 

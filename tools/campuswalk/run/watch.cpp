@@ -31,10 +31,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kPatience = 100;  // milliseconds; editors write a file in several goes
+constexpr int kPollInterval = 100;  // milliseconds; editors write a file in several steps
 constexpr std::uint32_t kChanges = IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE | IN_CREATE;
 
-bool matters(const std::string& name) {
+bool is_watched(const std::string& name) {
     static constexpr std::array kExtensions = {".yaml", ".obj", ".mtl", ".glb", ".gltf", ".bin",
                                                ".fbx",  ".dae", ".png", ".jpg", ".jpeg", ".ifc"};
     const std::string extension = fs::path(name).extension().string();
@@ -58,12 +58,12 @@ public:
         }
     }
 
-    /// Files that changed, once no more come; nullopt when interrupted.
+    /// The files that changed, once no more changes come; nullopt when interrupted.
     std::optional<std::set<fs::path>> wait() {
         std::set<fs::path> changed;
         while (!interrupted()) {
             pollfd pipe{changes_.number(), POLLIN, 0};
-            if (poll(&pipe, 1, kPatience) > 0) {
+            if (poll(&pipe, 1, kPollInterval) > 0) {
                 read_events(changed);
             } else if (!changed.empty()) {
                 return changed;
@@ -80,7 +80,7 @@ private:
             inotify_event event{};
             std::memcpy(&event, bytes.data() + at, sizeof(event));
             const char* name = bytes.data() + at + static_cast<ssize_t>(sizeof(event));
-            if (event.len > 0 && matters(name)) {
+            if (event.len > 0 && is_watched(name)) {
                 changed.insert((folders_[event.wd] / name).lexically_normal());
             }
             at += static_cast<ssize_t>(sizeof(event) + event.len);
@@ -91,18 +91,18 @@ private:
     std::map<int, fs::path> folders_;
 };
 
-void run_apart(const std::function<int(const std::vector<fs::path>&)>& run,
-               const std::vector<fs::path>& changed) {
+void run_in_child(const std::function<int(const std::vector<fs::path>&)>& run,
+                  const std::vector<fs::path>& changed) {
     std::fflush(stdout);
     scene::ChildProcess child = scene::fork_process([&] {
         report_exceptions([&] { return run(changed); });
         std::fflush(stdout);
     });
-    bool passed_on = false;
-    while (!child.ends_within(std::chrono::milliseconds(kPatience / 5))) {
-        if (interrupted() && !passed_on) {
+    bool signal_sent = false;
+    while (!child.ends_within(std::chrono::milliseconds(kPollInterval / 5))) {
+        if (interrupted() && !signal_sent) {
             child.send_signal(SIGINT);
-            passed_on = true;
+            signal_sent = true;
         }
     }
 }
@@ -115,7 +115,7 @@ int watch_and_run(const RunSettings& settings, const std::function<int(const std
     while (true) {
         const Dependencies dependencies(settings);
         FileWatch watch(dependencies.folders());  // before the run: what changes during it counts
-        run_apart(run, changed);
+        run_in_child(run, changed);
         if (!interrupted()) {
             diagnostic_line("watching; Ctrl-C ends it");
         }

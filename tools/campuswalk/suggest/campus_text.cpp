@@ -15,7 +15,7 @@ using engine::fixed;
 
 namespace {
 
-/// JSON's strings are YAML's too.
+/// JSON strings are YAML strings, too.
 std::string quoted(const std::string& text) {
     return json_text(text);
 }
@@ -38,7 +38,7 @@ std::string except_yaml(const std::vector<scene::NodeGlob>& doors) {
     return patterns.empty() ? "" : ", except: [" + joined(patterns, ", ") + "]";
 }
 
-/// `building-3` is read as Building 3: nobody can read the identifier that the node is called by.
+/// The node's name; Building 3 for `building-3` if the name is an identifier that nobody can read.
 std::string title_of(const scene::SuggestedBuilding& building) {
     if (!scene::is_identifier(building.node)) {
         return building.node;
@@ -59,7 +59,7 @@ scene::UprightBox trigger_about(const scene::SuggestedBuilding& building) {
 
 std::string campus_yaml(const SuggestedCampus& campus) {
     std::string text =
-        "# A beginning, by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
+        "# A first draft by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
         "scenes:\n  - {file: " +
         quoted(campus.model);
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
@@ -71,15 +71,14 @@ std::string campus_yaml(const SuggestedCampus& campus) {
         text += "  - {id: " + quoted(building.id) + ", nodes: " + quoted(building.glob) +
                 ", title: " + quoted(title_of(building)) + "}\n";
     }
-    text += campus.doors.empty()
-                ? "colliders:\n"
-                : "colliders:\n  # Doors that are closed are left out: nobody could go through.\n";
+    text += campus.doors.empty() ? "colliders:\n"
+                                 : "colliders:\n  # Closed doors are left out: nobody could pass them.\n";
     text += "  - {id: world, nodes: \"*\"" + except_yaml(campus.doors) + ", shape: mesh, mode: solid}\n";
     if (campus.ground) {
         const scene::UprightBox box{0.5 * (campus.ground->min + campus.ground->max),
                                     campus.ground->max - campus.ground->min, Eigen::Vector3d::UnitX()};
         text +=
-            "  # The model has no ground. This box stands in; pictures don't show it.\n"
+            "  # The model has no ground. This box replaces it; pictures don't show it.\n"
             "  - {id: ground, " +
             box_yaml(box) + ", mode: solid}\n";
     }

@@ -11,30 +11,30 @@
 
 namespace campuswalk::tools {
 
-/// A way from where the last one ended into a building's trigger.
+/// A path from the end of the previous visit into a building's trigger.
 struct SuggestedVisit {
-    std::string building;                    ///< its id; empty: to a place without one
-    std::vector<Eigen::Vector3d> waypoints;  ///< to walk to, one after the other
+    std::string building;                    ///< its id; empty: the path leads to no building
+    std::vector<Eigen::Vector3d> waypoints;  ///< to walk to, in this order
 };
 
-/// What is to be written down.
+/// What the files of a suggested campus say.
 struct SuggestedCampus {
     scene::SceneFile scene;
-    std::string model;  ///< path from the campus file
+    std::string model;  ///< path relative to the campus file
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     std::vector<scene::SuggestedBuilding> buildings;
-    std::vector<scene::NodeGlob> doors;   ///< that are closed: not to be solid
-    std::optional<scene::Bounds> ground;  ///< a box to stand on where the model has nothing
+    std::vector<scene::NodeGlob> doors;   ///< closed ones, which must not be solid
+    std::optional<scene::Bounds> ground;  ///< a box to stand on if the model has no ground
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
     double yaw_deg = 0.0;
     std::vector<SuggestedVisit> visits;
 };
 
-/// The box about a building in which its pop-up opens.
+/// The box around a building in which its pop-up opens.
 scene::UprightBox trigger_about(const scene::SuggestedBuilding& building);
 
 std::string campus_yaml(const SuggestedCampus& campus);
-/// A walk that makes the first so many visits; `campus_file`: its file's name.
+/// A walk that makes the first `visits` visits; `campus_file` is the name of the campus file.
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits);
 
 }  // namespace campuswalk::tools

@@ -9,14 +9,14 @@ namespace campuswalk::tools {
 
 void print_lints(const std::vector<scene::ModelLint>& lints) {
     constexpr std::size_t kMost = 5;
-    for (const scene::ModelLint& odd : lints) {
-        std::printf("  %s: %s\n", odd.code.c_str(), odd.message.c_str());
-        for (std::size_t p = 0; p < std::min(odd.places.size(), kMost); ++p) {
-            std::printf("    '%s' at %s\n", odd.places[p].node.c_str(),
-                        engine::fixed(odd.places[p].at).c_str());
+    for (const scene::ModelLint& lint : lints) {
+        std::printf("  %s: %s\n", lint.code.c_str(), lint.message.c_str());
+        for (std::size_t p = 0; p < std::min(lint.places.size(), kMost); ++p) {
+            std::printf("    '%s' at %s\n", lint.places[p].node.c_str(),
+                        engine::fixed(lint.places[p].at).c_str());
         }
-        if (odd.places.size() > kMost) {
-            std::printf("    and %zu more: see --json\n", odd.places.size() - kMost);
+        if (lint.places.size() > kMost) {
+            std::printf("    and %zu more: see --json\n", lint.places.size() - kMost);
         }
     }
 }

@@ -6,7 +6,7 @@
 
 namespace campuswalk::tools {
 
-/// Prints a line for each, and below it where it is: five places at most.
+/// Prints one line per lint and, below it, up to five places.
 void print_lints(const std::vector<scene::ModelLint>& lints);
 
 }  // namespace campuswalk::tools

@@ -11,20 +11,20 @@ using scene::WalkableGround;
 namespace {
 
 constexpr std::size_t kMostVisits = 3;
-constexpr double kInside = 0.3;  // metres: a shoulder's breadth
+constexpr double kInside = 0.3;  // metres
 constexpr double kWaist = 0.9;   // metres above the feet
 
-/// The spot nearest to `from` of those that can be reached and `wanted(foot)`.
+/// The nearest spot to `from` that can be reached and whose foot point satisfies `is_target`.
 template <typename Predicate>
 std::optional<std::uint32_t> nearest_spot(const WalkableGround& ground,
-                                          const std::vector<std::uint32_t>& ways, const Vector3d& from,
-                                          const Predicate& wanted) {
+                                          const std::vector<std::uint32_t>& paths, const Vector3d& from,
+                                          const Predicate& is_target) {
     std::optional<std::uint32_t> best;
     double nearest = 1e300;
-    for (std::uint32_t s = 0; s < ways.size(); ++s) {
+    for (std::uint32_t s = 0; s < paths.size(); ++s) {
         const Vector3d& foot = ground.spots()[s].foot;
         const double distance = (foot - from).norm();
-        if (ways[s] != s && ground.spots()[s].edge_distance > 0 && distance < nearest && wanted(foot)) {
+        if (paths[s] != s && ground.spots()[s].edge_distance > 0 && distance < nearest && is_target(foot)) {
             nearest = distance;
             best = s;
         }
@@ -38,21 +38,21 @@ std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const WalkableGroun
                                         std::vector<scene::SuggestedBuilding> buildings) {
     std::vector<SuggestedVisit> visits;
     std::uint32_t at = spawn;
-    const auto visit = [&](const std::string& building, const std::vector<std::uint32_t>& ways,
+    const auto visit = [&](const std::string& building, const std::vector<std::uint32_t>& paths,
                            std::uint32_t end) {
-        std::vector<Vector3d> waypoints = ground.waypoints(ways, end);
+        std::vector<Vector3d> waypoints = ground.waypoints(paths, end);
         waypoints.erase(waypoints.begin());
         visits.push_back({building, std::move(waypoints)});
         at = end;
     };
     while (visits.size() < kMostVisits) {
-        const std::vector<std::uint32_t> ways = ground.shortest_paths_from(at);
+        const std::vector<std::uint32_t> paths = ground.shortest_paths_from(at);
         const Vector3d& here = ground.spots()[at].foot;
         std::optional<std::uint32_t> nearest;
         std::size_t chosen = 0;
         for (std::size_t b = 0; b < buildings.size(); ++b) {
             const scene::UprightBox box = trigger_about(buildings[b]);
-            const auto spot = nearest_spot(ground, ways, here, [&](const Vector3d& foot) {
+            const auto spot = nearest_spot(ground, paths, here, [&](const Vector3d& foot) {
                 return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= kInside;
             });
             if (spot && (!nearest || (ground.spots()[*spot].foot - here).norm() <
@@ -64,17 +64,17 @@ std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const WalkableGroun
         if (!nearest) {
             break;
         }
-        visit(buildings[chosen].id, ways, *nearest);
+        visit(buildings[chosen].id, paths, *nearest);
         buildings.erase(buildings.begin() + static_cast<std::ptrdiff_t>(chosen));
     }
     if (visits.empty()) {
         constexpr double kStroll = 5.0;  // metres
-        const std::vector<std::uint32_t> ways = ground.shortest_paths_from(spawn);
+        const std::vector<std::uint32_t> paths = ground.shortest_paths_from(spawn);
         const Vector3d& here = ground.spots()[spawn].foot;
-        const auto end = nearest_spot(ground, ways, here,
+        const auto end = nearest_spot(ground, paths, here,
                                       [&](const Vector3d& foot) { return (foot - here).norm() >= kStroll; });
         if (end) {
-            visit("", ways, *end);
+            visit("", paths, *end);
         }
     }
     return visits;

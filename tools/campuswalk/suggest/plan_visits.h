@@ -9,7 +9,8 @@
 
 namespace campuswalk::tools {
 
-/// From the spawn to the nearest buildings, three at most, from each to the next; without any, a few metres.
+/// Plans visits from the spawn to the nearest building and from each to the next, three at most; if there is
+/// none to reach, a walk of a few metres.
 std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const scene::WalkableGround& ground,
                                         std::vector<scene::SuggestedBuilding> buildings);
 

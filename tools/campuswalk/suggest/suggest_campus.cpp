@@ -39,7 +39,7 @@ namespace {
 
 constexpr std::size_t kLeastGround = 16;  // spots of a quarter of a square metre
 
-/// Throws if they may not be written.
+/// The walk file beside a campus file. Throws if one of them must not be written.
 fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
     const std::string file_name = campus_file.filename().string();
     const std::string name = without_ending(file_name, ".campus.yaml");
@@ -63,10 +63,10 @@ const scene::SuggestedBuilding* nearest_building(const std::vector<scene::Sugges
     return nearest == buildings.end() ? nullptr : &*nearest;
 }
 
-/// A box below the whole model and what is around it. On a slope that isn't there, its top is where the
-/// middle one of the buildings begins.
-scene::Bounds stand_in_ground(const scene::Bounds& model,
-                              const std::vector<scene::SuggestedBuilding>& buildings) {
+/// A box below the whole model and its surroundings. Its top is at the median of the buildings' bottoms, as
+/// the missing ground may be a slope.
+scene::Bounds substitute_ground(const scene::Bounds& model,
+                                const std::vector<scene::SuggestedBuilding>& buildings) {
     constexpr double kAround = 20.0;  // metres
     constexpr double kThick = 0.5;    // metres
     std::vector<double> bottoms;
@@ -97,14 +97,14 @@ struct Solid {
     Vector3d p_world_origin;
 };
 
-/// What is solid of a campus as it is suggested: its first collider.
+/// The solid mesh of a suggested campus: its first collider.
 Solid solid_of(const scene::Campus& campus) {
     const collision::Object& world = campus.world.object(collision::ObjectId{0});
     return {std::get<std::shared_ptr<const collision::MeshCollider>>(world.shape),
             world.X_world_shape.translation};
 }
 
-/// The same with the top of the box that stands in for ground.
+/// The same together with the top of the box that substitutes the ground.
 Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
                  const std::vector<scene::NodeGlob>& doors) {
     scene::NodeGlob all;
@@ -116,7 +116,7 @@ Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
     return {std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)), baked.p_world_origin};
 }
 
-/// Finds a spawn, what to see from it and where to walk to. False if there is no ground, or next to none.
+/// Chooses a spawn, where to look from it and where to walk to. False if there is hardly any ground.
 bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampus& campus) {
     Vector3d middle = 0.5 * (model.report.bounds.min + model.report.bounds.max);
     if (const auto* building = nearest_building(campus.buildings, middle)) {
@@ -140,7 +140,7 @@ bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampu
     return true;
 }
 
-/// All but where the visitor is.
+/// Everything but the spawn and the visits.
 SuggestedCampus without_visitor(const UprightModel& model, const fs::path& campus_file) {
     SuggestedCampus campus;
     campus.scene = model.file;
@@ -160,20 +160,20 @@ WalkLoader quiet_loader() {
     return WalkLoader([](const std::vector<scene::Diagnostic>&) {});
 }
 
-/// Puts a visitor in and writes the campus down. A large model's tree takes seconds to build: that of the
-/// campus in `loader` is planned on, where it needs no ground beside it, and walked on later.
+/// Places the visitor and writes the campus. As a large model's tree takes seconds to build, visits are
+/// planned on that of the campus in `loader`, which the walk then uses, unless a ground has to be added.
 void write_campus(const UprightModel& model, const fs::path& campus_file, SuggestedCampus& campus,
                   WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
-    const bool tiny = has_lint(model.report, "odd-scale") && size < 1.0;
+    const bool tiny = has_lint(model.report, "lint-scale") && size < 1.0;
     bool placed = false;
     if (!tiny && !has_lint(model.report, "no-ground")) {
-        scene::write_file_atomically(campus_file, campus_yaml(campus));  // with a spawn that is none yet
+        scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
         placed = place_visitor(model, solid_of(*loader.load_campus(campus_file)), campus);
     }
     if (!placed && !tiny) {
-        loader = quiet_loader();  // which knows no campus without ground
-        campus.ground = stand_in_ground(model.report.bounds, campus.buildings);
+        loader = quiet_loader();  // without the campus that lacks the ground
+        campus.ground = substitute_ground(model.report.bounds, campus.buildings);
         placed = place_visitor(model, solid_with(*campus.ground, model, campus.doors), campus);
     }
     if (!placed) {
@@ -185,7 +185,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
     scene::write_file_atomically(campus_file, campus_yaml(campus));
 }
 
-/// Writes as many of the planned visits down as can be walked: they were planned on a grid.
+/// Writes a walk with as many of the planned visits as can be walked: they were planned on a grid.
 std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_file, const fs::path& walk_file,
                        WalkLoader& loader) {
     for (std::size_t visits = campus.visits.size();; --visits) {
@@ -201,21 +201,21 @@ std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_fil
     }
 }
 
-/// What the model's lints are in the campus.
-struct LeftOdd {
+/// The lints of the model that still hold for the campus.
+struct RemainingLints {
     std::vector<scene::ModelLint> lints;
-    std::size_t opened = 0;  ///< doors that the campus leaves out: they close nothing
+    std::size_t opened = 0;  ///< doors that the campus leaves out, so that they close nothing
 };
 
-LeftOdd left_odd(const UprightModel& model) {
+RemainingLints remaining_lints(const UprightModel& model) {
     const std::vector<std::string> open = closed_door_names(model.report);
-    LeftOdd left;
-    for (const scene::ModelLint& odd : model.report.warnings) {
-        if (odd.code != "solid-door") {
-            left.lints.push_back(odd);
+    RemainingLints left;
+    for (const scene::ModelLint& lint : model.report.warnings) {
+        if (lint.code != "solid-door") {
+            left.lints.push_back(lint);
             continue;
         }
-        std::vector<scene::ModelLint::Place> closed = odd.places;
+        std::vector<scene::ModelLint::Place> closed = lint.places;
         left.opened += std::erase_if(closed, [&](const scene::ModelLint::Place& place) {
             return std::ranges::find(open, place.node) != open.end();
         });
@@ -226,8 +226,8 @@ LeftOdd left_odd(const UprightModel& model) {
     return left;
 }
 
-/// Where a campus and its walk are tried before they get their names: what is there under these isn't touched
-/// until there is something better. Beside them, as the campus names its model from there.
+/// Files in which a campus and its walk are tried, so that existing files aren't touched until there is
+/// something better. They are in the same folder, as the campus refers to its model from there.
 struct Drafts {
     explicit Drafts(const fs::path& campus_file)
         : campus(beside(campus_file, ".campus.yaml")), walk(beside(campus_file, ".walk.yaml")) {}
@@ -267,7 +267,7 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     std::printf("%s: %s\n%s: %s, walked\n", campus_file.string().c_str(),
                 scene::plural(campus.buildings.size(), "building").c_str(), walk_file.string().c_str(),
                 scene::plural(visits, "way").c_str());
-    const LeftOdd left = left_odd(upright);
+    const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {
         std::printf("%s left out of what is solid\n", scene::plural(left.opened, "closed door").c_str());
     }

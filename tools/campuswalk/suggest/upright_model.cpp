@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 bool has_lint(const scene::ModelReport& report, const std::string& code) {
     return std::ranges::any_of(report.warnings,
-                               [&](const scene::ModelLint& odd) { return odd.code == code; });
+                               [&](const scene::ModelLint& lint) { return lint.code == code; });
 }
 
 UprightModel load_upright(const scene::SceneFile& file) {
@@ -43,10 +43,10 @@ UprightModel load_upright(const scene::SceneFile& file) {
 
 std::vector<std::string> closed_door_names(const scene::ModelReport& report) {
     std::vector<std::string> names;
-    for (const scene::ModelLint& odd : report.warnings) {
-        for (const scene::ModelLint::Place& place : odd.places) {
-            const bool fresh = std::ranges::find(names, place.node) == names.end();
-            if (odd.code == "solid-door" && scene::is_door_name(place.node) && fresh) {
+    for (const scene::ModelLint& lint : report.warnings) {
+        for (const scene::ModelLint::Place& place : lint.places) {
+            const bool is_new = std::ranges::find(names, place.node) == names.end();
+            if (lint.code == "solid-door" && scene::is_door_name(place.node) && is_new) {
                 names.push_back(place.node);
             }
         }

@@ -11,21 +11,21 @@
 
 namespace campuswalk::tools {
 
-/// A model the way it should stand: turned upright, with doors as high as doors, and near the origin.
+/// A model as it should stand: turned upright, scaled so that doors are as high as doors, near the origin.
 struct UprightModel {
     scene::SceneFile file;
     std::vector<scene::Model> models;  ///< one
     scene::ModelReport report;
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< what was taken off its coordinates
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< what was subtracted from its coordinates
 };
 
 /// Throws scene::InputError, as the import does.
 UprightModel load_upright(const scene::SceneFile& file);
 
-/// Whether it has a lint of that code.
+/// Whether there is a lint with this code.
 bool has_lint(const scene::ModelReport& report, const std::string& code);
 
-/// The names of doors that close a way through, of those that are called doors; each once.
+/// The names of the nodes that are called doors and close a doorway, each once.
 std::vector<std::string> closed_door_names(const scene::ModelReport& report);
 
 }  // namespace campuswalk::tools

@@ -49,39 +49,38 @@ private:
     }
 
     std::vector<fs::path> walk_files() {
-        std::vector<fs::path> there;
+        std::vector<fs::path> existing;
         for (const config::MarkedPath& walks : config_.walks) {
-            std::error_code none;
-            if (fs::exists(walks.path, none)) {
-                there.push_back(as_seen_from_here(walks.path));
+            std::error_code ignored;
+            if (fs::exists(walks.path, ignored)) {
+                existing.push_back(as_seen_from_here(walks.path));
             } else {
                 found_.error(walks.mark, "missing-file",
                              "there is no '" + walks.path.generic_string() + "'; check the path");
             }
         }
         if (config_.walks.empty()) {
-            there.push_back(as_seen_from_here(config_.file.parent_path() / "."));
+            existing.push_back(as_seen_from_here(config_.file.parent_path() / "."));
         }
         std::vector<fs::path> files;
-        note([&] { files = find_walks(there); });
+        note([&] { files = find_walks(existing); });
         return files;
     }
 
     void check(const ProjectConfig& project, const std::vector<fs::path>& walks) {
         std::optional<Selector> selector;
-        const bool selects = note([&] { selector = selector_of(project); });
-        const bool names_hold = note([&] { loader_.check(project.overrides); });
-        if (!selects || !names_hold) {
-            return;  // every walk would say it once more
+        const bool selector_valid = note([&] { selector = selector_of(project); });
+        const bool overrides_valid = note([&] { loader_.check(project.overrides); });
+        if (!selector_valid || !overrides_valid) {
+            return;  // every walk would report it again
         }
         for (const fs::path& file : walks) {
-            note([&] { play(project, *selector, file); });
+            note([&] { check_walk(project, *selector, file); });
         }
     }
 
-    /// As far as it goes without playing: a walk may lack what the project's campus has, and the other way
-    /// round.
-    void play(const ProjectConfig& project, const Selector& selector, const fs::path& file) {
+    /// Everything but playing it: a walk may name what the project's campus lacks.
+    void check_walk(const ProjectConfig& project, const Selector& selector, const fs::path& file) {
         config::SharedRun run = loader_.read(file, project.overrides);
         if (selector.takes(file.generic_string(), run.walk.name, run.walk.tags)) {
             loader_.ready(std::move(run));

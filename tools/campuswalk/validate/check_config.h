@@ -7,9 +7,9 @@
 
 namespace campuswalk::tools {
 
-/// Checks a walks.config.yaml and all that it names: reporters, walks and, for every project, its
-/// expressions, its campus, avatar and spawn, and each walk that it plays. Returns how many projects there
-/// are. Throws scene::InputError with everything that is wrong.
+/// Checks a walks.config.yaml and everything that it names: reporters, walks and, for every project, its
+/// regular expressions, campus, avatar and spawn, and each walk that it plays. Returns the number of
+/// projects. Throws scene::InputError with all errors.
 std::size_t check_config(WalkLoader& loader, const std::filesystem::path& file);
 
 }  // namespace campuswalk::tools

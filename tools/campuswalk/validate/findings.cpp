@@ -16,7 +16,7 @@ const char* level_of(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error ? "error" : "warning";
 }
 
-bool may_stand_in_uri(char c) {
+bool is_unescaped_in_uri(char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     return letter || std::string_view("-._~/").find(c) != std::string_view::npos;
 }
@@ -25,7 +25,7 @@ std::string uri_of(std::string_view path) {
     constexpr std::string_view kDigits = "0123456789ABCDEF";
     std::string uri = path.starts_with('/') ? "file://" : "";
     for (const char c : path) {
-        if (may_stand_in_uri(c)) {
+        if (is_unescaped_in_uri(c)) {
             uri += c;
         } else {
             const auto byte = static_cast<unsigned char>(c);
@@ -58,7 +58,7 @@ std::vector<std::string> codes_of(const Findings& findings) {
     return codes;
 }
 
-/// GitHub's escapes for a command's message, and for its properties two more.
+/// With GitHub's escapes for the message of a command; its properties need two more.
 std::string escaped(std::string_view text, bool property) {
     std::string result;
     for (const char c : text) {
@@ -90,8 +90,8 @@ std::string escaped(std::string_view text, bool property) {
 std::string as_json(const Findings& findings) {
     Json files = Json::array();
     for (const CheckedFile& file : findings.files) {
-        files.push_back({{"file", file.file}, {"valid", file.holds}});
-        if (file.holds) {
+        files.push_back({{"file", file.file}, {"valid", file.valid}});
+        if (file.valid) {
             files.back()["summary"] = file.summary;
         }
     }

@@ -11,17 +11,17 @@ namespace campuswalk::tools {
 /// A file that was checked; paths are as the user gave them.
 struct CheckedFile {
     std::string file;
-    bool holds = false;
-    std::string summary;  ///< what is in it, when it holds
+    bool valid = false;
+    std::string summary;  ///< of its contents, if it is valid
 };
 
-/// What `validate` found. A mistake in a file that several others use is told once.
+/// What `validate` found. An error in a file that several others use is reported once.
 struct Findings {
     std::vector<CheckedFile> files;
     std::vector<scene::Diagnostic> diagnostics;
 };
 
-// The same findings for different readers; a text each, with the last line's end.
+// The findings as text for different readers, ending with a line end.
 
 std::string as_json(const Findings& findings);
 /// The Static Analysis Results Interchange Format, 2.1.0: what code scanning services read.

@@ -23,7 +23,7 @@ using engine::WalkResult;
 
 namespace {
 
-/// The expectation that the log is the one that was kept; null without one.
+/// The expectation that the log equals the golden one; null without one.
 const engine::ExpectLog* golden_log_of(const engine::Walk& walk) {
     for (const engine::Expectation& expectation : walk.expectations) {
         const auto* log = std::get_if<engine::ExpectLog>(&expectation);
@@ -34,16 +34,16 @@ const engine::ExpectLog* golden_log_of(const engine::Walk& walk) {
     return nullptr;
 }
 
-/// Whether the walk isn't as it should be, whatever its log is like.
-bool fails_otherwise(const std::vector<engine::Failure>& failures, const engine::WalkStatus& status) {
-    const bool may_be_the_log =
+/// Whether the walk fails whatever the comparison of its log yields.
+bool fails_regardless_of_log(const std::vector<engine::Failure>& failures, const engine::WalkStatus& status) {
+    const bool log_may_decide =
         status.kind == engine::WalkStatus::Kind::xfail &&
         (status.codes.empty() ? failures.empty()
                               : std::ranges::find(status.codes, "log") != status.codes.end());
-    return !may_be_the_log && engine::outcome_of_evaluators(failures, status).outcome == Outcome::failed;
+    return !log_may_decide && engine::outcome_of_evaluators(failures, status).outcome == Outcome::failed;
 }
 
-/// Compares the log with the golden one, if the walk expects that; says on standard error what was written.
+/// Compares the log with the golden one if the walk expects that, and prints what was written.
 void add_golden_failure(const Case& played, const PlaySettings& settings, const std::vector<std::string>& log,
                         std::vector<engine::Failure>& failures) {
     const engine::ExpectLog* expected = golden_log_of(played.walk->walk);
@@ -51,7 +51,7 @@ void add_golden_failure(const Case& played, const PlaySettings& settings, const 
         return;
     }
     GoldenCheck check = check_golden(played.result.file, played.result.project, log, settings.update,
-                                     fails_otherwise(failures, played.walk->walk.status));
+                                     fails_regardless_of_log(failures, played.walk->walk.status));
     if (check.failure) {
         check.failure->mark = expected->mark;
         failures.push_back(std::move(*check.failure));
@@ -64,7 +64,7 @@ void add_golden_failure(const Case& played, const PlaySettings& settings, const 
     }
 }
 
-/// Plays it for its frames alone, and draws one part of them: a FrameHelpers::Draw.
+/// Plays a case only for its frames and draws one part of them; used as FrameHelpers::Draw.
 void draw_frames(const Case& played, const PlaySettings& settings, std::size_t part, std::size_t parts,
                  const Say& say) {
     std::string problem;
@@ -115,9 +115,9 @@ WalkResult CaseRunner::run(const Case& played, const Say& say) {
     return result;
 }
 
-// Where there are processors that no worker has a walk for, each worker gets an equal number of them.
+// Processors that no worker has a walk for are shared evenly among the workers.
 std::unique_ptr<FrameHelpers> CaseRunner::frame_helpers_for(const Case& played) const {
-    constexpr double kFramesWorthAPart = 10.0;  // what it takes to begin drawing
+    constexpr double kFramesWorthAPart = 10.0;  // the cost of starting to draw, in frames
     if (!settings_.images || !settings_.sequence.any()) {
         return nullptr;
     }
@@ -136,7 +136,7 @@ std::unique_ptr<FrameHelpers> CaseRunner::frame_helpers_for(const Case& played) 
         share_processors(settings_.drawing * parts);
         return helpers;
     } catch (const std::runtime_error&) {
-        return nullptr;  // no room for more processes: this one draws by itself
+        return nullptr;  // no more processes can be started: this one draws all frames
     }
 }
 
@@ -158,10 +158,10 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     result.distance = summary.distance;
     result.hash = summary.hash;
 
-    add_golden_failure(played, settings_, stream.kept_lines(), summary.failures);
+    add_golden_failure(played, settings_, stream.saved_lines(), summary.failures);
     std::vector<engine::Artifact> compared;
     if (images) {
-        compared = images->evaluator(summary.failures);
+        compared = images->evaluate(summary.failures);
     }
     engine::EvaluatedWalk evaluated =
         engine::outcome_of_evaluators(std::move(summary.failures), loaded.walk.status);

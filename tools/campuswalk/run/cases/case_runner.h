@@ -24,14 +24,14 @@ struct PlaySettings {
     std::filesystem::path output;
     bool images = false;
     Backend backend;                   ///< of images
-    bool log = false;                  ///< send lines of the text log, as Topic::log
-    bool events = false;               ///< send the same as JSON, as Topic::events
-    bool place = false;                ///< send now and then how far the walk is, as Topic::place
+    bool log = false;                  ///< send the text log, as Topic::log
+    bool events = false;               ///< send the log as JSON lines, as Topic::events
+    bool place = false;                ///< send the walk's progress now and then, as Topic::place
     std::vector<std::string> records;  ///< names of record_kinds()
     UpdateSnapshots update = UpdateSnapshots::missing;
     SequenceRequest sequence;
-    engine::ImageTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
-    std::size_t processes_each = 1;    ///< that may draw the frames of one walk
+    engine::ImageTolerance tolerance;  ///< of snapshots, unless a walk says otherwise
+    std::size_t processes_each = 1;    ///< processes that may draw the frames of one walk
     std::size_t drawing = 1;           ///< workers that draw at the same time, without their helpers
 };
 
@@ -41,19 +41,19 @@ public:
     /// `settings` must outlive it.
     explicit CaseRunner(const PlaySettings& settings);
 
-    /// Plays a case that has a walk. Whatever goes wrong is in the result; what is said before it are whole
-    /// lines.
+    /// Plays a case that has a walk. The result contains whatever goes wrong. Messages that are sent before
+    /// it consist of whole lines.
     engine::WalkResult run(const Case& played, const Say& say);
 
 private:
-    /// Null when this process is to draw all frames of the case.
+    /// Null if this process draws all frames of the case.
     std::unique_ptr<FrameHelpers> frame_helpers_for(const Case& played) const;
     void play_into(engine::WalkResult& result, const Case& played, FrameHelpers* helpers,
                    CaseStream& stream) const;
 
     const PlaySettings& settings_;
     std::shared_ptr<engine::render::RendererStore> renderers_;  ///< null without images
-    bool may_fork_ = true;                                      ///< nothing has been drawn in this process
+    bool may_fork_ = true;                                      ///< until something is drawn in this process
 };
 
 }  // namespace campuswalk::tools

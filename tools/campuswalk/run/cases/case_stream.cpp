@@ -4,10 +4,10 @@
 
 namespace campuswalk::tools {
 
-CaseStream::CaseStream(const Say& say, const PlaySettings& settings, bool keep_lines)
+CaseStream::CaseStream(const Say& say, const PlaySettings& settings, bool save_lines)
     : say_(say),
       settings_(settings),
-      keep_lines_(keep_lines),
+      save_lines_(save_lines),
       text_([this](std::string_view line) { add(log_, line); }),
       json_([this](std::string_view line) { add_event(line); }) {}
 
@@ -15,7 +15,7 @@ void CaseStream::begin(const engine::Walk& walk) {
     if (settings_.log) {
         text_.begin(walk);
     }
-    if (settings_.events || keep_lines_) {
+    if (settings_.events || save_lines_) {
         json_.begin(walk);
     }
 }
@@ -24,7 +24,7 @@ void CaseStream::frame(const engine::TickRecord& record) {
     if (settings_.log) {
         text_.frame(record);
     }
-    if (settings_.events || keep_lines_) {
+    if (settings_.events || save_lines_) {
         json_.frame(record);
     }
     const Clock::time_point now = Clock::now();
@@ -54,8 +54,8 @@ void CaseStream::add_event(std::string_view line) {
     if (settings_.events) {
         add(events_, line);
     }
-    if (keep_lines_) {
-        kept_lines_.emplace_back(line);
+    if (save_lines_) {
+        saved_lines_.emplace_back(line);
     }
 }
 

@@ -10,8 +10,9 @@ namespace campuswalk::tools {
 
 namespace {
 
-/// Ctrl-C is for the process that plays, and what libraries say on standard error it hears from them itself.
-void stay_in_the_background() {
+/// Ignores Ctrl-C, which the process that plays handles, and discards messages of libraries, which that
+/// process prints itself.
+void detach_from_terminal() {
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
     if (const scene::Descriptor nowhere = scene::open_nowhere(); nowhere.open()) {
@@ -23,7 +24,7 @@ void stay_in_the_background() {
 
 FrameHelpers::FrameHelpers(std::size_t parts, const Draw& draw) {
     const StartWork start = [&draw] {
-        stay_in_the_background();
+        detach_from_terminal();
         return draw;
     };
     for (std::size_t part = 1; part < parts; ++part) {

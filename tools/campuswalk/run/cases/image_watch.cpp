@@ -57,7 +57,7 @@ std::vector<engine::Observer*> ImageWatch::observers() {
     return all;
 }
 
-std::vector<engine::Artifact> ImageWatch::evaluator(std::vector<engine::Failure>& failures) const {
+std::vector<engine::Artifact> ImageWatch::evaluate(std::vector<engine::Failure>& failures) const {
     const engine::Walk& walk = played_.walk->walk;
     if (!expects_images(walk)) {
         return {};
@@ -84,20 +84,20 @@ std::vector<engine::Artifact> ImageWatch::snapshot_files() const {
 }
 
 std::vector<engine::Artifact> ImageWatch::sequence_files() const {
-    const SequenceRequest& desired = settings_.sequence;
+    const SequenceRequest& request = settings_.sequence;
     std::vector<engine::Artifact> files;
     const auto add = [&](const std::string& name, const std::string& file, const std::string& media_type) {
         files.push_back({name, played_.folder + "/" + file, media_type});
     };
-    if (desired.contact_sheet) {
+    if (request.contact_sheet) {
         add("contact sheet", kContactSheetFile, "image/png");
     }
     for (const AnimationKind& kind : kAnimationKinds) {
-        if (std::ranges::find(desired.animations, kind.name) != desired.animations.end()) {
+        if (std::ranges::find(request.animations, kind.name) != request.animations.end()) {
             add("animation", kind.file, kind.media_type);
         }
     }
-    if (desired.video) {
+    if (request.video) {
         add("video", kVideoFile, "video/mp4");
     }
     return files;

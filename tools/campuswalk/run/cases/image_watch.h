@@ -14,28 +14,28 @@
 
 namespace campuswalk::tools {
 
-/// Without images nobody can tell whether such a walk fails as it says it must.
+/// Whether only images can show if the walk fails as it is expected to.
 bool must_fail_in_images(const engine::Walk& walk);
 
-/// The images of a walk that is played: they are taken, then judged, then told of.
+/// The images of a walk that is played: takes, evaluates and lists them.
 class ImageWatch final : public engine::Observer {
 public:
-    /// All must outlive it; `helpers` may be null.
+    /// All arguments must outlive it; `helpers` may be null.
     ImageWatch(const Case& played, const PlaySettings& settings, engine::render::RendererStore& renderers,
                FrameHelpers* helpers);
 
     void frame(const engine::TickRecord& record) override;
-    /// This and what it needs, alive as long as this.
+    /// This and the observers that it needs, which live as long as this.
     std::vector<engine::Observer*> observers();
 
-    /// When the walk has ended: appends what its expectations of images found, says on standard error what
-    /// was written to be kept, and gives the images that show what differs.
-    std::vector<engine::Artifact> evaluator(std::vector<engine::Failure>& failures) const;
+    /// To be called when the walk has ended: appends the failures of its image expectations, prints which
+    /// reference images were written, and returns the images that show differences.
+    std::vector<engine::Artifact> evaluate(std::vector<engine::Failure>& failures) const;
 
     /// The snapshots that the walk took, in order.
     std::vector<engine::Artifact> snapshot_files() const;
 
-    /// What was made of the walk's frames; not each of them, which can be thousands.
+    /// What was made of the walk's frames, but not the frames, of which there may be thousands.
     std::vector<engine::Artifact> sequence_files() const;
 
 private:
@@ -43,7 +43,7 @@ private:
     const PlaySettings& settings_;
     std::vector<const engine::SnapshotStep*> taken_;
     SnapshotTaker taker_;
-    std::unique_ptr<engine::Observer> sequence_;  ///< null when none is wished for
+    std::unique_ptr<engine::Observer> sequence_;  ///< null if none is requested
     engine::SnapshotStates moments_;
 };
 

@@ -17,7 +17,7 @@ std::unique_ptr<engine::Observer> make(engine::LineSink sink) {
     return std::make_unique<Recorder>(std::move(sink));
 }
 
-/// A clock makes its bytes differ from run to run, so it is a record of its own.
+/// A separate record, because the clock makes its bytes differ from run to run.
 std::unique_ptr<engine::Observer> make_timed_trace(engine::LineSink sink) {
     return std::make_unique<engine::CostTrace>(std::move(sink), [] {
         const auto now = std::chrono::steady_clock::now().time_since_epoch();

@@ -11,7 +11,7 @@
 
 namespace campuswalk::tools {
 
-/// What can be kept of every tick of a walk, as a file in the walk's own folder.
+/// What can be recorded of every tick of a walk, as a file in the walk's folder.
 struct RecordKind {
     const char* name = "";  ///< as `run --record` takes it
     const char* file = "";  ///< in the folder
@@ -21,15 +21,15 @@ struct RecordKind {
 
 const std::vector<RecordKind>& record_kinds();
 
-/// The records of one walk. They are written whole, when the walk has ended.
+/// The records of one walk, which are written when it has ended.
 class Records {
 public:
     /// `names` are of record_kinds().
     explicit Records(const std::vector<std::string>& names);
 
-    /// Alive as long as this.
+    /// They live as long as this.
     std::vector<engine::Observer*> observers() const;
-    /// Writes OUTPUT/FOLDER/FILE, and says which. Throws std::runtime_error.
+    /// Writes OUTPUT/FOLDER/FILE for each record and returns which. Throws std::runtime_error.
     std::vector<engine::Artifact> write(const std::filesystem::path& output, const std::string& folder) const;
 
 private:

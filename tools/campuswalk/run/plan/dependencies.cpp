@@ -12,10 +12,10 @@ namespace campuswalk::tools {
 namespace fs = std::filesystem;
 
 Dependencies::Dependencies(const RunSettings& settings) {
-    std::error_code none;
-    output_ = fs::absolute(settings.output, none);
+    std::error_code ignored;
+    output_ = fs::absolute(settings.output, ignored);
     for (const fs::path& path : settings.paths) {
-        fs::is_directory(path, none) ? add_folders_below(path) : add_folder(path.parent_path());
+        fs::is_directory(path, ignored) ? add_folders_below(path) : add_folder(path.parent_path());
     }
     if (!settings.config.empty()) {
         add_folder(settings.config.parent_path());
@@ -32,47 +32,47 @@ Dependencies::Dependencies(const RunSettings& settings) {
 }
 
 void Dependencies::add_folder(const fs::path& folder) {
-    std::error_code none;
+    std::error_code ignored;
     const fs::path there = folder.empty() ? fs::path(".") : folder.lexically_normal();
-    if (fs::is_directory(there, none)) {
+    if (fs::is_directory(there, ignored)) {
         folders_.insert(there);
     }
 }
 
 void Dependencies::add_folders_below(const fs::path& folder) {
-    std::error_code none;
+    std::error_code ignored;
     add_folder(folder);
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
-        const bool ours = name.ends_with("-snapshots") || fs::absolute(entry.path(), none) == output_;
-        if (entry.is_directory(none) && !entry.is_symlink(none) && name.front() != '.' && !ours) {
+        const bool is_output = name.ends_with("-snapshots") || fs::absolute(entry.path(), ignored) == output_;
+        if (entry.is_directory(ignored) && !entry.is_symlink(ignored) && name.front() != '.' && !is_output) {
             add_folders_below(entry.path());
         }
     }
 }
 
-void Dependencies::depends(const fs::path& walk, const fs::path& file) {
+void Dependencies::add_dependency(const fs::path& walk, const fs::path& file) {
     add_folder(file.parent_path());
     walks_by_file_[file.lexically_normal()].insert(walk);
 }
 
 void Dependencies::add_walk(WalkLoader& loader, const fs::path& walk, const config::Overrides& overrides) {
-    depends(walk, walk);
+    add_dependency(walk, walk);
     try {
         const config::SharedRun run = loader.read(walk, overrides);
-        depends(walk, run.walk.campus);
+        add_dependency(walk, run.walk.campus);
         if (!run.avatar_file.empty()) {
-            depends(walk, run.avatar_file);
+            add_dependency(walk, run.avatar_file);
         }
         for (const scene::SceneFile& scene : run.campus->scenes) {
             add_folder(scene.path.parent_path());
             walks_by_model_folder_[scene.path.lexically_normal().parent_path()].insert(walk);
         }
         for (const engine::Step& step : run.walk.steps) {
-            depends(walk, std::visit([](const auto& any) { return fs::path(any.mark.file); }, step));
+            add_dependency(walk, std::visit([](const auto& any) { return fs::path(any.mark.file); }, step));
         }
     } catch (const scene::InputError&) {
-        with_mistakes_.insert(walk);  // the run tells of them
+        walks_with_errors_.insert(walk);  // the run reports the errors
     }
 }
 
@@ -88,8 +88,8 @@ Dependencies::Paths Dependencies::walks_of_model_at(const fs::path& file) const 
 }
 
 std::vector<fs::path> Dependencies::walks_of(const std::set<fs::path>& changed) const {
-    std::error_code none;
-    Paths walks = with_mistakes_;
+    std::error_code ignored;
+    Paths walks = walks_with_errors_;
     for (const fs::path& file : changed) {
         Paths users;
         if (const auto known = walks_by_file_.find(file); known != walks_by_file_.end()) {
@@ -99,7 +99,7 @@ std::vector<fs::path> Dependencies::walks_of(const std::set<fs::path>& changed) 
         } else if (file.extension() != ".yaml") {
             users = walks_of_model_at(file);
         }
-        if (users.empty() || !fs::exists(file, none)) {
+        if (users.empty() || !fs::exists(file, ignored)) {
             return {};
         }
         walks.insert(users.begin(), users.end());

@@ -11,16 +11,16 @@
 
 namespace campuswalk::tools {
 
-/// Which files the walks of a run are made from, as far as reading them tells.
+/// Which files the walks of a run depend on, as far as reading the walks shows.
 class Dependencies {
 public:
     explicit Dependencies(const RunSettings& settings);
 
-    /// With such files, and those that walks are looked for in.
+    /// The folders of these files, and those that are searched for walks.
     const std::set<std::filesystem::path>& folders() const { return folders_; }
 
-    /// The walks that are to be played again when files have changed; none where that may be any: when a file
-    /// is gone, of an avatar that may hide another, of walks.config.yaml.
+    /// The walks to play again when files have changed; none if it may be any walk: after a file was removed,
+    /// or if an avatar that may hide another one or walks.config.yaml has changed.
     std::vector<std::filesystem::path> walks_of(const std::set<std::filesystem::path>& changed) const;
 
 private:
@@ -29,15 +29,15 @@ private:
     void add_folder(const std::filesystem::path& folder);
     void add_folders_below(const std::filesystem::path& folder);
     void add_walk(WalkLoader& loader, const std::filesystem::path& walk, const config::Overrides& overrides);
-    void depends(const std::filesystem::path& walk, const std::filesystem::path& file);
-    /// Of the models in the nearest folder above it that has some.
+    void add_dependency(const std::filesystem::path& walk, const std::filesystem::path& file);
+    /// The walks that use the models in the nearest folder above the file that contains models.
     Paths walks_of_model_at(const std::filesystem::path& file) const;
 
     std::filesystem::path output_;
     Paths folders_;
     std::map<std::filesystem::path, Paths> walks_by_file_;
-    std::map<std::filesystem::path, Paths> walks_by_model_folder_;  ///< with their textures and buffers
-    Paths with_mistakes_;                                           ///< that may be of any file
+    std::map<std::filesystem::path, Paths> walks_by_model_folder_;  ///< also for textures and buffers
+    Paths walks_with_errors_;                                       ///< which may depend on any file
 };
 
 }  // namespace campuswalk::tools

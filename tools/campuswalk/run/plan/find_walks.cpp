@@ -23,19 +23,20 @@ bool is_walk(const fs::path& file) {
 
 class Search {
 public:
-    void look_at(const fs::path& path) {
-        std::error_code none;
-        if (fs::is_directory(path, none)) {
-            look_into(path);
+    void add(const fs::path& path) {
+        std::error_code ignored;
+        if (fs::is_directory(path, ignored)) {
+            add_folder(path);
         } else {
-            files_.insert(as_seen_from_here(path).generic_string());  // the loader says so if it isn't there
+            files_.insert(
+                as_seen_from_here(path).generic_string());  // the loader reports it if it doesn't exist
         }
     }
 
     std::vector<fs::path> files() const { return {files_.begin(), files_.end()}; }
 
 private:
-    void look_into(const fs::path& folder) {
+    void add_folder(const fs::path& folder) {
         std::error_code error;
         if (!seen_.insert(fs::canonical(folder, error)).second) {
             return;
@@ -49,12 +50,12 @@ private:
             throw error_about(folder, "folder-unreadable",
                               "walks can't be looked for here: " + error.message());
         }
-        std::ranges::sort(entries);  // which of two names of a folder counts doesn't depend on the disk
+        std::ranges::sort(entries);  // so that of two names of a folder it isn't the disk that chooses
         for (const fs::path& entry : entries) {
-            std::error_code none;
-            if (fs::is_directory(entry, none)) {
+            std::error_code ignored;
+            if (fs::is_directory(entry, ignored)) {
                 if (entry.filename().string().front() != '.') {
-                    look_into(entry);
+                    add_folder(entry);
                 }
             } else if (is_walk(entry)) {
                 files_.insert(as_seen_from_here(entry).generic_string());
@@ -89,23 +90,23 @@ fs::path as_seen_from_here(const fs::path& path) {
 std::vector<fs::path> find_walks(const std::vector<fs::path>& paths) {
     Search search;
     for (const fs::path& path : paths) {
-        search.look_at(path);
+        search.add(path);
     }
     return search.files();
 }
 
 std::vector<std::string> output_names(const std::vector<fs::path>& files) {
-    std::vector<fs::path> whole;
+    std::vector<fs::path> absolute;
     fs::path root;
     for (const fs::path& file : files) {
-        std::error_code none;
-        whole.push_back(fs::absolute(file, none).lexically_normal());
-        const fs::path folder = whole.back().parent_path();
-        root = whole.size() == 1 ? folder : shared_beginning(root, folder);
+        std::error_code ignored;
+        absolute.push_back(fs::absolute(file, ignored).lexically_normal());
+        const fs::path folder = absolute.back().parent_path();
+        root = absolute.size() == 1 ? folder : shared_beginning(root, folder);
     }
     std::vector<std::string> names;
-    names.reserve(whole.size());
-    for (const fs::path& file : whole) {
+    names.reserve(absolute.size());
+    for (const fs::path& file : absolute) {
         names.push_back(without_ending(file.lexically_relative(root).generic_string(), kSuffix));
     }
     return names;

@@ -6,13 +6,13 @@
 
 namespace campuswalk::tools {
 
-/// The walk files that the paths stand for, sorted by their bytes and each once: a file stands for itself, a
-/// folder for every `*.walk.yaml` in it and below. Hidden folders are skipped, and folders that have been
-/// seen already, so that links may form a circle. Results are relative to the current folder. Throws
-/// scene::InputError (folder-unreadable) for a folder that can't be looked into.
+/// The walk files of the paths, sorted by their bytes and each once: the files themselves, and every
+/// `*.walk.yaml` in and below the folders. Skips hidden folders, and folders that it has visited, so that
+/// links may form a cycle. Results are relative to the current folder. Throws scene::InputError
+/// (folder-unreadable) for a folder that can't be read.
 std::vector<std::filesystem::path> find_walks(const std::vector<std::filesystem::path>& paths);
 
-/// The path as a user who stands in the current folder would write it, without `.` and `x/..`.
+/// The path as a user in the current folder would write it, without `.` and `x/..`.
 std::filesystem::path as_seen_from_here(const std::filesystem::path& path);
 
 /// A name below the output folder for each of the files: its path without `.walk.yaml`, from the deepest

@@ -21,11 +21,11 @@ using scene::InputError;
 
 namespace {
 
-/// A walk in a project: as far as it could be read.
+/// A walk in a project, as far as it could be read.
 struct Candidate {
     WalkResult result;
     std::string folder;
-    std::optional<config::SharedRun> run;  ///< none when it has mistakes
+    std::optional<config::SharedRun> run;  ///< nullopt if it has errors
 };
 
 class Planner {
@@ -39,9 +39,10 @@ public:
             selectors_.push_back(selector_of(project));
         }
         read_all(plan);
-        keep_only_if_asked();
+        keep_only_marked();
         if (options_.ids) {
-            std::erase_if(candidates_, [&](const Candidate& candidate) { return !has_wanted_id(candidate); });
+            std::erase_if(candidates_,
+                          [&](const Candidate& candidate) { return !has_selected_id(candidate); });
         }
         plan.selected = candidates_.size() * static_cast<std::size_t>(options_.repeat_each);
         keep_shard();
@@ -59,7 +60,7 @@ private:
         for (std::size_t i = 0; i < files.size(); ++i) {
             for (std::size_t j = 0; j < settings_.projects.size(); ++j) {
                 Candidate candidate = read(files[i], names[i], settings_.projects[j]);
-                if (is_wanted(candidate, options_.selector) && is_wanted(candidate, selectors_[j])) {
+                if (is_selected(candidate, options_.selector) && is_selected(candidate, selectors_[j])) {
                     candidates_.push_back(std::move(candidate));
                 }
             }
@@ -77,16 +78,16 @@ private:
         candidate.folder = folder + (project.name.empty() ? "" : "/" + project.name);
         try {
             config::SharedRun run = loader_.read(file, project.overrides);
-            settle_walk(run.walk, project);
+            apply_settings(run.walk, project);
             describe(run.walk, result);
             candidate.run = std::move(run);
         } catch (const InputError& error) {
-            note_mistakes(result, error);
+            note_errors(result, error);
         }
         return candidate;
     }
 
-    void settle_walk(engine::Walk& walk, const ProjectConfig& project) const {
+    void apply_settings(engine::Walk& walk, const ProjectConfig& project) const {
         walk.project = project.name;
         walk.sim.tree = options_.tree.value_or(walk.sim.tree);
         if (!walk.timeout) {
@@ -106,14 +107,14 @@ private:
         }
     }
 
-    static void note_mistakes(WalkResult& result, const InputError& error) {
+    static void note_errors(WalkResult& result, const InputError& error) {
         result.outcome = Outcome::bad_input;
         for (const scene::Diagnostic& diagnostic : error.diagnostics()) {
             result.diagnostics.push_back(scene::to_string(diagnostic));
         }
     }
 
-    static bool is_wanted(const Candidate& candidate, const Selector& selector) {
+    static bool is_selected(const Candidate& candidate, const Selector& selector) {
         const WalkResult& result = candidate.result;
         return candidate.run ? selector.takes(result.file, result.name, result.tags)
                              : selector.may_take(result.file, result.name);
@@ -123,8 +124,8 @@ private:
         return candidate.run && candidate.run->walk.status.kind == WalkStatus::Kind::only;
     }
 
-    /// What can't be read may be meant to be the only one, so it stays.
-    void keep_only_if_asked() {
+    /// A walk that can't be read might be marked `only`, so it stays.
+    void keep_only_marked() {
         const auto first = std::ranges::find_if(candidates_, is_only);
         if (first == candidates_.end()) {
             return;
@@ -144,7 +145,7 @@ private:
                (options_.repeat_each > 1 ? " #" + std::to_string(repetition + 1) : std::string());
     }
 
-    bool has_wanted_id(const Candidate& candidate) const {
+    bool has_selected_id(const Candidate& candidate) const {
         for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
             if (options_.ids->contains(id_of(candidate, repetition))) {
                 return true;
@@ -153,7 +154,7 @@ private:
         return false;
     }
 
-    /// Repetitions stay together, to be compared.
+    /// Repetitions stay together, so that they can be compared.
     void keep_shard() {
         if (settings_.shard) {
             const Slice slice = slice_of(candidates_.size(), *settings_.shard);
@@ -170,7 +171,7 @@ private:
             try {
                 walk = std::make_shared<LoadedWalk>(loader_.ready(std::move(*candidate.run)));
             } catch (const InputError& error) {
-                note_mistakes(candidate.result, error);
+                note_errors(candidate.result, error);
             }
         }
         diagnose_once(candidate.result.diagnostics);
@@ -184,10 +185,10 @@ private:
         }
     }
 
-    /// Many walks may share a campus with a mistake.
+    /// Many walks may share a campus that has errors.
     void diagnose_once(const std::vector<std::string>& diagnostics) {
         for (const std::string& line : diagnostics) {
-            if (told_.insert(line).second) {
+            if (reported_.insert(line).second) {
                 diagnostic_line(line);
             }
         }
@@ -198,10 +199,10 @@ private:
     std::vector<Selector> selectors_;  ///< of each project
     WalkLoader loader_;
     std::vector<Candidate> candidates_;
-    std::set<std::string> told_;
+    std::set<std::string> reported_;
 };
 
-/// What --list says of a case besides its name and tags.
+/// What --list prints of a case besides its name and tags.
 std::string remark(const WalkResult& result) {
     const std::string reason = result.status_reason.empty() ? "" : ": " + result.status_reason;
     if (result.outcome == Outcome::bad_input) {

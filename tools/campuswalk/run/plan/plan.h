@@ -18,15 +18,15 @@ namespace campuswalk::tools {
 /// A walk, in a project, in a repetition.
 struct Case {
     engine::WalkResult result;               ///< what is known before it is played
-    std::shared_ptr<const LoadedWalk> walk;  ///< null when it isn't to be played
-    std::string folder;                      ///< for what it leaves behind, below the output folder, with `/`
+    std::shared_ptr<const LoadedWalk> walk;  ///< null if it isn't to be played
+    std::string folder;                      ///< of its files, relative to the output folder, with `/`
 };
 
-/// What a run consists of, in the order in which it is told of: by file, project and repetition.
+/// The cases of a run in the order in which they are reported: by file, project and repetition.
 struct Plan {
     std::vector<Case> cases;
-    std::size_t selected = 0;  ///< cases before they were divided into shards
-    std::size_t files = 0;     ///< walk files there are
+    std::size_t selected = 0;  ///< number of cases before the division into shards
+    std::size_t files = 0;     ///< number of walk files found
 };
 
 struct PlanOptions {
@@ -39,11 +39,11 @@ struct PlanOptions {
 /// Which walks a project plays. Throws scene::InputError (bad-regex).
 Selector selector_of(const config::ProjectConfig& project);
 
-/// Reads and checks every walk that is wanted; those with mistakes become cases that say so, after their
-/// mistakes have been printed. Throws scene::InputError for what concerns the run as a whole.
+/// Reads and checks every selected walk. Prints the errors of walks, which become cases with these errors.
+/// Throws scene::InputError for errors of the run as a whole.
 Plan make_plan(const RunSettings& settings, PlanOptions options);
 
-/// Prints what would be played, a case a line, with its tags and its status.
+/// Prints what would be played, one case per line, with its tags and its status.
 void print_cases(const Plan& plan);
 
 }  // namespace campuswalk::tools

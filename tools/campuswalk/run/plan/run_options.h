@@ -14,22 +14,21 @@ namespace campuswalk::tools {
 
 enum class ColorChoice { automatic, always, never };
 
-/// What the command line of `run` says. Where something is left out, walks.config.yaml is asked, then a
-/// default.
+/// The command line of `run`. What it leaves out is taken from walks.config.yaml or else is a default.
 struct RunOptions {
     std::vector<std::filesystem::path> paths;     ///< walks, or folders to look for them in
-    std::optional<std::filesystem::path> config;  ///< in the place of the walks.config.yaml found upwards
+    std::optional<std::filesystem::path> config;  ///< instead of the walks.config.yaml found upwards
 
     std::optional<std::string> grep;
     std::optional<std::string> grep_invert;
-    std::vector<std::string> tags;      ///< a walk needs one of them
-    std::vector<std::string> projects;  ///< names; all of them if there are none
+    std::vector<std::string> tags;      ///< a walk needs at least one of them
+    std::vector<std::string> projects;  ///< names; all projects if empty
     std::optional<std::string> shard;   ///< "i/n"
     bool last_failed = false;
     bool forbid_only = false;
     bool pass_with_no_tests = false;
-    bool list = false;          ///< say what would be run
-    bool print_config = false;  ///< say how it would be run
+    bool list = false;          ///< list what would be run
+    bool print_config = false;  ///< print the settings of the run
     bool watch = false;         ///< run again whenever a file changes
 
     std::optional<int> workers;
@@ -47,7 +46,7 @@ struct RunOptions {
     std::vector<std::string> reporters;  ///< NAME or NAME=FILE
     std::vector<std::string> records;    ///< names of record_kinds()
     SequenceRequest sequence;
-    std::optional<std::filesystem::path> log;    ///< the text log once more, in a file
+    std::optional<std::filesystem::path> log;    ///< the text log, also in a file
     std::optional<std::filesystem::path> jsonl;  ///< the events as JSON lines
     Backend backend = engine::render::RenderingBackend::automatic;
     bool quiet = false;

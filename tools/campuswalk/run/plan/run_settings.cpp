@@ -101,14 +101,14 @@ std::optional<Shard> shard_for(const RunOptions& options, const Environment& env
                      "'" + *options.shard + "' must be i/n with i from 1 to n, as in 2/4");
 }
 
-bool wants_color(ColorChoice choice, const Environment& environment) {
+bool uses_color(ColorChoice choice, const Environment& environment) {
     if (choice != ColorChoice::automatic) {
         return choice == ColorChoice::always;
     }
     return isatty(STDOUT_FILENO) == 1 && !environment("NO_COLOR") && environment("TERM") != "dumb";
 }
 
-/// What a machine compares with was written and looked at by a person.
+/// References are written and checked by a person, never by a CI machine.
 UpdateSnapshots updates_for(const RunOptions& options, const Environment& environment) {
     const std::string ci = environment("CI").value_or("false");
     if (ci == "false" || ci == "0") {
@@ -142,14 +142,14 @@ void check_reporter(const std::string& name, const SourceMark& mark) {
     }
 }
 
-RunSettings settle(const RunOptions& options, const Environment& environment) {
+RunSettings resolve_settings(const RunOptions& options, const Environment& environment) {
     const WalksConfig config = config_for(options).value_or(WalksConfig());
     RunSettings settings;
-    std::error_code none;
+    std::error_code ignored;
     settings.paths = paths_for(options, config);
     settings.config = config.file;
     settings.projects = projects_for(options, config);
-    settings.single = options.paths.size() == 1 && !fs::is_directory(options.paths.front(), none) &&
+    settings.single = options.paths.size() == 1 && !fs::is_directory(options.paths.front(), ignored) &&
                       settings.projects.size() == 1 && options.repeat_each == 1;
     settings.shard = shard_for(options, environment);
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -164,14 +164,14 @@ RunSettings settle(const RunOptions& options, const Environment& environment) {
     settings.output = as_seen_from_here(options.output.value_or(config.output.value_or("out")));
     settings.reports = reports_for(options, config, settings.single);
     settings.update = updates_for(options, environment);
-    settings.color = wants_color(options.color, environment);
+    settings.color = uses_color(options.color, environment);
     return settings;
 }
 
-RunSettings settle_reports(const RunOptions& options, const Environment& environment) {
+RunSettings resolve_report_settings(const RunOptions& options, const Environment& environment) {
     RunSettings settings;
     settings.reports = reports_for(options, WalksConfig(), false);
-    settings.color = wants_color(options.color, environment);
+    settings.color = uses_color(options.color, environment);
     return settings;
 }
 

@@ -14,19 +14,19 @@
 
 namespace campuswalk::tools {
 
-/// Where one of the reports goes.
+/// One report and where it goes.
 struct ReportTarget {
     std::string name;                           ///< of a reporter, or "log"
-    std::optional<std::filesystem::path> file;  ///< standard output without one
+    std::optional<std::filesystem::path> file;  ///< nullopt: standard output
 };
 
-/// How a run is done, once command line, walks.config.yaml and environment have been heard. Paths are as seen
-/// from the current folder.
+/// The settings of a run, from command line, walks.config.yaml and environment. Paths are as seen from the
+/// current folder.
 struct RunSettings {
     std::vector<std::filesystem::path> paths;
     bool single = false;                          ///< one walk, named by its file
-    std::filesystem::path config;                 ///< empty without
-    std::vector<config::ProjectConfig> projects;  ///< those wanted; one without a name if there are none
+    std::filesystem::path config;                 ///< empty if there is none
+    std::vector<config::ProjectConfig> projects;  ///< the selected ones; one without a name if there are none
     std::optional<Shard> shard;
     int workers = 1;
     std::optional<int> max_failures;
@@ -34,20 +34,20 @@ struct RunSettings {
     std::optional<double> kill_after;
     bool forbid_only = false;
     std::filesystem::path output;
-    std::vector<ReportTarget> reports;  ///< standard output's first, if there is any
+    std::vector<ReportTarget> reports;  ///< that to standard output first, if there is one
     UpdateSnapshots update = UpdateSnapshots::missing;
-    engine::ImageTolerance tolerance;  ///< of snapshots that are compared, where a walk doesn't say
+    engine::ImageTolerance tolerance;  ///< of snapshots, unless a walk says otherwise
     bool color = false;
 };
 
-/// Throws scene::InputError for what can't be meant, as an unknown reporter or project.
-RunSettings settle(const RunOptions& options, const Environment& environment);
+/// Throws scene::InputError for invalid options, such as an unknown reporter or project.
+RunSettings resolve_settings(const RunOptions& options, const Environment& environment);
 
 /// Throws scene::InputError (unknown-name) when there is no such reporter.
 void check_reporter(const std::string& name, const scene::SourceMark& mark);
 
-/// What reports alone need of it.
-RunSettings settle_reports(const RunOptions& options, const Environment& environment);
+/// Only the settings of reports.
+RunSettings resolve_report_settings(const RunOptions& options, const Environment& environment);
 
 /// As JSON, for `--print-config`.
 std::string to_json(const RunSettings& settings, const RunOptions& options);

@@ -35,7 +35,7 @@ void Selector::require_tag(const std::vector<std::string>& tags) {
     }
 }
 
-bool Selector::found_by_expressions(const std::string& text) const {
+bool Selector::matches_expressions(const std::string& text) const {
     const auto finds = [&](const auto& expression) { return re2::RE2::PartialMatch(text, *expression); };
     return std::ranges::all_of(required_, finds) && std::ranges::none_of(refused_, finds);
 }
@@ -47,12 +47,12 @@ bool Selector::takes(const std::string& file, const std::string& name,
         text += " " + tag;
     }
     const auto has = [&](const std::string& tag) { return std::ranges::find(tags, tag) != tags.end(); };
-    return found_by_expressions(text) &&
+    return matches_expressions(text) &&
            std::ranges::all_of(tags_, [&](const auto& any) { return std::ranges::any_of(any, has); });
 }
 
 bool Selector::may_take(const std::string& file, const std::string& name) const {
-    return found_by_expressions(file + " " + name);
+    return matches_expressions(file + " " + name);
 }
 
 }  // namespace campuswalk::tools

@@ -10,12 +10,12 @@ namespace {
 
 constexpr int kMostShards = 1'000'000;
 
-std::optional<int> whole_number(const std::string& text) {
+std::optional<int> parse_int(const std::string& text) {
     int value = 0;
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, value);
-    const bool holds = result.ec == std::errc() && result.ptr == end && !text.empty();
-    return holds && value >= 0 ? std::optional(value) : std::nullopt;
+    const bool valid = result.ec == std::errc() && result.ptr == end && !text.empty();
+    return valid && value >= 0 ? std::optional(value) : std::nullopt;
 }
 
 [[noreturn]] void refuse(const std::string& variable, const std::string& why) {
@@ -27,7 +27,7 @@ int number_in(const Environment& environment, const std::string& name) {
     if (!text) {
         refuse(name, "the variable isn't set, but others are that only make sense with it");
     }
-    const std::optional<int> value = whole_number(*text);
+    const std::optional<int> value = parse_int(*text);
     if (!value) {
         refuse(name, "'" + *text + "' is no whole number");
     }
@@ -47,11 +47,11 @@ Shard slurm_shard(const Environment& environment) {
     const int least = number_in(environment, "SLURM_ARRAY_TASK_MIN");
     const int step =
         environment("SLURM_ARRAY_TASK_STEP") ? number_in(environment, "SLURM_ARRAY_TASK_STEP") : 1;
-    const int past = number_in(environment, name) - least;
-    if (step < 1 || past < 0 || past % step != 0) {
+    const int offset = number_in(environment, name) - least;
+    if (step < 1 || offset < 0 || offset % step != 0) {
         refuse(name, "it is none of those from SLURM_ARRAY_TASK_MIN on in SLURM_ARRAY_TASK_STEPs");
     }
-    return checked(past / step, number_in(environment, "SLURM_ARRAY_TASK_COUNT"), name);
+    return checked(offset / step, number_in(environment, "SLURM_ARRAY_TASK_COUNT"), name);
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ std::optional<Shard> parse_shard(const std::string& text) {
     if (slash == std::string::npos) {
         return std::nullopt;
     }
-    const std::optional<int> number = whole_number(text.substr(0, slash));
-    const std::optional<int> count = whole_number(text.substr(slash + 1));
+    const std::optional<int> number = parse_int(text.substr(0, slash));
+    const std::optional<int> count = parse_int(text.substr(slash + 1));
     if (!number || !count || *number < 1 || *number > *count || *count > kMostShards) {
         return std::nullopt;
     }

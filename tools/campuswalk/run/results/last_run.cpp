@@ -26,7 +26,7 @@ using engine::Outcome;
 namespace {
 
 constexpr const char* kHeaderKey = "campuswalk_last_run";
-constexpr double kSyncEvery = 0.2;  // seconds: a disk takes milliseconds for each, a walk less
+constexpr double kSyncEvery = 0.2;  // seconds: a sync takes a disk milliseconds, and a walk takes less
 
 double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -42,7 +42,7 @@ std::string contents_of(const fs::path& file) {
                             why + "; delete the file and run everything once more");
 }
 
-/// Files are read once, models not at all.
+/// Reads every file once, and models not at all.
 class PlanDigest {
 public:
     void add(const Case& each) {
@@ -76,10 +76,10 @@ private:
     }
 
     void add_stamp(const fs::path& file) {
-        std::error_code none;
-        hasher_.add_number(std::uint64_t{fs::file_size(file, none)});
+        std::error_code ignored;
+        hasher_.add_number(std::uint64_t{fs::file_size(file, ignored)});
         hasher_.add_number(
-            static_cast<std::uint64_t>(fs::last_write_time(file, none).time_since_epoch().count()));
+            static_cast<std::uint64_t>(fs::last_write_time(file, ignored).time_since_epoch().count()));
     }
 
     void add_avatar(const engine::AvatarProfile& avatar) {
@@ -104,8 +104,8 @@ fs::path last_run_file(const fs::path& output) {
 }
 
 std::optional<LastRun> read_last_run(const fs::path& file) {
-    std::error_code none;
-    if (!fs::is_regular_file(file, none)) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) {
         return std::nullopt;
     }
     const std::string bytes = contents_of(file);
@@ -114,7 +114,7 @@ std::optional<LastRun> read_last_run(const fs::path& file) {
     for (std::size_t start = 0; start < bytes.size();) {
         const std::size_t end = bytes.find('\n', start);
         if (end == std::string::npos) {
-            break;  // cut short
+            break;  // the line was cut short
         }
         const std::string line = bytes.substr(start, end - start);
         ++number;
@@ -142,7 +142,7 @@ std::set<std::string> failed_ids(const LastRun& run) {
         if (result.outcome != Outcome::passed && result.outcome != Outcome::skipped) {
             ids.insert(result.id);
         } else {
-            ids.erase(result.id);  // a resumed run has played it again
+            ids.erase(result.id);  // it passed when a resumed run played it again
         }
     }
     return ids;
@@ -157,9 +157,9 @@ std::string fingerprint(const Plan& plan) {
 }
 
 LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan) : name_(file) {
-    std::error_code none;
+    std::error_code ignored;
     if (!file.parent_path().empty()) {
-        fs::create_directories(file.parent_path(), none);
+        fs::create_directories(file.parent_path(), ignored);
     }
     file_.reset(std::fopen(file.c_str(), "wb"));
     write_line(json_text({{kHeaderKey, plan}}));
@@ -193,7 +193,7 @@ void LastRunWriter::sync_if_due() {
 }
 
 void LastRunWriter::sync() {
-    fdatasync(fileno(file_.get()));  // some file systems can't, and then nothing is lost that wasn't before
+    fdatasync(fileno(file_.get()));  // some file systems can't; then results are as safe as without it
     unsynced_ = false;
     synced_at_ = seconds_now();
 }

@@ -13,33 +13,34 @@
 
 namespace campuswalk::tools {
 
-/// What the output folder knows of the run before: its results in the order in which they came.
+/// What the output folder records of the previous run: its results in the order in which they came.
 struct LastRun {
     std::string plan;  ///< fingerprint of what was run
     std::vector<engine::WalkResult> results;
-    std::uintmax_t whole_bytes = 0;  ///< without a last line that was cut short when the run was killed
+    std::uintmax_t whole_bytes = 0;  ///< up to a last line that was cut short when the run was killed
 };
 
 /// `OUTPUT/last-run.jsonl`.
 std::filesystem::path last_run_file(const std::filesystem::path& output);
 
-/// Nullopt when there is no such file. Throws scene::InputError (bad-last-run) for one that isn't ours.
+/// Nullopt if there is no such file. Throws scene::InputError (bad-last-run) for a file that isn't valid.
 std::optional<LastRun> read_last_run(const std::filesystem::path& file);
 
-/// The cases that didn't end as they should.
+/// The ids of cases that neither passed nor were skipped.
 std::set<std::string> failed_ids(const LastRun& run);
 
-/// Changes when something that the results depend on does: cases, walks, campuses, avatars, models
-/// (their sizes and dates).
+/// Identifies everything that the results depend on: cases, walks, campuses, avatars, models (by size and
+/// date).
 std::string fingerprint(const Plan& plan);
 
-/// Keeps results as they come, so that they survive whatever becomes of this process. They are on the disk
-/// a fifth of a second later at most, or when it is closed. Throws std::runtime_error when it can't.
+/// Saves results as they come, so that they survive the end of this process, whatever causes it. They are on
+/// the disk after at most a fifth of a second, or once it is closed. Throws std::runtime_error when that
+/// fails.
 class LastRunWriter {
 public:
-    /// Starts a file anew, with the folders it needs.
+    /// Creates or replaces the file, with the folders that it needs.
     LastRunWriter(const std::filesystem::path& file, const std::string& plan);
-    /// Goes on with one that has been read.
+    /// Continues a file that has been read.
     LastRunWriter(const std::filesystem::path& file, const LastRun& run);
 
     void add(const std::string& result_line);

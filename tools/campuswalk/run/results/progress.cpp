@@ -19,7 +19,7 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(bool wanted, std::size_t total) : mode_(wanted), total_(total) {}
+Progress::Progress(bool enabled, std::size_t total) : enabled_(enabled), total_(total) {}
 
 void Progress::count(bool good) {
     hide();
@@ -31,7 +31,7 @@ void Progress::count(bool good) {
 void Progress::walk_is_at(std::string_view walk, double seconds, std::optional<double> planned) {
     hide();
     walk_.assign(walk).append(" at ").append(engine::fixed(seconds, 1));
-    // It may have been held up, and then nobody knows how long it still takes.
+    // The walk may be behind its plan, and then nobody knows how long it will still take.
     const bool known = planned && *planned > 0.0 && seconds <= *planned;
     walk_ += known ? " of " + engine::fixed(*planned, 1) + " s" : " s";
     share_ = known ? std::optional(seconds / *planned) : std::nullopt;
@@ -48,7 +48,7 @@ std::string Progress::line() const {
 }
 
 void Progress::show() {
-    if (!mode_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
+    if (!enabled_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
         return;
     }
     std::fputs(line().c_str(), stderr);

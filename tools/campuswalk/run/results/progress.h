@@ -7,32 +7,31 @@
 
 namespace campuswalk::tools {
 
-/// A line on standard error that tells how far a run has come, and goes away again. For terminals alone.
+/// A line on a terminal's standard error that shows the progress of a run and is erased again.
 class Progress {
 public:
-    Progress(bool wanted, std::size_t total);
+    Progress(bool enabled, std::size_t total);
     ~Progress() { hide(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void count(bool good);
-    /// A walk that takes long enough to be asked for has come to this simulated time, of so much that is
-    /// planned; none where that can't be known.
+    /// Shows that a walk has reached `seconds` of simulated time, of the `planned` ones if these are known.
     void walk_is_at(std::string_view walk, double seconds, std::optional<double> planned);
-    /// Draws it unless it stands there as it is.
+    /// Draws the line unless it is shown already.
     void show();
-    /// Before anything else is printed.
+    /// Erases the line; to be called before anything else is printed.
     void hide();
 
 private:
     std::string line() const;
 
-    bool mode_;
+    bool enabled_;
     std::size_t total_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
-    std::string walk_;             ///< that was heard of last, and where it is
-    std::optional<double> share_;  ///< of it that is done
+    std::string walk_;             ///< the latest one, and how far it is
+    std::optional<double> share_;  ///< of the latest walk that is done
     bool shown_ = false;
 };
 

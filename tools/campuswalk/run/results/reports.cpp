@@ -19,25 +19,25 @@ scene::InputError about(const ReportTarget& target, const std::string& message) 
     return error_about(*target.file, code_for(target), message);
 }
 
-std::string thing(const ReportTarget& target) {
+std::string noun(const ReportTarget& target) {
     return std::string(code_for(target)).starts_with("log") ? "log" : "report";
 }
 
 void check_target(const ReportTarget& target) {
     if (target.file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
-        throw about(target, "a " + thing(target) + " would overwrite this YAML file; name another");
+        throw about(target, "a " + noun(target) + " would overwrite this YAML file; name another");
     }
     if (const std::string why = why_file_unwritable(*target.file); !why.empty()) {
-        throw about(target, "the " + thing(target) + " can't be written here: " + why);
+        throw about(target, "the " + noun(target) + " can't be written here: " + why);
     }
 }
 
 }  // namespace
 
 void check_targets(const std::vector<ReportTarget>& reports) {
-    const auto same_for_all = [](const fs::path& file) {
-        std::error_code none;
-        return fs::weakly_canonical(fs::absolute(file, none), none);
+    const auto canonical = [](const fs::path& file) {
+        std::error_code ignored;
+        return fs::weakly_canonical(fs::absolute(file, ignored), ignored);
     };
     std::vector<fs::path> taken;
     for (const ReportTarget& target : reports) {
@@ -45,7 +45,7 @@ void check_targets(const std::vector<ReportTarget>& reports) {
             continue;
         }
         check_target(target);
-        const fs::path file = same_for_all(*target.file);
+        const fs::path file = canonical(*target.file);
         for (const fs::path& other : taken) {
             if (file == other) {
                 throw about(target, "another log or report goes here already; each needs a file of its own");

@@ -13,20 +13,18 @@
 
 namespace campuswalk::tools {
 
-/// Throws scene::InputError when a report can't be written where it is to go, or two go to one place. Touches
-/// nothing.
+/// Throws scene::InputError when a report can't be written, or two go to the same file. Touches nothing.
 void check_targets(const std::vector<ReportTarget>& reports);
 
-/// Everything that is said about a run, each report where it goes. What can't be written is thrown as
-/// std::runtime_error.
+/// All reports of a run. Throws std::runtime_error when one can't be written.
 class Reports {
 public:
-    /// Opens files that are asked for, with the folders they need; what was in them is gone. `with_logs`
-    /// leaves "log" out when false.
+    /// Opens the files, with the folders that they need, and truncates them. Leaves "log" out unless
+    /// `with_logs`.
     Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs);
 
     bool wants_log() const { return !logs_.empty(); }
-    /// Whether standard output tells how the walks ended.
+    /// Whether a report on standard output says how the walks ended.
     bool prints_outcomes() const { return prints_outcomes_; }
 
     void begin(std::size_t cases);

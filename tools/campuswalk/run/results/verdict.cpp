@@ -73,7 +73,7 @@ std::vector<std::string> verdict_lines(const WalkResult& result, const std::file
             break;
         case Outcome::bad_input:
         case Outcome::interrupted:
-            break;  // the mistakes have been told, and the run is about to say that it was interrupted
+            break;  // the errors have been printed, and the run is about to say that it was interrupted
     }
     return lines;
 }

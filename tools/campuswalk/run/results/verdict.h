@@ -8,17 +8,17 @@
 
 namespace campuswalk::tools {
 
-/// Whether the case is as it should be: passed or skipped.
+/// Whether the case passed or was skipped.
 bool is_good(const engine::WalkResult& result);
 
-/// What a person is told on standard error, a line each: failures with their places and, below `output`,
-/// their images, then how it ended.
+/// The lines for standard error: failures with their places and their images, which are below `output`, then
+/// how the case ended.
 std::vector<std::string> verdict_lines(const engine::WalkResult& result, const std::filesystem::path& output);
 
-/// Of a run with these results: what went wrong while running goes before bad input, that before failures.
+/// Of a run with these results. Errors while running take precedence over bad input, and that over failures.
 int exit_code_for(const std::vector<engine::WalkResult>& results);
 
-/// A failure when the repetition's ticks or events aren't those of the first.
+/// Makes the later repetition fail if its ticks or its hash differ from those of the first.
 void compare_repetitions(const engine::WalkResult& first, engine::WalkResult& later);
 
 }  // namespace campuswalk::tools

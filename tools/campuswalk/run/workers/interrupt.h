@@ -4,13 +4,13 @@
 
 namespace campuswalk::tools {
 
-/// From now on Ctrl-C (SIGINT) and SIGTERM ask this process to stop instead of ending it.
+/// From now on, SIGINT (Ctrl-C) and SIGTERM request that this process stops instead of ending it.
 void watch_for_interrupts();
 bool interrupted();
-/// Asked more than once: at once, then.
+/// Whether it was requested more than once: then it should stop at once.
 bool interrupted_again();
 
-/// Thrown between two ticks.
+/// Thrown between two ticks when the process should stop.
 struct Interrupted {};
 
 /// Ends a walk between two ticks, so that logs and images stay whole.

@@ -19,7 +19,7 @@ constexpr std::size_t kHead = 1 + sizeof(std::uint32_t);
 /// The next task; nullopt when there are no more.
 std::optional<std::size_t> read_task(int from) {
     std::uint64_t task = 0;
-    // So few bytes come at once or not at all.
+    // So few bytes arrive at once or not at all.
     const bool whole = scene::read_some(from, std::as_writable_bytes(std::span(&task, 1))) == sizeof(task);
     return whole ? std::optional<std::size_t>(task) : std::nullopt;
 }
@@ -28,14 +28,14 @@ std::optional<std::size_t> read_task(int from) {
 [[noreturn]] void serve(const StartWork& start, int tasks, int answers) {
     const Say say = [&](Topic topic, std::string_view body) {
         if (!scene::write_all(answers, framed(topic, body))) {
-            _exit(1);  // nobody listens any more
+            _exit(1);  // nobody reads any more
         }
     };
     const Work work = start();
     while (const std::optional<std::size_t> task = read_task(tasks)) {
         work(*task, say);
     }
-    _exit(0);  // nobody needs the memory given back
+    _exit(0);  // skips freeing the memory
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Worker::Worker(const StartWork& start, const std::vector<Worker>& others) {
         process_ = scene::fork_process([&] {
             tasks.writing.close();
             answers.reading.close();
-            for (const Worker& other : others) {  // or their ends would never show
+            for (const Worker& other : others) {  // or their readers would never see the end
                 ::close(other.tasks_.number());
                 ::close(other.answers_.number());
             }

@@ -13,13 +13,13 @@
 
 namespace campuswalk::tools {
 
-/// What a worker says about its task.
+/// What a worker's message is about.
 enum class Topic : std::uint8_t {
     log,     ///< lines of the text log
-    events,  ///< lines of the log as JSON
-    place,   ///< the walk's time in seconds, for people to see
-    frame,   ///< what SequenceSharing::take gives, from one that helps to draw
-    result,  ///< the last: engine::to_json_line, or of one that helps to draw what went wrong
+    events,  ///< JSON lines of the log
+    place,   ///< the walk's simulated time in seconds, to show progress
+    frame,   ///< what SequenceSharing::take returns, from a FrameHelpers process
+    result,  ///< the last: engine::to_json_line, or the error of a FrameHelpers process
 };
 
 struct Message {
@@ -27,15 +27,15 @@ struct Message {
     std::string body;
 };
 
-/// As bytes: the topic, the length, the body.
+/// A message as bytes: the topic, the length, the body.
 std::string framed(Topic topic, std::string_view body);
 
-/// Puts messages together again from whatever pieces a pipe gives.
+/// Reassembles messages from the pieces that come through a pipe.
 class MessageReader {
 public:
     void add(std::string_view bytes) { bytes_.append(bytes); }
-    /// The next one that is whole; nullopt until more has come. Throws std::runtime_error for what no worker
-    /// sends.
+    /// The next complete message; nullopt until more bytes have come. Throws std::runtime_error for bytes
+    /// that no worker sends.
     std::optional<Message> next();
 
 private:
@@ -43,40 +43,40 @@ private:
     std::size_t read_ = 0;
 };
 
-/// How a worker, in its process, says something about the task at hand.
+/// Sends a message about the current task from the worker's process.
 using Say = std::function<void(Topic topic, std::string_view body)>;
-/// Does a task; must end by saying Topic::result. Throws nothing.
+/// Does a task; must finally send Topic::result. Throws nothing.
 using Work = std::function<void(std::size_t task, const Say& say)>;
-/// Called once in the worker's process: what the work needs is made there, and is nobody else's.
+/// Called once in the worker's process to create what the work needs, which the worker shares with nobody.
 using StartWork = std::function<Work()>;
 
-/// A process forked from this one, so that it shares what has been loaded. It is given tasks by number and
-/// ends when this object does, or with this process.
+/// A process forked from this one, so that it shares what has been loaded. It gets tasks by number and ends
+/// with this object or with this process.
 class Worker {
 public:
-    /// `others` are workers that there are already: their pipes are none of the new one's business. Throws
-    /// std::runtime_error when the system has no room.
+    /// `others` are the existing workers, whose pipes the new one closes. Throws std::runtime_error when no
+    /// process can be started.
     Worker(const StartWork& start, const std::vector<Worker>& others);
     ~Worker();
     Worker(Worker&&) noexcept = default;
     Worker& operator=(Worker&&) noexcept = default;
 
-    /// Without effect on one that is dead; that shows when its answers end.
+    /// Has no effect on a dead worker, which shows when its answers end.
     void give(std::size_t task);
-    /// The one at hand: given, and its result hasn't been taken yet.
+    /// The current task: given, and its result hasn't been taken yet.
     std::optional<std::size_t> task() const { return task_; }
 
-    /// To be polled; negative once it has been waited for.
+    /// The pipe to poll; negative once the worker has been waited for.
     int answers() const { return answers_.number(); }
-    /// Takes in what the pipe holds, of which it waits for some; false once there will be no more.
+    /// Waits for bytes in the pipe and reads them; false once there will be no more.
     bool read();
     std::optional<Message> next_message();
-    /// For those who have nothing else to listen to. Throws std::runtime_error when it is dead; `what_for`
-    /// says of it what "drew frames" would.
+    /// For callers that wait for nothing else. Throws std::runtime_error when the worker is dead; `what_for`
+    /// describes it in the message, as "drew frames" does.
     Message wait_for_message(std::string_view what_for);
 
     void send_signal(int signal) const { process_.send_signal(signal); }
-    /// Waits for its end; it has no task from now on.
+    /// Waits for its end; from then on it has no task.
     scene::ExitStatus wait();
 
 private:

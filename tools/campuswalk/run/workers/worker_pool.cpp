@@ -13,9 +13,9 @@ namespace campuswalk::tools {
 
 namespace {
 
-constexpr int kPatience = 100;                     // milliseconds between looks at the clock and at Ctrl-C
-constexpr std::chrono::seconds kTimeToFinish{10};  // for workers that were asked to stop
-constexpr std::size_t kMostEndedEarly = 100'000;   // tasks that wait for a slow one before them
+constexpr int kPollInterval = 100;                 // milliseconds between checks of the clock and of Ctrl-C
+constexpr std::chrono::seconds kTimeToFinish{10};  // for workers that were told to stop
+constexpr std::size_t kMaxWaiting = 100'000;       // tasks that wait for an earlier, slow one
 
 }  // namespace
 
@@ -29,25 +29,25 @@ WorkerPool::WorkerPool(const StartWork& start, std::vector<std::size_t> tasks, P
       settings_(settings) {}
 
 bool WorkerPool::run() {
-    bool wanted = true;
-    while (wanted && reported_ < tasks_.size()) {
+    bool wants_more = true;
+    while (wants_more && reported_ < tasks_.size()) {
         if (interrupted()) {
-            return wait_out_interrupted();
+            return finish_interrupted();
         }
         hand_out();
         wait_for_answers();
-        end_those_too_slow();
-        wanted = report();
+        kill_slow_workers();
+        wants_more = report();
         listener_.passing_time();
     }
     workers_.clear();
     return true;
 }
 
-/// Tasks go out in order, so the one that is to be reported next is always done or being done: whatever waits
-/// for it, it can't wait for ever.
+/// Tasks are handed out in order, so the one to report next is always done or in progress, and nothing waits
+/// for it forever.
 void WorkerPool::hand_out() {
-    while (next_ < tasks_.size() && pending_.size() < kMostEndedEarly) {
+    while (next_ < tasks_.size() && pending_.size() < kMaxWaiting) {
         if (buffered_ > settings_.most_buffered && next_ != reported_) {
             return;
         }
@@ -69,7 +69,7 @@ void WorkerPool::hand_out() {
     }
 }
 
-bool WorkerPool::may_listen_to(const Worker& worker) const {
+bool WorkerPool::may_read_from(const Worker& worker) const {
     return buffered_ <= settings_.most_buffered || worker.task() == reported_;
 }
 
@@ -77,23 +77,23 @@ void WorkerPool::wait_for_answers() {
     std::vector<pollfd> pipes;
     std::vector<std::size_t> whose;
     for (std::size_t i = 0; i < workers_.size(); ++i) {
-        if (may_listen_to(workers_[i])) {
+        if (may_read_from(workers_[i])) {
             pipes.push_back({workers_[i].answers(), POLLIN, 0});
             whose.push_back(i);
         }
     }
-    if (poll(pipes.data(), pipes.size(), kPatience) <= 0) {
+    if (poll(pipes.data(), pipes.size(), kPollInterval) <= 0) {
         return;
     }
     for (std::size_t i = pipes.size(); i-- > 0;) {
         if (pipes[i].revents != 0) {
-            listen_to(workers_[whose[i]]);
+            read_from(workers_[whose[i]]);
         }
     }
     std::erase_if(workers_, [](const Worker& worker) { return worker.answers() < 0; });
 }
 
-void WorkerPool::listen_to(Worker& worker) {
+void WorkerPool::read_from(Worker& worker) {
     const bool alive = worker.read();
     while (const std::optional<std::size_t> place = worker.task()) {
         std::optional<Message> message = worker.next_message();
@@ -126,7 +126,7 @@ void WorkerPool::end_task(std::size_t place, Ending ending) {
     pending_.at(place).ending = std::move(ending);
 }
 
-void WorkerPool::end_those_too_slow() {
+void WorkerPool::kill_slow_workers() {
     if (!settings_.kill_after) {
         return;
     }
@@ -170,20 +170,20 @@ bool WorkerPool::busy() const {
     return std::ranges::any_of(workers_, [](const Worker& worker) { return worker.task().has_value(); });
 }
 
-bool WorkerPool::wait_out_interrupted() {
+bool WorkerPool::finish_interrupted() {
     for (const Worker& worker : workers_) {
         worker.send_signal(SIGINT);
     }
     const Clock::time_point end = Clock::now() + kTimeToFinish;
-    bool wanted = true;
-    while (wanted && busy() && Clock::now() < end && !interrupted_again()) {
+    bool wants_more = true;
+    while (wants_more && busy() && Clock::now() < end && !interrupted_again()) {
         wait_for_answers();
-        wanted = report();
+        wants_more = report();
     }
-    // Those after one that didn't come to an end, too: they are finished.
+    // Also report tasks that finished after one that didn't.
     for (auto& [place, pending] : pending_) {
-        if (wanted && pending.ending) {
-            wanted = listener_.ended(tasks_[place], *pending.ending);
+        if (wants_more && pending.ending) {
+            wants_more = listener_.ended(tasks_[place], *pending.ending);
         }
     }
     workers_.clear();

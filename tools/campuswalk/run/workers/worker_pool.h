@@ -20,23 +20,24 @@ struct Ending {
     std::string text;
 };
 
-/// What a pool's owner does with what comes in. All but the first and the last are called in the order of
-/// the tasks, each task's `heard` before its `ended`.
+/// Callbacks of a pool's owner. All but the first and the last are called in the order of the tasks, each
+/// task's `heard` before its `ended`.
 struct PoolListener {
-    std::function<void(std::size_t task, const Ending&)> ended_first;  ///< as it comes, to be kept
+    std::function<void(std::size_t task, const Ending&)>
+        ended_first;  ///< at once, in any order, to save the result
     std::function<void(std::size_t task, Topic, std::string_view body)> heard;
-    std::function<bool(std::size_t task, const Ending&)> ended;  ///< false: enough, leave out the rest
+    std::function<bool(std::size_t task, const Ending&)> ended;  ///< false: skip the other tasks
     std::function<void()> passing_time;                          ///< several times a second
 };
 
 struct PoolSettings {
     std::size_t workers = 1;
     std::optional<double> kill_after;                    ///< seconds of wall clock for a task
-    std::size_t most_buffered = std::size_t{64} << 20U;  ///< bytes of what came too early to be reported
+    std::size_t most_buffered = std::size_t{64} << 20U;  ///< bytes of messages that can't be reported yet
 };
 
-/// Worker processes that are handed tasks in order, whoever is free. What they say is reported in the tasks'
-/// order, whatever order they finish in. A worker that dies is replaced and its task has no result.
+/// Worker processes. Whichever is idle gets the next task; messages are reported in the order of the tasks,
+/// in whatever order these finish. A worker that dies is replaced, and its task has no result.
 class WorkerPool {
 public:
     WorkerPool(const StartWork& start, std::vector<std::size_t> tasks, PoolListener listener,
@@ -44,14 +45,14 @@ public:
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
 
-    /// Once. True when all tasks were reported or `ended` wanted no more, false when interrupted: then those
-    /// at hand are given time to come to an end of their own.
+    /// To be called once. True when all tasks were reported or `ended` returned false; false when
+    /// interrupted, which gives the current tasks some time to finish.
     bool run();
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// A task that has been handed out and not been reported yet.
+    /// A task that has been handed out but not reported yet.
     struct Pending {
         std::deque<Message> messages;
         std::optional<Ending> ending;
@@ -60,17 +61,17 @@ private:
 
     void hand_out();
     void wait_for_answers();
-    void listen_to(Worker& worker);
-    void end_those_too_slow();
+    void read_from(Worker& worker);
+    void kill_slow_workers();
     void take(std::size_t place, Message message);
     void end_task(std::size_t place, Ending ending);
-    /// False when the listener wants no more.
+    /// False when the listener wants no more tasks.
     bool report();
-    bool wait_out_interrupted();
+    bool finish_interrupted();
     bool busy() const;
-    bool may_listen_to(const Worker& worker) const;
+    bool may_read_from(const Worker& worker) const;
 
-    // Workers know a task by its place among these.
+    // Workers get a task as its index in this list, here called its place.
     std::vector<std::size_t> tasks_;
     StartWork start_;
     PoolListener listener_;
