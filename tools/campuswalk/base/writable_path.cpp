@@ -19,7 +19,7 @@ std::string refusal(const fs::path& path, int mode) {
                : "'" + path.string() + "': " + std::generic_category().message(errno);
 }
 
-/// The path itself, or the nearest folder above it that there is.
+/// The path itself, or the nearest folder above it that exists.
 fs::path nearest_existing(fs::path path) {
     std::error_code ignored;
     while (!path.empty() && !fs::exists(path, ignored)) {
@@ -28,7 +28,7 @@ fs::path nearest_existing(fs::path path) {
     return path.empty() ? fs::path(".") : path;
 }
 
-void require_none(const std::string& obstacle, const fs::path& path, const std::string& message) {
+void throw_if_any(const std::string& obstacle, const fs::path& path, const std::string& message) {
     if (!obstacle.empty()) {
         throw error_about(path, "output-unwritable", message + ": " + obstacle);
     }
@@ -59,11 +59,11 @@ std::string why_file_unwritable(const fs::path& file) {
 }
 
 void require_writable_file(const fs::path& file, const std::string& message) {
-    require_none(why_file_unwritable(file), file, message);
+    throw_if_any(why_file_unwritable(file), file, message);
 }
 
 void require_writable_folder(const fs::path& folder, const std::string& message) {
-    require_none(why_folder_unwritable(folder), folder, message);
+    throw_if_any(why_folder_unwritable(folder), folder, message);
 }
 
 }  // namespace campuswalk::tools

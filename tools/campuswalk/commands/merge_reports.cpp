@@ -36,33 +36,8 @@ struct MergeOptions {
     ColorChoice color = ColorChoice::automatic;
 };
 
-/// The report of a shard.
-struct ShardReport {
-    std::size_t cases = 0;  ///< as announced; there are fewer results when the run ended early
-    std::vector<WalkResult> results;
-};
-
 InputError about(const fs::path& file, int line, const std::string& message) {
     return InputError({file.generic_string(), line, line > 0 ? 1 : 0}, "bad-report", message);
-}
-
-std::optional<ShardReport> read_report(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string line;
-    std::getline(stream, line);
-    const std::optional<std::size_t> cases = engine::cases_of_header(line);
-    if (!cases) {
-        return std::nullopt;
-    }
-    ShardReport report{*cases, {}};
-    for (int number = 2; std::getline(stream, line); ++number) {
-        try {
-            report.results.push_back(engine::result_from_json_line(line));
-        } catch (const std::exception& error) {
-            throw about(file, number, std::string(error.what()) + "; make the report anew");
-        }
-    }
-    return report;
 }
 
 class Merge {
@@ -107,22 +82,36 @@ private:
         }
     }
 
+    /// False if the file isn't a report in JSON lines.
     bool add_file(const fs::path& file) {
-        std::optional<ShardReport> report = read_report(file);
-        if (!report) {
+        std::ifstream stream(file, std::ios::binary);
+        std::string line;
+        std::getline(stream, line);
+        const std::optional<std::size_t> cases = engine::cases_of_header(line);
+        if (!cases) {
             return false;
         }
         ++files_;
-        cases_ += report->cases;
-        for (WalkResult& result : report->results) {
-            if (!ids_.insert(result.id).second) {
-                throw about(file, 0,
-                            "another report has '" + result.id +
-                                "' too; give each shard's report once, and those of one run only");
-            }
-            results_.push_back(std::move(result));
+        cases_ += *cases;  // as announced; there are fewer results when the run ended early
+        for (int number = 2; std::getline(stream, line); ++number) {
+            add_result(file, number, line);
         }
         return true;
+    }
+
+    void add_result(const fs::path& file, int number, const std::string& line) {
+        WalkResult result;
+        try {
+            result = engine::result_from_json_line(line);
+        } catch (const std::exception& error) {
+            throw about(file, number, std::string(error.what()) + "; create the report again");
+        }
+        if (!ids_.insert(result.id).second) {
+            throw about(file, 0,
+                        "another report has '" + result.id +
+                            "' too; give each shard's report once, and those of one run only");
+        }
+        results_.push_back(std::move(result));
     }
 
     std::size_t files_ = 0;

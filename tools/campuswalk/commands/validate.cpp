@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -29,11 +30,12 @@ using scene::plural;
 
 namespace {
 
-enum class ValidateFormat { text, json, sarif, github };
+/// Turns findings into text, all at once.
+using FindingsFormat = std::string (*)(const Findings&);
 
 struct ValidateOptions {
     std::vector<std::filesystem::path> paths;  ///< files, or folders to look for such files in
-    ValidateFormat format = ValidateFormat::text;
+    FindingsFormat format = nullptr;           ///< null: prints each finding at once
 };
 
 /// What a file is by its name.
@@ -82,7 +84,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     return files;
 }
 
-/// The path itself, or the files in the folder that it is.
+/// The path itself, or the files in it if it is a folder.
 std::vector<fs::path> found_files(const fs::path& path) {
     std::error_code ignored;
     return fs::is_directory(path, ignored) ? files_below(path) : std::vector{path};
@@ -170,13 +172,9 @@ private:
     WalkLoader loader_{[this](const std::vector<Diagnostic>& warnings) { report(warnings); }};
 };
 
-void print(const std::string& text) {
-    std::fputs(text.c_str(), stdout);
-}
-
 /// Reads and checks YAML files as `run` would, without running anything. Returns the exit code.
 int validate_files(const ValidateOptions& options) {
-    Validation validation(options.format == ValidateFormat::text);
+    Validation validation(options.format == nullptr);
     for (const fs::path& path : options.paths) {
         try {
             for (const fs::path& file : found_files(path)) {
@@ -187,18 +185,8 @@ int validate_files(const ValidateOptions& options) {
         }
     }
     const Findings& findings = validation.findings();
-    switch (options.format) {
-        case ValidateFormat::json:
-            print(as_json(findings));
-            break;
-        case ValidateFormat::sarif:
-            print(as_sarif(findings, CAMPUSWALK_VERSION));
-            break;
-        case ValidateFormat::github:
-            print(as_github(findings));
-            break;
-        case ValidateFormat::text:
-            break;
+    if (options.format != nullptr) {
+        std::fputs(options.format(findings).c_str(), stdout);
     }
     const bool has_errors = std::ranges::any_of(findings.diagnostics, [](const Diagnostic& diagnostic) {
         return diagnostic.severity == scene::Severity::error;
@@ -219,10 +207,8 @@ void add_validate(Command program, Chosen& chosen) {
                     .value = "FILE",
                     .required = true},
                    options->paths);
-    const std::map<std::string, ValidateFormat> formats = {{"text", ValidateFormat::text},
-                                                           {"json", ValidateFormat::json},
-                                                           {"sarif", ValidateFormat::sarif},
-                                                           {"github", ValidateFormat::github}};
+    const std::map<std::string, FindingsFormat> formats = {
+        {"text", nullptr}, {"json", as_json}, {"sarif", as_sarif}, {"github", as_github}};
     command.choice({.names = "--format", .help = "For people, programs, code scanning or a GitHub workflow"},
                    formats, options->format);
     add_cache_flag(command);

@@ -65,7 +65,7 @@ Selector selector_for(const RunOptions& options) {
 class Run {
 public:
     Run(const RunOptions& options, RunSettings settings)
-        : options_(options), settings_(std::move(settings)), saves_results_(!settings_.single) {}
+        : options_(options), settings_(std::move(settings)) {}
 
     int run() {
         images_ = wants_images(options_.backend);
@@ -79,9 +79,8 @@ public:
         }
         if (options_.list) {
             print_cases(plan);
-            return exit_code_of_list(plan);
+            return std::ranges::any_of(plan.cases, is_bad) ? kBadInput : kPass;
         }
-        any_played_ = std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
         const bool bad = plan.cases.size() == 1 && is_bad(plan.cases.front());
         if (settings_.single && bad && std::ranges::all_of(settings_.reports, is_log)) {
             return kBadInput;  // which has been reported, and no report needs it
@@ -113,13 +112,15 @@ private:
         const fs::path file = last_run_file(settings_.output);
         last_run_ = read_last_run(file);
         if (!last_run_) {
-            throw error_about(file, "missing-file",
-                              "nothing is known of a last run; run without --last-failed and --resume first");
+            throw error_about(
+                file, "missing-file",
+                "there are no results of a last run; run without --last-failed and --resume first");
         }
         if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
-            throw error_about("--resume", "bad-value",
-                              "logs of walks that have been played aren't kept; ask for reports alone, as in "
-                              "--reporter list");
+            throw error_about(
+                "--resume", "bad-value",
+                "logs of walks that were played before aren't stored; use only reports, as in --reporter "
+                "list");
         }
     }
 
@@ -151,10 +152,6 @@ private:
         return kNothingSelected;
     }
 
-    static int exit_code_of_list(const Plan& plan) {
-        return std::ranges::any_of(plan.cases, is_bad) ? kBadInput : kPass;
-    }
-
     /// Reports what can't be written before the walks, not after their first minute, and before anything is
     /// overwritten.
     void check_outputs(const Plan& plan) const {
@@ -171,13 +168,13 @@ private:
             require_writable_folder(settings_.output / each.folder,
                                     std::string(draws ? "pictures" : "records") + " can't be saved here");
         }
-        if (saves_results_) {
-            require_writable_file(last_run_file(settings_.output), "results can't be kept here");
+        if (!settings_.single) {
+            require_writable_file(last_run_file(settings_.output), "results can't be saved here");
         }
     }
 
     std::unique_ptr<LastRunWriter> open_last_run(const Plan& plan) const {
-        if (!saves_results_) {
+        if (settings_.single) {
             return nullptr;
         }
         const fs::path file = last_run_file(settings_.output);
@@ -186,10 +183,9 @@ private:
             return std::make_unique<LastRunWriter>(file, plan_hash);
         }
         if (last_run_->plan != plan_hash) {
-            throw error_about(
-                file, "other-run",
-                "the last run had other walks, files or options than this one, so it can't be gone on "
-                "with; run without --resume");
+            throw error_about(file, "other-run",
+                              "the last run had other walks, files or options than this one, so it can't be "
+                              "continued; run without --resume");
         }
         return std::make_unique<LastRunWriter>(file, *last_run_);
     }
@@ -206,10 +202,12 @@ private:
                                                 : " expectations about them aren't evaluated"));
         }
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
+        const bool plays =
+            std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
         Reports reports(settings_.reports,
-                        {settings_.color, options_.quiet, settings_.output.generic_string()}, any_played_);
+                        {settings_.color, options_.quiet, settings_.output.generic_string()}, plays);
         std::unique_ptr<LogOutput> events;
-        if (options_.jsonl && any_played_) {
+        if (options_.jsonl && plays) {
             events = std::make_unique<LogOutput>(false, options_.jsonl);
         }
         Scheduler scheduler(std::move(plan), scheduler_settings(reports, events != nullptr), reports,
@@ -243,9 +241,7 @@ private:
 
     const RunOptions& options_;
     RunSettings settings_;
-    bool saves_results_;
     bool images_ = false;
-    bool any_played_ = false;
     std::optional<LastRun> last_run_;
 };
 

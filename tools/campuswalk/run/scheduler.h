@@ -57,7 +57,7 @@ private:
     LogOutput* events_;
     LastRunWriter* last_run_;
     Progress progress_;
-    std::vector<bool> over_;    ///< of each case: whether its result is known
+    std::vector<bool> over_;    ///< for each case, whether its result is known
     std::size_t reported_ = 0;  ///< cases
     int failures_ = 0;
     engine::WalkResult first_;  ///< repetition of the walk that is reported now

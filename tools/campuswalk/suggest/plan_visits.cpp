@@ -11,7 +11,7 @@ using scene::WalkableGround;
 namespace {
 
 constexpr std::size_t kMostVisits = 3;
-constexpr double kInside = 0.3;  // metres
+constexpr double kInside = 0.3;  // metres: the breadth of a shoulder
 constexpr double kWaist = 0.9;   // metres above the feet
 
 /// The nearest spot to `from` that can be reached and whose foot point satisfies `is_target`.

@@ -67,18 +67,18 @@ const scene::SuggestedBuilding* nearest_building(const std::vector<scene::Sugges
 /// the missing ground may be a slope.
 scene::Bounds substitute_ground(const scene::Bounds& model,
                                 const std::vector<scene::SuggestedBuilding>& buildings) {
-    constexpr double kAround = 20.0;  // metres
-    constexpr double kThick = 0.5;    // metres
+    constexpr double kMargin = 20.0;    // metres
+    constexpr double kThickness = 0.5;  // metres
     std::vector<double> bottoms;
     bottoms.reserve(buildings.size());
     for (const scene::SuggestedBuilding& building : buildings) {
         bottoms.push_back(building.box.center.y() - 0.5 * building.box.size.y());
     }
     std::sort(bottoms.begin(), bottoms.end());
-    const Vector3d around(kAround, 0.0, kAround);
+    const Vector3d around(kMargin, 0.0, kMargin);
     scene::Bounds ground{model.min - around, model.max + around};
     ground.max.y() = bottoms.empty() ? model.min.y() : bottoms[bottoms.size() / 2];
-    ground.min.y() = ground.max.y() - kThick;
+    ground.min.y() = ground.max.y() - kThickness;
     return ground;
 }
 
@@ -104,7 +104,7 @@ Solid solid_of(const scene::Campus& campus) {
             world.X_world_shape.translation};
 }
 
-/// The same together with the top of the box that substitutes the ground.
+/// The same together with the top of the box that replaces the missing ground.
 Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
                  const std::vector<scene::NodeGlob>& doors) {
     scene::NodeGlob all;
@@ -165,7 +165,7 @@ WalkLoader quiet_loader() {
 void write_campus(const UprightModel& model, const fs::path& campus_file, SuggestedCampus& campus,
                   WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
-    const bool tiny = has_lint(model.report, "lint-scale") && size < 1.0;
+    const bool tiny = has_lint(model.report, "odd-scale") && size < 1.0;
     bool placed = false;
     if (!tiny && !has_lint(model.report, "no-ground")) {
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
@@ -246,7 +246,7 @@ private:
     static fs::path beside(const fs::path& campus_file, const std::string& ending) {
         std::string name = campus_file.stem().stem().string() + "-draft";
         while (fs::exists(campus_file.parent_path() / (name + ending))) {
-            name += "-";  // somebody else's
+            name += "-";  // the name is taken
         }
         return campus_file.parent_path() / (name + ending);
     }

@@ -1,7 +1,8 @@
 #include "tools/campuswalk/validate/findings.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
+#include <utility>
 
 #include "tools/campuswalk/base/json_text.h"
 
@@ -112,7 +113,7 @@ std::string as_json(const Findings& findings) {
            "\n";
 }
 
-std::string as_sarif(const Findings& findings, std::string_view version) {
+std::string as_sarif(const Findings& findings) {
     const std::vector<std::string> codes = codes_of(findings);
     Json rules = Json::array();
     for (const std::string& code : codes) {
@@ -122,7 +123,8 @@ std::string as_sarif(const Findings& findings, std::string_view version) {
     for (const Diagnostic& diagnostic : findings.diagnostics) {
         results.push_back(sarif_result(diagnostic, codes));
     }
-    const Json driver = {{"name", "campuswalk"}, {"version", version}, {"rules", std::move(rules)}};
+    const Json driver = {
+        {"name", "campuswalk"}, {"version", CAMPUSWALK_VERSION}, {"rules", std::move(rules)}};
     const Json run = {
         {"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", std::move(results)}};
     const Json sarif = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scene/base/diagnostic.h"
@@ -25,7 +24,7 @@ struct Findings {
 
 std::string as_json(const Findings& findings);
 /// The Static Analysis Results Interchange Format, 2.1.0: what code scanning services read.
-std::string as_sarif(const Findings& findings, std::string_view version);
+std::string as_sarif(const Findings& findings);
 /// Workflow commands: GitHub shows each beside its line.
 std::string as_github(const Findings& findings);
 

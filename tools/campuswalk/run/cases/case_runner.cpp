@@ -117,14 +117,14 @@ WalkResult CaseRunner::run(const Case& played, const Say& say) {
 
 // Processors that no worker has a walk for are shared evenly among the workers.
 std::unique_ptr<FrameHelpers> CaseRunner::frame_helpers_for(const Case& played) const {
-    constexpr double kFramesWorthAPart = 10.0;  // the cost of starting to draw, in frames
+    constexpr double kFramesPerPart = 10.0;  // at least, as starting to draw takes as long as some frames
     if (!settings_.images || !settings_.sequence.any()) {
         return nullptr;
     }
     std::size_t parts = std::min(settings_.processes_each, FrameHelpers::kMostParts);
     if (const auto seconds = engine::planned_seconds(played.walk->walk)) {
         const double frames = *seconds / interval_of(settings_.sequence);
-        parts = std::min(parts, static_cast<std::size_t>(std::clamp(frames / kFramesWorthAPart, 1.0, 1e3)));
+        parts = std::min(parts, static_cast<std::size_t>(std::clamp(frames / kFramesPerPart, 1.0, 1e3)));
     }
     if (parts < 2) {
         return nullptr;

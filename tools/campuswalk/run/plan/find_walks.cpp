@@ -50,7 +50,7 @@ private:
             throw error_about(folder, "folder-unreadable",
                               "walks can't be looked for here: " + error.message());
         }
-        std::ranges::sort(entries);  // so that of two names of a folder it isn't the disk that chooses
+        std::ranges::sort(entries);  // which of two names of a folder counts must not depend on the disk
         for (const fs::path& entry : entries) {
             std::error_code ignored;
             if (fs::is_directory(entry, ignored)) {

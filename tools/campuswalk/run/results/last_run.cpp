@@ -180,7 +180,7 @@ void LastRunWriter::write_line(const std::string& line) {
     const bool written = file_ && std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
                          std::fputc('\n', file_.get()) != EOF && std::fflush(file_.get()) == 0;
     if (!written) {
-        throw std::runtime_error("results can't be kept in " + name_.generic_string() + ": " +
+        throw std::runtime_error("results can't be saved in " + name_.generic_string() + ": " +
                                  std::generic_category().message(errno));
     }
     unsynced_ = true;
@@ -193,7 +193,7 @@ void LastRunWriter::sync_if_due() {
 }
 
 void LastRunWriter::sync() {
-    fdatasync(fileno(file_.get()));  // some file systems can't; then results are as safe as without it
+    fdatasync(fileno(file_.get()));  // some file systems can't sync; then results are as safe as without it
     unsynced_ = false;
     synced_at_ = seconds_now();
 }

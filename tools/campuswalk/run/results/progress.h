@@ -31,7 +31,7 @@ private:
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
     std::string walk_;             ///< the latest one, and how far it is
-    std::optional<double> share_;  ///< of the latest walk that is done
+    std::optional<double> share_;  ///< of the latest walk: the part that is done
     bool shown_ = false;
 };
 
