@@ -10,4 +10,7 @@ namespace campuswalk::tools {
 /// can't be read.
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
+/// The bytes of a file; throws likewise.
+std::string read_bytes(const std::filesystem::path& file);
+
 }  // namespace campuswalk::tools

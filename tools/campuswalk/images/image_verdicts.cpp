@@ -1,10 +1,7 @@
 #include "tools/campuswalk/images/image_verdicts.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/events/decimals.h"
@@ -15,6 +12,7 @@
 #include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
 #include "scene/base/glob.h"
+#include "tools/campuswalk/base/read_lines.h"
 
 namespace campuswalk::tools {
 
@@ -25,15 +23,6 @@ using engine::ExpectSnapshot;
 using engine::ExpectVisible;
 
 namespace {
-
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) {
-        throw std::runtime_error("can't read '" + file.string() + "'");
-    }
-    return bytes;
-}
 
 std::string pixel_size_of(const render::Image& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
@@ -171,7 +160,7 @@ private:
     }
 
     void update_reference(const fs::path& actual, const fs::path& reference) {
-        scene::write_file_atomically(reference, bytes_of(actual));
+        scene::write_file_atomically(reference, read_bytes(actual));
         evaluated_.written.push_back(reference);
     }
 
@@ -185,10 +174,10 @@ private:
 
     void save_comparison(const std::string& snapshot, const fs::path& actual, const fs::path& reference,
                          const Comparison& comparison) {
-        scene::write_file_atomically(output_file(snapshot, "-actual"), bytes_of(actual));
+        scene::write_file_atomically(output_file(snapshot, "-actual"), read_bytes(actual));
         add_artifact(snapshot, "-actual");
         if (comparison.reference) {
-            scene::write_file_atomically(output_file(snapshot, "-expected"), bytes_of(reference));
+            scene::write_file_atomically(output_file(snapshot, "-expected"), read_bytes(reference));
             add_artifact(snapshot, "-expected");
         }
         if (comparison.difference) {

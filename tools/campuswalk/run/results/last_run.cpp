@@ -4,8 +4,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -16,6 +14,7 @@
 #include "scene/base/content_hash.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/read_lines.h"
 
 namespace campuswalk::tools {
 
@@ -30,11 +29,6 @@ constexpr double kSyncEvery = 0.2;  // seconds: a sync takes a disk milliseconds
 
 double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::string contents_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 [[noreturn]] void refuse(const fs::path& file, int line, const std::string& why) {
@@ -69,7 +63,7 @@ private:
     void add_contents(const fs::path& file) {
         const auto [known, is_new] = known_.try_emplace(file.generic_string());
         if (is_new) {
-            const std::string contents = contents_of(file);
+            const std::string contents = read_bytes(file);
             known->second = scene::hash_of(std::as_bytes(std::span(contents)));
         }
         hasher_.add_hash(known->second);
@@ -108,7 +102,7 @@ std::optional<LastRun> read_last_run(const fs::path& file) {
     if (!fs::is_regular_file(file, ignored)) {
         return std::nullopt;
     }
-    const std::string bytes = contents_of(file);
+    const std::string bytes = read_bytes(file);
     LastRun run;
     int number = 0;
     for (std::size_t start = 0; start < bytes.size();) {
