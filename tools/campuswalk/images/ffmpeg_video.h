@@ -15,7 +15,7 @@ bool has_ffmpeg();
 /// Writes frames as H.264 in MP4 with the program ffmpeg, which gets their bytes through a pipe.
 class FfmpegVideo final : public engine::render::FrameSink {
 public:
-    /// Shows each frame for `seconds_per_frame`.
+    /// `seconds_per_frame` is how long a frame is shown.
     FfmpegVideo(std::filesystem::path file, double seconds_per_frame);
     /// Ends ffmpeg, and leaves no half-written file.
     ~FfmpegVideo() override;
