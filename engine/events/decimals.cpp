@@ -23,4 +23,11 @@ std::string fixed(const Eigen::Vector3d& value) {
     return fixed(value.x(), 3) + "," + fixed(value.y(), 3) + "," + fixed(value.z(), 3);
 }
 
+std::string hexadecimal(std::uint64_t value) {
+    std::array<char, 16> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16).ptr;
+    const std::string text(digits.data(), end);
+    return std::string(digits.size() - text.size(), '0') + text;
+}
+
 }  // namespace campuswalk::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 #include <string>
 
@@ -11,6 +12,9 @@ namespace campuswalk::engine {
 std::string fixed(double value, int digits);
 /// `x,y,z` in millimetres' resolution.
 std::string fixed(const Eigen::Vector3d& value);
+
+/// Sixteen hexadecimal digits.
+std::string hexadecimal(std::uint64_t value);
 
 /// As angles are printed.
 constexpr double degrees(double radians) {

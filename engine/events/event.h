@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -83,6 +84,13 @@ struct Event {
     std::string object;
     std::vector<Field> fields;
 };
+
+/// The value of a field; null if the event has none of that name and type.
+template <typename Value>
+const Value* find_field(const Event& event, std::string_view name) {
+    const auto field = std::ranges::find(event.fields, name, &Field::name);
+    return field == event.fields.end() ? nullptr : std::get_if<Value>(&field->value);
+}
 
 /// The events of one tick, in log order.
 struct TickEvents {

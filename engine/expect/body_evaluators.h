@@ -1,30 +1,76 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "collision/world/obstacle.h"
+#include "collision/world/placement.h"
+#include "engine/events/decimals.h"
 #include "engine/expect/finding.h"
-#include "engine/record/tick_record.h"
-#include "engine/script/avatar.h"
-#include "scene/campus/campus.h"
+#include "engine/script/avatar_body.h"
+#include "scene/base/glob.h"
 
 namespace campuswalk::engine {
 
-// Judges of what became of the avatar's body; see event_evaluators.h.
+// Evaluators of expectations about what happened to the avatar's body.
 
-/// Asks the collision world about the body anew, whatever the mover thought.
-class NoPenetrationEvaluator {
+/// Queries the collision world independently of what the mover found.
+template <>
+class EvaluatorOf<ExpectNoPenetration> {
 public:
-    NoPenetrationEvaluator(const ExpectNoPenetration& expected, const scene::Campus& campus,
-                           const AvatarProfile& avatar);
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectNoPenetration& expected, const EvaluatorContext& context)
+        : expected_(&expected),
+          campus_(&context.campus),
+          avatar_(&context.avatar),
+          ignored_layers_(ignored_layers(context.campus, context.avatar)) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const double radius = avatar_->radius;
+        const double height = record.avatar.stature * avatar_->height;
+        const collision::Segment axis = body_axis(*avatar_, record.avatar.position, height);
+        const collision::QueryFilter filter{collision::Detection::solid, ignored_layers_, record.disabled};
+        collision::gather_obstacles(campus_->world, filter, axis, radius, obstacles_);
+        for (const collision::Obstacle& obstacle : obstacles_) {
+            see_depth(obstacle.object, radius - collision::closest(axis, obstacle).distance, now);
+        }
+        // Deep inside a closed mesh its surface may be out of reach.
+        const Eigen::Vector3d middle = 0.5 * (axis.a + axis.b);
+        collision::Aabb box;
+        box.extend(middle);
+        campus_->world.candidates(box, filter, candidates_);
+        for (const collision::ObjectId id : candidates_) {
+            if (deepest_ < radius && collision::contains(campus_->world.object(id), middle)) {
+                see_depth(id, radius, now);
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        constexpr double kMillimetres = 1000.0;
+        if (!inside_) {
+            return {true, expected_->mark, "the body was inside nothing", std::nullopt, true};
+        }
+        const bool tolerable = deepest_ <= expected_->tolerance;
+        return {
+            tolerable, expected_->mark,
+            "the body was " + fixed(deepest_ * kMillimetres, 2) + " mm inside " +
+                campus_->objects[*inside_].id + " " + at_time(when_->time) +
+                (tolerable ? ""
+                           : ", expected at most " + fixed(expected_->tolerance * kMillimetres, 2) + " mm"),
+            when_, tolerable};
+    }
 
 private:
-    void see_depth(collision::ObjectId object, double depth, const StateSnapshot& now);
+    void see_depth(collision::ObjectId object, double depth, const StateSnapshot& now) {
+        if (depth > deepest_) {
+            deepest_ = depth;
+            inside_ = index_of(object);
+            when_ = now;
+        }
+    }
 
     const ExpectNoPenetration* expected_;
     const scene::Campus* campus_;
@@ -33,76 +79,161 @@ private:
     double deepest_ = 0.0;               ///< metres
     std::optional<std::size_t> inside_;  ///< the object that it was deepest in
     std::optional<StateSnapshot> when_;
-    std::vector<collision::Obstacle> pieces_;
-    std::vector<collision::ObjectId> around_;
+    std::vector<collision::Obstacle> obstacles_;
+    std::vector<collision::ObjectId> candidates_;
 };
 
-class GroundedEvaluator {
+template <>
+class EvaluatorOf<ExpectGrounded> {
 public:
-    explicit GroundedEvaluator(const ExpectGrounded& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectGrounded& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        if (record.tick == last_) {
+            return;
+        }
+        last_ = record.tick;
+        ++ticks_;
+        if (!record.avatar.grounded) {
+            ++airborne_;
+            if (!first_) {
+                first_ = now;
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        if (airborne_ == 0) {
+            return {true, expected_->mark, "the avatar was on the ground all the time", std::nullopt, true};
+        }
+        const double most = (1.0 - expected_->ratio) * static_cast<double>(ticks_);
+        const bool few_enough = static_cast<double>(airborne_) <= most + 1e-9;
+        const bool always = expected_->ratio >= 1.0;
+        return {few_enough, expected_->mark,
+                "the avatar was off the ground in " + std::to_string(airborne_) + " of " +
+                    std::to_string(ticks_) + " ticks, first " + at_time(first_->time) +
+                    (few_enough
+                         ? ""
+                         : ", expected at most " + fixed(100.0 * (1.0 - expected_->ratio), 1) + " % of them"),
+                first_, !always};
+    }
 
 private:
     const ExpectGrounded* expected_;
-    Tick last_ = -1;  ///< the walk's closing frame shows its last tick again
+    Tick last_ = -1;  ///< the walk's closing record repeats its last tick
     Tick ticks_ = 0;
     Tick airborne_ = 0;
     std::optional<StateSnapshot> first_;
 };
 
-class BlockedByEvaluator {
+/// What the evaluators of `blocked_by` and `stuck` have in common.
+class ObstructionFinder {
 public:
-    explicit BlockedByEvaluator(const ExpectBlockedBy& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    /// Of an event: the object in the way; empty when none could be named.
+    static std::string obstacle_of(const Event& event) {
+        const auto* name = find_field<std::string>(event, "by");
+        return name != nullptr ? *name : "";
+    }
+
+    /// `verb` is "blocked" or "stuck".
+    void see(bool expected, const std::string& verb, const std::string& object, const StateSnapshot& now) {
+        const std::string what = verb + (object.empty() ? " " : " by " + object + " ") + at_time(now.time);
+        if (expected && first_.empty()) {
+            first_ = "the avatar was " + what;
+            when_ = now;
+        } else if (!expected) {
+            other_ = what;
+        }
+    }
+
+    Finding finding(const SourceMark& mark, const std::string& never) const {
+        if (!first_.empty()) {
+            return {true, mark, first_, when_};
+        }
+        return {false, mark, never + (other_.empty() ? "" : ", but " + other_), std::nullopt, true};
+    }
+
+private:
+    std::string first_;  ///< the first as expected, in words
+    std::string other_;  ///< the last that wasn't as expected, in words
+    std::optional<StateSnapshot> when_;
+};
+
+template <>
+class EvaluatorOf<ExpectBlockedBy> {
+public:
+    EvaluatorOf(const ExpectBlockedBy& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        for (const Event& event : record.events) {
+            if (event.kind == EventKind::avatar_blocked || event.kind == EventKind::avatar_stuck) {
+                const std::string object = ObstructionFinder::obstacle_of(event);
+                const bool expected = !object.empty() && scene::glob_matches(expected_->object.glob, object);
+                finder_.see(expected, "blocked", object, now);
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        return finder_.finding(expected_->mark,
+                               "the avatar was never blocked by '" + expected_->object.glob + "'");
+    }
 
 private:
     const ExpectBlockedBy* expected_;
-    std::string first_;  ///< by what, as it would be told
-    std::string other_;  ///< the last that was in the way instead
-    std::optional<StateSnapshot> when_;
+    ObstructionFinder finder_;
 };
 
-class StuckEvaluator {
+template <>
+class EvaluatorOf<ExpectStuck> {
 public:
-    explicit StuckEvaluator(const ExpectStuck& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectStuck& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const std::string& glob = expected_->by.glob;
+        for (const Event& event : record.events) {
+            if (event.kind == EventKind::avatar_stuck) {
+                const std::string object = ObstructionFinder::obstacle_of(event);
+                const bool expected = glob == "*" || (!object.empty() && scene::glob_matches(glob, object));
+                finder_.see(expected, "stuck", object, now);
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        const std::string& glob = expected_->by.glob;
+        return finder_.finding(expected_->mark,
+                               "the avatar was never stuck" + (glob == "*" ? "" : " by '" + glob + "'"));
+    }
 
 private:
     const ExpectStuck* expected_;
-    std::string first_;
-    std::string other_;
-    std::optional<StateSnapshot> when_;
+    ObstructionFinder finder_;
 };
 
-class FellEvaluator {
+template <>
+class EvaluatorOf<ExpectFell> {
 public:
-    explicit FellEvaluator(const ExpectFell& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectFell& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const bool falls =
+            std::ranges::find(record.events, EventKind::avatar_fell, &Event::kind) != record.events.end();
+        if (falls && !when_) {
+            when_ = now;
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        if (when_) {
+            return {true, expected_->mark, "the avatar fell off the world " + at_time(when_->time), when_};
+        }
+        return {false, expected_->mark, "the avatar did not fall off the world", std::nullopt, true};
+    }
 
 private:
     const ExpectFell* expected_;
     std::optional<StateSnapshot> when_;
 };
-
-inline NoPenetrationEvaluator evaluator_of(const ExpectNoPenetration& expected,
-                                           const EvaluatorContext& context) {
-    return NoPenetrationEvaluator(expected, context.campus, context.avatar);
-}
-inline GroundedEvaluator evaluator_of(const ExpectGrounded& expected, const EvaluatorContext&) {
-    return GroundedEvaluator(expected);
-}
-inline BlockedByEvaluator evaluator_of(const ExpectBlockedBy& expected, const EvaluatorContext&) {
-    return BlockedByEvaluator(expected);
-}
-inline StuckEvaluator evaluator_of(const ExpectStuck& expected, const EvaluatorContext&) {
-    return StuckEvaluator(expected);
-}
-inline FellEvaluator evaluator_of(const ExpectFell& expected, const EvaluatorContext&) {
-    return FellEvaluator(expected);
-}
 
 }  // namespace campuswalk::engine

@@ -2,37 +2,85 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "engine/events/decimals.h"
 #include "engine/expect/finding.h"
-#include "engine/record/tick_record.h"
+#include "engine/script/event_pattern.h"
 
 namespace campuswalk::engine {
 
-// Judges of what events come. A judge sees every frame, with the moment at its end, and says at any time what
-// it has found so far; `ended` tells it that nothing more will come. A copy goes on by itself. The
-// expectation must outlive it.
+// Evaluators of expectations about which events come.
 
-class SequenceEvaluator {
+template <>
+class EvaluatorOf<ExpectSequence> {
 public:
-    explicit SequenceEvaluator(const ExpectSequence& expected)
+    EvaluatorOf(const ExpectSequence& expected, const EvaluatorContext&)
         : expected_(&expected), early_(expected.events.size()) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const std::vector<EventPattern>& events = expected_->events;
+        for (const Event& event : record.events) {
+            if (count_ < events.size() && matches(events[count_], event)) {
+                last_event_ = describe(event, record.time);
+                last_ = now;
+                ++count_;
+                continue;
+            }
+            for (std::size_t i = count_; i < events.size(); ++i) {
+                if (matches(events[i], event)) {
+                    early_[i] = describe(event, record.time);
+                }
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        if (count_ == expected_->events.size()) {
+            return {true, expected_->mark, "all came in this order, the last " + last_event_, last_};
+        }
+        const EventPattern& missing = expected_->events[count_];
+        std::string message = "'" + to_string(missing) + "' never came";
+        if (!last_event_.empty()) {
+            message += " after " + last_event_;
+        }
+        if (!early_[count_].empty()) {
+            message += ", only before: " + early_[count_];
+        }
+        return {false, missing.mark, std::move(message), std::nullopt, true};
+    }
 
 private:
     const ExpectSequence* expected_;
-    std::size_t met_ = 0;                ///< how many of the events have come
-    std::string last_event_;             ///< of those, as it would be told
+    std::size_t count_ = 0;              ///< how many of the events have come
+    std::string last_event_;             ///< of those, in words
     std::optional<StateSnapshot> last_;  ///< when that came
-    std::vector<std::string> early_;     ///< for each, the last event like it that came before its turn
+    std::vector<std::string> early_;     ///< for each, the last matching event that came before its turn
 };
 
-class NeverEvaluator {
+template <>
+class EvaluatorOf<ExpectNever> {
 public:
-    explicit NeverEvaluator(const ExpectNever& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectNever& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        for (const Event& event : record.events) {
+            if (matches(expected_->event, event) && ++times_ == 1) {
+                first_event_ = describe(event, record.time);
+                first_ = now;
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        const std::string event = "'" + to_string(expected_->event) + "'";
+        if (times_ == 0) {
+            return {true, expected_->event.mark, event + " never happened", std::nullopt, true};
+        }
+        return {false, expected_->event.mark,
+                event + " happened " + times_in_words(times_) + ", first " + first_event_, first_};
+    }
 
 private:
     const ExpectNever* expected_;
@@ -41,11 +89,30 @@ private:
     std::optional<StateSnapshot> first_;
 };
 
-class CountEvaluator {
+template <>
+class EvaluatorOf<ExpectCount> {
 public:
-    explicit CountEvaluator(const ExpectCount& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectCount& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const Limits<int>& limits = expected_->times;
+        for (const Event& event : record.events) {
+            times_ += matches(expected_->event, event) ? 1 : 0;
+        }
+        const bool too_many =
+            (limits.equals && times_ > *limits.equals) || (limits.at_most && times_ > *limits.at_most);
+        if (too_many && !too_many_) {
+            too_many_ = now;
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        const std::string limit = violated_limit(expected_->times, times_);
+        return {limit.empty(), expected_->mark,
+                "'" + to_string(expected_->event) + "' happened " + times_in_words(times_) +
+                    (limit.empty() ? "" : ", expected " + limit),
+                too_many_, can_still_change(expected_->times, times_)};
+    }
 
 private:
     const ExpectCount* expected_;
@@ -53,39 +120,68 @@ private:
     std::optional<StateSnapshot> too_many_;
 };
 
-class WithinEvaluator {
+template <>
+class EvaluatorOf<ExpectWithin> {
 public:
-    explicit WithinEvaluator(const ExpectWithin& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectWithin& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        constexpr double kRounding = 1e-9;  // seconds
+        if (!miss_ && !waits_.empty() &&
+            record.time - waits_.front().since > expected_->seconds + kRounding) {
+            miss_ = waits_.front();
+            missed_ = now;
+        }
+        for (const Event& event : record.events) {
+            if (matches(expected_->event, event)) {
+                if (miss_ && too_late_.empty()) {
+                    too_late_ = describe(event, record.time);
+                }
+                waits_.clear();
+            }
+            if (matches(expected_->after, event)) {
+                ++times_;
+                waits_.push_back({describe(event, record.time), record.time});
+            }
+        }
+    }
+
+    Finding finding(bool ended) const {
+        if (miss_) {
+            return {false, expected_->mark, describe_miss(*miss_), missed_};
+        }
+        if (times_ == 0) {
+            return {false, expected_->after.mark,
+                    "'" + to_string(expected_->after) + "' never came, so nothing could follow it",
+                    std::nullopt, true};
+        }
+        if (ended && !waits_.empty()) {
+            return {false, expected_->mark, describe_miss(waits_.front()) + ": the walk was over by then",
+                    std::nullopt, true};
+        }
+        return {true, expected_->mark,
+                "'" + to_string(expected_->event) + "' came within " + fixed(expected_->seconds, 3) +
+                    " s after '" + to_string(expected_->after) + "', which came " + times_in_words(times_),
+                std::nullopt, true};
+    }
 
 private:
     struct Wait {
-        std::string event;  ///< as it would be told
+        std::string event;  ///< in words
         double since = 0.0;
     };
-    bool late(const Wait& wait, double time) const;
-    std::string told_miss(const Wait& wait) const;
+
+    std::string describe_miss(const Wait& wait) const {
+        return "'" + to_string(expected_->event) + "' did not come within " + fixed(expected_->seconds, 3) +
+               " s after " + wait.event + (too_late_.empty() ? "" : ", only as " + too_late_);
+    }
 
     const ExpectWithin* expected_;
     int times_ = 0;            ///< how often `after` has come
-    std::vector<Wait> waits_;  ///< those that nothing has followed yet
+    std::vector<Wait> waits_;  ///< those that `event` hasn't followed yet
     std::optional<Wait> miss_;
     std::optional<StateSnapshot> missed_;
-    std::string too_late_;  ///< what came after the miss, as it would be told
+    std::string too_late_;  ///< what came after the miss, in words
 };
-
-inline SequenceEvaluator evaluator_of(const ExpectSequence& expected, const EvaluatorContext&) {
-    return SequenceEvaluator(expected);
-}
-inline NeverEvaluator evaluator_of(const ExpectNever& expected, const EvaluatorContext&) {
-    return NeverEvaluator(expected);
-}
-inline CountEvaluator evaluator_of(const ExpectCount& expected, const EvaluatorContext&) {
-    return CountEvaluator(expected);
-}
-inline WithinEvaluator evaluator_of(const ExpectWithin& expected, const EvaluatorContext&) {
-    return WithinEvaluator(expected);
-}
 
 }  // namespace campuswalk::engine

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "engine/script/event_pattern.h"
 #include "scene/base/glob.h"
 
 namespace campuswalk::engine {
@@ -62,41 +63,27 @@ void EventSubjects::add_objects(const scene::Campus& campus) {
 }
 
 void EventSubjects::add_step(const Step& step, const Walk& walk) {
-    const auto add = [&](std::initializer_list<EventKind> kinds, const std::string& name) {
-        for (const EventKind kind : kinds) {
-            names_[kind].push_back(name);
+    const StepPreview preview = preview_of(step);
+    for (const auto& [kind, object] : preview.events) {
+        // walk.start stands for the first spawn.
+        if (kind != EventKind::avatar_spawn || &step != &walk.steps.front()) {
+            names_[kind].push_back(object.value_or(walk.name));
         }
-    };
-    if (const auto* spawn = std::get_if<SpawnStep>(&step)) {
-        add({EventKind::avatar_depenetrated}, spawn->label);
-        if (&step != &walk.steps.front()) {  // the first is told by walk.start
-            add({EventKind::avatar_spawn}, spawn->label);
-        }
-    } else if (const auto* teleport = std::get_if<TeleportStep>(&step)) {
-        add({EventKind::avatar_teleport, EventKind::avatar_depenetrated}, teleport->label);
-    } else if (const auto* walk_to = std::get_if<WalkToStep>(&step)) {
-        add({EventKind::avatar_arrive, EventKind::avatar_blocked}, walk_to->target.label);
-    } else if (const auto* follow = std::get_if<FollowStep>(&step)) {
-        add({EventKind::avatar_arrive, EventKind::avatar_blocked}, follow->points.back().label);
-    } else if (const auto* snapshot = std::get_if<SnapshotStep>(&step)) {
-        add({EventKind::snapshot_take}, snapshot->name);
-    } else if (std::holds_alternative<JumpStep>(step)) {
-        add({EventKind::avatar_jump}, walk.name);
-    } else if (const auto* crouch = std::get_if<CrouchStep>(&step)) {
-        const bool down = crouch->height < walk.avatar.height;
-        add({down ? EventKind::avatar_crouch : EventKind::avatar_stand}, walk.name);
-    } else if (const auto* enable = std::get_if<EnableStep>(&step)) {
-        add_switched(*enable, walk);
+    }
+    if (preview.height) {
+        const bool down = *preview.height < walk.avatar.height;
+        names_[down ? EventKind::avatar_crouch : EventKind::avatar_stand].push_back(walk.name);
+    }
+    if (preview.switched) {
+        add_switched(*preview.switched, walk);
     }
 }
 
-/// What is in the way of an object that appears is told of the walk.
-void EventSubjects::add_switched(const EnableStep& step, const Walk& walk) {
+/// An avatar that an enabled object pushes aside is logged with the walk's name.
+void EventSubjects::add_switched(const StepPreview::Switch& step, const Walk& walk) {
     const EventKind kind = step.enabled ? EventKind::object_enable : EventKind::object_disable;
     for (const std::string& object : objects_) {
-        if (std::ranges::any_of(step.objects, [&](const auto& pattern) {
-                return scene::glob_matches(pattern.glob, object);
-            })) {
+        if (matches_any(step.objects, object)) {
             names_[kind].push_back(object);
         }
     }

@@ -24,7 +24,7 @@ public:
 private:
     void add_objects(const scene::Campus& campus);
     void add_step(const Step& step, const Walk& walk);
-    void add_switched(const EnableStep& step, const Walk& walk);
+    void add_switched(const StepPreview::Switch& step, const Walk& walk);
 
     std::vector<std::string> objects_;
     std::map<EventKind, std::vector<std::string>> names_;

@@ -10,19 +10,18 @@ namespace campuswalk::engine {
 
 std::optional<Evaluator> Evaluator::of(const Expectation& expectation, const scene::Campus& campus,
                                        const AvatarProfile& avatar) {
-    const auto* negation = std::get_if<ExpectNot>(&expectation);
-    const PlainExpectation* plain =
-        negation != nullptr ? &negation->what : std::get_if<PlainExpectation>(&expectation);
+    const PlainExpectation* plain = plain_part(expectation);
     if (plain == nullptr) {
         return std::nullopt;
     }
-    const EvaluatorContext context{campus, avatar};
-    Evaluator made(
-        std::visit([&](const auto& expected) { return PlainEvaluator(evaluator_of(expected, context)); },
-                   *plain),
-        campus, avatar);
-    made.name_ = std::visit([](const auto& expected) { return std::string_view(expected.kName); }, *plain);
-    made.negated_ = negation != nullptr;
+    Evaluator made(std::visit(
+                       [&]<typename Expected>(const Expected& expected) {
+                           return PlainEvaluator(EvaluatorOf<Expected>(expected, {campus, avatar}));
+                       },
+                       *plain),
+                   campus, avatar);
+    made.name_ = std::visit([](const auto& expected) { return expected.kName; }, *plain);
+    made.negated_ = std::holds_alternative<ExpectNot>(expectation);
     return made;
 }
 
@@ -36,17 +35,17 @@ Finding Evaluator::finding(bool ended) const {
 
 std::optional<SourceMark> Evaluator::undecided() const {
     const Finding found = finding(true);
-    return found.met == negated_ && found.open ? std::optional(found.mark) : std::nullopt;
+    return found.holds == negated_ && found.can_change ? std::optional(found.mark) : std::nullopt;
 }
 
 std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) const {
     const Finding found = finding(ended);
-    if (found.met != negated_) {
+    if (found.holds != negated_) {
         return std::nullopt;
     }
     const std::string name(name_);
     return Failure{found.mark, negated_ ? "not-" + name : name,
-                   negated_ ? "not expected, but " + found.told : found.told,
+                   negated_ ? "not expected, but " + found.message : found.message,
                    scene_of(found.when.value_or(now), *campus_, *avatar_)};
 }
 

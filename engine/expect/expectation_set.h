@@ -15,10 +15,9 @@
 
 namespace campuswalk::engine {
 
-/// The evaluator of each expectation, in the same order: see evaluator_of.
+/// The evaluator of each expectation, in the same order; one without doesn't compile.
 template <typename... Expected>
-std::variant<decltype(evaluator_of(std::declval<const Expected&>(), std::declval<EvaluatorContext>()))...>
-each_evaluator(const std::variant<Expected...>&);
+std::variant<EvaluatorOf<Expected>...> each_evaluator(const std::variant<Expected...>&);
 using PlainEvaluator = decltype(each_evaluator(std::declval<PlainExpectation>()));
 
 /// Holds one expectation against a walk's frames.

@@ -24,14 +24,8 @@ struct Nearest {
     double distance = kReach;  ///< metres, from the body
 };
 
-Segment axis_of(const AvatarState& state, const AvatarProfile& avatar) {
-    const double height = state.stature * avatar.height;
-    return {state.position + Vector3d(0, avatar.radius, 0),
-            state.position + Vector3d(0, height - avatar.radius, 0)};
-}
-
 Nearest nearest_solid(const StateSnapshot& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
-    const Segment axis = axis_of(moment.avatar, avatar);
+    const Segment axis = body_axis(avatar, moment.avatar.position, moment.avatar.stature * avatar.height);
     const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(campus, avatar),
                                         moment.disabled.get()};
     std::vector<collision::Obstacle> pieces;

@@ -1,6 +1,7 @@
 #include "engine/expect/finding.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "engine/events/decimals.h"
 
@@ -8,11 +9,34 @@ namespace campuswalk::engine {
 
 namespace {
 
-constexpr double kHalfOfLastDigit = 0.0005;  // of what is told
+constexpr double kHalfOfLastDigit = 0.0005;  // of what is printed
+
+/// `tolerance` is that of `equals`.
+template <typename Number, typename Show>
+std::string violated(const Limits<Number>& limits, Number value, Number tolerance, const Show& show) {
+    if (limits.equals && std::abs(value - *limits.equals) > tolerance) {
+        return "exactly " + show(*limits.equals);
+    }
+    if (limits.at_least && value < *limits.at_least) {
+        return "at least " + show(*limits.at_least);
+    }
+    if (limits.at_most && value > *limits.at_most) {
+        return "at most " + show(*limits.at_most);
+    }
+    return "";
+}
+
+template <typename Number>
+bool can_change(const Limits<Number>& limits, Number value, Number tolerance, const std::string& violation) {
+    const bool too_much =
+        (limits.equals && value > *limits.equals + tolerance) || (limits.at_most && value > *limits.at_most);
+    const bool bounded = limits.equals || limits.at_most;
+    return !too_much && (bounded || !violation.empty());
+}
 
 }  // namespace
 
-std::string told(const Event& event, double time) {
+std::string describe(const Event& event, double time) {
     return std::string(name_of(event.kind)) + " " + event.object + " " + at_time(time);
 }
 
@@ -20,48 +44,28 @@ std::string at_time(double time) {
     return "at " + fixed(time, 3) + " s";
 }
 
-std::string told_times(int count) {
+std::string times_in_words(int count) {
     return count == 1 ? "once" : std::to_string(count) + " times";
 }
 
-bool still_open(const Limits<int>& limits, int count) {
-    const bool too_many =
-        (limits.equals && count > *limits.equals) || (limits.at_most && count > *limits.at_most);
-    const bool bounded = limits.equals || limits.at_most;
-    return !too_many && (bounded || !broken_limit(limits, count).empty());
+std::string in_metres(double value) {
+    return fixed(value, 3) + " m";
 }
 
-bool still_open(const Limits<double>& limits, double value) {
-    const bool too_much = (limits.equals && value > *limits.equals + kHalfOfLastDigit) ||
-                          (limits.at_most && value > *limits.at_most);
-    const bool bounded = limits.equals || limits.at_most;
-    return !too_much && (bounded || !broken_limit(limits, value, "").empty());
+std::string violated_limit(const Limits<int>& limits, int count) {
+    return violated(limits, count, 0, [](int limit) { return std::to_string(limit); });
 }
 
-std::string broken_limit(const Limits<int>& limits, int count) {
-    if (limits.equals && count != *limits.equals) {
-        return "exactly " + std::to_string(*limits.equals);
-    }
-    if (limits.at_least && count < *limits.at_least) {
-        return "at least " + std::to_string(*limits.at_least);
-    }
-    if (limits.at_most && count > *limits.at_most) {
-        return "at most " + std::to_string(*limits.at_most);
-    }
-    return "";
+std::string violated_limit(const Limits<double>& limits, double value, const std::string& unit) {
+    return violated(limits, value, kHalfOfLastDigit, [&](double limit) { return fixed(limit, 3) + unit; });
 }
 
-std::string broken_limit(const Limits<double>& limits, double value, const std::string& unit) {
-    if (limits.equals && std::abs(value - *limits.equals) > kHalfOfLastDigit) {
-        return "exactly " + fixed(*limits.equals, 3) + unit;
-    }
-    if (limits.at_least && value < *limits.at_least) {
-        return "at least " + fixed(*limits.at_least, 3) + unit;
-    }
-    if (limits.at_most && value > *limits.at_most) {
-        return "at most " + fixed(*limits.at_most, 3) + unit;
-    }
-    return "";
+bool can_still_change(const Limits<int>& limits, int count) {
+    return can_change(limits, count, 0, violated_limit(limits, count));
+}
+
+bool can_still_change(const Limits<double>& limits, double value) {
+    return can_change(limits, value, kHalfOfLastDigit, violated_limit(limits, value, ""));
 }
 
 }  // namespace campuswalk::engine

@@ -5,20 +5,21 @@
 
 #include "engine/events/event.h"
 #include "engine/expect/state_snapshot.h"
+#include "engine/record/tick_record.h"
 #include "engine/script/avatar.h"
 #include "engine/script/expectation.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 
-/// What a judge has to say of an expectation. `told` says what happened, whether that is as expected or not:
-/// of what is met, `not` makes a failure.
+/// What an evaluator has found. `message` says what happened, whether expected or not: if `holds`, it is what
+/// makes a `not` fail.
 struct Finding {
-    bool met = false;
-    SourceMark mark;                    ///< what of the expectation to point at
-    std::string told;                   ///< on a line
+    bool holds = false;
+    SourceMark mark;                    ///< the part of the expectation to point at
+    std::string message;                ///< one line
     std::optional<StateSnapshot> when;  ///< when it was decided; none: not before the end
-    bool open = false;                  ///< had the walk gone on, it might have become otherwise
+    bool can_change = false;            ///< had the walk gone on, it might have turned out differently
 };
 
 /// What evaluators are made from besides their expectation; all must outlive them.
@@ -27,22 +28,34 @@ struct EvaluatorContext {
     const AvatarProfile& avatar;
 };
 
+/// The evaluator of one kind of expectation, which must outlive it. Specialized for each kind in
+/// *_evaluators.h, always with these members:
+///     EvaluatorOf(const Expected& expected, const EvaluatorContext& context);
+///     void see(const TickRecord& record, const StateSnapshot& now);  // every tick, with the state at its
+///     end Finding finding(bool ended) const;                             // so far; `ended`: nothing more
+///     will come
+/// A copy continues independently.
+template <typename Expected>
+class EvaluatorOf;
+
 // How findings are worded.
 
 /// "popup.open library at 6.433 s"
-std::string told(const Event& event, double time);
+std::string describe(const Event& event, double time);
 /// "at 6.433 s"
 std::string at_time(double time);
 /// "once", "3 times"
-std::string told_times(int count);
+std::string times_in_words(int count);
+/// "1.250 m"
+std::string in_metres(double value);
 
-// What a number should have been, "at least 2"; empty when it is.
-
-std::string broken_limit(const Limits<int>& limits, int count);
+/// What a number should have been, as in "at least 2"; empty when it is.
+std::string violated_limit(const Limits<int>& limits, int count);
+/// The same; `unit` has a space before it. Three decimals are printed, and numbers are equal to three
+/// decimals.
+std::string violated_limit(const Limits<double>& limits, double value, const std::string& unit);
 /// Whether a number that only grows may still come within its limits, or leave them.
-bool still_open(const Limits<int>& limits, int count);
-bool still_open(const Limits<double>& limits, double value);
-/// `unit` with a space before it; three decimals are told, and to three they are equal.
-std::string broken_limit(const Limits<double>& limits, double value, const std::string& unit);
+bool can_still_change(const Limits<int>& limits, int count);
+bool can_still_change(const Limits<double>& limits, double value);
 
 }  // namespace campuswalk::engine

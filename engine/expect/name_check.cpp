@@ -1,41 +1,79 @@
 #include "engine/expect/name_check.h"
 
-#include <string>
+#include <algorithm>
+
+#include "scene/base/glob.h"
 
 namespace campuswalk::engine {
 
-using scene::Diagnostic;
+namespace {
 
-void NameCheck::check(const Mention& mention, std::vector<Diagnostic>& diagnostics) const {
-    const EventPattern& event = mention.event;
-    if (subjects_.can_happen(event)) {
-        return;
+void report(std::vector<scene::Diagnostic>& diagnostics, const SourceMark& mark, const std::string& message,
+            const std::string& name, const std::vector<std::string>& known) {
+    diagnostics.push_back(
+        {scene::Severity::error, mark, "unknown-name", message + scene::did_you_mean(name, known)});
+}
+
+/// What each kind of expectation names of images.
+struct ImageNames {
+    const std::vector<std::string>& snapshots;
+    const std::vector<std::string>& buildings;
+    std::vector<scene::Diagnostic>& diagnostics;
+
+    void operator()(const PlainExpectation&) const {}
+    void operator()(const ExpectNot&) const {}
+    void operator()(const ExpectLog&) const {}
+    void operator()(const ExpectSnapshot& expected) const { check_snapshot(expected.name, expected.mark); }
+    void operator()(const ExpectVisible& expected) const {
+        check_snapshot(expected.snapshot, expected.snapshot_mark);
+        const std::string& glob = expected.building.glob;
+        if (std::ranges::none_of(buildings, [&](const auto& id) { return scene::glob_matches(glob, id); })) {
+            report(diagnostics, expected.building.mark,
+                   "no building '" + glob + "' has nodes that could be seen", glob, buildings);
+        }
     }
-    const std::string fault =
-        !mention.if_unknown.empty()
-            ? mention.if_unknown
-            : "'" + event.kind + " " + event.object + "' can't happen: nothing of that name has such events";
-    diagnostics.push_back({scene::Severity::error, event.mark, "unknown-name",
-                           fault + scene::did_you_mean(event.object, subjects_.names(event))});
-}
 
-void NameCheck::check(const EventPattern& pattern, std::vector<Diagnostic>& diagnostics) const {
-    check(Mention{pattern, ""}, diagnostics);
-}
-
-void NameCheck::check(const std::vector<Expectation>& expectations,
-                      std::vector<Diagnostic>& diagnostics) const {
-    const auto check_plain = [&](const PlainExpectation& plain) {
-        for (const Mention& mention : std::visit([](const auto& each) { return each.mentions(); }, plain)) {
-            check(mention, diagnostics);
+private:
+    void check_snapshot(const std::string& name, const SourceMark& mark) const {
+        if (std::ranges::find(snapshots, name) == snapshots.end()) {
+            report(diagnostics, mark, "no step takes a snapshot '" + name + "'", name, snapshots);
         }
-    };
+    }
+};
+
+}  // namespace
+
+NameCheck::NameCheck(const scene::Campus& campus, const Walk& walk,
+                     std::vector<scene::Diagnostic>& diagnostics)
+    : subjects_(campus, walk), diagnostics_(diagnostics) {
+    for (const Step& step : walk.steps) {
+        if (const auto* snapshot = std::get_if<SnapshotStep>(&step)) {
+            snapshots_.push_back(snapshot->name);
+        }
+    }
+    for (const scene::Building& building : campus.description.buildings) {
+        if (!building.nodes.empty()) {
+            visible_buildings_.push_back(building.id);
+        }
+    }
+}
+
+void NameCheck::check_events(const std::vector<Mention>& mentions) const {
+    for (const auto& [event, if_unknown] : mentions) {
+        if (!subjects_.can_happen(event)) {
+            report(diagnostics_, event.mark,
+                   !if_unknown.empty() ? if_unknown
+                                       : "'" + event.kind + " " + event.object +
+                                             "' can't happen: nothing of that name has such events",
+                   event.object, subjects_.names(event));
+        }
+    }
+}
+
+void NameCheck::check_images(const std::vector<Expectation>& expectations) const {
+    const ImageNames names{snapshots_, visible_buildings_, diagnostics_};
     for (const Expectation& expectation : expectations) {
-        if (const auto* plain = std::get_if<PlainExpectation>(&expectation)) {
-            check_plain(*plain);
-        } else if (const auto* negation = std::get_if<ExpectNot>(&expectation)) {
-            check_plain(negation->what);
-        }
+        std::visit(names, expectation);
     }
 }
 

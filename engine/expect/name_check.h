@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/expect/event_subjects.h"
@@ -7,23 +8,23 @@
 
 namespace campuswalk::engine {
 
-/// Finds what expectations name and the campus doesn't have: a `never` on a mistyped name would pass for
-/// ever.
+/// Finds names in steps and expectations that the campus and the walk don't have: a `never` with a mistyped
+/// name would always pass. Its diagnostics are `unknown-name`.
 class NameCheck {
 public:
-    /// Both must outlive it.
-    NameCheck(const scene::Campus& campus, const Walk& walk) : subjects_(campus, walk) {}
+    /// All must outlive it.
+    NameCheck(const scene::Campus& campus, const Walk& walk, std::vector<scene::Diagnostic>& diagnostics);
 
-    /// Appends a diagnostic (unknown-name) about an event that can't happen.
-    void check(const EventPattern& pattern, std::vector<scene::Diagnostic>& diagnostics) const;
-    /// Appends those about all that the expectations name.
-    void check(const std::vector<Expectation>& expectations,
-               std::vector<scene::Diagnostic>& diagnostics) const;
+    /// Reports the mentioned events that can't happen.
+    void check_events(const std::vector<Mention>& mentions) const;
+    /// Reports snapshots that no step takes, and buildings that have no nodes to be seen.
+    void check_images(const std::vector<Expectation>& expectations) const;
 
 private:
-    void check(const Mention& mention, std::vector<scene::Diagnostic>& diagnostics) const;
-
     EventSubjects subjects_;
+    std::vector<std::string> snapshots_;
+    std::vector<std::string> visible_buildings_;
+    std::vector<scene::Diagnostic>& diagnostics_;
 };
 
 }  // namespace campuswalk::engine

@@ -3,18 +3,45 @@
 #include <optional>
 #include <string>
 
+#include "engine/events/decimals.h"
 #include "engine/expect/finding.h"
-#include "engine/record/tick_record.h"
+#include "engine/script/event_pattern.h"
 
 namespace campuswalk::engine {
 
-// Judges of where the avatar went; see event_evaluators.h.
+// Evaluators of expectations about where the avatar went.
 
-class ReachesEvaluator {
+inline double distance_between(const Target& target, const Eigen::Vector3d& position) {
+    Eigen::Vector3d difference = target.point - position;
+    if (!target.has_height) {
+        difference.y() = 0.0;
+    }
+    return difference.norm();
+}
+
+template <>
+class EvaluatorOf<ExpectReaches> {
 public:
-    explicit ReachesEvaluator(const ExpectReaches& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectReaches& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const double distance = distance_between(expected_->target, record.avatar.position);
+        if (distance < nearest_) {
+            nearest_ = distance;
+            when_ = now;
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        const bool reached = nearest_ <= expected_->within;
+        const std::string closest =
+            "the avatar came within " + in_metres(nearest_) + " " + at_time(when_.time);
+        return {reached, expected_->mark,
+                expected_->target.label +
+                    (reached ? " was reached: " + closest
+                             : " was not reached: " + closest + ", expected " + in_metres(expected_->within)),
+                when_, !reached};
+    }
 
 private:
     const ExpectReaches* expected_;
@@ -22,58 +49,96 @@ private:
     StateSnapshot when_;
 };
 
-class NearEvaluator {
+template <>
+class EvaluatorOf<ExpectNear> {
 public:
-    explicit NearEvaluator(const ExpectNear& expected) : expected_(&expected) {}
-    void see(const TickRecord& record, const StateSnapshot& now);
-    Finding finding(bool ended) const;
+    EvaluatorOf(const ExpectNear& expected, const EvaluatorContext&) : expected_(&expected) {}
+
+    void see(const TickRecord& record, const StateSnapshot& now) {
+        const Eigen::Vector3d& end = record.avatar.position;
+        if (!expected_->at) {
+            last_ = Approach{distance_between(expected_->target, end), at_time(record.time), now};
+            return;
+        }
+        for (const Event& event : record.events) {
+            if (!matches(*expected_->at, event)) {
+                continue;
+            }
+            // Contacts have a position within the tick; other events are about its end.
+            const auto* position = find_field<Eigen::Vector3d>(event, "pos");
+            last_ = Approach{distance_between(expected_->target, position != nullptr ? *position : end),
+                             "at " + describe(event, record.time), now};
+            if (last_->distance > expected_->within && !first_miss_) {
+                first_miss_ = last_;
+            }
+        }
+    }
+
+    Finding finding(bool /*ended*/) const {
+        const std::string& target = expected_->target.label;
+        if (!last_) {
+            const EventPattern at = expected_->at ? *expected_->at : EventPattern();
+            return {false, at.mark, "'" + to_string(at) + "' never came, so nothing was near " + target,
+                    std::nullopt, true};
+        }
+        const Approach& decisive = first_miss_ ? *first_miss_ : *last_;
+        const bool near = decisive.distance <= expected_->within;
+        return {near, expected_->mark,
+                "the avatar was " + in_metres(decisive.distance) + " from " + target + " " + decisive.when +
+                    (near ? "" : ", expected within " + in_metres(expected_->within)),
+                decisive.state, !first_miss_};
+    }
 
 private:
-    struct Place {
+    struct Approach {
         double distance = 0.0;  ///< metres, from the target
-        std::string when;       ///< as it would be told
-        StateSnapshot moment;
+        std::string when;       ///< in words
+        StateSnapshot state;
     };
-    std::string told_place(const Place& place) const;
 
     const ExpectNear* expected_;
-    std::optional<Place> last_;   ///< the end of the last tick, or the last event's
-    std::optional<Place> first_;  ///< too far away: the first event's
+    std::optional<Approach> last_;        ///< at the end of the last tick, or at the last event
+    std::optional<Approach> first_miss_;  ///< at the first event that was too far away
 };
 
-class DurationEvaluator {
+template <>
+class EvaluatorOf<ExpectDuration> {
 public:
-    explicit DurationEvaluator(const ExpectDuration& expected) : expected_(&expected) {}
+    EvaluatorOf(const ExpectDuration& expected, const EvaluatorContext&) : expected_(&expected) {}
+
     void see(const TickRecord& record, const StateSnapshot& /*now*/) { time_ = record.time; }
-    Finding finding(bool ended) const;
+
+    Finding finding(bool ended) const {
+        const std::string limit = violated_limit(expected_->seconds, time_, " s");
+        return {limit.empty(), expected_->mark,
+                (ended ? "the walk took " : "the walk had taken ") + fixed(time_, 3) + " s" +
+                    (limit.empty() ? "" : ", expected " + limit),
+                std::nullopt, can_still_change(expected_->seconds, time_)};
+    }
 
 private:
     const ExpectDuration* expected_;
     double time_ = 0.0;
 };
 
-class DistanceEvaluator {
+template <>
+class EvaluatorOf<ExpectDistance> {
 public:
-    explicit DistanceEvaluator(const ExpectDistance& expected) : expected_(&expected) {}
+    EvaluatorOf(const ExpectDistance& expected, const EvaluatorContext&) : expected_(&expected) {}
+
     void see(const TickRecord& record, const StateSnapshot& /*now*/) { distance_ = record.distance; }
-    Finding finding(bool ended) const;
+
+    Finding finding(bool ended) const {
+        const std::string limit = violated_limit(expected_->metres, distance_, " m");
+        return {limit.empty(), expected_->mark,
+                (ended ? "the avatar went " : "the avatar had gone ") + in_metres(distance_) +
+                    (limit.empty() ? "" : ", expected " + limit),
+                std::nullopt, can_still_change(expected_->metres, distance_)};
+    }
 
 private:
     const ExpectDistance* expected_;
     double distance_ = 0.0;
 };
-
-inline ReachesEvaluator evaluator_of(const ExpectReaches& expected, const EvaluatorContext&) {
-    return ReachesEvaluator(expected);
-}
-inline NearEvaluator evaluator_of(const ExpectNear& expected, const EvaluatorContext&) {
-    return NearEvaluator(expected);
-}
-inline DurationEvaluator evaluator_of(const ExpectDuration& expected, const EvaluatorContext&) {
-    return DurationEvaluator(expected);
-}
-inline DistanceEvaluator evaluator_of(const ExpectDistance& expected, const EvaluatorContext&) {
-    return DistanceEvaluator(expected);
-}
 
 }  // namespace campuswalk::engine

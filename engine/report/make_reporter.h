@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,17 +14,23 @@ namespace campuswalk::engine {
 /// Takes text as it is, ends of lines and all. Throws std::runtime_error when it can't be written.
 using TextSink = std::function<void(std::string_view text)>;
 
-/// What the places that reports go to differ in. Only `list` and `dot`, which people read, heed it.
+/// How a report is written for its reader; only `list` and `dot`, which people read, use it.
 struct ReportStyle {
     bool color = false;       ///< ANSI colours, for a terminal
     bool quiet = false;       ///< only what is not as it should be, and the last line
     std::string folder = {};  ///< the run's output folder as the user named it, to find images in
 };
 
-/// As the user writes them.
+struct ReporterKind {
+    std::string_view name;     ///< as users write it
+    std::string_view summary;  ///< one line for `campuswalk help reports`
+    std::unique_ptr<Reporter> (*make)(TextSink sink, const ReportStyle& style) = nullptr;
+};
+
+std::span<const ReporterKind> reporter_kinds();
 std::vector<std::string> reporter_names();
 
-/// One of them, writing to `sink`. None for a name that isn't among them.
+/// Writes to `sink`. Null for an unknown name.
 std::unique_ptr<Reporter> make_reporter(std::string_view name, TextSink sink, const ReportStyle& style = {});
 
 }  // namespace campuswalk::engine

@@ -1,26 +1,41 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <utility>
 
 #include "engine/report/make_reporter.h"
 
 namespace campuswalk::engine {
 
-// What make_reporter chooses from, a file each.
+// What make_reporter chooses from, each in its own file.
 
-/// A line a case, then what is not as it should be in full, then a line of counts.
 std::unique_ptr<Reporter> make_list_reporter(TextSink sink, const ReportStyle& style);
-/// A character a case, the rest as `list`.
 std::unique_ptr<Reporter> make_dot_reporter(TextSink sink, const ReportStyle& style);
-/// JUnit's XML: a file is a suite, a walk in it a case, seconds are simulated ones.
 std::unique_ptr<Reporter> make_junit_reporter(TextSink sink);
-/// Test Anything Protocol, version 14. An xfail is a TODO.
 std::unique_ptr<Reporter> make_tap_reporter(TextSink sink);
-/// One object (config/schema/report.schema.json), a result a line inside of it.
 std::unique_ptr<Reporter> make_json_reporter(TextSink sink);
-/// A header and a line a result, as they come (config/schema/report-line.schema.json).
 std::unique_ptr<Reporter> make_jsonl_reporter(TextSink sink);
-/// GitHub's workflow commands: an annotation a failure.
 std::unique_ptr<Reporter> make_github_reporter(TextSink sink);
+
+template <std::unique_ptr<Reporter> (*make)(TextSink)>
+std::unique_ptr<Reporter> without_style(TextSink sink, const ReportStyle&) {
+    return make(std::move(sink));
+}
+
+inline constexpr std::array kReporterKinds = {
+    ReporterKind{"list",
+                 "one line per walk; for a failure also where, what was near, the last events, its pictures",
+                 make_list_reporter},
+    ReporterKind{"dot", "one character per walk", make_dot_reporter},
+    ReporterKind{"junit", "XML: one suite per walk file, one case per walk; times are simulated seconds",
+                 without_style<make_junit_reporter>},
+    ReporterKind{"tap", "TAP version 14", without_style<make_tap_reporter>},  // an xfail is a TODO
+    ReporterKind{"json", "all results and a summary; config/schema/report.schema.json describes each key",
+                 without_style<make_json_reporter>},
+    ReporterKind{"jsonl",
+                 "one result per line, as soon as it is known: the input of merge-reports and replay",
+                 without_style<make_jsonl_reporter>},
+    ReporterKind{"github", "annotations in GitHub's pull requests", without_style<make_github_reporter>}};
 
 }  // namespace campuswalk::engine

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/events/decimals.h"
 #include "engine/report/outcome_names.h"
 #include "engine/report/result_fields.h"
 
@@ -28,8 +29,6 @@ constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{
     {-std::numeric_limits<double>::infinity(), "-Infinity"},
     {std::numeric_limits<double>::quiet_NaN(), "NaN"},
 }};
-
-constexpr std::size_t kHashDigits = 16;
 
 // ---- writing ------------------------------------------------------------------------------------------
 
@@ -65,10 +64,7 @@ Json json_of(const std::optional<double>& value) {
 }
 /// As logs have it: readers whose numbers are all doubles keep its bits too.
 Json json_of(const Hash<const std::uint64_t>& hash) {
-    std::array<char, kHashDigits> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash.value, 16).ptr;
-    const std::string text(digits.data(), end);
-    return std::string(kHashDigits - text.size(), '0') + text;
+    return hexadecimal(hash.value);
 }
 template <typename Item>
 Json json_of(const std::vector<Item>& list);
@@ -176,8 +172,7 @@ void read(const Json& json, const std::string& where, Hash<std::uint64_t> hash) 
         digits = json.get<std::string>();
     }
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), hash.value, 16);
-    if (digits.size() != kHashDigits || digits.starts_with('-') ||
-        parsed.ptr != digits.data() + digits.size()) {
+    if (digits.size() != 16 || digits.starts_with('-') || parsed.ptr != digits.data() + digits.size()) {
         refuse(where, "16 hexadecimal digits", json);
     }
 }

@@ -10,6 +10,11 @@ namespace campuswalk::engine {
 
 /// The avatar's body as the collision layer takes it.
 collision::MoverSettings mover_settings(const AvatarProfile& avatar);
+/// The axis of its capsule, so high, with the foot point there.
+inline collision::Segment body_axis(const AvatarProfile& avatar, const Eigen::Vector3d& foot, double height) {
+    return {foot + Eigen::Vector3d(0, avatar.radius, 0),
+            foot + Eigen::Vector3d(0, height - avatar.radius, 0)};
+}
 /// Bits of the layers the avatar takes no notice of.
 std::uint32_t ignored_layers(const scene::Campus& campus, const AvatarProfile& avatar);
 

@@ -57,6 +57,28 @@ struct CameraSettings {
     double fov = 1.0471975511965976;  ///< radians (60°), vertical
 };
 
+/// What else of an image is kept, as files of numbers.
+struct ImageChannels {
+    bool depth = false;
+    bool ids = false;  ///< which building and object each pixel shows
+    bool normals = false;
+
+    bool any() const { return depth || ids || normals; }
+};
+
+/// What is drawn over an image, for whoever wants to see how the campus works.
+struct ImageOverlays {
+    bool path = false;                   ///< the way walked so far
+    bool contacts = false;               ///< where something solid was touched
+    bool colliders = false;              ///< edges of what is solid or seen
+    bool triggers = false;               ///< edges of what notices who is inside
+    bool labels = false;                 ///< titles of the buildings that are in the image
+    bool compass = false;                ///< where north is
+    std::optional<int> tree_level = {};  ///< the boxes at this level of the meshes' trees, 0 the whole mesh'
+
+    bool any_lines() const { return path || contacts || colliders || triggers || tree_level; }
+};
+
 /// A view of each kind, in the variant's order.
 using Views = std::array<View, std::variant_size_v<View>>;
 

@@ -1,6 +1,8 @@
 #include "engine/script/expectation.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace campuswalk::engine {
@@ -32,9 +34,37 @@ std::string code_of(const ExpectVisible& expected) {
     return (expected.negated ? "not-" : "") + std::string(ExpectVisible::kName);
 }
 
+const PlainExpectation* plain_part(const Expectation& expectation) {
+    struct {
+        const PlainExpectation* operator()(const PlainExpectation& plain) const { return &plain; }
+        const PlainExpectation* operator()(const ExpectNot& negation) const { return &negation.what; }
+        const PlainExpectation* operator()(const ExpectLog&) const { return nullptr; }
+        const PlainExpectation* operator()(const ExpectSnapshot&) const { return nullptr; }
+        const PlainExpectation* operator()(const ExpectVisible&) const { return nullptr; }
+    } part;
+    return std::visit(part, expectation);
+}
+
 bool is_about_images(const Expectation& expectation) {
-    return std::holds_alternative<ExpectSnapshot>(expectation) ||
-           std::holds_alternative<ExpectVisible>(expectation);
+    struct {
+        bool operator()(const PlainExpectation&) const { return false; }
+        bool operator()(const ExpectNot&) const { return false; }
+        bool operator()(const ExpectLog&) const { return false; }
+        bool operator()(const ExpectSnapshot&) const { return true; }
+        bool operator()(const ExpectVisible&) const { return true; }
+    } about;
+    return std::visit(about, expectation);
+}
+
+std::vector<Mention> mentions_of(const std::vector<Expectation>& expectations) {
+    std::vector<Mention> all;
+    for (const Expectation& expectation : expectations) {
+        if (const PlainExpectation* plain = plain_part(expectation)) {
+            std::ranges::move(std::visit([](const auto& each) { return each.mentions(); }, *plain),
+                              std::back_inserter(all));
+        }
+    }
+    return all;
 }
 
 std::vector<std::string> image_failure_codes() {

@@ -231,7 +231,13 @@ std::string code_of(const ExpectVisible& expected);
 
 using Expectation = std::variant<PlainExpectation, ExpectNot, ExpectLog, ExpectSnapshot, ExpectVisible>;
 
-/// Whether it can be judged only where images are drawn.
+/// What is evaluated during the walk: the expectation itself or the one that `not` negates. Null for those
+/// that are evaluated afterwards: logs and images.
+const PlainExpectation* plain_part(const Expectation& expectation);
+/// What those name, in their order.
+std::vector<Mention> mentions_of(const std::vector<Expectation>& expectations);
+
+/// Whether it can be evaluated only where images are drawn.
 bool is_about_images(const Expectation& expectation);
 /// The codes of failures of those.
 std::vector<std::string> image_failure_codes();

@@ -33,9 +33,9 @@ struct StepEnd {
     std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, with the label; none: not logged
     const std::string* label = nullptr;
     const SourceMark* mark = nullptr;
-    bool fatal = false;   ///< the walk ends here
-    std::string code;     ///< fatal: of the failure
-    std::string message;  ///< fatal: what went wrong; an obstacle is for others to add
+    bool fatal = false;        ///< the walk ends here
+    std::string code = {};     ///< fatal: of the failure
+    std::string message = {};  ///< fatal: what went wrong; the simulation adds the obstacle
 };
 
 /// Where a simulation gets the avatar's intent from: the walk's script, a recording, another program. Only

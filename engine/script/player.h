@@ -36,37 +36,47 @@ private:
         bool aligned = false;             ///< turn and look_at: looking where asked
         double allowed = 0.0;             ///< walk_to and follow: seconds before it gives up
         bool jumped = false;
-        bool heard = false;  ///< wait_until: the event
+        bool awaited_event_came = false;  ///< wait_until
     };
 
-    enum class Outcome { going, done, arrived, blocked, timed_out };
-    // What to do for a step in a tick, and what came of it: player.cpp says so for each kind.
+    void intend_step(const AvatarState& avatar, Intent& intent);
+    /// None while the step goes on; one with neither a kind nor a failure if there is nothing to report.
+    std::optional<StepEnd> end_of_step(const AvatarState& avatar);
+
+    // The same for each kind of step, in lasting_steps.cpp: a kind without its own doesn't compile.
     template <typename Kind>
     void intend(const Kind& step, const AvatarState& avatar, Intent& intent) = delete;
     template <typename Kind>
-    Outcome outcome(const Kind& step, const AvatarState& avatar) = delete;
+    std::optional<StepEnd> end_of(const Kind& step, const AvatarState& avatar) = delete;
     /// Instant steps are carried out after the step before them; the first step is always a spawn.
     template <InstantStep Kind>
     void intend(const Kind&, const AvatarState&, Intent&) {}
     template <InstantStep Kind>
-    Outcome outcome(const Kind&, const AvatarState&) {
-        return Outcome::done;
+    std::optional<StepEnd> end_of(const Kind&, const AvatarState&) {
+        return StepEnd();
     }
-    std::optional<StepEnd> end_of(const Step& step, Outcome result, const AvatarState& avatar) const;
 
+    /// `from` turned towards `to` the short way, by at most what a tick allows, radians.
     double turned(double from, double to) const;
     double speed_of(const std::optional<double>& own) const;
     void go_towards(const Eigen::Vector3d& point, double speed, const AvatarState& avatar, Intent& intent);
-    /// Whether someone who has `remaining` metres to go is late or comes no nearer.
+    /// Whether an avatar that has `remaining` metres to go is late or comes no nearer.
     bool gives_up(double remaining, double speed);
+    template <typename Travel>
+    std::optional<StepEnd> blocked(const char* verb, const Travel& step, const Target& target,
+                                   const AvatarState& avatar) const;
     std::string why_not_reached(const Target& target, double within, const AvatarState& avatar) const;
 
     const Walk& walk_;
     double dt_;
     std::size_t current_ = 0;
     Progress progress_;
-    std::optional<double> pace_;  ///< metres a second, once a step has set it
+    std::optional<double> pace_;  ///< metres per second, once a step has set it
     CurveWalk curve_;
 };
+
+/// Simulated seconds that the walk's steps take if nothing is in the way and the ground is level; none for a
+/// walk that waits for an event.
+std::optional<double> planned_seconds(const Walk& walk);
 
 }  // namespace campuswalk::engine

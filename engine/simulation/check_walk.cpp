@@ -1,12 +1,11 @@
 #include "engine/simulation/check_walk.h"
 
-#include <algorithm>
+#include <set>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
-#include "engine/expect/image_names.h"
 #include "engine/expect/name_check.h"
 #include "engine/script/avatar_body.h"
 #include "engine/simulation/body.h"
@@ -14,7 +13,6 @@
 
 namespace campuswalk::engine {
 
-using Eigen::Vector3d;
 using scene::Diagnostic;
 
 namespace {
@@ -30,24 +28,22 @@ public:
           solids_{collision::Detection::solid, ignored_layers(campus, walk.avatar), &disabled_} {}
 
     /// Appends the diagnostics about it.
-    void see(const Step& step, std::vector<Diagnostic>& diagnostics) {
-        if (const auto* spawn = std::get_if<SpawnStep>(&step)) {
-            check_place(spawn->mark, spawn->label, spawn->position, diagnostics);
-        } else if (const auto* teleport = std::get_if<TeleportStep>(&step)) {
-            check_place(teleport->mark, teleport->label, teleport->position, diagnostics);
-        } else if (const auto* crouch = std::get_if<CrouchStep>(&step)) {
-            height_ = crouch->height;
-        } else if (const auto* enable = std::get_if<EnableStep>(&step)) {
-            for (const NamePattern& pattern : enable->objects) {
-                switch_objects(pattern, enable->enabled, diagnostics);
+    void see(const StepPreview& step, const SourceMark& mark, std::vector<Diagnostic>& diagnostics) {
+        if (step.place) {
+            check_place(mark, *step.place, diagnostics);
+        }
+        height_ = step.height.value_or(height_);
+        if (step.switched) {
+            for (const NamePattern& pattern : step.switched->objects) {
+                switch_objects(pattern, step.switched->enabled, diagnostics);
             }
         }
     }
 
 private:
-    /// Complains about a place where the avatar can't stand.
-    void check_place(const SourceMark& mark, const std::string& label, const Vector3d& foot,
+    void check_place(const SourceMark& mark, const StepPreview::Place& place,
                      std::vector<Diagnostic>& diagnostics) {
+        const auto& [label, foot] = place;
         if (collision::nearest_free_placement(campus_.world, solids_, foot, avatar_.radius, height_,
                                               kPlacementSearch)) {
             return;
@@ -90,38 +86,27 @@ private:
     collision::QueryFilter solids_;
 };
 
-bool same_diagnostic(const Diagnostic& a, const Diagnostic& b) {
-    return a.mark.file == b.mark.file && a.mark.line == b.mark.line && a.mark.column == b.mark.column &&
-           a.message == b.message;
-}
-
-/// Steps of a `repeat` are there once a round.
+/// The steps of a `repeat` are checked once per round.
 void drop_repeated(std::vector<Diagnostic>& diagnostics) {
-    std::vector<Diagnostic> kept;
-    for (Diagnostic& diagnostic : diagnostics) {
-        if (std::ranges::none_of(kept, [&](const Diagnostic& k) { return same_diagnostic(k, diagnostic); })) {
-            kept.push_back(std::move(diagnostic));
-        }
-    }
-    diagnostics = std::move(kept);
+    std::set<std::tuple<std::string, int, int, std::string>> seen;
+    std::erase_if(diagnostics, [&](const Diagnostic& each) {
+        return !seen.emplace(each.mark.file, each.mark.line, each.mark.column, each.message).second;
+    });
 }
 
 }  // namespace
 
 std::vector<Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk) {
     std::vector<Diagnostic> diagnostics;
-    const NameCheck names(campus, walk);
+    const NameCheck names(campus, walk, diagnostics);
     StepCheck steps(campus, walk);
     for (const Step& step : walk.steps) {
-        steps.see(step, diagnostics);
-        if (const auto* wait = std::get_if<WaitUntilStep>(&step)) {
-            names.check(wait->event, diagnostics);
-        } else if (const auto* expect = std::get_if<ExpectStep>(&step)) {
-            names.check(expect->expectations, diagnostics);
-        }
+        const StepPreview preview = preview_of(step);
+        steps.see(preview, mark_of(step), diagnostics);
+        names.check_events(preview.mentions);
     }
-    names.check(walk.expectations, diagnostics);
-    check_image_names(campus, walk, diagnostics);
+    names.check_events(mentions_of(walk.expectations));
+    names.check_images(walk.expectations);
     drop_repeated(diagnostics);
     return diagnostics;
 }

@@ -6,6 +6,7 @@
 #include "collision/geometry/trigonometry.h"
 #include "collision/world/cast.h"
 #include "collision/world/overlap_span.h"
+#include "engine/script/avatar_body.h"
 
 namespace campuswalk::engine {
 
@@ -129,7 +130,7 @@ ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double he
                                                collision::QueryStatistics* statistics) const {
     const double radius = avatar_.radius + (triggers_.active(id) ? kVolumeSlack : 0.0);
     const auto span_from = [&](const Vec3& foot, const Vec3& move) {
-        const Segment body{foot + Vec3(0, avatar_.radius, 0), foot + Vec3(0, height - avatar_.radius, 0)};
+        const Segment body = body_axis(avatar_, foot, height);
         return overlap_span(campus_.world, id, body, radius, move, statistics);
     };
     if (path.size() == 1) {  // put down here

@@ -1,7 +1,6 @@
 #include "engine/simulation/contact_events.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "engine/script/avatar_body.h"
@@ -22,7 +21,7 @@ EventKind kind_of(const DetectedTransition& contact) {
 
 /// At least one.
 Tick ticks_of(double seconds, const SimSettings& sim) {
-    return std::max<Tick>(1, static_cast<Tick>(std::floor(seconds * sim.ticks_per_second + 0.5)));
+    return std::max<Tick>(1, sim.ticks_of(seconds));
 }
 
 /// On the polyline that the tick went along.

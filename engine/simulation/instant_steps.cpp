@@ -1,12 +1,11 @@
 #include "engine/simulation/instant_steps.h"
 
-#include <algorithm>
 #include <cassert>
 #include <string>
 #include <variant>
 
 #include "engine/events/decimals.h"
-#include "scene/base/glob.h"
+#include "engine/script/event_pattern.h"
 
 namespace campuswalk::engine {
 
@@ -44,9 +43,7 @@ bool switch_objects(const EnableStep& step, SimulationState& state) {
     bool changed = false;
     for (std::size_t i = 0; i < state.campus.objects.size(); ++i) {
         const std::string& id = state.campus.objects[i].id;
-        const bool meant = std::ranges::any_of(
-            step.objects, [&](const auto& pattern) { return scene::glob_matches(pattern.glob, id); });
-        if (meant && state.disabled[i] == step.enabled) {
+        if (matches_any(step.objects, id) && state.disabled[i] == step.enabled) {
             state.disabled[i] = !step.enabled;
             changed = true;
             state.events.add(step.enabled ? EventKind::object_enable : EventKind::object_disable, id,

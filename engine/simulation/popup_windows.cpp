@@ -1,6 +1,5 @@
 #include "engine/simulation/popup_windows.h"
 
-#include <cmath>
 #include <string>
 
 #include "engine/events/popup_text.h"
@@ -9,12 +8,8 @@ namespace campuswalk::engine {
 
 namespace {
 
-Tick rounded_ticks(double seconds, const SimSettings& sim) {
-    return static_cast<Tick>(std::floor(seconds * sim.ticks_per_second + 0.5));
-}
-
 PopupTiming timing_of(const scene::PopupRule& rule, const SimSettings& sim) {
-    return {rule.once, rounded_ticks(rule.cooldown, sim), rounded_ticks(rule.dwell, sim)};
+    return {rule.once, sim.ticks_of(rule.cooldown), sim.ticks_of(rule.dwell)};
 }
 
 /// An object may be in contact in three ways at once.
@@ -58,7 +53,7 @@ void PopupWindows::open_due(TickEvents& events) {
 
 void PopupWindows::open_window(std::size_t index, double at, TickEvents& events) {
     const scene::Building& building = campus_.description.buildings[index];
-    const PopupFacts facts{popups_.visits(index), static_cast<double>(events.tick) / sim_.ticks_per_second};
+    const PopupFacts facts{popups_.visits(index), sim_.seconds_at(events.tick)};
     const OpenPopup& window =
         open_.emplace_back(OpenPopup{index, popup_title(building, facts), popup_text(building, facts)});
     events.add(EventKind::popup_open, building.id,

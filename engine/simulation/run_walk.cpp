@@ -1,11 +1,10 @@
 #include "engine/simulation/run_walk.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <filesystem>
 #include <utility>
 
+#include "engine/events/decimals.h"
 #include "engine/expect/expectation_set.h"
 #include "engine/expect/failure_scene.h"
 #include "engine/simulation/simulation.h"
@@ -13,13 +12,6 @@
 namespace campuswalk::engine {
 
 namespace {
-
-std::string hexadecimal(std::uint64_t value) {
-    std::array<char, 16> digits{};
-    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
-    const auto count = static_cast<std::size_t>(result.ptr - digits.data());
-    return std::string(digits.size() - count, '0') + std::string(digits.data(), count);
-}
 
 Event event_at(Tick tick, EventKind kind, std::string object) {
     Event event;

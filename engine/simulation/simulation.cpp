@@ -136,10 +136,8 @@ void Simulation::report_step_end(const StepEnd& end) {
 
 /// However the walk is going: a time-out is none of the script's steps.
 void Simulation::check_timeout() {
-    constexpr double kRounding = 1e-9;  // ticks
     const Walk& walk = state_.walk;
-    const bool over = walk.timeout && static_cast<double>(state_.events.tick) >=
-                                          *walk.timeout * walk.sim.ticks_per_second - kRounding;
+    const bool over = walk.timeout && walk.sim.has_passed(*walk.timeout, state_.events.tick);
     if (over && !stop_ && !intents_.finished()) {
         const SourceMark* mark = intents_.mark();
         stop_ = Stop{mark != nullptr ? *mark : walk.mark, "timeout",

@@ -26,7 +26,7 @@ void SimulationState::report_push(const Push& push, const std::string& label) {
 TickRecord SimulationState::record() const {
     TickRecord record;
     record.tick = events.tick;
-    record.time = static_cast<double>(events.tick) / walk.sim.ticks_per_second;
+    record.time = walk.sim.seconds_at(events.tick);
     record.costs = costs;
     record.avatar = body.state();
     record.distance = body.distance();

@@ -4,13 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/base/utf8.h"
 #include "tests/config/says.h"
-
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::config {
 namespace {
 
+using scene::utf8_length;
 using test::says;
 
 class SourceText : public testing::Test {

@@ -1,6 +1,7 @@
 #include "config/loader/walk/read_single_expectation.h"
 
 #include <array>
+#include <variant>
 
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/ranges.h"
@@ -285,6 +286,7 @@ constexpr std::array kReaders = {ExpectationReader{"sequence", read_sequence},
                                  ExpectationReader{"stuck", read_stuck, true},
                                  ExpectationReader{"blocked_by", read_blocked_by},
                                  ExpectationReader{"fell", read_fell, true}};
+static_assert(kReaders.size() == std::variant_size_v<PlainExpectation>);
 
 }  // namespace
 

@@ -4,10 +4,13 @@
 #include <iterator>
 #include <system_error>
 
+#include "scene/base/utf8.h"
+
 namespace campuswalk::config {
 
 using scene::DiagnosticList;
 using scene::SourceMark;
+using scene::utf8_length;
 
 namespace {
 
@@ -31,10 +34,6 @@ std::string why_unreadable(const std::filesystem::path& path) {
         return "is not a regular file";
     }
     return "";
-}
-
-bool is_continuation(std::string_view text, std::size_t at) {
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
 }
 
 /// An invalid character: where it is, and why it is invalid.
@@ -99,26 +98,6 @@ std::string with_plain_lines(std::string_view bytes) {
 
 std::string shown_path(const std::filesystem::path& path) {
     return path.lexically_normal().generic_string();
-}
-
-std::size_t utf8_length(std::string_view text, std::size_t at) {
-    const auto lead = static_cast<unsigned char>(text[at]);
-    if (lead < 0x80) {
-        return 1;
-    }
-    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4) {
-        return 0;
-    }
-    for (std::size_t i = 1; i < length; ++i) {
-        if (!is_continuation(text, at + i)) {
-            return 0;
-        }
-    }
-    const auto second = static_cast<unsigned char>(text[at + 1]);
-    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-    const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
-    return overlong || outside ? 0 : length;
 }
 
 std::optional<std::string> read_source(const std::filesystem::path& path, const SourceMark& named_at,

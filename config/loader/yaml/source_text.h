@@ -18,7 +18,4 @@ std::string shown_path(const std::filesystem::path& path);
 std::optional<std::string> read_source(const std::filesystem::path& path, const scene::SourceMark& named_at,
                                        scene::DiagnosticList& diagnostics);
 
-/// Length in bytes of the UTF-8 character at `at`; 0 if it is invalid: overlong, a surrogate or truncated.
-std::size_t utf8_length(std::string_view text, std::size_t at);
-
 }  // namespace campuswalk::config

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "scene/base/diagnostic.h"
+#include "scene/base/utf8.h"
 
 namespace campuswalk::config {
 
@@ -21,7 +22,7 @@ std::string in_quotes(std::string_view text) {
     std::size_t length = text.size();
     if (length > kMaxQuoteBytes) {
         length = kMaxQuoteBytes;
-        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+        while (length > 0 && scene::is_utf8_continuation(text[length])) {
             --length;  // not in the middle of a character
         }
     }

@@ -15,6 +15,7 @@
 #include "config/loader/yaml/diagnostics.h"
 #include "config/loader/yaml/wording.h"
 #include "config/loader/yaml/yaml_syntax.h"
+#include "scene/base/utf8.h"
 
 namespace campuswalk::config {
 namespace {
@@ -48,8 +49,7 @@ Position position_of(std::string_view text, const YAML::Mark& mark) {
     const auto column = static_cast<std::size_t>(mark.column);
     const std::size_t start = std::min(static_cast<std::size_t>(mark.pos) - column, text.size());
     const std::string_view before = text.substr(start, std::min(column, kMaxLineBytes));
-    const auto continuation_bytes = std::ranges::count_if(
-        before, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; });
+    const auto continuation_bytes = std::ranges::count_if(before, scene::is_utf8_continuation);
     return {mark.line + 1, mark.column + 1 - static_cast<int>(continuation_bytes)};
 }
 

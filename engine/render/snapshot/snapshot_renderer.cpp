@@ -107,23 +107,23 @@ Image SnapshotRenderer::draw_view(const Viewpoint& view, int width, int height) 
     return renderer_.draw(view, width, height);
 }
 
-Viewpoint SnapshotRenderer::viewpoint(const SnapshotRequest& request) const {
-    return std::visit([&](const auto& view) { return viewpoint_of(view, request); }, request.camera.view);
-}
-
+template <>
 Viewpoint SnapshotRenderer::viewpoint_of(const FirstPersonView&, const SnapshotRequest& request) const {
     return first_person(request.avatar, request.profile, request.camera.fov);
 }
 
+template <>
 Viewpoint SnapshotRenderer::viewpoint_of(const ThirdPersonView& view, const SnapshotRequest& request) const {
     return third_person(request.avatar, request.profile, request.camera.fov, view.distance.value_or(kBehind),
                         settings_.free_distance);
 }
 
+template <>
 Viewpoint SnapshotRenderer::viewpoint_of(const TopView& view, const SnapshotRequest& request) const {
     return top(request.avatar.position, view.height_above, request.camera.fov, renderer_.bounds());
 }
 
+template <>
 Viewpoint SnapshotRenderer::viewpoint_of(const OrbitView& view, const SnapshotRequest& request) const {
     const CameraSettings& camera = request.camera;
     const double yaw = view.yaw.value_or(kOrbitYaw);
@@ -141,12 +141,17 @@ Viewpoint SnapshotRenderer::viewpoint_of(const OrbitView& view, const SnapshotRe
     return orbiting(centre, view.distance.value_or(kOrbitDistance), yaw, pitch, camera.fov);
 }
 
+template <>
 Viewpoint SnapshotRenderer::viewpoint_of(const FixedView& view, const SnapshotRequest& request) const {
     const Eigen::Vector3d position = view.position.value_or(eyes_of(request));
     if (view.look_at) {
         return looking_at(position, point_of(*view.look_at), request.camera.fov);
     }
     return looking(position, view.yaw.value_or(0.0), view.pitch.value_or(0.0), request.camera.fov);
+}
+
+Viewpoint SnapshotRenderer::viewpoint(const SnapshotRequest& request) const {
+    return std::visit([&](const auto& view) { return viewpoint_of(view, request); }, request.camera.view);
 }
 
 Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {

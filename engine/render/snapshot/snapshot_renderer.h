@@ -82,11 +82,9 @@ public:
 
 private:
     Viewpoint viewpoint(const SnapshotRequest& request) const;
-    Viewpoint viewpoint_of(const FirstPersonView& view, const SnapshotRequest& request) const;
-    Viewpoint viewpoint_of(const ThirdPersonView& view, const SnapshotRequest& request) const;
-    Viewpoint viewpoint_of(const TopView& view, const SnapshotRequest& request) const;
-    Viewpoint viewpoint_of(const OrbitView& view, const SnapshotRequest& request) const;
-    Viewpoint viewpoint_of(const FixedView& view, const SnapshotRequest& request) const;
+    /// Of each kind of view, in the .cpp; one without doesn't compile.
+    template <typename Kind>
+    Viewpoint viewpoint_of(const Kind& view, const SnapshotRequest& request) const = delete;
     Eigen::Vector3d point_of(const CameraTarget& target) const;
     static std::optional<Figure> figure(const SnapshotRequest& request, const Viewpoint& view);
     Image draw_overlays(const Image& image, const SnapshotRequest& request, const Viewpoint& view);

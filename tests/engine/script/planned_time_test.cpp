@@ -1,4 +1,4 @@
-#include "engine/script/planned_time.h"
+#include "engine/script/player.h"
 
 #include <gtest/gtest.h>
 

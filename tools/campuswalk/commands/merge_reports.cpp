@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "config/loader/yaml/wording.h"
+#include "engine/report/make_reporter.h"
 #include "engine/report/result_json.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -153,8 +155,8 @@ void add_merge_reports(Command program, Chosen& chosen) {
                     .required = true},
                    options->inputs);
     command.option({.names = "--reporter",
-                    .help = "dot, github, json, jsonl, junit, list or tap; =FILE writes it to a file; may be "
-                            "repeated [list]",
+                    .help = config::listed(engine::reporter_names()) +
+                            "; =FILE writes it to a file; may be repeated [list]",
                     .value = "NAME[=FILE]"},
                    options->reporters);
     command.option({.names = "--output",

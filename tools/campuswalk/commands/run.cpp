@@ -2,6 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "config/loader/yaml/wording.h"
+#include "engine/report/make_reporter.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
@@ -134,8 +136,9 @@ void add_output(Command& command, const Options& options) {
                     .value = "DIR"},
                    options->output);
     command.option({.names = "--reporter",
-                    .help = "dot, github, json, jsonl, junit, list, log or tap; with =FILE there, several "
-                            "times. Without: those of walks.config.yaml, else the log of a single walk, a "
+                    .help = config::listed(engine::reporter_names()) +
+                            " or log; with =FILE there, several times. Without: those of walks.config.yaml, "
+                            "else the log of a single walk, a "
                             "list of several",
                     .value = "NAME[=FILE]"},
                    options->reporters);

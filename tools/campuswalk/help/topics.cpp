@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "engine/report/make_reporter.h"
 #include "tools/campuswalk/help/key_table.h"
 
 namespace campuswalk::tools::help {
@@ -161,16 +162,16 @@ An unknown variable is an error, reported with its line and column. To expect a 
 }
 
 std::string reports() {
+    std::string kinds;
+    for (const engine::ReporterKind& kind : engine::reporter_kinds()) {
+        std::string name(kind.name);
+        name.resize(9, ' ');
+        kinds += "  " + name + std::string(kind.summary) + "\n";
+    }
     return R"('campuswalk run --reporter NAME' or '--reporter NAME=FILE', repeatable; at most one without a file.
 
-  list     one line per walk; for a failure also where, what was near, the last events, its pictures
-  dot      one character per walk
-  junit    XML: one suite per walk file, one case per walk; times are simulated seconds
-  tap      TAP version 14
-  json     all results and a summary; config/schema/report.schema.json describes each key
-  jsonl    one result per line, as soon as it is known: the input of merge-reports and replay
-  github   annotations in GitHub's pull requests
-  log      the events, one per line; what a single walk prints without --reporter
+)" + kinds +
+           R"(  log      the events, one per line; what a single walk prints without --reporter
 
 Reports don't depend on the number of workers, and contain no wall-clock time and no absolute path.
 

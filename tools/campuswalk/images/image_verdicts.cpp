@@ -121,8 +121,10 @@ public:
         }
     }
 
-    template <typename Other>
-    void evaluate(const Other& /*not about images*/) {}
+    // Nothing about images:
+    void evaluate(const engine::PlainExpectation&) {}
+    void evaluate(const engine::ExpectNot&) {}
+    void evaluate(const engine::ExpectLog&) {}
 
     EvaluatedImages take() { return std::move(evaluated_); }
 

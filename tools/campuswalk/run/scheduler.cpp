@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/report/result_json.h"
-#include "engine/script/planned_time.h"
+#include "engine/script/player.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"

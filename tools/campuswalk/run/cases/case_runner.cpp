@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/report/outcome.h"
-#include "engine/script/planned_time.h"
+#include "engine/script/player.h"
 #include "engine/simulation/run_walk.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/cases/case_stream.h"

@@ -1,7 +1,6 @@
 #include "tools/campuswalk/run/results/verdict.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "engine/events/decimals.h"
@@ -28,12 +27,6 @@ std::string after(const WalkResult& result) {
 
 std::string because(const WalkResult& result) {
     return result.status_reason.empty() ? "" : ": " + result.status_reason;
-}
-
-std::string hexadecimal(std::uint64_t value) {
-    std::array<char, 20> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-    return text.data();
 }
 
 }  // namespace
@@ -99,8 +92,8 @@ void compare_repetitions(const WalkResult& first, WalkResult& later) {
     failure.mark.file = later.file;
     failure.code = "not-identical";
     failure.message = "repetition " + std::to_string(later.repetition + 1) + " ended with hash " +
-                      hexadecimal(later.hash) + " after " + std::to_string(later.ticks) +
-                      " ticks, the first with " + hexadecimal(first.hash) + " after " +
+                      engine::hexadecimal(later.hash) + " after " + std::to_string(later.ticks) +
+                      " ticks, the first with " + engine::hexadecimal(first.hash) + " after " +
                       std::to_string(first.ticks);
     later.outcome = Outcome::failed;
     later.failures.push_back(std::move(failure));

@@ -1,0 +1,325 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision/geometry/trigonometry.h"
+#include "collision/mover/mover_settings.h"
+#include "engine/events/decimals.h"
+#include "engine/script/event_pattern.h"
+#include "engine/script/player.h"
+
+// What the avatar does in each kind of step that takes time: before a tick (`intend`), after it (`end_of`)
+// and, when a walk's time is estimated, as a whole (`Plan::add`).
+
+namespace campuswalk::engine {
+
+using collision::angle_of;
+using collision::wrapped_angle;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Being this far above or below a target that has a height still counts as being there, metres.
+constexpr double kLevel = 0.5;
+/// A walk_to or follow gives up after this many seconds in which its target came no nearer by kProgress, or
+/// by half of what a slower avatar would walk in that time.
+constexpr double kPatience = 1.5;
+constexpr double kProgress = 0.05;  // metres
+constexpr double kAligned = 1e-9;   // radians
+
+Vector3d flat(Vector3d v) {
+    v.y() = 0.0;
+    return v;
+}
+
+double yaw_towards(const Vector3d& direction) {
+    return angle_of(-direction.x(), -direction.z());
+}
+
+bool has_arrived(const Target& target, double within, const AvatarState& avatar) {
+    const Vector3d to_target = target.point - avatar.position;
+    return flat(to_target).norm() <= within && (!target.has_height || std::abs(to_target.y()) <= kLevel);
+}
+
+/// When the steps so far are over if nothing is in the way, and where the avatar is then.
+class Plan {
+public:
+    explicit Plan(const AvatarProfile& avatar) : avatar_(avatar), pace_(avatar.speed) {}
+
+    double seconds() const { return seconds_; }
+
+    void add(const SpawnStep& step) { put(step.position, step.yaw); }
+    void add(const TeleportStep& step) { put(step.position, step.yaw.value_or(yaw_)); }
+    void add(const WalkToStep& step) {
+        const double distance = flat(step.target.point - position_).norm();
+        seconds_ += std::max(0.0, distance - step.within) / step.speed.value_or(pace_);
+        arrive(position_, step.target.point);
+    }
+    void add(const FollowStep& step) {
+        CurveWalk curve;
+        curve.start(position_, step.points);
+        seconds_ += std::max(0.0, curve.length() - step.within) / step.speed.value_or(pace_);
+        const std::size_t count = step.points.size();
+        arrive(count > 1 ? step.points[count - 2].point : position_, step.points.back().point);
+    }
+    void add(const WaitStep& step) { seconds_ += step.seconds; }
+    void add(const WaitUntilStep&) { seconds_ = std::numeric_limits<double>::infinity(); }
+    void add(const TurnStep& step) { turn(step.absolute ? wrapped_angle(step.angle - yaw_) : step.angle); }
+    void add(const LookAtStep& step) { turn(wrapped_angle(yaw_from(position_, step.target.point) - yaw_)); }
+    void add(const JumpStep& step) { seconds_ += 2.0 * step.speed / collision::MoverSettings().gravity; }
+    void add(const SpeedStep& step) { pace_ = step.speed; }
+    template <InstantStep Instant>
+    void add(const Instant&) {}
+
+private:
+    void put(const Vector3d& position, double yaw) {
+        position_ = position;
+        yaw_ = yaw;
+    }
+    void arrive(const Vector3d& from, const Vector3d& to) { put(to, yaw_from(from, to)); }
+    double yaw_from(const Vector3d& from, const Vector3d& to) const {
+        const Vector3d direction = flat(to - from);
+        return direction.isZero(0.0) ? yaw_ : yaw_towards(direction);
+    }
+    void turn(double angle) {
+        seconds_ += std::abs(angle) / avatar_.turn_speed;
+        yaw_ += angle;
+    }
+
+    const AvatarProfile& avatar_;
+    double pace_;
+    Vector3d position_ = Vector3d::Zero();
+    double yaw_ = 0.0;
+    double seconds_ = 0.0;
+};
+
+}  // namespace
+
+// ---- spawn and teleport ---------------------------------------------------------------------------------
+
+template <>
+void ScriptPlayer::intend(const SpawnStep& step, const AvatarState&, Intent& intent) {
+    intent.placement = {&step.label, step.position, EventKind::avatar_spawn};
+    intent.yaw = wrapped_angle(step.yaw);
+    intent.pitch = 0.0;
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const SpawnStep&, const AvatarState&) {
+    return StepEnd();
+}
+
+template <>
+void ScriptPlayer::intend(const TeleportStep& step, const AvatarState& avatar, Intent& intent) {
+    intent.placement = {&step.label, step.position, EventKind::avatar_teleport};
+    intent.yaw = wrapped_angle(step.yaw.value_or(avatar.yaw));
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const TeleportStep&, const AvatarState&) {
+    return StepEnd();
+}
+
+// ---- walk_to and follow ---------------------------------------------------------------------------------
+
+template <>
+void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(step.speed);
+    if (progress_.ticks == 0) {
+        const double distance = flat(step.target.point - avatar.position).norm();
+        progress_.allowed = step.timeout.value_or(2.0 * distance / speed + 5.0);
+    }
+    go_towards(step.target.point, speed, avatar, intent);
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const WalkToStep& step, const AvatarState& avatar) {
+    if (has_arrived(step.target, step.within, avatar)) {
+        return StepEnd{EventKind::avatar_arrive, &step.target.label, &step.mark};
+    }
+    const double remaining = flat(step.target.point - avatar.position).norm();
+    return gives_up(remaining, speed_of(step.speed)) ? blocked("walk_to", step, step.target, avatar)
+                                                     : std::nullopt;
+}
+
+template <>
+void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(step.speed);
+    if (progress_.ticks == 0) {
+        curve_.start(avatar.position, step.points);
+        progress_.allowed = step.timeout.value_or(2.0 * curve_.length() / speed + 5.0);
+    }
+    go_towards(curve_.lead(avatar.position, speed * dt_), speed, avatar, intent);
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const FollowStep& step, const AvatarState& avatar) {
+    const Target& last = step.points.back();
+    if (curve_.at_end() && has_arrived(last, step.within, avatar)) {
+        return StepEnd{EventKind::avatar_arrive, &last.label, &step.mark};
+    }
+    return gives_up(curve_.remaining(avatar.position), speed_of(step.speed))
+               ? blocked("follow", step, last, avatar)
+               : std::nullopt;
+}
+
+// ---- jump -----------------------------------------------------------------------------------------------
+
+/// An avatar in the air lands first.
+template <>
+void ScriptPlayer::intend(const JumpStep& step, const AvatarState& avatar, Intent& intent) {
+    if (!progress_.jumped && !avatar.grounded) {
+        return;
+    }
+    if (!progress_.jumped) {
+        intent.jump = step.speed;
+        progress_.jumped = true;
+    }
+    const auto [sin, cos] = collision::sin_cos(avatar.yaw);
+    intent.move = step.forward * dt_ * Vector3d(-sin, 0.0, -cos);
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const JumpStep&, const AvatarState& avatar) {
+    return progress_.jumped && avatar.grounded ? std::optional(StepEnd()) : std::nullopt;
+}
+
+// ---- wait and wait_until --------------------------------------------------------------------------------
+
+template <>
+void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const WaitStep& step, const AvatarState&) {
+    return walk_.sim.has_passed(step.seconds, progress_.ticks) ? std::optional(StepEnd()) : std::nullopt;
+}
+
+template <>
+void ScriptPlayer::intend(const WaitUntilStep&, const AvatarState&, Intent&) {}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const AvatarState&) {
+    if (progress_.awaited_event_came) {
+        return StepEnd();
+    }
+    if (!walk_.sim.has_passed(step.timeout, progress_.ticks)) {
+        return std::nullopt;
+    }
+    const std::string message =
+        "'" + to_string(step.event) + "' did not come within " + fixed(step.timeout, 1) + " s";
+    return StepEnd{std::nullopt, nullptr, &step.mark, true, "timeout", message};
+}
+
+// ---- turn and look_at -----------------------------------------------------------------------------------
+
+/// To an angle the short way; by an angle all of it, even several times around.
+template <>
+void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
+    const double rest =
+        progress_.turn_left.value_or(step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
+    const double most = walk_.avatar.turn_speed * dt_;
+    const double part = std::clamp(rest, -most, most);
+    intent.yaw = wrapped_angle(avatar.yaw + part);
+    progress_.turn_left = rest - part;
+    progress_.aligned = std::abs(rest - part) <= kAligned;
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const TurnStep&, const AvatarState&) {
+    return progress_.aligned ? std::optional(StepEnd()) : std::nullopt;
+}
+
+template <>
+void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent) {
+    const Vector3d eye = avatar.position + Vector3d(0, avatar.stature * walk_.avatar.eye_height, 0);
+    const Vector3d direction = step.target.point - eye;
+    const double distance = flat(direction).norm();
+    const double yaw = distance > 0.0 ? yaw_towards(direction) : avatar.yaw;
+    const double pitch = step.target.has_height ? angle_of(direction.y(), distance) : 0.0;
+    intent.yaw = turned(avatar.yaw, yaw);
+    intent.pitch = turned(avatar.pitch, pitch);
+    progress_.aligned = std::abs(wrapped_angle(intent.yaw - yaw)) <= kAligned &&
+                        std::abs(wrapped_angle(intent.pitch - pitch)) <= kAligned;
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const LookAtStep&, const AvatarState&) {
+    return progress_.aligned ? std::optional(StepEnd()) : std::nullopt;
+}
+
+// ---- all of them ----------------------------------------------------------------------------------------
+
+void ScriptPlayer::intend_step(const AvatarState& avatar, Intent& intent) {
+    std::visit([&](const auto& step) { intend(step, avatar, intent); }, walk_.steps[current_]);
+}
+
+std::optional<StepEnd> ScriptPlayer::end_of_step(const AvatarState& avatar) {
+    return std::visit([&](const auto& step) { return end_of(step, avatar); }, walk_.steps[current_]);
+}
+
+std::optional<double> planned_seconds(const Walk& walk) {
+    Plan plan(walk.avatar);
+    for (const Step& step : walk.steps) {
+        std::visit([&plan](const auto& each) { plan.add(each); }, step);
+    }
+    return std::isfinite(plan.seconds()) ? std::optional(plan.seconds()) : std::nullopt;
+}
+
+// ---- what several of them do ----------------------------------------------------------------------------
+
+double ScriptPlayer::speed_of(const std::optional<double>& own) const {
+    return own.value_or(pace_.value_or(walk_.avatar.speed));
+}
+
+void ScriptPlayer::go_towards(const Vector3d& point, double speed, const AvatarState& avatar,
+                              Intent& intent) {
+    const Vector3d direction = flat(point - avatar.position);
+    if (const double distance = direction.norm(); distance > 0.0) {
+        intent.move = direction * (std::min(distance, speed * dt_) / distance);
+        intent.yaw = turned(avatar.yaw, yaw_towards(direction));
+    }
+    intent.pitch = turned(avatar.pitch, 0.0);
+}
+
+bool ScriptPlayer::gives_up(double remaining, double speed) {
+    if (remaining < progress_.nearest - std::min(kProgress, 0.5 * speed * kPatience)) {
+        progress_.nearest = remaining;
+        progress_.since_closer = progress_.ticks;
+    }
+    const double idle = static_cast<double>(progress_.ticks - progress_.since_closer) * dt_;
+    return static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed || idle >= kPatience;
+}
+
+template <typename Travel>
+std::optional<StepEnd> ScriptPlayer::blocked(const char* verb, const Travel& step, const Target& target,
+                                             const AvatarState& avatar) const {
+    return StepEnd{
+        EventKind::avatar_blocked,
+        &target.label,
+        &step.mark,
+        step.if_blocked == IfBlocked::fail,
+        "blocked",
+        verb + (" " + target.label) + " was not reached" + why_not_reached(target, step.within, avatar)};
+}
+
+std::string ScriptPlayer::why_not_reached(const Target& target, double within,
+                                          const AvatarState& avatar) const {
+    const Vector3d to_target = target.point - avatar.position;
+    if (flat(to_target).norm() <= within) {
+        return ": it is " + fixed(std::abs(to_target.y()), 3) + " m " +
+               (to_target.y() > 0.0 ? "above" : "below") + " the avatar's feet";
+    }
+    const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
+    return late ? " within " + fixed(progress_.allowed, 1) + " s, still " + fixed(flat(to_target).norm(), 3) +
+                      " m away"
+                : "";
+}
+
+double ScriptPlayer::turned(double from, double to) const {
+    const double most = walk_.avatar.turn_speed * dt_;
+    const double difference = wrapped_angle(to - from);
+    return std::abs(difference) <= most ? wrapped_angle(to)
+                                        : wrapped_angle(from + std::clamp(difference, -most, most));
+}
+
+}  // namespace campuswalk::engine
