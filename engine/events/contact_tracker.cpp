@@ -9,7 +9,7 @@ bool ContactTracker::active(collision::ObjectId object) const {
 }
 
 void ContactTracker::update(Tick tick, const std::vector<ObjectOverlap>& seen, std::vector<Transition>& out) {
-    // One merge of two lists in ascending order.
+    // Merges two lists in ascending order.
     next_.clear();
     auto old = active_.begin();
     const auto drop_before = [&](auto reached) {
@@ -30,7 +30,7 @@ void ContactTracker::update(Tick tick, const std::vector<ObjectOverlap>& seen, s
                 next_.push_back(*old);
             }
             ++old;
-        } else if (s.present || (s.met && s.exit_at > s.enter_at)) {  // a graze of no length is no contact
+        } else if (s.present || (s.touched && s.exit_at > s.enter_at)) {  // grazing for no time is no contact
             out.push_back({s.object, Phase::enter, s.enter_at, 0});
             if (s.present) {
                 next_.push_back({s.object, tick});

@@ -8,15 +8,15 @@
 
 namespace campuswalk::engine {
 
-/// `value` with a fixed count of decimals (80 at most), in any locale; what rounds to zero has no sign.
+/// `value` with a fixed number of decimals (80 at most), in any locale; what rounds to zero has no sign.
 std::string fixed(double value, int digits);
-/// `x,y,z` in millimetres' resolution.
+/// `x,y,z` with three decimals.
 std::string fixed(const Eigen::Vector3d& value);
 
 /// Sixteen hexadecimal digits.
 std::string hexadecimal(std::uint64_t value);
 
-/// As angles are printed.
+/// Angles are printed in degrees.
 constexpr double degrees(double radians) {
     return radians * (180.0 / std::numbers::pi);
 }

@@ -21,13 +21,13 @@ enum class EventKind : std::uint8_t {
     avatar_teleport,
     avatar_arrive,   ///< a walk_to reached its target
     avatar_blocked,  ///< a walk_to gave up
-    avatar_landed,   ///< ground again after a fall, with its height
-    avatar_fell,     ///< below everything there is
+    avatar_landed,   ///< on the ground again after a fall, with its height
+    avatar_fell,     ///< below everything
     avatar_jump,
     avatar_crouch,
-    avatar_stand,         ///< up again from crouching
-    avatar_stuck,         ///< wants to go on and makes no progress
-    avatar_depenetrated,  ///< put down inside something, and pushed out of it
+    avatar_stand,         ///< up from crouching
+    avatar_stuck,         ///< tries to move but makes no progress
+    avatar_depenetrated,  ///< placed inside something and pushed out of it
     object_enable,
     object_disable,
     collision_enter,
@@ -50,18 +50,18 @@ std::string_view name_of(EventKind kind);
 /// All names, for checking patterns.
 std::vector<std::string> event_kind_names();
 
-/// A number that logs print with a fixed count of decimals.
+/// A number that logs print with a fixed number of decimals.
 struct Decimal {
     double value = 0.0;
     int digits = 3;
 };
 
-/// Free text, printed in quotes; a plain string is a name and prints bare.
+/// Free text, printed in quotes; a plain string is a name and printed without.
 struct Text {
     std::string value;
 };
 
-/// Positions print with millimetres.
+/// Positions are printed with three decimals.
 using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string, Text>;
 
 /// A named detail of an event, printed `name=value` in text and as a member in JSON, in this order.
@@ -70,13 +70,13 @@ struct Field {
     FieldValue value;
 };
 
-/// One thing that happened. The order within a tick is total: where the avatar is put elsewhere, what ends
-/// with that; then contacts by (at, exits before enters before stays, object, strategy), a pop-up beside the
-/// contact that it comes with; then landing, falling off, being stuck and the end of a step; last what steps
-/// do that take no time, in the script's order, each with the contacts it ends or begins.
+/// Something that happened. The order within a tick is total: if the avatar is put elsewhere, first the
+/// contacts that this ends; then contacts by (at, exits before enters before stays, object, detection mode),
+/// each pop-up next to its contact; then landing, falling off the world, being stuck and the end of a step;
+/// last the instant steps, in the script's order, each with the contacts that it ends or begins.
 ///
-/// An enter or exit that doesn't come of the avatar's own motion has a `cause`: spawn, teleport, enable,
-/// disabled or end (of the walk). Every enter has its exit.
+/// An enter or exit that isn't due to the avatar's motion has a `cause`: spawn, teleport, enable, disabled or
+/// end (of the walk). Every enter has its exit.
 struct Event {
     Tick tick = 0;
     double at = 1.0;  ///< fraction of the tick at which it happened, [0, 1]

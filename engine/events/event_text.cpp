@@ -9,7 +9,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-// Widths hold the usual contents; what is longer pushes the rest of its line to the right.
+// Wide enough for the usual contents; a longer text shifts the rest of its line to the right.
 constexpr std::size_t kTickWidth = 6;
 constexpr std::size_t kTimeWidth = 11;
 constexpr std::size_t kKindWidth = 16;
@@ -25,7 +25,7 @@ std::string left_aligned(std::string_view text, std::size_t width) {
     return padded;
 }
 
-/// One line whatever is in it.
+/// Always a single line.
 std::string in_quotes(std::string_view text) {
     constexpr std::string_view kHex = "0123456789abcdef";
     std::string out = "\"";

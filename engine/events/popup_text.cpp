@@ -7,7 +7,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// mm:ss, and as many minutes as there are.
+/// mm:ss; minutes may have more than two digits.
 std::string clock_of(double seconds) {
     const auto whole = static_cast<std::int64_t>(seconds);
     const auto two_digits = [](std::int64_t value) {

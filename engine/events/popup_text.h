@@ -9,27 +9,26 @@
 
 namespace campuswalk::engine {
 
-/// A stretch of a pop-up's title or text.
+/// A part of a pop-up's title or text.
 struct TextPart {
     bool is_variable = false;
-    std::string text;    ///< as it is, or the variable's name
-    std::size_t at = 0;  ///< of a variable: the byte of the text where its brace is
+    std::string text;    ///< literal, or the variable's name
+    std::size_t at = 0;  ///< of a variable: offset of its brace, bytes
 };
 
-/// `{name}` is a variable, `{{` and `}}` are braces, and so is a `}` by itself. None when a `{` is never
-/// closed.
+/// `{name}` is a variable; `{{`, `}}` and a single `}` are braces. None if a `{` is never closed.
 std::optional<std::vector<TextPart>> text_parts(const std::string& text);
 
-/// Which variables a building's text may hold; those of its title are the same but for `title`.
+/// The variables that a building's text may contain; its title may contain all of them but `title`.
 std::vector<std::string> popup_variables(const scene::Building& building);
 
-/// What only the walk knows.
+/// The values that depend on the walk.
 struct PopupFacts {
     int visits = 0;     ///< how often the window has opened, this time included
     double time = 0.0;  ///< simulated seconds, shown as mm:ss
 };
 
-/// What the window shows. The building's texts are right: the loader has checked them.
+/// What the window shows. The loader has checked the building's texts.
 std::string popup_title(const scene::Building& building, const PopupFacts& facts);
 std::string popup_text(const scene::Building& building, const PopupFacts& facts);
 

@@ -4,8 +4,8 @@
 
 namespace campuswalk::engine {
 
-bool Popups::meet(std::size_t building, std::size_t contact, Tick tick, const PopupTiming& timing) {
-    ++buildings_[building].met;
+bool Popups::enter(std::size_t building, std::size_t contact, Tick tick, const PopupTiming& timing) {
+    ++buildings_[building].contacts;
     if (timing.dwell > 0) {
         dwelling_.push_back({building, contact, tick + timing.dwell, timing});
         return false;
@@ -15,7 +15,7 @@ bool Popups::meet(std::size_t building, std::size_t contact, Tick tick, const Po
 
 bool Popups::leave(std::size_t building, std::size_t contact, Tick tick) {
     std::erase_if(dwelling_, [&](const Dwelling& one) { return one.contact == contact; });
-    if (--buildings_[building].met > 0 || !is_open(building)) {
+    if (--buildings_[building].contacts > 0 || !is_open(building)) {
         return false;
     }
     std::erase(open_, building);

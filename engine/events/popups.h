@@ -10,22 +10,23 @@ namespace campuswalk::engine {
 
 /// When a contact may open its building's window.
 struct PopupTiming {
-    bool once = false;  ///< not a window that has been open before
-    Tick cooldown = 0;  ///< so many ticks after it closed
-    Tick dwell = 0;     ///< when the contact has lasted so long
+    bool once = false;  ///< only if it has never been open
+    Tick cooldown = 0;  ///< only so many ticks after it closed
+    Tick dwell = 0;     ///< only once the contact has lasted so many ticks
 };
 
-/// Which buildings' information windows are open. A contact asks for its building's window when it begins or,
-/// with a dwell, later, and once only; an open window stays as long as any of the building's objects is met.
+/// Which buildings' information windows are open. A contact may open its building's window once: when it
+/// begins or, with a dwell, later. The window stays open as long as any of the building's objects is touched.
 class Popups {
 public:
     explicit Popups(std::size_t buildings) : buildings_(buildings) {}
 
-    /// True when this opens the building's window. `contact` is any number that tells apart what is met.
-    bool meet(std::size_t building, std::size_t contact, Tick tick, const PopupTiming& timing = {});
-    /// True when this closes it.
+    /// A contact begins; true if this opens the building's window. `contact` is any number that identifies
+    /// it.
+    bool enter(std::size_t building, std::size_t contact, Tick tick, const PopupTiming& timing = {});
+    /// The contact ends; true if this closes the window.
     bool leave(std::size_t building, std::size_t contact, Tick tick);
-    /// The buildings whose windows open because a contact has now lasted long enough.
+    /// The buildings whose windows open now that a contact has lasted long enough.
     std::vector<std::size_t> open_due(Tick tick);
 
     /// Oldest first.
@@ -35,9 +36,9 @@ public:
 
 private:
     struct Building {
-        int met = 0;  ///< how many of its objects are
+        int contacts = 0;
         int visits = 0;
-        std::optional<Tick> closed;  ///< last
+        std::optional<Tick> closed;  ///< when it was last closed
     };
     struct Dwelling {
         std::size_t building = 0;
@@ -50,7 +51,7 @@ private:
     bool is_open(std::size_t building) const;
 
     std::vector<Building> buildings_;
-    std::vector<Dwelling> dwelling_;  ///< in the order in which they began
+    std::vector<Dwelling> dwelling_;  ///< in the order in which the contacts began
     std::vector<std::size_t> open_;
 };
 

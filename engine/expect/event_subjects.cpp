@@ -1,7 +1,7 @@
 #include "engine/expect/event_subjects.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
 #include <set>
 
 #include "engine/script/event_pattern.h"
@@ -36,28 +36,29 @@ EventSubjects::EventSubjects(const scene::Campus& campus, const Walk& walk) {
 }
 
 void EventSubjects::add_objects(const scene::Campus& campus) {
-    const auto add = [&](std::initializer_list<EventKind> kinds, const std::string& name) {
-        for (const EventKind kind : kinds) {
-            names_[kind].push_back(name);
-        }
+    struct DetectionKinds {
+        Detection detection;
+        std::array<EventKind, 3> kinds;
     };
+    constexpr DetectionKinds kDetected[] = {
+        {Detection::solid,
+         {EventKind::collision_enter, EventKind::collision_stay, EventKind::collision_exit}},
+        {Detection::trigger, {EventKind::trigger_enter, EventKind::trigger_stay, EventKind::trigger_exit}},
+        {Detection::ray, {EventKind::ray_enter, EventKind::ray_stay, EventKind::ray_exit}}};
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {
         const scene::CampusObject& object = campus.objects[i];
         objects_.push_back(object.id);
-        const Detection detection = campus.world.object(static_cast<collision::ObjectId>(i)).detection;
-        if (any_of(detection, Detection::solid)) {
-            add({EventKind::collision_enter, EventKind::collision_stay, EventKind::collision_exit},
-                object.id);
-        }
-        if (any_of(detection, Detection::trigger)) {
-            add({EventKind::trigger_enter, EventKind::trigger_stay, EventKind::trigger_exit}, object.id);
-        }
-        if (any_of(detection, Detection::ray)) {
-            add({EventKind::ray_enter, EventKind::ray_stay, EventKind::ray_exit}, object.id);
+        for (const auto& [detection, kinds] : kDetected) {
+            if (any_of(campus.world.object(static_cast<collision::ObjectId>(i)).detection, detection)) {
+                for (const EventKind kind : kinds) {
+                    names_[kind].push_back(object.id);
+                }
+            }
         }
         if (object.popup && object.building) {
-            add({EventKind::popup_open, EventKind::popup_close},
-                campus.description.buildings[*object.building].id);
+            for (const EventKind kind : {EventKind::popup_open, EventKind::popup_close}) {
+                names_[kind].push_back(campus.description.buildings[*object.building].id);
+            }
         }
     }
 }

@@ -10,13 +10,13 @@
 
 namespace campuswalk::engine {
 
-/// Whom or what each kind of event can be about on a campus and a walk: the names in the log's object column.
+/// What each kind of event can be about on a campus and a walk: the names in the log's object column.
 class EventSubjects {
 public:
     EventSubjects(const scene::Campus& campus, const Walk& walk);
 
-    /// Whether some event of the pattern's kinds could be about something the pattern names. A bare `*` names
-    /// nothing that could be mistyped, so it always may.
+    /// Whether an event of the pattern's kinds could be about an object that the pattern names. `*` contains
+    /// no name that could be mistyped, so it is always possible.
     bool can_happen(const EventPattern& pattern) const;
     /// Everything that events of the pattern's kinds can be about.
     std::vector<std::string> names(const EventPattern& pattern) const;

@@ -20,20 +20,20 @@ template <typename... Expected>
 std::variant<EvaluatorOf<Expected>...> each_evaluator(const std::variant<Expected...>&);
 using PlainEvaluator = decltype(each_evaluator(std::declval<PlainExpectation>()));
 
-/// Holds one expectation against a walk's frames.
+/// Evaluates one expectation over a walk's tick records.
 class Evaluator {
 public:
-    /// What it refers to must outlive it. None for those that are judged elsewhere: logs and images.
+    /// What it refers to must outlive it. None for those that are evaluated elsewhere: logs and images.
     static std::optional<Evaluator> of(const Expectation& expectation, const scene::Campus& campus,
                                        const AvatarProfile& avatar);
 
     void see(const TickRecord& record, const StateSnapshot& now);
 
-    /// Why the expectation is not met by what has been seen, if it isn't; what wasn't decided before was
-    /// decided `now`.
+    /// Why the expectation doesn't hold for what has been seen, if it doesn't; if it wasn't decided earlier,
+    /// it is decided `now`.
     std::optional<Failure> failure(bool ended, const StateSnapshot& now) const;
 
-    /// What of the expectation isn't as expected at a walk's end, if it might have become so had the walk
+    /// The part of the expectation that doesn't hold at the walk's end, if it might have held had the walk
     /// gone on.
     std::optional<SourceMark> undecided() const;
 
@@ -50,37 +50,37 @@ private:
     const AvatarProfile* avatar_;
 };
 
-/// All that is expected of a walk: for the whole of it, and in its steps. Each expectation is held against
+/// All expectations of a walk: those of the whole walk and those of its steps. Each is evaluated over
 /// everything since the walk's start.
 class ExpectationSet {
 public:
     /// Both must outlive it.
     ExpectationSet(const scene::Campus& campus, const Walk& walk);
 
-    /// Every tick but the closing one.
+    /// Every record but the closing one.
     void see(const TickRecord& record);
-    /// The walk's last record, in which all contacts end: it is not told among what came before.
+    /// The walk's last record, in which all contacts end. It isn't part of the history.
     void see_closing(const TickRecord& record);
 
-    /// What isn't as the step expects, if anything; `record` is the tick so far, which `see` will be shown in
-    /// full afterwards.
+    /// The first of the step's expectations that doesn't hold, if any; `record` is the tick so far, which
+    /// `see` gets afterwards in full.
     std::optional<Failure> failure_at(const ExpectStep& step, const TickRecord& record) const;
 
-    /// Of what holds for the whole walk, in the order of the file; empty when everything was as expected.
+    /// The failures of the whole walk's expectations, in the order of the file; empty if all hold.
     std::vector<Failure> verdicts() const;
 
-    /// Of a walk that a step or its time-out stopped: what nothing that was still to come could have mended,
-    /// and what else isn't as expected. The latter is the stop's fault.
+    /// Of a walk that a step or its timeout stopped: the failures that the rest of the walk couldn't have
+    /// changed, and the other expectations that don't hold, which are due to the stop.
     struct StoppedVerdicts {
         std::vector<Failure> failures;
         std::vector<SourceMark> undecided;
     };
     StoppedVerdicts verdicts_when_stopped() const;
-    /// Where the walk is, or ended.
+    /// The state of the walk now, or at its end.
     const StateSnapshot& now() const { return history_.now(); }
 
 private:
-    /// The evaluators of one `expect`. Rounds of a `repeat` share theirs, by the step's mark.
+    /// The evaluators of one `expect`. The rounds of a `repeat` share them, by the step's mark.
     struct Group {
         SourceMark mark;
         std::vector<Evaluator> evaluators;

@@ -8,24 +8,24 @@
 
 namespace campuswalk::engine {
 
-/// Where a walk was when something was not as expected.
+/// The state of a walk when it failed.
 struct FailureScene {
     Tick tick = 0;
     double time = 0.0;                                   ///< seconds
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< foot point, metres
     double yaw = 0.0;                                    ///< radians
     double pitch = 0.0;                                  ///< radians
-    std::string building;                  ///< whose window is open or that is nearest; may be empty
-    std::string nearest;                   ///< the nearest object's id, empty when none is near
+    std::string building;                  ///< the one with an open window or the nearest; may be empty
+    std::string nearest;                   ///< the nearest object's id; empty if none is near
     double nearest_distance = 0.0;         ///< metres, from the body
     std::vector<std::string> last_events;  ///< as the text log prints them, oldest first
 };
 
-/// Why a walk did not pass: a step that gave up or an expectation that was not met.
+/// Why a walk did not pass: a step that gave up or an expectation that doesn't hold.
 struct Failure {
     SourceMark mark;      ///< the step or expectation in the walk file
-    std::string code;     ///< one of failure_codes(), or "xfail": should have failed and did not
-    std::string message;  ///< what was expected and what came instead, on a line
+    std::string code;     ///< one of failure_codes(), or "xfail": should have failed but didn't
+    std::string message;  ///< one line: what was expected and what happened instead
     FailureScene scene = {};
 };
 

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kReach = 10.0;  // metres
-/// What is met no higher than this above the feet is what the avatar walks on, metres.
+/// Contacts at most this far above the feet are the ground that the avatar walks on, metres.
 constexpr double kUnderfoot = 0.1;
 
 struct Nearest {
@@ -24,21 +24,21 @@ struct Nearest {
     double distance = kReach;  ///< metres, from the body
 };
 
-Nearest nearest_solid(const StateSnapshot& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
-    const Segment axis = body_axis(avatar, moment.avatar.position, moment.avatar.stature * avatar.height);
+Nearest nearest_solid(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar) {
+    const Segment axis = body_axis(avatar, state.avatar.position, state.avatar.stature * avatar.height);
     const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(campus, avatar),
-                                        moment.disabled.get()};
-    std::vector<collision::Obstacle> pieces;
+                                        state.disabled.get()};
+    std::vector<collision::Obstacle> obstacles;
     Nearest nearest;
-    // Most walks end near something: a small circle first.
+    // Most walks end near something: small reaches first.
     for (const double reach : {0.5, 3.0, kReach}) {
-        collision::gather_obstacles(campus.world, filter, axis, avatar.radius + reach, pieces);
-        for (const collision::Obstacle& piece : pieces) {
-            const collision::Closest closest = collision::closest(axis, piece);
+        collision::gather_obstacles(campus.world, filter, axis, avatar.radius + reach, obstacles);
+        for (const collision::Obstacle& obstacle : obstacles) {
+            const collision::Closest closest = collision::closest(axis, obstacle);
             const double distance = std::max(0.0, closest.distance - avatar.radius);
-            if (closest.on_shape.y() > moment.avatar.position.y() + kUnderfoot &&
+            if (closest.on_shape.y() > state.avatar.position.y() + kUnderfoot &&
                 distance < nearest.distance) {
-                nearest = {index_of(piece.object), distance};
+                nearest = {index_of(obstacle.object), distance};
             }
         }
         if (nearest.object && nearest.distance <= reach) {
@@ -48,7 +48,7 @@ Nearest nearest_solid(const StateSnapshot& moment, const scene::Campus& campus, 
     return nearest;
 }
 
-/// By the boxes of the buildings' objects.
+/// By the bounding boxes of the buildings' objects.
 std::optional<std::size_t> nearest_building(const Vector3d& point, const scene::Campus& campus) {
     std::optional<std::size_t> nearest;
     double least = 1e300;
@@ -68,24 +68,24 @@ std::optional<std::size_t> nearest_building(const Vector3d& point, const scene::
 
 }  // namespace
 
-FailureScene scene_of(const StateSnapshot& moment, const scene::Campus& campus, const AvatarProfile& avatar) {
+FailureScene scene_of(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar) {
     FailureScene scene;
-    scene.tick = moment.tick;
-    scene.time = moment.time;
-    scene.position = moment.avatar.position;
-    scene.yaw = moment.avatar.yaw;
-    scene.pitch = moment.avatar.pitch;
-    const auto building = moment.building ? moment.building : nearest_building(scene.position, campus);
+    scene.tick = state.tick;
+    scene.time = state.time;
+    scene.position = state.avatar.position;
+    scene.yaw = state.avatar.yaw;
+    scene.pitch = state.avatar.pitch;
+    const auto building = state.building ? state.building : nearest_building(scene.position, campus);
     if (building) {
         scene.building = campus.description.buildings[*building].id;
     }
-    if (const Nearest nearest = nearest_solid(moment, campus, avatar); nearest.object) {
+    if (const Nearest nearest = nearest_solid(state, campus, avatar); nearest.object) {
         scene.nearest = campus.objects[*nearest.object].id;
         scene.nearest_distance = nearest.distance;
     }
-    for (const auto& told : moment.events) {
-        if (told) {
-            scene.last_events.push_back(text_line(told->event, told->time));
+    for (const auto& timed : state.events) {
+        if (timed) {
+            scene.last_events.push_back(text_line(timed->event, timed->time));
         }
     }
     return scene;

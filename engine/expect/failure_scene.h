@@ -7,8 +7,8 @@
 
 namespace campuswalk::engine {
 
-/// What there is to tell of a moment: where the avatar was, which solid object was nearest to its body (the
-/// ground that it stood on aside, no farther than 10 m), which building, and what had happened last.
-FailureScene scene_of(const StateSnapshot& moment, const scene::Campus& campus, const AvatarProfile& avatar);
+/// What a failure report says about a state: where the avatar was, the solid object nearest to its body (at
+/// most 10 m away, and not the ground that it stood on), the building, and the last events.
+FailureScene scene_of(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar);
 
 }  // namespace campuswalk::engine

@@ -10,13 +10,13 @@
 
 namespace campuswalk::engine {
 
-/// An event with the time that logs tell of it.
+/// An event with its time in the logs.
 struct TimedEvent {
     Event event;
     double time = 0.0;  ///< seconds
 };
 
-/// How things stood at the end of a tick. Cheap to copy, so that a judge can keep the one that matters.
+/// The state of a walk at the end of a tick. Cheap to copy, so that an evaluator can store the decisive one.
 struct StateSnapshot {
     static constexpr std::size_t kEvents = 5;
 
@@ -24,13 +24,13 @@ struct StateSnapshot {
     double time = 0.0;  ///< seconds
     AvatarState avatar;
     double distance = 0.0;                ///< metres so far
-    std::optional<std::size_t> building;  ///< whose window was opened last of those that are open
-    /// The last events, the oldest first; null where there were fewer.
+    std::optional<std::size_t> building;  ///< of the window that opened last, of those that are open
+    /// The last events, the oldest first; null if there were fewer.
     std::array<std::shared_ptr<const TimedEvent>, kEvents> events;
     std::shared_ptr<const std::vector<bool>> disabled;  ///< by object; null: none is
 };
 
-/// Follows a walk from frame to frame.
+/// Follows a walk from record to record.
 class StateHistory {
 public:
     void see(const TickRecord& record);

@@ -52,7 +52,7 @@ void CostTrace::slice(const std::string& name, int track, double start, double d
           "}}");
 }
 
-/// Where the next one begins.
+/// Returns where the next one begins.
 double CostTrace::stage(const char* name, double start, const collision::QueryStatistics& cost) {
     slice(name, kCostTrack, start, tests(cost), counts(cost));
     return start + tests(cost);
@@ -60,7 +60,7 @@ double CostTrace::stage(const char* name, double start, const collision::QuerySt
 
 void CostTrace::frame(const TickRecord& record) {
     const double start = cost_so_far_;
-    if (record.tick >= next_) {  // a walk's closing frame repeats its last tick
+    if (record.tick >= next_) {  // a walk's closing record repeats its last tick
         next_ = record.tick + 1;
         collision::QueryStatistics all = record.costs.move;
         all += record.costs.detect;
@@ -83,7 +83,7 @@ void CostTrace::frame(const TickRecord& record) {
     }
 }
 
-/// The terms of eq. (4). In the hybrid tree, each node whose sphere doesn't part it has its box tested: the
+/// The terms of eq. (4). In the hybrid tree, a pair of nodes whose spheres overlap has its boxes tested: the
 /// others were decided by eq. (1) alone.
 void CostTrace::end() {
     std::string terms =

@@ -9,17 +9,17 @@
 
 namespace campuswalk::engine {
 
-/// What every tick cost, as Chrome's trace viewer and Perfetto read it: a slice a tick, in it one for moving
-/// and one for sensing, and the walk's events as marks. A slice is as long as the tests of spheres, boxes and
-/// triangles it took, one a microsecond, so that the same walk gives the same bytes; a tick is one longer
-/// than its stages. `otherData` has the terms of the paper's eq. (4), T = Nv Cv + Np Cp + Nu Cu, for the
-/// whole walk.
+/// The cost of every tick, in the format of Chrome's trace viewer and Perfetto: one slice per tick, in it one
+/// for moving and one for detecting contacts, and the walk's events as marks. A slice lasts one microsecond
+/// for each sphere, box and triangle test in it, so that the same walk produces the same bytes; a tick is one
+/// longer than its stages. `otherData` has the terms of the paper's eq. (4), T = Nv Cv + Np Cp + Nu Cu, for
+/// the whole walk.
 class CostTrace final : public Observer {
 public:
-    /// Microseconds since some moment. Not the walk's: whoever wants wall time brings the clock.
+    /// Microseconds of wall time since some point in time.
     using Clock = std::function<double()>;
 
-    /// With a clock, a second track shows the wall time of each tick; its bytes differ from run to run.
+    /// With a clock, a second track shows the wall time of each tick, which differs from run to run.
     explicit CostTrace(LineSink sink, Clock clock = {}) : sink_(std::move(sink)), clock_(std::move(clock)) {}
 
     void begin(const Walk& walk) override;
@@ -33,7 +33,7 @@ private:
     LineSink sink_;
     Clock clock_;
     collision::QueryStatistics total_;
-    bool hybrid_ = false;  ///< the tree that the walk's campus has
+    bool hybrid_ = false;  ///< the kind of trees that the walk's campus has
     double cost_so_far_ = 0.0;
     double began_ = 0.0;  // by the clock
     double last_ = 0.0;

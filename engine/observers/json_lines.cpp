@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The number that the text log shows, not the noise behind its last digit.
+/// The number that the text log prints, without the noise after its last digit.
 double rounded(double value, int digits) {
     const std::string text = fixed(value, digits);
     double shown = 0.0;
@@ -40,7 +40,7 @@ Json exactly(const Eigen::Vector3d& value) {
     return {value.x(), value.y(), value.z()};
 }
 
-/// To the bit: it is for those who go back to a map's coordinates.
+/// With all bits, to convert back to a map's coordinates.
 Json json_of(const scene::Origin& origin) {
     Json json = {{"at", exactly(origin.at)}};
     if (const auto& place = origin.geographic) {
@@ -52,7 +52,7 @@ Json json_of(const scene::Origin& origin) {
     return json;
 }
 
-/// Bytes that are not UTF-8 can't be said in JSON: they become U+FFFD.
+/// Bytes that aren't UTF-8 can't be written in JSON: they become U+FFFD.
 std::string line_of(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -68,7 +68,7 @@ void JsonLines::begin(const Walk& walk) {
         header["project"] = walk.project;
     }
     if (walk.timeout) {
-        header["timeout"] = *walk.timeout;  // to the bit: whoever walks it again needs it so
+        header["timeout"] = *walk.timeout;  // with all bits, to replay the walk
     }
     if (walk.origin.is_known()) {
         header["origin"] = json_of(walk.origin);

@@ -7,8 +7,8 @@
 
 namespace campuswalk::engine {
 
-/// The same facts as the text log for programs: a header object, then an object a line an event, with the
-/// text log's names and decimals; positions are arrays.
+/// The same as the text log, for programs: a header object, then one object per line and event, with the text
+/// log's names and decimals; positions are arrays.
 class JsonLines final : public Observer {
 public:
     explicit JsonLines(LineSink sink) : sink_(std::move(sink)) {}

@@ -5,7 +5,7 @@
 
 namespace campuswalk::engine {
 
-/// Takes a line without its end. Throws std::runtime_error when it can't be written.
+/// Takes a line without its end. Throws std::runtime_error if it can't be written.
 using LineSink = std::function<void(std::string_view line)>;
 
 }  // namespace campuswalk::engine

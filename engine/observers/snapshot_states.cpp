@@ -5,13 +5,13 @@ namespace campuswalk::engine {
 void SnapshotStates::frame(const TickRecord& record) {
     history_.see(record);
     for (const SnapshotStep* step : record.snapshots) {
-        moments_[step->name] = history_.now();
+        states_[step->name] = history_.now();
     }
 }
 
 const StateSnapshot* SnapshotStates::taken(const std::string& snapshot) const {
-    const auto found = moments_.find(snapshot);
-    return found == moments_.end() ? nullptr : &found->second;
+    const auto found = states_.find(snapshot);
+    return found == states_.end() ? nullptr : &found->second;
 }
 
 }  // namespace campuswalk::engine

@@ -8,19 +8,19 @@
 
 namespace campuswalk::engine {
 
-/// Keeps how things stood when each snapshot was taken, for what is said of the images after the walk.
+/// Stores the state at each snapshot, for verdicts on the images after the walk.
 class SnapshotStates final : public Observer {
 public:
     void frame(const TickRecord& record) override;
 
-    /// Null for one that wasn't taken.
+    /// The state at this snapshot; null if it wasn't taken.
     const StateSnapshot* taken(const std::string& snapshot) const;
-    /// The walk's end.
+    /// The state at the walk's end.
     const StateSnapshot& last() const { return history_.now(); }
 
 private:
     StateHistory history_;
-    std::map<std::string, StateSnapshot> moments_;  ///< by the snapshot's name
+    std::map<std::string, StateSnapshot> states_;  ///< by the snapshot's name
 };
 
 }  // namespace campuswalk::engine

@@ -7,7 +7,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// Empty where nothing is known.
+/// Empty if nothing is known.
 std::string text_of(const scene::Origin& origin) {
     constexpr int kDegreeDigits = 8;  // a millimetre
     std::string text;

@@ -7,7 +7,7 @@
 
 namespace campuswalk::engine {
 
-/// The log that people read and diff: a line an event, after a header line with what the walk ran with.
+/// The log that people read and diff: a header line with the settings of the walk, then one line per event.
 class TextLog final : public Observer {
 public:
     explicit TextLog(LineSink sink) : sink_(std::move(sink)) {}

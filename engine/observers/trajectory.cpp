@@ -15,7 +15,7 @@ std::string number(double value) {
     return fixed(value, kDigits);
 }
 
-/// A walk's closing frame repeats its last tick.
+/// A walk's closing record repeats its last tick.
 bool is_new(const TickRecord& record, Tick& next) {
     if (record.tick < next) {
         return false;
@@ -49,7 +49,7 @@ void TrajectoryTum::frame(const TickRecord& record) {
     if (!is_new(record, next_)) {
         return;
     }
-    // Yaw about +Y, then pitch about the x axis that it has turned.
+    // Yaw about +Y, then pitch about the turned x axis.
     const AvatarState& avatar = record.avatar;
     const collision::SinCos yaw = collision::sin_cos(0.5 * avatar.yaw);
     const collision::SinCos pitch = collision::sin_cos(0.5 * avatar.pitch);

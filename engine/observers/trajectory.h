@@ -5,10 +5,10 @@
 
 namespace campuswalk::engine {
 
-/// Where the avatar is at the end of every tick, for spreadsheets and plots: a header, then
-/// `t,x,y,z,yaw_deg,pitch_deg,grounded,height` a tick. Seconds, metres and degrees; the body's foot point;
-/// its height is less than the profile's while it crouches. Nine decimals: a nanometre, the noise behind them
-/// left out.
+/// The avatar at the end of every tick, for spreadsheets and plots: a header, then one line
+/// `t,x,y,z,yaw_deg,pitch_deg,grounded,height` per tick. Seconds, metres and degrees; the body's foot point;
+/// its height is less than the profile's while it crouches. Nine decimals: a nanometre, without the noise
+/// after it.
 class TrajectoryCsv final : public Observer {
 public:
     explicit TrajectoryCsv(LineSink sink) : sink_(std::move(sink)) {}
@@ -22,8 +22,9 @@ private:
     Tick next_ = 0;
 };
 
-/// The same for tools that compare trajectories (the TUM format): `t tx ty tz qx qy qz qw` a tick. The pose
-/// of the eyes' frame about the foot point, x right, y up, -z ahead; qw is never negative.
+/// The same for tools that compare trajectories (the TUM format): one line `t tx ty tz qx qy qz qw` per tick.
+/// The pose of a frame at the foot point that turns with the eyes, x right, y up, -z ahead; qw is never
+/// negative.
 class TrajectoryTum final : public Observer {
 public:
     explicit TrajectoryTum(LineSink sink) : sink_(std::move(sink)) {}

@@ -4,8 +4,9 @@
 
 namespace campuswalk::engine {
 
-/// Reads the walk as it happens. The simulation knows no observer; what one does can't change a walk.
-/// A failure to write (disk full, no GL) is thrown as std::runtime_error and ends the program with 3.
+/// Reads a walk while it is simulated. The simulation doesn't depend on observers, and they can't change a
+/// walk. A failure to write (disk full, no GL) is thrown as std::runtime_error and ends the program with exit
+/// code 3.
 class Observer {
 public:
     virtual ~Observer() = default;
@@ -14,7 +15,7 @@ public:
     virtual void begin(const Walk& walk) { static_cast<void>(walk); }
     /// After every tick, and once more with the closing events of the walk.
     virtual void frame(const TickRecord& record) = 0;
-    /// Once after the last frame; everything must be on disk when this returns.
+    /// Once after the last record; everything must be on disk when this returns.
     virtual void end() {}
 };
 

@@ -12,20 +12,21 @@
 
 namespace campuswalk::engine {
 
-/// A building's information window as it has opened.
+/// An open information window of a building.
 struct OpenPopup {
     std::size_t building = 0;  ///< index into the campus' buildings
     std::string title;         ///< with its variables filled in
     std::string text;
 };
 
-/// The work of a tick's stages, in tests of pairs.
+/// The collision queries of a tick's stages.
 struct TickCosts {
-    collision::QueryStatistics move;    ///< putting down, sweeping, stepping and sliding
-    collision::QueryStatistics detect;  ///< triggers and the look
+    collision::QueryStatistics move;    ///< placing, sweeping, stepping and sliding
+    collision::QueryStatistics detect;  ///< triggers and the gaze
 };
 
-/// What one tick did, as plain data that observers read after it. Spans stay valid until the next tick.
+/// What happened in a tick, as plain data that observers read afterwards. Spans are valid until the next
+/// tick.
 struct TickRecord {
     Tick tick = 0;
     double time = 0.0;  ///< seconds: tick / ticks_per_second, never a running sum
@@ -33,7 +34,7 @@ struct TickRecord {
     AvatarState avatar;
     double distance = 0.0;                           ///< metres so far, along the path of the foot point
     std::span<const Event> events;                   ///< in log order
-    std::span<const SnapshotStep* const> snapshots;  ///< images the script asks for at this moment
+    std::span<const SnapshotStep* const> snapshots;  ///< images that the script takes at the end of this tick
     std::span<const OpenPopup> open_popups;          ///< oldest first
     const std::vector<bool>* disabled = nullptr;     ///< by object; null: none is
 };

@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// Of a command's message; in its properties colons and commas too.
+/// For a command's message; for its properties, colons and commas are escaped too.
 std::string escaped(std::string_view text, bool in_property) {
     std::string out;
     for (const char c : valid_utf8(text)) {
@@ -38,7 +38,7 @@ std::string escaped(std::string_view text, bool in_property) {
     return out;
 }
 
-/// Takes `:NUMBER` off the end.
+/// Removes `:NUMBER` from the end; 0 if there is none.
 int take_number(std::string_view& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos || colon + 1 == text.size()) {
@@ -53,7 +53,7 @@ int take_number(std::string_view& text) {
     return number;
 }
 
-/// The parts of `file:line:col: error CODE: message`; all of it is the message where it is something else.
+/// The parts of `file:line:col: error CODE: message`; any other text is a message as a whole.
 Failure parts_of(std::string_view diagnostic) {
     constexpr std::string_view kError = ": error ";
     Failure parts;

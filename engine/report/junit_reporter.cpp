@@ -42,7 +42,7 @@ void append_text(pugi::xml_node node, const char* name, const std::string& text)
     }
 }
 
-/// Everything about a failure, a line each.
+/// Everything about a failure, one fact per line.
 std::string details_of(const Failure& failure) {
     std::string text = headline_of(failure) + "\n";
     if (const std::string place = place_of(failure.scene); !place.empty()) {
@@ -54,7 +54,7 @@ std::string details_of(const Failure& failure) {
     return text;
 }
 
-void append_trouble(pugi::xml_node test, const char* kind, std::string_view type, std::string_view message,
+void append_problem(pugi::xml_node test, const char* kind, std::string_view type, std::string_view message,
                     const std::string& details) {
     pugi::xml_node node = test.append_child(kind);
     set(node, "type", type);
@@ -62,16 +62,16 @@ void append_trouble(pugi::xml_node test, const char* kind, std::string_view type
     node.append_child(pugi::node_pcdata).set_value(xml_characters(details).c_str());
 }
 
-/// Schemas allow several, most readers show the first: all that failed stands in it.
+/// Schemas allow several, but most readers show only the first: all failures are in it.
 void append_failures(pugi::xml_node test, const WalkResult& result) {
-    const std::string words = verdict_in_words(result);
-    std::string details = words.empty() ? "" : words + "\n";
+    const std::string verdict = verdict_in_words(result);
+    std::string details = verdict.empty() ? "" : verdict + "\n";
     for (const Failure& failure : result.failures) {
         details += details_of(failure);
     }
-    const bool own_words = !words.empty() || result.failures.empty();
-    append_trouble(test, "failure", own_words ? "status" : result.failures.front().code,
-                   own_words ? words : result.failures.front().message, details);
+    const bool has_verdict = !verdict.empty() || result.failures.empty();
+    append_problem(test, "failure", has_verdict ? "status" : result.failures.front().code,
+                   has_verdict ? verdict : result.failures.front().message, details);
 }
 
 void append_error(pugi::xml_node test, const WalkResult& result) {
@@ -79,12 +79,12 @@ void append_error(pugi::xml_node test, const WalkResult& result) {
     for (const std::string& diagnostic : result.diagnostics) {
         details += printable(diagnostic) + "\n";
     }
-    const std::string words = verdict_in_words(result);
-    append_trouble(test, "error", name_of(result.outcome),
-                   result.diagnostics.empty() ? words : result.diagnostics.front(), details + words);
+    const std::string verdict = verdict_in_words(result);
+    append_problem(test, "error", name_of(result.outcome),
+                   result.diagnostics.empty() ? verdict : result.diagnostics.front(), details + verdict);
 }
 
-/// What Jenkins and GitLab show beside a case.
+/// Files that Jenkins and GitLab show beside a case.
 std::string attachments_of(const WalkResult& result) {
     std::string text;
     for (const Artifact& artifact : result.artifacts) {
@@ -147,7 +147,7 @@ public:
 private:
     using Suites = std::vector<std::pair<std::string, std::vector<const WalkResult*>>>;
 
-    /// In the order in which their first cases come.
+    /// In the order of their first cases.
     static Suites by_file(const RunReport& report) {
         Suites suites;
         std::map<std::string, std::size_t> places;

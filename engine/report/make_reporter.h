@@ -11,14 +11,14 @@
 
 namespace campuswalk::engine {
 
-/// Takes text as it is, ends of lines and all. Throws std::runtime_error when it can't be written.
+/// Takes text including its line ends. Throws std::runtime_error if it can't be written.
 using TextSink = std::function<void(std::string_view text)>;
 
 /// How a report is written for its reader; only `list` and `dot`, which people read, use it.
 struct ReportStyle {
     bool color = false;       ///< ANSI colours, for a terminal
-    bool quiet = false;       ///< only what is not as it should be, and the last line
-    std::string folder = {};  ///< the run's output folder as the user named it, to find images in
+    bool quiet = false;       ///< only what isn't as it should be, and the last line
+    std::string folder = {};  ///< the run's output folder as the user wrote it, where images are
 };
 
 struct ReporterKind {

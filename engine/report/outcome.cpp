@@ -18,14 +18,14 @@ std::string listed(const Codes& codes) {
     return list;
 }
 
-/// What is wrong with the way the walk failed; empty when nothing is.
-std::string diagnostic(const Codes& failed, const WalkStatus& status) {
-    const Codes wanted(status.codes.begin(), status.codes.end());
-    if (!failed.empty() && (wanted.empty() || wanted == failed)) {
+/// How the failures differ from those that the status lists; empty if they don't.
+std::string mismatch(const Codes& failed, const WalkStatus& status) {
+    const Codes expected(status.codes.begin(), status.codes.end());
+    if (!failed.empty() && (expected.empty() || expected == failed)) {
         return "";
     }
     std::string message = "expected to fail";
-    message += wanted.empty() ? "" : " with " + listed(wanted);
+    message += expected.empty() ? "" : " with " + listed(expected);
     message += status.reason.empty() ? "" : " because " + status.reason;
     return message + (failed.empty() ? ", but passed" : ", but failed with " + listed(failed));
 }
@@ -42,7 +42,7 @@ EvaluatedWalk outcome_of_evaluators(std::vector<Failure> failures, const WalkSta
     for (const Failure& failure : evaluated.failures) {
         failed.insert(failure.code);
     }
-    if (std::string message = diagnostic(failed, status); !message.empty()) {
+    if (std::string message = mismatch(failed, status); !message.empty()) {
         evaluated.outcome = Outcome::failed;
         evaluated.failures.push_back({status.mark, "xfail", std::move(message), {}});
     }

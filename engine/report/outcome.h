@@ -10,12 +10,12 @@ namespace campuswalk::engine {
 
 struct EvaluatedWalk {
     Outcome outcome = Outcome::passed;
-    std::vector<Failure> failures;  ///< the walk's own and, where it should have failed otherwise, "xfail"
+    std::vector<Failure> failures;  ///< the walk's own and, if it should have failed differently, "xfail"
 };
 
-/// What to think of a walk that has been run: `failures` are all there are of it, also those that observers
-/// found. One with the status xfail passes if it failed with just the codes that were named, in any order
-/// and number, or with any if none was; otherwise it fails, and says so at the status.
+/// The verdict on a walk that has been run. `failures` are all of them, including those that observers found.
+/// A walk with the status xfail passes if it failed with exactly the codes that its status lists, in any
+/// order and number, or with any code if it lists none; otherwise it fails with a failure at its status.
 EvaluatedWalk outcome_of_evaluators(std::vector<Failure> failures, const WalkStatus& status);
 
 }  // namespace campuswalk::engine

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// The code of a character of so many bytes.
+/// The code point of a valid character.
 char32_t code_of(std::string_view character) {
     const auto lead = static_cast<unsigned char>(character.front());
     char32_t code = character.size() == 1 ? lead : lead & (0x7fU >> character.size());
@@ -21,9 +21,9 @@ char32_t code_of(std::string_view character) {
     return code;
 }
 
-/// `spell` appends what represents a character, given as its code and its bytes.
-template <typename Spell>
-std::string respelled(std::string_view text, const Spell& spell) {
+/// `escape` appends the representation of a character, given as its code point and its bytes.
+template <typename Escape>
+std::string map_characters(std::string_view text, const Escape& escape) {
     std::string out;
     out.reserve(text.size());
     while (!text.empty()) {
@@ -31,7 +31,7 @@ std::string respelled(std::string_view text, const Spell& spell) {
         if (bytes == 0) {
             out += kReplacement;
         } else {
-            spell(code_of(text.substr(0, bytes)), text.substr(0, bytes), out);
+            escape(code_of(text.substr(0, bytes)), text.substr(0, bytes), out);
         }
         text.remove_prefix(std::max<std::size_t>(1, bytes));
     }
@@ -41,7 +41,7 @@ std::string respelled(std::string_view text, const Spell& spell) {
 }  // namespace
 
 std::string printable(std::string_view text) {
-    return respelled(text, [](char32_t code, std::string_view bytes, std::string& out) {
+    return map_characters(text, [](char32_t code, std::string_view bytes, std::string& out) {
         constexpr std::string_view kHex = "0123456789abcdef";
         if (code == '\n') {
             out += "\\n";
@@ -56,7 +56,7 @@ std::string printable(std::string_view text) {
 }
 
 std::string xml_characters(std::string_view text) {
-    return respelled(text, [](char32_t code, std::string_view bytes, std::string& out) {
+    return map_characters(text, [](char32_t code, std::string_view bytes, std::string& out) {
         const bool space = code == '\t' || code == '\n' || code == '\r';
         const bool refused = (code < 0x20 && !space) || code == 0xfffe || code == 0xffff;
         out += refused ? kReplacement : bytes;
@@ -64,7 +64,7 @@ std::string xml_characters(std::string_view text) {
 }
 
 std::string valid_utf8(std::string_view text) {
-    return respelled(text, [](char32_t, std::string_view bytes, std::string& out) { out += bytes; });
+    return map_characters(text, [](char32_t, std::string_view bytes, std::string& out) { out += bytes; });
 }
 
 }  // namespace campuswalk::engine

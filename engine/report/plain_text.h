@@ -5,17 +5,17 @@
 
 namespace campuswalk::engine {
 
-// Names and messages come from users' files and file systems: they may hold anything. Each kind of report
+// Names and messages come from users' files and file systems, and may contain anything. Each kind of report
 // gets them in a form that can't break it.
 
-/// One line for people: what would move a cursor or end the line is spelled `\n`, `\x1b`; bytes that are no
-/// UTF-8 become U+FFFD.
+/// One line for people: characters that would move a cursor or end the line become `\n`, `\x1b`; bytes that
+/// aren't UTF-8 become U+FFFD.
 std::string printable(std::string_view text);
 
-/// What XML 1.0 can hold: anything else becomes U+FFFD. Markup is left to the library that writes it.
+/// Characters that XML 1.0 allows; others become U+FFFD. Escaping markup is left to the XML library.
 std::string xml_characters(std::string_view text);
 
-/// Valid UTF-8: bytes that are none become U+FFFD, one each.
+/// Valid UTF-8: each byte that isn't becomes U+FFFD.
 std::string valid_utf8(std::string_view text);
 
 }  // namespace campuswalk::engine

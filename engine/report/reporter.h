@@ -6,8 +6,8 @@
 
 namespace campuswalk::engine {
 
-/// Tells about a run as it goes. Results come in the plan's order whatever the number of workers, so that a
-/// report's bytes don't depend on it. What can't be written is thrown as std::runtime_error.
+/// Reports a run as it progresses. Results come in the plan's order for any number of workers, so that a
+/// report's bytes don't depend on it. A failure to write is thrown as std::runtime_error.
 class Reporter {
 public:
     virtual ~Reporter() = default;

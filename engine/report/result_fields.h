@@ -10,15 +10,15 @@ namespace campuswalk::engine {
 template <typename Struct, typename Plain>
 concept MaybeConst = std::same_as<std::remove_const_t<Struct>, Plain>;
 
-/// Marks a number that is spelled as logs spell hashes.
+/// Marks a number that is written like the hashes in logs.
 template <typename Number>
 struct Hash {
     explicit Hash(Number& number) : value(number) {}
     Number& value;
 };
 
-// What of a result stands in JSON, in this order and under which name. Writing and reading go through the
-// same lists, so that neither can forget a field. `Fields` is called as (name, member); angles say their
+// The fields of a result in JSON, with their names and in their order. Writing and reading use the same
+// lists, so that neither can miss a field. `Fields` is called as (name, member). Names of angles end in their
 // unit.
 
 template <typename Fields>

@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/events/decimals.h"
-#include "engine/report/outcome_names.h"
 #include "engine/report/result_fields.h"
 
 namespace campuswalk::engine {
@@ -23,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no such numbers; a reader of reports must not stumble over a result because of them.
+/// JSON has no such numbers; a reader of reports must not fail on a result because of them.
 constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{
     {std::numeric_limits<double>::infinity(), "Infinity"},
     {-std::numeric_limits<double>::infinity(), "-Infinity"},
@@ -33,9 +32,6 @@ constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{
 // ---- writing ------------------------------------------------------------------------------------------
 
 Json json_of(const std::string& value) {
-    return value;
-}
-Json json_of(bool value) {
     return value;
 }
 template <std::integral Number>
@@ -62,7 +58,7 @@ Json json_of(Outcome value) {
 Json json_of(const std::optional<double>& value) {
     return value ? json_of(*value) : Json();
 }
-/// As logs have it: readers whose numbers are all doubles keep its bits too.
+/// As in logs: text, because many readers' numbers are all doubles.
 Json json_of(const Hash<const std::uint64_t>& hash) {
     return hexadecimal(hash.value);
 }
@@ -99,7 +95,7 @@ requires std::is_class_v<Struct> Json json_of(const Struct& value) {
 
 // ---- reading ------------------------------------------------------------------------------------------
 
-/// `where` is the way to the value: "failures[0].scene.tick".
+/// `where` is the path to the value: "failures[0].scene.tick".
 [[noreturn]] void refuse(const std::string& where, const std::string& expected, const Json& json) {
     std::string found = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (found.size() > 40) {
@@ -110,7 +106,7 @@ requires std::is_class_v<Struct> Json json_of(const Struct& value) {
 
 void read(const Json& json, const std::string& where, std::string& value) {
     if (!json.is_string()) {
-        refuse(where, "a text", json);
+        refuse(where, "a string", json);
     }
     value = json.get<std::string>();
 }
@@ -200,11 +196,11 @@ public:
         names_.emplace_back(name);
     }
 
-    /// There must be nothing else.
+    /// Refuses other fields.
     void finish() const {
         for (const auto& [name, value] : json_.items()) {
             if (std::ranges::find(names_, name) == names_.end()) {
-                throw std::runtime_error("not a walk's result: nothing is known of " + path(name));
+                throw std::runtime_error("not a walk's result: unknown field " + path(name));
             }
         }
     }
@@ -235,8 +231,8 @@ void read(const Json& json, const std::string& where, Struct& value) {
     reader.finish();
 }
 
-/// The parser would take the last of two that are called the same.
-Json parsed_without_repetitions(std::string_view line) {
+/// The parser would accept repeated keys and use the last.
+Json parsed_without_repeated_keys(std::string_view line) {
     std::vector<std::vector<std::string>> keys;
     return Json::parse(line, [&](int, Json::parse_event_t event, Json& json) {
         if (event == Json::parse_event_t::object_start) {
@@ -246,7 +242,7 @@ Json parsed_without_repetitions(std::string_view line) {
         } else if (event == Json::parse_event_t::key) {
             std::string key = json.get<std::string>();
             if (std::ranges::find(keys.back(), key) != keys.back().end()) {
-                throw std::runtime_error("not a walk's result: " + key + " stands there twice");
+                throw std::runtime_error("not a walk's result: " + key + " is repeated");
             }
             keys.back().push_back(std::move(key));
         }
@@ -263,13 +259,13 @@ std::string to_json_line(const WalkResult& result) {
 WalkResult result_from_json_line(std::string_view line) {
     WalkResult result;
     try {
-        Json json = parsed_without_repetitions(line);
+        Json json = parsed_without_repeated_keys(line);
         if (json.is_object()) {
-            json.erase("seed");  // reports written while walks had one
+            json.erase("seed");  // of reports from when walks had one
         }
         read(json, "", result);
     } catch (const Json::parse_error& error) {
-        throw std::runtime_error(std::string("not a walk's result: no JSON: ") + error.what());
+        throw std::runtime_error(std::string("not a walk's result: not JSON: ") + error.what());
     }
     return result;
 }

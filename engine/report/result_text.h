@@ -4,12 +4,11 @@
 #include <string>
 
 #include "engine/report/make_reporter.h"
-#include "engine/report/outcome_names.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {
 
-/// An xfail that failed as it said.
+/// An xfail that failed as its status says.
 constexpr bool failed_as_expected(const WalkResult& result) {
     return result.outcome == Outcome::passed && result.expected_to_fail;
 }
@@ -17,8 +16,8 @@ constexpr bool failed_as_expected(const WalkResult& result) {
 /// Simulated seconds.
 double seconds_of(const WalkResult& result);
 
-/// What is wrong with a case, without the failures' own words: an xfail that passed, for instance. Empty
-/// where failures and diagnostics say it all.
+/// What is wrong with a case besides its failures and diagnostics, for instance an xfail that passed. Empty
+/// if those say everything.
 std::string verdict_in_words(const WalkResult& result);
 
 /// FILE[ PROJECT][ #REPETITION], printable.
@@ -27,10 +26,10 @@ std::string title_of(const WalkResult& result);
 /// `file:line:col: error CODE: message`.
 std::string headline_of(const Failure& failure);
 
-/// When, where and what else: one line, empty when nothing is known.
+/// One line: when, where and near what; empty if nothing is known.
 std::string place_of(const FailureScene& scene);
 
-/// Counts over a run.
+/// The counts of a run.
 struct Tally {
     std::size_t passed = 0;
     std::size_t failed = 0;
@@ -45,7 +44,7 @@ struct Tally {
     void add(const WalkResult& result);
 };
 
-/// "12 passed (2 as expected failures), 1 failed: 135.2 simulated seconds, 180.4 m"
+/// "12 passed (2 by failing as expected), 1 failed: 135.2 simulated seconds, 180.4 m"
 std::string summary_of(const Tally& tally);
 
 }  // namespace campuswalk::engine

@@ -12,7 +12,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// A `#` would begin a directive.
+/// An unescaped `#` would begin a directive.
 std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : printable(text)) {
@@ -24,7 +24,7 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// JSON's texts are YAML's too.
+/// JSON strings are also YAML.
 std::string quoted(const std::string& text) {
     return nlohmann::json(valid_utf8(text)).dump();
 }
@@ -34,8 +34,8 @@ public:
     explicit TapReporter(TextSink sink) : sink_(std::move(sink)) {}
 
     void begin(std::size_t cases) override {
-        say("TAP version 14");
-        say("1.." + std::to_string(cases));
+        write("TAP version 14");
+        write("1.." + std::to_string(cases));
     }
 
     void result(const WalkResult& result) override {
@@ -46,7 +46,7 @@ public:
             line += todo ? " # TODO" : " # SKIP";
             line += result.status_reason.empty() ? "" : " " + printable(result.status_reason);
         }
-        say(line);
+        write(line);
         if (!ok) {
             explain(result);
         }
@@ -54,34 +54,34 @@ public:
 
 private:
     void explain(const WalkResult& result) {
-        say("  ---");
-        say("  outcome: " + std::string(name_of(result.outcome)));
+        write("  ---");
+        write("  outcome: " + std::string(name_of(result.outcome)));
         if (const std::string words = verdict_in_words(result); !words.empty()) {
-            say("  message: " + quoted(words));
+            write("  message: " + quoted(words));
         }
         if (!result.diagnostics.empty()) {
-            say("  complaints:");
+            write("  complaints:");
         }
         for (const std::string& diagnostic : result.diagnostics) {
-            say("    - " + quoted(diagnostic));
+            write("    - " + quoted(diagnostic));
         }
         if (!result.failures.empty()) {
-            say("  failures:");
+            write("  failures:");
         }
         for (const Failure& failure : result.failures) {
-            say("    - code: " + quoted(failure.code));
-            say("      message: " + quoted(failure.message));
-            say("      file: " + quoted(failure.mark.file));
-            say("      line: " + std::to_string(failure.mark.line));
-            say("      column: " + std::to_string(failure.mark.column));
+            write("    - code: " + quoted(failure.code));
+            write("      message: " + quoted(failure.message));
+            write("      file: " + quoted(failure.mark.file));
+            write("      line: " + std::to_string(failure.mark.line));
+            write("      column: " + std::to_string(failure.mark.column));
             if (const std::string place = place_of(failure.scene); !place.empty()) {
-                say("      place: " + quoted(place));
+                write("      place: " + quoted(place));
             }
         }
-        say("  ...");
+        write("  ...");
     }
 
-    void say(const std::string& line) { sink_(line + "\n"); }
+    void write(const std::string& line) { sink_(line + "\n"); }
 
     TextSink sink_;
     std::size_t number_ = 0;

@@ -13,7 +13,7 @@ namespace {
 
 enum class Color { none, green, red, yellow };
 
-/// How a case's end is shown.
+/// How a case's outcome is shown.
 struct Mark {
     const char* word;
     char letter;
@@ -45,7 +45,7 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-/// What both tell people: troubles in full at the end, and the counts.
+/// What both of them print: problems in full at the end, and the counts.
 class TextReporter : public Reporter {
 public:
     TextReporter(TextSink sink, ReportStyle style) : sink_(std::move(sink)), style_(std::move(style)) {}
@@ -53,29 +53,29 @@ public:
     void result(const WalkResult& result) final {
         tally_.add(result);
         if (!style_.quiet) {
-            tell(result);
+            print(result);
         }
         if (!is_as_it_should_be(result)) {
-            troubles_.push_back(result);
+            problems_.push_back(result);
         }
     }
 
     void end(const RunReport&) final {
         finish_cases();
-        for (std::size_t i = 0; i < troubles_.size(); ++i) {
-            tell_trouble(troubles_[i], i + 1);
+        for (std::size_t i = 0; i < problems_.size(); ++i) {
+            print_problem(problems_[i], i + 1);
         }
-        if (!style_.quiet || !troubles_.empty()) {
-            say("");
+        if (!style_.quiet || !problems_.empty()) {
+            print_line("");
         }
-        say(colored(summary_of(tally_), troubles_.empty() ? Color::green : Color::red));
+        print_line(colored(summary_of(tally_), problems_.empty() ? Color::green : Color::red));
     }
 
 protected:
-    virtual void tell(const WalkResult& result) = 0;
+    virtual void print(const WalkResult& result) = 0;
     virtual void finish_cases() {}
 
-    void say(const std::string& line) { sink_(line + "\n"); }
+    void print_line(const std::string& line) { sink_(line + "\n"); }
     void write(const std::string& text) { sink_(text); }
 
     std::string colored(const std::string& text, Color color) const {
@@ -87,29 +87,29 @@ protected:
     }
 
 private:
-    void tell_trouble(const WalkResult& result, std::size_t number) {
-        say("");
-        say(colored(std::to_string(number) + ") " + title_of(result), Color::red));
+    void print_problem(const WalkResult& result, std::size_t number) {
+        print_line("");
+        print_line(colored(std::to_string(number) + ") " + title_of(result), Color::red));
         if (const std::string words = verdict_in_words(result); !words.empty()) {
             std::string reason = printable(result.status_reason);
-            say("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
+            print_line("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
         }
         for (const std::string& diagnostic : result.diagnostics) {
-            say("   " + printable(diagnostic));
+            print_line("   " + printable(diagnostic));
         }
         const FailureScene* before = nullptr;
         for (const Failure& failure : result.failures) {
-            say("   " + headline_of(failure));
+            print_line("   " + headline_of(failure));
             if (before != nullptr && is_same(*before, failure.scene)) {
-                say("     at the same moment");
+                print_line("     at the same moment");
             } else {
-                tell_scene(failure.scene);
+                print_scene(failure.scene);
             }
             before = &failure.scene;
         }
         for (const Artifact& artifact : result.artifacts) {
             const std::string folder = style_.folder.empty() ? "" : printable(style_.folder) + "/";
-            say("   " + printable(artifact.name) + ": " + folder + printable(artifact.path));
+            print_line("   " + printable(artifact.name) + ": " + folder + printable(artifact.path));
         }
     }
 
@@ -117,22 +117,22 @@ private:
         return place_of(a) == place_of(b) && !place_of(a).empty() && a.last_events == b.last_events;
     }
 
-    void tell_scene(const FailureScene& scene) {
+    void print_scene(const FailureScene& scene) {
         if (const std::string place = place_of(scene); !place.empty()) {
-            say("     " + place);
+            print_line("     " + place);
         }
         if (!scene.last_events.empty()) {
-            say("     the last events before it:");
+            print_line("     the last events before it:");
         }
         for (const std::string& event : scene.last_events) {
-            say("       " + printable(event));
+            print_line("       " + printable(event));
         }
     }
 
     TextSink sink_;
     ReportStyle style_;
     Tally tally_;
-    std::vector<WalkResult> troubles_;
+    std::vector<WalkResult> problems_;
 };
 
 class ListReporter final : public TextReporter {
@@ -140,8 +140,8 @@ public:
     using TextReporter::TextReporter;
 
 private:
-    void tell(const WalkResult& result) override {
-        // Most names fit; what is longer pushes the rest of its line to the right.
+    void print(const WalkResult& result) override {
+        // Most names fit; a longer one shifts the rest of its line to the right.
         constexpr std::size_t kWordWidth = 6;
         constexpr std::size_t kTitleWidth = 48;
         const Mark mark = mark_of(result);
@@ -151,7 +151,7 @@ private:
             line += std::string(kTitleWidth - std::min(kTitleWidth, title_of(result).size()), ' ') + "  " +
                     details;
         }
-        say(line);
+        print_line(line);
     }
 
     static std::string details_of(const WalkResult& result) {
@@ -172,12 +172,12 @@ public:
     using TextReporter::TextReporter;
 
 private:
-    static constexpr int kDotsALine = 80;
+    static constexpr int kDotsPerLine = 80;
 
-    void tell(const WalkResult& result) override {
+    void print(const WalkResult& result) override {
         const Mark mark = mark_of(result);
         write(colored(std::string(1, mark.letter), mark.color));
-        if (++dots_ == kDotsALine) {
+        if (++dots_ == kDotsPerLine) {
             finish_cases();
         }
     }

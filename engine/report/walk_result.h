@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/expect/failure.h"
@@ -10,30 +13,49 @@
 namespace campuswalk::engine {
 
 enum class Outcome {
-    passed,       ///< as expected; also an xfail that failed as it said
-    failed,       ///< an expectation was not met, a step gave up, or an xfail passed
+    passed,       ///< as expected; also an xfail that failed as its status says
+    failed,       ///< an expectation doesn't hold, a step gave up, or an xfail passed
     skipped,      ///< `status: skip`
-    bad_input,    ///< not run: its files have mistakes
-    broken,       ///< it ended with an error that is not the walk's: disk full, a crash, killed
+    bad_input,    ///< not run: there are errors in its files
+    broken,       ///< it ended by an error that isn't the walk's: disk full, a crash, killed
     interrupted,  ///< not finished when the run was stopped
 };
 
-/// A file that a walk left behind. Paths are relative to the run's output folder, with `/`.
+/// As in reports.
+constexpr std::array<std::pair<Outcome, std::string_view>, 6> kOutcomeNames = {{
+    {Outcome::passed, "passed"},
+    {Outcome::failed, "failed"},
+    {Outcome::skipped, "skipped"},
+    {Outcome::bad_input, "bad_input"},
+    {Outcome::broken, "broken"},
+    {Outcome::interrupted, "interrupted"},
+}};
+
+constexpr std::string_view name_of(Outcome outcome) {
+    for (const auto& [value, name] : kOutcomeNames) {
+        if (value == outcome) {
+            return name;
+        }
+    }
+    return "";
+}
+
+/// A file that a walk has written. Paths are relative to the run's output folder, with `/`.
 struct Artifact {
     std::string name;  ///< "log", "trajectory", "failure from above", a snapshot's name, …
     std::string path;
     std::string media_type;  ///< "image/png", "text/csv", …
 };
 
-/// What is known of one case, a walk in a project in a repetition, once it has ended. Plain data: it
-/// travels between processes and into reports as JSON (see result_json.h). Knows no clock and no absolute
-/// path, so that equal runs give equal bytes.
+/// The result of a case: a walk in a project and a repetition. Plain data, which processes exchange and
+/// reports contain as JSON (see result_json.h). It has no wall-clock time and no absolute path, so that equal
+/// runs produce equal bytes.
 struct WalkResult {
-    std::string id;       ///< unique in a run: FILE[ PROJECT][ #REPETITION]
-    std::string file;     ///< the walk file as found, relative to where the run was started, with `/`
-    std::string name;     ///< NAME of NAME.walk.yaml
-    std::string project;  ///< of walks.config.yaml; empty without
-    std::string config;   ///< that file, as found, when there is a project
+    std::string id;    ///< unique in a run: FILE[ PROJECT][ #REPETITION]
+    std::string file;  ///< the walk file as found, relative to the folder where the run was started, with `/`
+    std::string name;  ///< NAME of NAME.walk.yaml
+    std::string project;  ///< of walks.config.yaml; empty if there is none
+    std::string config;   ///< that file, as found, if there is a project
     int repetition = 0;   ///< of --repeat-each, from 0
     std::vector<std::string> tags;
     std::string status_reason;  ///< of a skip or an xfail
@@ -44,7 +66,7 @@ struct WalkResult {
     std::vector<std::string> diagnostics;  ///< bad_input, broken: `file:line:col: error CODE: message`
     std::string campus;
     int ticks_per_second = 60;
-    std::optional<double> timeout;  ///< simulated seconds for all of it, whoever said so
+    std::optional<double> timeout;  ///< simulated seconds for the whole walk, wherever it was set
     Tick ticks = 0;
     std::int64_t events = 0;
     double distance = 0.0;  ///< metres

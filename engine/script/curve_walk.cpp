@@ -36,10 +36,10 @@ const Vector3d& CurveWalk::lead(const Vector3d& avatar, double distance) {
         return point_;
     }
     while (!at_end() && distance > 0.0) {
-        const Vector3d way = curve_[next_] - point_;
-        const double length = way.norm();
+        const Vector3d segment = curve_[next_] - point_;
+        const double length = segment.norm();
         if (length > distance) {
-            point_ += way * (distance / length);
+            point_ += segment * (distance / length);
             passed_ += distance;
             return point_;
         }

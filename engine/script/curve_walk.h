@@ -9,14 +9,14 @@
 
 namespace campuswalk::engine {
 
-/// Leads an avatar along a curve: a point runs ahead on it at the avatar's speed, and waits where the avatar
-/// falls behind by more than half a metre. An avatar that nothing holds up is at that point in every tick.
+/// Leads an avatar along a curve: a point moves ahead on it at the avatar's speed, and waits while the avatar
+/// is more than half a metre behind. An avatar that nothing blocks reaches that point in every tick.
 class CurveWalk {
 public:
-    /// A curve from where the avatar is through the points. Horizontal: heights don't count.
+    /// A curve from the avatar through the points. Heights are ignored.
     void start(const Eigen::Vector3d& avatar, const std::vector<Target>& points);
 
-    /// The leading point (y = 0), up to `distance` metres farther along the curve.
+    /// Moves the leading point (y = 0) up to `distance` metres along the curve, and returns it.
     const Eigen::Vector3d& lead(const Eigen::Vector3d& avatar, double distance);
 
     bool at_end() const { return next_ >= curve_.size(); }
@@ -27,7 +27,7 @@ public:
 private:
     std::vector<Eigen::Vector3d> points_;
     std::vector<Eigen::Vector3d> curve_;
-    std::size_t next_ = 0;  ///< the corner of the curve that the leading point comes to next
+    std::size_t next_ = 0;  ///< the vertex of the curve that the leading point reaches next
     Eigen::Vector3d point_ = Eigen::Vector3d::Zero();
     double length_ = 0.0;
     double passed_ = 0.0;

@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 bool matches(const EventPattern& pattern, const Event& event);
 bool matches_any(const std::vector<NamePattern>& patterns, const std::string& name);
 
-/// As the user writes it: `KIND OBJECT`, or `KIND` alone for any object.
+/// As users write it: `KIND OBJECT`, or only `KIND` for any object.
 std::string to_string(const EventPattern& pattern);
 
 }  // namespace campuswalk::engine

@@ -9,12 +9,12 @@
 #include "engine/script/image_tolerance.h"
 #include "engine/script/mentions.h"
 
-// What a walk is to be like, as written below `expect` or in a step of that name. `kName` is the key in the
-// file and the code of the failure; `mentions` is what check_walk looks for on the campus.
+// What is expected of a walk, as written below `expect` or in a step of that name. `kName` is the key in the
+// file and the code of the failure; check_walk looks for what an expectation `mentions` on the campus.
 
 namespace campuswalk::engine {
 
-/// All that are set hold.
+/// All that are set must hold.
 template <typename Number>
 struct Limits {
     std::optional<Number> equals;
@@ -27,7 +27,7 @@ struct Limits {
 struct ExpectSequence {
     static constexpr std::string_view kName = "sequence";
     SourceMark mark;
-    std::vector<EventPattern> events;  ///< in this order, others may come between
+    std::vector<EventPattern> events;  ///< in this order; other events may come between
 
     std::vector<Mention> mentions() const {
         std::vector<Mention> all;
@@ -55,7 +55,7 @@ struct ExpectCount {
     std::vector<Mention> mentions() const { return {{event, ""}}; }
 };
 
-/// `after` comes, and each time it does, `event` follows within so many seconds.
+/// `after` comes, and each time `event` follows within this time.
 struct ExpectWithin {
     static constexpr std::string_view kName = "within";
     SourceMark mark;
@@ -74,18 +74,18 @@ struct ExpectPopup {
     SourceMark mark;
     NamePattern building;
     std::string title = "*";  ///< glob
-    std::string body = "*";   ///< glob, over the event's body: hours and text
+    std::string body = "*";   ///< glob, of the event's body: hours and text
     Limits<int> times{std::nullopt, 1, std::nullopt};
 
     std::vector<Mention> mentions() const { return {mention_of_popup(building)}; }
 };
 
-/// The pop-ups of these buildings open, each once at least; of buildings that have one.
+/// The pop-ups of these buildings open, each at least once. Buildings without one don't count.
 struct ExpectVisits {
     static constexpr std::string_view kName = "visits";
     SourceMark mark;
     std::vector<NamePattern> buildings;  ///< at least one
-    double ratio = 1.0;                  ///< of those that match, at least
+    double ratio = 1.0;                  ///< at least, of those that match
 
     std::vector<Mention> mentions() const {
         std::vector<Mention> all;
@@ -96,9 +96,9 @@ struct ExpectVisits {
     }
 };
 
-// ---- the way ------------------------------------------------------------------------------------------
+// ---- the path -----------------------------------------------------------------------------------------
 
-/// The avatar is at a point at some time.
+/// The avatar reaches a point at some time.
 struct ExpectReaches {
     static constexpr std::string_view kName = "reaches";
     SourceMark mark;
@@ -108,7 +108,7 @@ struct ExpectReaches {
     std::vector<Mention> mentions() const { return {}; }
 };
 
-/// The avatar is at a point in the end, or whenever an event comes, which must come.
+/// The avatar is at a point at the end, or whenever an event comes, which must come at least once.
 struct ExpectNear {
     static constexpr std::string_view kName = "near";
     SourceMark mark;
@@ -124,7 +124,7 @@ struct ExpectNear {
 struct ExpectDuration {
     static constexpr std::string_view kName = "duration";
     SourceMark mark;
-    Limits<double> seconds;  ///< simulated; equal to the millisecond
+    Limits<double> seconds;  ///< simulated; compared to the millisecond
 
     std::vector<Mention> mentions() const { return {}; }
 };
@@ -132,14 +132,14 @@ struct ExpectDuration {
 struct ExpectDistance {
     static constexpr std::string_view kName = "distance";
     SourceMark mark;
-    Limits<double> metres;  ///< along the path of the foot point; equal to the millimetre
+    Limits<double> metres;  ///< along the path of the foot point; compared to the millimetre
 
     std::vector<Mention> mentions() const { return {}; }
 };
 
 // ---- the body -----------------------------------------------------------------------------------------
 
-/// At the end of no tick is the body inside a solid that it can meet.
+/// At the end of each tick the body is inside no solid, layers that it ignores aside.
 struct ExpectNoPenetration {
     static constexpr std::string_view kName = "no_penetration";
     SourceMark mark;
@@ -151,12 +151,12 @@ struct ExpectNoPenetration {
 struct ExpectGrounded {
     static constexpr std::string_view kName = "grounded";
     SourceMark mark;
-    double ratio = 1.0;  ///< of the ticks, at least
+    double ratio = 1.0;  ///< at least, of the ticks
 
     std::vector<Mention> mentions() const { return {}; }
 };
 
-/// Something is in the way: a way ends there, or the avatar is stuck.
+/// Something blocks the avatar: it ends a walk_to or follow, or the avatar is stuck at it.
 struct ExpectBlockedBy {
     static constexpr std::string_view kName = "blocked_by";
     SourceMark mark;
@@ -168,7 +168,7 @@ struct ExpectBlockedBy {
 struct ExpectStuck {
     static constexpr std::string_view kName = "stuck";
     SourceMark mark;
-    NamePattern by;  ///< `*`: by anything, or by nothing that could be named
+    NamePattern by;  ///< `*`: by anything, even if it has no name
 
     std::vector<Mention> mentions() const { return {mention_of_solid(by)}; }
 };
@@ -187,15 +187,15 @@ using PlainExpectation =
                  ExpectReaches, ExpectNear, ExpectDuration, ExpectDistance, ExpectNoPenetration,
                  ExpectGrounded, ExpectBlockedBy, ExpectStuck, ExpectFell>;
 
-/// That something is not as said. The failure's code is `not-` and the name of what was not expected.
+/// That an expectation doesn't hold. The failure's code is `not-` and the expectation's name.
 struct ExpectNot {
     static constexpr std::string_view kName = "not";
     SourceMark mark;
     PlainExpectation what;
 };
 
-/// The event log is, to the byte, the one that was kept beside the walk. Whoever runs the walk and has the
-/// files judges that; it can't stand in a step.
+/// The event log equals, to the byte, the one that is stored beside the walk. Evaluated after the run by
+/// whoever has the files; a step can't expect it.
 struct ExpectLog {
     static constexpr std::string_view kName = "log";
     SourceMark mark;
@@ -203,18 +203,18 @@ struct ExpectLog {
 };
 
 // ---- images -----------------------------------------------------------------------------------------
-// Whoever draws the walk's snapshots judges these, after the run: drawing differs between machines, and what
-// is thought of an image changes neither the walk nor its log. They can't stand in a step.
+// Evaluated after the run by whoever draws the walk's snapshots: drawing differs between machines, and the
+// verdict on an image changes neither the walk nor its log. A step can't expect these.
 
-/// A snapshot is, within a tolerance, the image that was kept beside the walk.
+/// A snapshot equals, within a tolerance, the image that is stored beside the walk.
 struct ExpectSnapshot {
     static constexpr std::string_view kName = "snapshot";
     SourceMark mark;
     std::string name;            ///< of a snapshot step
-    ToleranceChanges tolerance;  ///< to what holds for all of a run's snapshots
+    ToleranceChanges tolerance;  ///< to the tolerance of all of a run's snapshots
 };
 
-/// Of a building something is to be seen in a snapshot. Windows and maps drawn over it hide nothing.
+/// A building is visible in a snapshot. Windows and maps drawn over it hide nothing.
 struct ExpectVisible {
     static constexpr std::string_view kName = "visible";
     SourceMark mark;
@@ -222,11 +222,11 @@ struct ExpectVisible {
     SourceMark snapshot_mark;
     std::string snapshot;             ///< name of a snapshot step
     int min_pixels = 1;               ///< at least
-    std::optional<double> min_ratio;  ///< of the image's pixels, at least
-    bool negated = false;             ///< `not`: less than that
+    std::optional<double> min_ratio;  ///< at least, of the image's pixels
+    bool negated = false;             ///< `not`: less of it is visible
 };
 
-/// Why one that is negated fails, as for an ExpectNot.
+/// The code of its failure: `not-` and its name if it is negated.
 std::string code_of(const ExpectVisible& expected);
 
 using Expectation = std::variant<PlainExpectation, ExpectNot, ExpectLog, ExpectSnapshot, ExpectVisible>;
@@ -239,11 +239,11 @@ std::vector<Mention> mentions_of(const std::vector<Expectation>& expectations);
 
 /// Whether it can be evaluated only where images are drawn.
 bool is_about_images(const Expectation& expectation);
-/// The codes of failures of those.
+/// The failure codes of those.
 std::vector<std::string> image_failure_codes();
 
-/// What a failure's `code` can be: the names above, those with `not-` before, and what ends a walk early.
-/// `xfail` is that of a walk that should have failed.
+/// What a failure's `code` can be: the names above, the same with `not-` before them, and the reasons for
+/// which a walk ends early. A walk that should have failed has the code `xfail`, which isn't among them.
 std::vector<std::string> failure_codes();
 
 }  // namespace campuswalk::engine

@@ -13,27 +13,27 @@ struct PixelBox {
     int height = 0;
 };
 
-/// How far two images may be apart and still count as the same. Both rules hold.
+/// How much two images may differ and still count as the same. Both rules must hold.
 struct ImageTolerance {
-    /// Colours closer than this are the same: 0 is the same bytes, 1 the two farthest apart. 0.2 is beyond
-    /// what another processor or Mesa version makes of a surface.
+    /// Colours closer than this count as equal: 0 means the same bytes, 1 the two farthest apart. 0.2 is more
+    /// than another processor or Mesa version changes on a surface.
     double threshold = 0.2;
-    /// Pixels whose colours differ by more; where both are set, both hold, where none is, there may be none.
+    /// Limits on the pixels whose colours differ by more; with neither of them there may be no such pixel.
     std::optional<int> max_diff_pixels;
     std::optional<double> max_diff_pixel_ratio;  ///< of all pixels
-    /// The structural similarity that every tile of 64 pixels must have, 1 for the same. It finds what stays
-    /// below `threshold`: a shadow that is gone, a wall that moved by a hand's breadth.
+    /// The structural similarity that every tile of 64 pixels must have; 1 means equal. It finds differences
+    /// below `threshold`: a missing shadow, a wall that moved by a hand's breadth.
     double min_tile_ssim = 0.97;
-    std::vector<PixelBox> masks;  ///< what is in there isn't looked at
+    std::vector<PixelBox> masks;  ///< pixels in these are ignored
 };
 
-/// What is said about a tolerance in one place; what isn't said stays as it was.
+/// The fields of a tolerance that are set in one place; the others stay unchanged.
 struct ToleranceChanges {
     std::optional<double> threshold;
     std::optional<int> max_diff_pixels;
     std::optional<double> max_diff_pixel_ratio;
     std::optional<double> min_tile_ssim;
-    std::vector<PixelBox> masks;  ///< added to those there are
+    std::vector<PixelBox> masks;  ///< added to the existing ones
 };
 
 ImageTolerance changed(ImageTolerance tolerance, const ToleranceChanges& changes);

@@ -41,6 +41,11 @@ bool has_arrived(const Target& target, double within, const AvatarState& avatar)
     return flat(to_target).norm() <= within && (!target.has_height || std::abs(to_target.y()) <= kLevel);
 }
 
+/// The end of a step that reports nothing.
+std::optional<StepEnd> over_if(bool over) {
+    return over ? std::optional(StepEnd()) : std::nullopt;
+}
+
 /// When the steps so far are over if nothing is in the way, and where the avatar is then.
 class Plan {
 public:
@@ -106,7 +111,7 @@ void ScriptPlayer::intend(const SpawnStep& step, const AvatarState&, Intent& int
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const SpawnStep&, const AvatarState&) {
-    return StepEnd();
+    return over_if(true);
 }
 
 template <>
@@ -117,7 +122,7 @@ void ScriptPlayer::intend(const TeleportStep& step, const AvatarState& avatar, I
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const TeleportStep&, const AvatarState&) {
-    return StepEnd();
+    return over_if(true);
 }
 
 // ---- walk_to and follow ---------------------------------------------------------------------------------
@@ -181,7 +186,7 @@ void ScriptPlayer::intend(const JumpStep& step, const AvatarState& avatar, Inten
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const JumpStep&, const AvatarState& avatar) {
-    return progress_.jumped && avatar.grounded ? std::optional(StepEnd()) : std::nullopt;
+    return over_if(progress_.jumped && avatar.grounded);
 }
 
 // ---- wait and wait_until --------------------------------------------------------------------------------
@@ -191,7 +196,7 @@ void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const WaitStep& step, const AvatarState&) {
-    return walk_.sim.has_passed(step.seconds, progress_.ticks) ? std::optional(StepEnd()) : std::nullopt;
+    return over_if(walk_.sim.has_passed(step.seconds, progress_.ticks));
 }
 
 template <>
@@ -226,7 +231,7 @@ void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Inten
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const TurnStep&, const AvatarState&) {
-    return progress_.aligned ? std::optional(StepEnd()) : std::nullopt;
+    return over_if(progress_.aligned);
 }
 
 template <>
@@ -244,7 +249,7 @@ void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Int
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const LookAtStep&, const AvatarState&) {
-    return progress_.aligned ? std::optional(StepEnd()) : std::nullopt;
+    return over_if(progress_.aligned);
 }
 
 // ---- all of them ----------------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ struct NamePattern {
     std::string glob = "*";
 };
 
-/// A point to go to. Without a height of its own (`[x, z]`) only the horizontal distance counts.
+/// A point to go to. If it has no height (`[x, z]`), only the horizontal distance counts.
 /// Resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
 struct Target {
     std::string label;
@@ -34,10 +34,10 @@ struct Target {
     bool has_height = false;
 };
 
-/// What the campus must have for an expectation to make sense: events of these kinds and names.
+/// Events that must be possible on the campus for a step or expectation to make sense.
 struct Mention {
     EventPattern event;
-    std::string if_unknown;  ///< what is wrong without; empty: the event can't happen
+    std::string if_unknown;  ///< the message if they aren't; empty: a general one
 };
 
 inline Mention mention_of_popup(const NamePattern& building) {

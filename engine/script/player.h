@@ -12,19 +12,19 @@
 
 namespace campuswalk::engine {
 
-/// Plays a walk's steps one after the other.
+/// Plays a walk's steps one after another.
 class ScriptPlayer final : public IntentSource {
 public:
     explicit ScriptPlayer(const Walk& walk);
 
     bool finished() const override { return current_ >= walk_.steps.size(); }
     Intent intend(const AvatarState& avatar) override;
-    /// For a wait_until.
+    /// Looks for the event of a wait_until.
     void observe(std::span<const Event> events) override;
-    /// Ends the current step if it is done, and appends the instant steps after it. The end of a walk_to or a
-    /// follow is reported, and what ends the walk.
+    /// Ends the current step if it is done, and appends the instant steps after it. Reports the end of a
+    /// walk_to or a follow, and failures.
     std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) override;
-    /// Of the step that is being played; null once it is finished.
+    /// Of the current step; null once the walk is finished.
     const SourceMark* mark() const override;
 
 private:
@@ -33,7 +33,7 @@ private:
         Tick since_closer = 0;            ///< ticks since the target came nearer
         double nearest = 1e300;           ///< least distance to the target so far, metres
         std::optional<double> turn_left;  ///< radians
-        bool aligned = false;             ///< turn and look_at: looking where asked
+        bool aligned = false;             ///< turn and look_at: looks in the desired direction
         double allowed = 0.0;             ///< walk_to and follow: seconds before it gives up
         bool jumped = false;
         bool awaited_event_came = false;  ///< wait_until
@@ -48,7 +48,7 @@ private:
     void intend(const Kind& step, const AvatarState& avatar, Intent& intent) = delete;
     template <typename Kind>
     std::optional<StepEnd> end_of(const Kind& step, const AvatarState& avatar) = delete;
-    /// Instant steps are carried out after the step before them; the first step is always a spawn.
+    /// Instant steps are executed after the step before them; the first step is always a spawn.
     template <InstantStep Kind>
     void intend(const Kind&, const AvatarState&, Intent&) {}
     template <InstantStep Kind>

@@ -40,7 +40,7 @@ struct StepPreview {
     std::optional<Switch> switched = {};     ///< objects enabled or disabled from here on
 };
 
-/// Puts the avatar down; the first step of every walk. The place must be free: it is checked before the run.
+/// Places the avatar; the first step of every walk. The place must be free, which is checked before the run.
 struct SpawnStep {
     SourceMark mark;
     std::string label;
@@ -60,7 +60,7 @@ struct WalkToStep {
     Target target;
     double within = 0.05;           ///< metres, horizontal
     std::optional<double> timeout;  ///< simulated seconds; default 2 x straight-line time + 5 s
-    std::optional<double> speed;    ///< metres a second
+    std::optional<double> speed;    ///< metres per second
     IfBlocked if_blocked = IfBlocked::fail;
 
     StepPreview preview() const {
@@ -103,13 +103,13 @@ struct TeleportStep {
     }
 };
 
-/// Along a smooth curve through points, from where the avatar is. Ends like a walk_to to the last of them.
+/// Along a smooth curve from the avatar through points. Ends like a walk_to to the last of them.
 struct FollowStep {
     SourceMark mark;
     std::vector<Target> points;     ///< at least one
     double within = 0.05;           ///< metres, horizontal, of the last point
     std::optional<double> timeout;  ///< simulated seconds; default 2 x the curve's time + 5 s
-    std::optional<double> speed;    ///< metres a second
+    std::optional<double> speed;    ///< metres per second
     IfBlocked if_blocked = IfBlocked::fail;
 
     StepPreview preview() const {
@@ -118,16 +118,16 @@ struct FollowStep {
     }
 };
 
-/// Once on the ground, up; over when it is on the ground again.
+/// Jumps once the avatar is on the ground; over when it has landed.
 struct JumpStep {
     SourceMark mark;
-    double speed = 0.0;    ///< metres a second, upwards
-    double forward = 0.0;  ///< metres a second in the air, where the avatar looks
+    double speed = 0.0;    ///< metres per second, upwards
+    double forward = 0.0;  ///< metres per second in the air, where the avatar looks
 
     StepPreview preview() const { return {.events = {{EventKind::avatar_jump}}}; }
 };
 
-/// Waits for an event from the step's first tick on; ends the walk if it doesn't come.
+/// Waits for an event, from the step's first tick on; ends the walk if it doesn't come.
 struct WaitUntilStep {
     SourceMark mark;
     EventPattern event;
@@ -136,7 +136,7 @@ struct WaitUntilStep {
     StepPreview preview() const { return {.mentions = {{event, ""}}}; }
 };
 
-// Instant steps take no time: they are carried out at the end of the tick that ended the step before them.
+// Instant steps take no time: they are executed at the end of the tick that ended the step before them.
 
 struct SnapshotStep {
     SourceMark mark;
@@ -156,15 +156,15 @@ struct CrouchStep {
     StepPreview preview() const { return {.height = height}; }
 };
 
-/// The pace of what follows, where a step has no speed of its own.
+/// The speed of the following steps that don't set one.
 struct SpeedStep {
     SourceMark mark;
-    double speed = 0.0;  ///< metres a second
+    double speed = 0.0;  ///< metres per second
 
     StepPreview preview() const { return {}; }
 };
 
-/// Objects that can be met from now on, or no longer.
+/// Objects that can be touched from now on, or no longer.
 struct EnableStep {
     SourceMark mark;
     std::vector<NamePattern> objects;
@@ -173,7 +173,7 @@ struct EnableStep {
     StepPreview preview() const { return {.switched = StepPreview::Switch{objects, enabled}}; }
 };
 
-/// Ends the walk unless all has been as expected so far.
+/// Ends the walk unless these expectations hold so far.
 struct ExpectStep {
     SourceMark mark;
     std::vector<Expectation> expectations;  ///< at least one; no log, no images
@@ -184,7 +184,7 @@ struct ExpectStep {
 using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
                           FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep, ExpectStep>;
 
-/// Whatever visits steps handles those that take no time as one kind, and each of the others by itself.
+/// Steps that take no time. Visitors may handle all of them alike.
 template <typename Kind>
 concept InstantStep = std::same_as<Kind, SnapshotStep> || std::same_as<Kind, CrouchStep> ||
     std::same_as<Kind, SpeedStep> || std::same_as<Kind, EnableStep> || std::same_as<Kind, ExpectStep>;

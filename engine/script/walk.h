@@ -20,13 +20,13 @@ namespace campuswalk::engine {
 struct SimSettings {
     int ticks_per_second = 60;
     double stay_every = 1.0;  ///< simulated seconds between stay events; 0 = every tick
-    /// Simulated seconds for which what was looked at still counts as looked at. Columns and posts that pass
-    /// before the eyes take one to ten ticks; what stays away for longer has been left.
+    /// Simulated seconds for which an object still counts as looked at. Columns and posts that pass in front
+    /// of the eyes hide it for one to ten ticks; an object that is hidden for longer is no longer looked at.
     double gaze_hold = 0.2;
-    /// What the campus' meshes are given to be queried by. It changes how long a walk takes, nothing else.
+    /// The trees of the campus' meshes. They affect how fast a walk is simulated, nothing else.
     collision::TreeKind tree = collision::TreeKind::bvh8;
 
-    /// Rounded.
+    /// Rounded to the nearest tick.
     Tick ticks_of(double seconds) const {
         return static_cast<Tick>(std::floor(seconds * ticks_per_second + 0.5));
     }
@@ -37,36 +37,36 @@ struct SimSettings {
     }
 };
 
-/// What is to be done with a walk, and what is to be thought of its end.
+/// Whether a walk is run, and whether it must fail.
 struct WalkStatus {
     enum class Kind {
         run,
         skip,   ///< not run
-        only,   ///< where a run has such walks, it has no others
-        xfail,  ///< must fail, for the reasons named if any are
+        only,   ///< if a run has such walks, it runs no others
+        xfail,  ///< must fail, with the codes given, if any
     };
     SourceMark mark;
     Kind kind = Kind::run;
     std::string reason;              ///< why it is skipped or fails
-    std::vector<std::string> codes;  ///< xfail: the failures it must have, in any order; empty: some
+    std::vector<std::string> codes;  ///< xfail: the failures it must have, in any order; empty: any
 };
 
 /// One `NAME.walk.yaml`, resolved and checked.
 struct Walk {
     std::string name;  ///< from the file's name
     SourceMark mark;
-    std::string project;  ///< which of walks.config.yaml it is played for; empty without
+    std::string project;  ///< of walks.config.yaml; empty without
     WalkStatus status;
     std::vector<std::string> tags;  ///< kebab-case, to select walks by
     std::optional<double> timeout;  ///< simulated seconds for all steps together
     std::filesystem::path campus;   ///< the campus file, resolved
     std::string campus_name;
-    scene::Origin origin;  ///< the campus', once that is loaded
+    scene::Origin origin;  ///< of the campus, once it is loaded
     AvatarProfile avatar;
     SimSettings sim;
     CameraSettings camera;
-    Views views = default_views();  ///< as `camera` has them, for whoever takes another than its own
-    LightSettings light;            ///< of its images
+    Views views = default_views();  ///< with the settings of `camera`, to choose another view by
+    LightSettings light;            ///< of the images
     std::vector<Step> steps;
     std::vector<Expectation> expectations;
 };

@@ -13,11 +13,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// This far below everything there is, the avatar has fallen off the world, metres.
+/// This far below all objects the avatar has fallen off the world, metres.
 constexpr double kAbyss = 10.0;
-/// Falls of less than this are steps, not landings worth an event, metres.
+/// Falls from less than this are steps, not landings that are worth an event, metres.
 constexpr double kNotableFall = 0.5;
-/// Ground this far below the foot still carries it, metres.
+/// Ground at most this far below the foot still supports the body, metres.
 constexpr double kGroundSearch = 0.01;
 
 }  // namespace
@@ -81,7 +81,7 @@ std::optional<ObjectId> Body::obstruction(double height, QueryStatistics& statis
     return collision::obstruction(campus_.world, solids_, foot(), profile_.radius, height, &statistics);
 }
 
-/// A solid that appears where the body is pushes it aside.
+/// A solid that is enabled where the body is pushes it aside.
 Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
     Adjustment adjustment;
     mover_cache_.clear();
@@ -97,7 +97,7 @@ Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
     return adjustment;
 }
 
-/// A body at rest doesn't look for its ground again by itself.
+/// A body at rest doesn't query its ground again by itself.
 void Body::adjust_to_disabled(QueryStatistics& statistics) {
     mover_cache_.clear();
     collision::MoverState probe;
@@ -108,9 +108,9 @@ void Body::adjust_to_disabled(QueryStatistics& statistics) {
     rest(statistics);
 }
 
-/// At a place, or beside what is in the way there.
+/// At the given position or, if that isn't free, beside the obstacle.
 std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statistics) {
-    // check_walk has refused places that can't be made free.
+    // check_walk has refused positions without a free placement nearby.
     const collision::FreePlacement placement =
         collision::nearest_free_placement(campus_.world, solids_, foot, profile_.radius, height(),
                                           kPlacementSearch, &statistics)
@@ -124,7 +124,7 @@ std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statis
     return push;
 }
 
-/// The trace of a body that doesn't move.
+/// Sets the trace of a body that doesn't move.
 void Body::rest(QueryStatistics& statistics) {
     trace_.path.assign(1, foot());
     trace_.landed = false;

@@ -15,26 +15,26 @@
 
 namespace campuswalk::engine {
 
-/// How far above a written-down place the avatar looks for a free one, metres (see nearest_free_placement).
-/// Ground is looked for twice as far below what it found, so at least as far below what was written.
+/// How far above a given position a free placement is searched for, metres (see nearest_free_placement).
+/// Ground is searched for twice as far below that placement, so at least as far below the given position.
 constexpr double kPlacementSearch = 0.5;
 
-/// Out of what the avatar was pushed where it was put down.
+/// How the avatar was pushed out of an object that it was placed inside.
 struct Push {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     double distance = 0.0;  ///< metres
     collision::ObjectId out_of{};
 };
 
-/// What a tick's intent came to.
+/// What came of the intent in a tick.
 struct Motion {
     std::optional<Push> push;
     bool jumped = false;
-    std::optional<double> landed_from;  ///< metres; of a jump, or a fall worth an event
-    bool stuck = false;                 ///< has turned out to be stuck in this tick
+    std::optional<double> landed_from;  ///< metres; after a jump, or a fall that is worth an event
+    bool stuck = false;                 ///< found to be stuck in this tick
 };
 
-/// The avatar's body among the campus' solids: the only place that knows where it is.
+/// The avatar's body among the solids of the campus. The only place that stores its position.
 class Body {
 public:
     /// `disabled` (by object) may change: see adjust_to_enabled and adjust_to_disabled. All must outlive the
@@ -45,25 +45,25 @@ public:
     const Eigen::Vector3d& foot() const { return mover_state_.foot; }
     double height() const { return mover_.height(); }
     double distance() const { return distance_; }  ///< metres so far, along the path of the foot point
-    /// How it came to where it is: of the last tick, or of having been put down.
+    /// How it got where it is: in the last tick, or when it was placed.
     const collision::MoveTrace& trace() const { return trace_; }
-    /// The object beside the body that is nearest to it.
+    /// The nearest of the objects that the body touches.
     std::optional<collision::ObjectId> obstacle() const;
     bool has_fallen_off_the_world() const;
 
     /// One tick.
     Motion follow(const Intent& intent, collision::QueryStatistics& statistics);
 
-    /// Crouches or stands up. False, and nothing is changed, where there is no head room.
+    /// Crouches or stands up. False, without any change, if there is no headroom.
     bool resize(double height, collision::QueryStatistics& statistics);
-    /// What is where the body would be, were it so tall.
+    /// The object that obstructs a body of this height, if any.
     std::optional<collision::ObjectId> obstruction(double height,
                                                    collision::QueryStatistics& statistics) const;
 
-    /// How the body took it that objects were enabled or disabled.
+    /// How the body reacted when objects were enabled.
     struct Adjustment {
         std::optional<Push> push;
-        std::optional<collision::ObjectId> enclosed_by;  ///< no room anywhere near; the body is where it was
+        std::optional<collision::ObjectId> enclosed_by;  ///< no room nearby; the body hasn't moved
     };
     Adjustment adjust_to_enabled(collision::QueryStatistics& statistics);
     void adjust_to_disabled(collision::QueryStatistics& statistics);

@@ -17,7 +17,7 @@ using scene::Diagnostic;
 
 namespace {
 
-/// Goes through the steps as they will be played: how tall the avatar is and what is disabled by then.
+/// Follows the steps in their order: the avatar's height and the disabled objects before each of them.
 class StepCheck {
 public:
     StepCheck(const scene::Campus& campus, const Walk& walk)
@@ -27,8 +27,8 @@ public:
           disabled_(campus.objects.size(), false),
           solids_{collision::Detection::solid, ignored_layers(campus, walk.avatar), &disabled_} {}
 
-    /// Appends the diagnostics about it.
-    void see(const StepPreview& step, const SourceMark& mark, std::vector<Diagnostic>& diagnostics) {
+    /// Appends the diagnostics about the next step.
+    void check(const StepPreview& step, const SourceMark& mark, std::vector<Diagnostic>& diagnostics) {
         if (step.place) {
             check_place(mark, *step.place, diagnostics);
         }
@@ -102,7 +102,7 @@ std::vector<Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk
     StepCheck steps(campus, walk);
     for (const Step& step : walk.steps) {
         const StepPreview preview = preview_of(step);
-        steps.see(preview, mark_of(step), diagnostics);
+        steps.check(preview, mark_of(step), diagnostics);
         names.check_events(preview.mentions);
     }
     names.check_events(mentions_of(walk.expectations));

@@ -7,13 +7,14 @@
 
 namespace campuswalk::engine {
 
-/// Checks what needs the built campus, before anything runs. Returns the diagnostics, empty when the walk can
-/// run:
-///   spawn-blocked   a spawn or teleport where the avatar's capsule, as tall as it is by then, doesn't fit
-///                   between what isn't disabled by then (see collision::nearest_free_placement)
-///   unknown-name    an event that is expected or waited for and can't happen on this campus, whatever the
+/// Checks before the run what requires the built campus. Returns the diagnostics; empty if the walk can run:
+///   spawn-blocked   a spawn or teleport where the avatar's capsule, with its height at that time, doesn't
+///   fit
+///                   between the objects that are enabled at that time (see
+///                   collision::nearest_free_placement)
+///   unknown-name    an event that is expected or waited for but can't happen on this campus, whatever the
 ///                   avatar does; an object or building in an expectation, or an object to enable or disable,
-///                   that isn't there
+///                   that doesn't exist
 std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk);
 
 }  // namespace campuswalk::engine

@@ -19,10 +19,10 @@ using collision::Vec3;
 
 namespace {
 
-// Contact begins a little inside the distance at which it ends, so that resting at it doesn't flicker.
-constexpr double kTouchSlack = 1e-3;   // metres beyond the skin: bumping into something begins
-constexpr double kPartSlack = 5e-3;    // metres beyond the skin: and ends
-constexpr double kVolumeSlack = 1e-3;  // metres outside a trigger at which it is left
+// A contact begins a little closer than it ends, so that it doesn't flicker at rest.
+constexpr double kEnterSlack = 1e-3;   // metres beyond the skin: a contact with a solid begins
+constexpr double kExitSlack = 5e-3;    // metres beyond the skin: it ends
+constexpr double kVolumeSlack = 1e-3;  // metres outside a trigger: its overlap ends
 
 void sort_for_log(std::vector<DetectedTransition>& transitions) {
     std::ranges::sort(transitions, {}, [](const DetectedTransition& s) {
@@ -99,7 +99,7 @@ void ContactDetector::collect(Tick tick, DetectionMode mode, ContactTracker& tra
 void ContactDetector::find_solid_contacts(const collision::MoveTrace& trace) {
     seen_.clear();
     for (const collision::Touch& touch : trace.touching) {
-        const double slack = solids_.active(touch.object) ? kPartSlack : kTouchSlack;
+        const double slack = solids_.active(touch.object) ? kExitSlack : kEnterSlack;
         if (touch.gap <= avatar_.skin_width + slack) {
             seen_.push_back({touch.object});
         }
@@ -118,13 +118,13 @@ void ContactDetector::find_trigger_overlaps(double height, const collision::Move
     campus_.world.candidates(box.grown(avatar_.radius + kVolumeSlack), filter, candidates_);
     for (const collision::ObjectId id : candidates_) {
         const ObjectOverlap overlap = trigger_overlap(id, height, trace.path, statistics);
-        if (overlap.met || triggers_.active(id)) {
+        if (overlap.touched || triggers_.active(id)) {
             seen_.push_back(overlap);
         }
     }
 }
 
-/// How the avatar meets a volume along its path, from the first contact to the last.
+/// How the avatar overlaps a volume along its path: from the first overlap to the end of the last.
 ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double height,
                                                const std::vector<Vec3>& path,
                                                collision::QueryStatistics* statistics) const {
@@ -133,7 +133,7 @@ ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double he
         const Segment body = body_axis(avatar_, foot, height);
         return overlap_span(campus_.world, id, body, radius, move, statistics);
     };
-    if (path.size() == 1) {  // put down here
+    if (path.size() == 1) {  // placed here
         const bool inside = span_from(path.front(), Vec3::Zero()).has_value();
         return {id, inside, inside, 1.0, 1.0};
     }
@@ -144,9 +144,9 @@ ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double he
         overlap.present = span && span->at_end;
         if (span) {
             const auto part = static_cast<double>(i);
-            overlap.enter_at = overlap.met ? overlap.enter_at : (part + span->enter) / parts;
+            overlap.enter_at = overlap.touched ? overlap.enter_at : (part + span->enter) / parts;
             overlap.exit_at = (part + span->leave) / parts;
-            overlap.met = true;
+            overlap.touched = true;
         }
     }
     return overlap;
@@ -163,7 +163,7 @@ void ContactDetector::find_gaze_hits(Tick tick, const AvatarState& avatar,
     const QueryFilter filter{Detection::solid | Detection::ray, ignored_layers_, disabled_};
     const auto hit = collision::cast(campus_.world, filter, ray, Detection::ray, statistics);
     if (hit && any_of(campus_.world.object(hit->object).detection, Detection::ray)) {
-        gaze_tracker_.meet(tick, hit->object, hit->fraction * avatar_.look_distance);
+        gaze_tracker_.hit(tick, hit->object, hit->fraction * avatar_.look_distance);
     }
     gaze_tracker_.advance(tick);
     for (const GazeTracker::Look& look : gaze_tracker_.looks()) {

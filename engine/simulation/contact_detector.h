@@ -7,7 +7,7 @@
 #include "collision/mover/mover.h"
 #include "collision/world/world.h"
 #include "engine/events/contact_tracker.h"
-#include "engine/events/gaze_memory.h"
+#include "engine/events/gaze_tracker.h"
 #include "engine/record/tick_record.h"
 #include "engine/script/avatar.h"
 #include "scene/campus/campus.h"
@@ -16,15 +16,15 @@ namespace campuswalk::engine {
 
 enum class DetectionMode { collision, trigger, ray };
 
-/// A transition with the strategy that saw it.
+/// A transition with the mode that detected it.
 struct DetectedTransition {
     DetectionMode mode = DetectionMode::collision;
     Transition transition;
-    double distance = 0.0;  ///< ray: from the eye to what is looked at, metres
+    double distance = 0.0;  ///< ray: from the eye to the object, metres
 };
 
-/// The paper's three detection strategies for one avatar: what it bumps into, what volumes it is in, and what
-/// it looks at ("light projection").
+/// The paper's three detection modes for one avatar: the solids that it touches, the volumes that it is in,
+/// and the object that it looks at ("light projection").
 class ContactDetector {
 public:
     /// `ignored_layers` and `disabled` as in collision::QueryFilter; `gaze_hold` as in GazeTracker.
@@ -36,12 +36,12 @@ public:
     void detect(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
                 std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics = nullptr);
 
-    /// After `detect`, in the same tick, when what can be met has changed: enters and exits alone. What was
-    /// disabled is left at once, without the gaze's hold. Replaces `out`, in the same order.
+    /// After `detect` in the same tick, if objects have been enabled or disabled since: only enters and
+    /// exits. Contacts with disabled objects end at once, even gazes. Replaces `out`, in the same order.
     void detect_again(Tick tick, const AvatarState& avatar, const collision::MoveTrace& trace,
                       std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics = nullptr);
 
-    /// Everything ends at once. Replaces `out`, in the same order.
+    /// Ends all contacts. Replaces `out`, in the same order.
     void leave_all(Tick tick, std::vector<DetectedTransition>& out);
 
 private:

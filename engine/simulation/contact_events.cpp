@@ -24,7 +24,7 @@ Tick ticks_of(double seconds, const SimSettings& sim) {
     return std::max<Tick>(1, sim.ticks_of(seconds));
 }
 
-/// On the polyline that the tick went along.
+/// On the tick's path.
 Vector3d position_at(double fraction, const std::vector<Vector3d>& path) {
     const std::size_t parts = path.size() - 1;
     if (parts == 0) {

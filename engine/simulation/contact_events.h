@@ -8,16 +8,15 @@
 
 namespace campuswalk::engine {
 
-/// The events of contacts that begin, last and end, each with those of the window that comes with it: opened
-/// after the enter, closed before the exit.
+/// The events of contacts that begin, continue and end, together with those of their information windows,
+/// which open after the enter and close before the exit.
 class ContactEvents {
 public:
     /// `disabled` is by object. All must outlive it.
     ContactEvents(const scene::Campus& campus, const Walk& walk, const std::vector<bool>& disabled,
                   PopupWindows& windows);
 
-    /// After the body has moved. `cause` says why contacts change, where it isn't by the avatar's own motion;
-    /// null otherwise.
+    /// After the body has moved. `cause` says why contacts change; null if it is by the avatar's own motion.
     void detect(const Body& body, const char* cause, TickEvents& events,
                 collision::QueryStatistics& statistics);
     /// In the same tick, after objects have been enabled or disabled.
@@ -33,7 +32,7 @@ private:
     const scene::Campus& campus_;
     ContactDetector detector_;
     PopupWindows& windows_;
-    std::vector<DetectedTransition> transitions_;  ///< kept for its memory alone
+    std::vector<DetectedTransition> transitions_;  ///< a member to reuse its memory
 };
 
 }  // namespace campuswalk::engine

@@ -11,13 +11,13 @@ namespace campuswalk::engine {
 
 namespace {
 
-std::optional<Stop> carry_out_one(const SnapshotStep& step, SimulationState& state) {
+std::optional<Stop> execute_step(const SnapshotStep& step, SimulationState& state) {
     state.snapshots.push_back(&step);
     state.events.add(EventKind::snapshot_take, step.name, {{"pos", state.body.foot()}});
     return std::nullopt;
 }
 
-std::optional<Stop> carry_out_one(const CrouchStep& step, SimulationState& state) {
+std::optional<Stop> execute_step(const CrouchStep& step, SimulationState& state) {
     if (step.height == state.body.height()) {
         return std::nullopt;
     }
@@ -33,8 +33,8 @@ std::optional<Stop> carry_out_one(const CrouchStep& step, SimulationState& state
     return std::nullopt;
 }
 
-/// The pace of what follows is the script's own affair.
-std::optional<Stop> carry_out_one(const SpeedStep&, SimulationState&) {
+/// Handled by the ScriptPlayer.
+std::optional<Stop> execute_step(const SpeedStep&, SimulationState&) {
     return std::nullopt;
 }
 
@@ -53,7 +53,7 @@ bool switch_objects(const EnableStep& step, SimulationState& state) {
     return changed;
 }
 
-std::optional<Stop> carry_out_one(const EnableStep& step, SimulationState& state) {
+std::optional<Stop> execute_step(const EnableStep& step, SimulationState& state) {
     if (!switch_objects(step, state)) {
         return std::nullopt;
     }
@@ -76,25 +76,25 @@ std::optional<Stop> carry_out_one(const EnableStep& step, SimulationState& state
     return stop;
 }
 
-/// The expectations have seen the ticks before; they are shown this one as far as it goes.
-std::optional<Stop> carry_out_one(const ExpectStep& step, SimulationState& state) {
+/// The expectations have seen the ticks before this one; they are shown this one so far.
+std::optional<Stop> execute_step(const ExpectStep& step, SimulationState& state) {
     auto failure = state.expectations.failure_at(step, state.record());
     return failure ? std::optional(Stop{failure->mark, std::move(failure->code), std::move(failure->message),
                                         std::move(failure->scene)})
                    : std::nullopt;
 }
 
-/// Of the others, every tick's intent is what there is to do.
+/// The other steps are played by intents.
 template <typename Lasting>
-requires(!InstantStep<Lasting>) std::optional<Stop> carry_out_one(const Lasting&, SimulationState&) {
+requires(!InstantStep<Lasting>) std::optional<Stop> execute_step(const Lasting&, SimulationState&) {
     assert(false && "takes time");
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Stop> carry_out(const Step& step, SimulationState& state) {
-    return std::visit([&](const auto& each) { return carry_out_one(each, state); }, step);
+std::optional<Stop> execute(const Step& step, SimulationState& state) {
+    return std::visit([&](const auto& each) { return execute_step(each, state); }, step);
 }
 
 }  // namespace campuswalk::engine

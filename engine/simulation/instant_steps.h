@@ -7,7 +7,7 @@
 
 namespace campuswalk::engine {
 
-/// Carries out a step that takes no time, at the end of a tick. The stop, if the walk ends with it.
-std::optional<Stop> carry_out(const Step& step, SimulationState& state);
+/// Executes a step that takes no time, at the end of a tick. Returns the stop if it ends the walk.
+std::optional<Stop> execute(const Step& step, SimulationState& state);
 
 }  // namespace campuswalk::engine

@@ -12,12 +12,12 @@ PopupTiming timing_of(const scene::PopupRule& rule, const SimSettings& sim) {
     return {rule.once, sim.ticks_of(rule.cooldown), sim.ticks_of(rule.dwell)};
 }
 
-/// An object may be in contact in three ways at once.
+/// An object may be in contact in each of the three detection modes.
 std::size_t number_of(const DetectedTransition& contact) {
     return 3 * index_of(contact.transition.object) + static_cast<std::size_t>(contact.mode);
 }
 
-/// When the building is open, and its text.
+/// The building's opening hours and its text.
 std::string popup_body(const std::string& hours, const std::string& text) {
     const std::string when = hours.empty() ? "" : "Open " + hours + ".";
     return when + (when.empty() || text.empty() ? "" : " ") + text;
@@ -31,7 +31,8 @@ PopupWindows::PopupWindows(const scene::Campus& campus, const Walk& walk)
 void PopupWindows::contact_began(const DetectedTransition& contact, TickEvents& events) {
     const scene::CampusObject& object = campus_.objects[index_of(contact.transition.object)];
     if (object.popup && object.building &&
-        popups_.meet(*object.building, number_of(contact), events.tick, timing_of(object.popup_rule, sim_))) {
+        popups_.enter(*object.building, number_of(contact), events.tick,
+                      timing_of(object.popup_rule, sim_))) {
         open_window(*object.building, contact.transition.at, events);
     }
 }

@@ -11,17 +11,16 @@
 
 namespace campuswalk::engine {
 
-/// The buildings' information windows, which open and close with the contacts of their objects.
+/// The buildings' information windows, which open and close with the contacts of the buildings' objects.
 class PopupWindows {
 public:
     /// Both must outlive it.
     PopupWindows(const scene::Campus& campus, const Walk& walk);
 
-    /// After a contact's enter, before its exit. Contacts of objects without a pop-up are none of its
-    /// business.
+    /// After a contact's enter, and before its exit. Objects without a pop-up are ignored.
     void contact_began(const DetectedTransition& contact, TickEvents& events);
     void contact_ended(const DetectedTransition& contact, TickEvents& events);
-    /// Opens what has a contact that has now lasted long enough.
+    /// Opens the windows for which a contact has now lasted long enough.
     void open_due(TickEvents& events);
 
     std::span<const OpenPopup> open() const { return open_; }  ///< oldest first

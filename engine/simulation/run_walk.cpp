@@ -21,9 +21,9 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
     return event;
 }
 
-/// What isn't judged because the walk was stopped: "; the walk stops here, so what lines 9 and 11 expect
-/// isn't judged".
-std::string told_undecided(const std::vector<SourceMark>& marks) {
+/// The expectations that aren't evaluated because the walk was stopped: "; the walk stops here, so what lines
+/// 9 and 11 expect isn't evaluated".
+std::string describe_undecided(const std::vector<SourceMark>& marks) {
     constexpr std::size_t kMostListed = 8;
     std::vector<int> lines;
     for (const SourceMark& mark : marks) {
@@ -42,10 +42,10 @@ std::string told_undecided(const std::vector<SourceMark>& marks) {
     list += lines.size() > kMostListed ? ", …" : "";
     const bool one = lines.size() == 1;
     return "; the walk stops here, so what line" + std::string(one ? " " : "s ") + list +
-           (one ? " expects" : " expect") + " isn't judged";
+           (one ? " expects" : " expect") + " isn't evaluated";
 }
 
-/// Set when the failure's line is one of a file that the walk includes.
+/// The failure's file if it is one that the walk includes, else empty.
 std::string included_file(const Failure& failure, const Walk& walk) {
     const std::string& file = failure.mark.file;
     return file.empty() || walk.mark.file.empty() || file == walk.mark.file
@@ -53,7 +53,7 @@ std::string included_file(const Failure& failure, const Walk& walk) {
                : std::filesystem::path(file).filename().string();
 }
 
-/// Puts the verdict into the walk's last event and, before it, what was not as expected.
+/// Adds the failures as events before the walk's last event, and the verdict to that.
 void add_verdict(const WalkSummary& summary, const Walk& walk, std::vector<Event>& events) {
     Event end = std::move(events.back());
     events.pop_back();
@@ -80,7 +80,7 @@ void summarize(const Simulation& simulation, const scene::Campus& campus, const 
         summary.failures = std::move(verdicts.failures);
         summary.failures.insert(
             summary.failures.begin(),
-            {stop->mark, stop->code, stop->message + told_undecided(verdicts.undecided),
+            {stop->mark, stop->code, stop->message + describe_undecided(verdicts.undecided),
              stop->scene ? *stop->scene : scene_of(expectations.now(), campus, walk.avatar)});
     } else {
         summary.failures = expectations.verdicts();
@@ -111,7 +111,7 @@ WalkSummary run_walk(Simulation& simulation, const scene::Campus& campus, const 
         show(record);
     }
     TickRecord last = simulation.close();
-    // Neither walk.start is counted nor walk.end, which expectations see without the verdict on them.
+    // Neither walk.start nor walk.end is counted; expectations see walk.end without the verdict.
     summary.events += static_cast<std::int64_t>(last.events.size()) - 2;
     summarize(simulation, campus, walk, summary);
     std::vector<Event> closing(last.events.begin(), last.events.end());

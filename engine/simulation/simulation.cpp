@@ -10,7 +10,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// What changes contacts other than the avatar's own motion; null: nothing does.
+/// What changes contacts besides the avatar's own motion; null if nothing does.
 const char* cause_of(const Intent& intent) {
     return !intent.placement                                      ? nullptr
            : intent.placement->kind == EventKind::avatar_teleport ? "teleport"
@@ -43,7 +43,7 @@ const TickRecord& Simulation::close() {
     begin_tick(state_.events.tick);
     state_.contacts.end_all(state_.body, "end", state_.events);
     end_tick();
-    // Not hashed: what is expected of a walk, and so its end, doesn't change it.
+    // Not hashed: a walk's expectations, which may end it, don't change it.
     state_.events.add(EventKind::walk_end, state_.walk.name);
     record_.events = state_.events.list;
     state_.expectations.see_closing(record_);
@@ -56,7 +56,7 @@ void Simulation::begin_tick(Tick tick) {
     state_.costs = {};
 }
 
-/// Contacts end where the avatar was, when it is put elsewhere.
+/// When the avatar is put elsewhere, its contacts end where it was.
 Motion Simulation::move(const Intent& intent) {
     TickEvents& events = state_.events;
     const std::string& name = state_.walk.name;
@@ -98,7 +98,7 @@ void Simulation::report_motion(const Motion& motion) {
     }
 }
 
-/// Ends the step that is done, and carries out the instant ones after it.
+/// Ends the step that is done, and executes the instant steps after it.
 void Simulation::settle_steps() {
     if (stop_) {
         return;
@@ -115,7 +115,7 @@ void Simulation::settle_steps() {
     const std::size_t observed = events.size();
     for (const Step* step : instant_steps_) {
         if (!stop_) {
-            stop_ = carry_out(*step, state_);
+            stop_ = execute(*step, state_);
         }
     }
     intents_.observe(std::span(events).subspan(observed));
@@ -134,7 +134,7 @@ void Simulation::report_step_end(const StepEnd& end) {
     }
 }
 
-/// However the walk is going: a time-out is none of the script's steps.
+/// The walk's timeout holds whatever moves the avatar.
 void Simulation::check_timeout() {
     const Walk& walk = state_.walk;
     const bool over = walk.timeout && walk.sim.has_passed(*walk.timeout, state_.events.tick);

@@ -16,13 +16,13 @@
 
 namespace campuswalk::engine {
 
-/// A walk, a tick at a time: intent, motion, contacts, pop-ups, steps, expectations, one after the other. It
-/// knows no observer and keeps no clock but the tick count. What it is made from must outlive it.
+/// Simulates a walk tick by tick: intent, motion, contacts, pop-ups, steps, expectations, one after another.
+/// It has no observers and no clock but the tick count. What it is constructed from must outlive it.
 class Simulation {
 public:
     /// The avatar does what the walk's steps say.
     Simulation(const scene::Campus& campus, const Walk& walk);
-    /// The avatar does what the source says; the walk's steps are the source's affair.
+    /// The avatar does what the source says; the walk's steps are left to the source.
     Simulation(const scene::Campus& campus, const Walk& walk, IntentSource& intents);
 
     bool finished() const { return finished_; }
@@ -30,7 +30,7 @@ public:
     /// Plays one tick; the record is valid until the next call. Tick 0 is the spawn.
     const TickRecord& step();
 
-    /// At the last tick again: all contacts end, and the walk with them. Call once, when finished.
+    /// The last tick again: all contacts end, and then the walk. Call once, when finished.
     const TickRecord& close();
 
     const std::optional<Stop>& stop() const { return stop_; }
@@ -47,13 +47,13 @@ private:
     void report_step_end(const StepEnd& end);
     void check_timeout();
     void end_tick();
-    /// The name of what is in the avatar's way; empty when nothing is.
+    /// The id of the object that blocks the avatar; empty if none does.
     std::string obstacle() const;
 
     SimulationState state_;
-    std::optional<ScriptPlayer> script_;  ///< unless the intents come from elsewhere
+    std::optional<ScriptPlayer> script_;  ///< none if the intents come from elsewhere
     IntentSource& intents_;
-    std::vector<const Step*> instant_steps_;  ///< kept for its memory alone
+    std::vector<const Step*> instant_steps_;  ///< a member to reuse its memory
     TickRecord record_;
     bool finished_ = false;
     std::optional<Stop> stop_;

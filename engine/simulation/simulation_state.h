@@ -15,15 +15,15 @@
 
 namespace campuswalk::engine {
 
-/// The step that ended a walk early.
+/// Why a walk ended early.
 struct Stop {
     SourceMark mark;
-    std::string code;  ///< "blocked", "enclosed", "fell" or "timeout", or that of what was expected there
+    std::string code;  ///< "blocked", "enclosed", "fell", "timeout" or an expectation's
     std::string message;
-    std::optional<FailureScene> scene = {};  ///< none: where the walk ended
+    std::optional<FailureScene> scene = {};  ///< none: the end of the walk
 };
 
-/// All that a walk changes on its campus, and what the current tick has brought so far.
+/// All state that a walk changes, and what has happened in the current tick so far.
 struct SimulationState {
     /// Both must outlive it.
     SimulationState(const scene::Campus& campus, const Walk& walk);
@@ -41,12 +41,12 @@ struct SimulationState {
     TickEvents events{-1, {}};
     std::vector<const SnapshotStep*> snapshots;
     TickCosts costs;
-    collision::QueryStatistics statistics;  ///< of the whole walk but for this tick's `costs`
+    collision::QueryStatistics statistics;  ///< of the whole walk, without this tick's `costs`
 
     const std::string& name_of(collision::ObjectId object) const;
-    /// Logs where the avatar was pushed aside to.
+    /// Logs that the avatar was pushed aside.
     void report_push(const Push& push, const std::string& label);
-    /// The tick as far as it has come.
+    /// The tick so far.
     TickRecord record() const;
 };
 

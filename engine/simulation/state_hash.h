@@ -10,7 +10,7 @@
 
 namespace campuswalk::engine {
 
-/// FNV-1a (64 bits) over everything a walk did: equal hashes mean equal walks, to the bit.
+/// FNV-1a (64 bits) of everything that happened in a walk: equal hashes mean that all bits are equal.
 class StateHash {
 public:
     void add(std::uint64_t bits) {
@@ -18,7 +18,9 @@ public:
             add_byte(static_cast<std::uint8_t>(bits >> shift));
         }
     }
-    void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); }  // -0 and 0 are one place
+    void add(double value) {
+        add(std::bit_cast<std::uint64_t>(value + 0.0));
+    }  // -0 becomes 0: the same place
     void add(const Eigen::Vector3d& v) {
         add(v.x());
         add(v.y());

@@ -4,21 +4,21 @@
 
 namespace campuswalk::engine {
 
-/// Tells when an avatar that wants to go on makes no progress: for a second it asked to move, and never in
-/// that second was it 10 cm (a quarter of what it asked for, if it is slow) from where it was at its start.
-/// Sliding along a wall or waiting is not being stuck; running against one is, and so is trembling in a
-/// corner. Told once, until the avatar has come away from the place.
+/// Detects an avatar that tries to move but makes no progress: for a second it tried to, and in that second
+/// it was never 10 cm (if it is slow, a quarter of the desired distance) away from where it was at the start.
+/// Sliding along a wall or waiting is not being stuck; running against a wall is, and so is trembling in a
+/// corner. Reported once, until the avatar has left the place.
 class StuckWatch {
 public:
     explicit StuckWatch(int ticks_per_second) : ticks_per_second_(ticks_per_second) {}
 
-    /// After every tick: where the avatar is now and how far it asked to move, metres. True in the tick in
-    /// which it turns out to be stuck.
-    bool see(const Eigen::Vector3d& position, double asked);
+    /// After every tick, with the avatar's position and the length of its desired displacement, metres. True
+    /// in the tick in which it is found to be stuck.
+    bool see(const Eigen::Vector3d& position, double desired);
 
 private:
     int ticks_per_second_;
-    int ticks_ = 0;  ///< since it was at `from_`, as far as it asked to move
+    int ticks_ = 0;  ///< in which it tried to move, since it was at `from_`
     Eigen::Vector3d from_ = Eigen::Vector3d::Zero();
 };
 

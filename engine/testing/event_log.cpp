@@ -20,12 +20,8 @@ EventPattern pattern_from(const std::string& text) {
     return pattern;
 }
 
-std::string told(const Event& event) {
+std::string describe(const Event& event) {
     return std::string(name_of(event.kind)) + " " + event.object + " in tick " + std::to_string(event.tick);
-}
-
-Verdict lacks(const std::string& wanted, const std::string& last) {
-    return {false, "no " + wanted + " after " + last};
 }
 
 }  // namespace
@@ -38,16 +34,16 @@ std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
     return out << verdict.found;
 }
 
-Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::string>& wanted) {
+Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::string>& patterns) {
     std::string last = "the walk's start";
     auto from = events.begin();
-    for (const std::string& text : wanted) {
+    for (const std::string& text : patterns) {
         const EventPattern pattern = pattern_from(text);
         from = std::find_if(from, events.end(), [&](const Event& event) { return matches(pattern, event); });
         if (from == events.end()) {
-            return lacks(text, last);
+            return {false, "no " + text + " after " + last};
         }
-        last = told(*from++);
+        last = describe(*from++);
     }
     return {true, "all came, the last being " + last};
 }
@@ -56,7 +52,7 @@ Verdict has_never(const std::vector<Event>& events, const std::string& unwanted)
     const EventPattern pattern = pattern_from(unwanted);
     const auto found =
         std::ranges::find_if(events, [&](const Event& event) { return matches(pattern, event); });
-    return found == events.end() ? Verdict{true, "no " + unwanted} : Verdict{false, told(*found)};
+    return found == events.end() ? Verdict{true, "no " + unwanted} : Verdict{false, describe(*found)};
 }
 
 std::size_t count_of(const std::vector<Event>& events, const std::string& text) {

@@ -11,10 +11,10 @@
 
 namespace campuswalk::engine {
 
-// For tests in C++ of whatever walks: keep a walk's events, then ask about them. Events are named as in
-// walk.yaml: "KIND OBJECT" with globs in both, an object that is left out is any.
+// For tests in C++ of anything that walks: record a walk's events, then query them. Events are written as in
+// walk.yaml: "KIND OBJECT" with globs in both; without an object, of any object.
 
-/// Hand it to run_walk; it keeps every event, the last being walk.end.
+/// An observer for run_walk that stores all events; the last is walk.end.
 class EventLog final : public Observer {
 public:
     void frame(const TickRecord& record) override;
@@ -25,7 +25,7 @@ private:
     std::vector<Event> events_;
 };
 
-/// Whether something holds, and in a line what was found, for a test framework to print.
+/// Whether something holds and, in one line, what was found, for a test framework to print.
 struct Verdict {
     bool holds = false;
     std::string found;
@@ -36,13 +36,13 @@ struct Verdict {
 
 std::ostream& operator<<(std::ostream& out, const Verdict& verdict);
 
-/// The events come in this order; others may come between. A list without any holds.
-Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::string>& wanted);
+/// The events come in this order; others may come between. Holds for an empty list.
+Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::string>& patterns);
 
-/// No event fits.
+/// No event matches.
 Verdict has_never(const std::vector<Event>& events, const std::string& unwanted);
 
-/// How many events fit.
+/// How many events match.
 std::size_t count_of(const std::vector<Event>& events, const std::string& pattern);
 
 }  // namespace campuswalk::engine

@@ -10,17 +10,17 @@
 namespace campuswalk::engine {
 
 // EXPECT_THAT(log.events(), HasSequence({"trigger.enter library/door", "popup.open library"}));
-// The questions of event_log.h as matchers; other frameworks print a Verdict as it is, as doctest does in
+// The functions of event_log.h as matchers. Other frameworks print a Verdict directly, such as doctest in
 // CHECK(has_sequence(…)).
 
-MATCHER_P(HasEventsInOrder, wanted, "has these events in this order") {
-    const Verdict verdict = has_sequence(arg, wanted);
+MATCHER_P(HasEventsInOrder, patterns, "has these events in this order") {
+    const Verdict verdict = has_sequence(arg, patterns);
     *result_listener << verdict.found;
     return verdict.holds;
 }
 
-inline auto HasSequence(std::vector<std::string> wanted) {
-    return HasEventsInOrder(std::move(wanted));
+inline auto HasSequence(std::vector<std::string> patterns) {
+    return HasEventsInOrder(std::move(patterns));
 }
 
 MATCHER_P(HasNever, unwanted, "has no " + std::string(unwanted)) {
@@ -29,10 +29,10 @@ MATCHER_P(HasNever, unwanted, "has no " + std::string(unwanted)) {
     return verdict.holds;
 }
 
-MATCHER_P2(HasCount, pattern, wanted, "has " + std::string(pattern) + " so often") {
+MATCHER_P2(HasCount, pattern, count, "has the expected number of " + std::string(pattern)) {
     const std::size_t found = count_of(arg, pattern);
     *result_listener << found << " of " << pattern;
-    return ::testing::Matches(wanted)(found);
+    return ::testing::Matches(count)(found);
 }
 
 }  // namespace campuswalk::engine

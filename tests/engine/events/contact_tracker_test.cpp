@@ -102,7 +102,7 @@ public:
                 since_ = tick;
                 return {{object, Phase::enter, s->enter_at, 0}};
             }
-            const bool transit = s != nullptr && s->met && s->enter_at < s->exit_at;
+            const bool transit = s != nullptr && s->touched && s->enter_at < s->exit_at;
             return transit ? Transitions{{object, Phase::enter, s->enter_at, 0},
                                          {object, Phase::exit, s->exit_at, 0}}
                            : Transitions{};

@@ -17,7 +17,7 @@ using Buildings = std::vector<std::size_t>;
 class PlainPopups {
 public:
     explicit PlainPopups(std::size_t buildings) : popups_(buildings) {}
-    bool touch(std::size_t building) { return popups_.meet(building, 0, 0); }
+    bool touch(std::size_t building) { return popups_.enter(building, 0, 0); }
     bool leave(std::size_t building) { return popups_.leave(building, 0, 0); }
     const Buildings& open() const { return popups_.open(); }
 
@@ -111,29 +111,29 @@ constexpr std::size_t kRoom = 8;
 TEST(Popups, OpenOnlyOnceIfConfiguredTo) {
     Popups popups(1);
     const PopupTiming once{true, 0, 0};
-    EXPECT_TRUE(popups.meet(0, kDoor, 10, once));
+    EXPECT_TRUE(popups.enter(0, kDoor, 10, once));
     EXPECT_TRUE(popups.leave(0, kDoor, 20));
-    EXPECT_FALSE(popups.meet(0, kDoor, 30, once));
+    EXPECT_FALSE(popups.enter(0, kDoor, 30, once));
     EXPECT_FALSE(popups.leave(0, kDoor, 40)) << "what isn't open doesn't close";
-    EXPECT_TRUE(popups.meet(0, kRoom, 50)) << "another object may open it";
+    EXPECT_TRUE(popups.enter(0, kRoom, 50)) << "another object may open it";
     EXPECT_EQ(popups.visits(0), 2);
 }
 
 TEST(Popups, CoolDownFromTheTimeTheyClose) {
     Popups popups(1);
     const PopupTiming timing{false, 10, 0};
-    EXPECT_TRUE(popups.meet(0, kDoor, 100, timing));
+    EXPECT_TRUE(popups.enter(0, kDoor, 100, timing));
     EXPECT_TRUE(popups.leave(0, kDoor, 120));
-    EXPECT_FALSE(popups.meet(0, kDoor, 129, timing));
+    EXPECT_FALSE(popups.enter(0, kDoor, 129, timing));
     EXPECT_TRUE(popups.open_due(135).empty()) << "a contact tries once only";
     EXPECT_FALSE(popups.leave(0, kDoor, 140));
-    EXPECT_TRUE(popups.meet(0, kDoor, 130, timing)) << "ten ticks after it closed";
+    EXPECT_TRUE(popups.enter(0, kDoor, 130, timing)) << "ten ticks after it closed";
 }
 
 TEST(Popups, OpenAfterTheDwellTime) {
     Popups popups(2);
     const PopupTiming timing{false, 0, 5};
-    EXPECT_FALSE(popups.meet(1, kDoor, 100, timing));
+    EXPECT_FALSE(popups.enter(1, kDoor, 100, timing));
     EXPECT_TRUE(popups.open_due(104).empty());
     EXPECT_EQ(popups.open_due(105), Buildings({1}));
     EXPECT_EQ(popups.open(), Buildings({1}));
@@ -144,17 +144,17 @@ TEST(Popups, OpenAfterTheDwellTime) {
 TEST(Popups, DoNotOpenIfTheContactEndsBeforeTheDwellTime) {
     Popups popups(1);
     const PopupTiming timing{false, 0, 5};
-    popups.meet(0, kDoor, 100, timing);
+    popups.enter(0, kDoor, 100, timing);
     EXPECT_FALSE(popups.leave(0, kDoor, 104));
-    popups.meet(0, kDoor, 104, timing);
+    popups.enter(0, kDoor, 104, timing);
     EXPECT_TRUE(popups.open_due(105).empty()) << "the dwell time starts again";
     EXPECT_EQ(popups.open_due(109), Buildings({0}));
 }
 
 TEST(Popups, OpenOnceForTwoObjectsWithDwellTime) {
     Popups popups(1);
-    popups.meet(0, kDoor, 100, {false, 0, 5});
-    popups.meet(0, kRoom, 100, {false, 0, 5});
+    popups.enter(0, kDoor, 100, {false, 0, 5});
+    popups.enter(0, kRoom, 100, {false, 0, 5});
     EXPECT_EQ(popups.open_due(105), Buildings({0}));
     EXPECT_EQ(popups.visits(0), 1);
     EXPECT_FALSE(popups.leave(0, kDoor, 106)) << "the room is still touched";

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/report/outcome_names.h"
 #include "engine/report/result_json.h"
+#include "engine/report/walk_result.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/logs/log_lines.h"

@@ -1,4 +1,4 @@
-#include "engine/events/gaze_memory.h"
+#include "engine/events/gaze_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +21,12 @@ constexpr ObjectId kColumn{7};
 
 TEST(GazeTracker, KeepsAnObjectThatPassesBehindAColumn) {
     GazeTracker tracker(3);
-    tracker.meet(0, kLibrary, 9.0);
+    tracker.hit(0, kLibrary, 9.0);
     tracker.advance(0);
-    tracker.meet(1, kColumn, 2.0);
+    tracker.hit(1, kColumn, 2.0);
     tracker.advance(1);
     EXPECT_EQ(objects(tracker), Ids({kLibrary, kColumn}));
-    tracker.meet(2, kLibrary, 8.0);
+    tracker.hit(2, kLibrary, 8.0);
     tracker.advance(2);
     EXPECT_EQ(objects(tracker), Ids({kLibrary, kColumn}));
     EXPECT_EQ(tracker.distance(kLibrary), 8.0);
@@ -35,7 +35,7 @@ TEST(GazeTracker, KeepsAnObjectThatPassesBehindAColumn) {
 
 TEST(GazeTracker, EndsALookWhenItsHoldTimeIsOver) {
     GazeTracker tracker(3);
-    tracker.meet(10, kLibrary, 9.0);
+    tracker.hit(10, kLibrary, 9.0);
     for (const Tick tick : {10, 11, 12}) {
         tracker.advance(tick);
         EXPECT_EQ(objects(tracker), Ids({kLibrary})) << tick;
@@ -48,7 +48,7 @@ TEST(GazeTracker, EndsALookWhenItsHoldTimeIsOver) {
 TEST(GazeTracker, ForgetsInTheNextTickWithoutHoldTime) {
     for (const Tick hold : {0, 1}) {
         GazeTracker tracker(hold);
-        tracker.meet(5, kLibrary, 9.0);
+        tracker.hit(5, kLibrary, 9.0);
         tracker.advance(5);
         EXPECT_EQ(objects(tracker), Ids({kLibrary}));
         tracker.advance(6);
@@ -58,8 +58,8 @@ TEST(GazeTracker, ForgetsInTheNextTickWithoutHoldTime) {
 
 TEST(GazeTracker, ForgetsObjectsOnRequest) {
     GazeTracker tracker(100);
-    tracker.meet(0, kColumn, 1.0);
-    tracker.meet(0, kLibrary, 2.0);
+    tracker.hit(0, kColumn, 1.0);
+    tracker.hit(0, kLibrary, 2.0);
     tracker.forget(kColumn);
     EXPECT_EQ(objects(tracker), Ids({kLibrary}));
     tracker.forget_all();

@@ -1,4 +1,4 @@
-#include "engine/events/gaze_memory.h"
+#include "engine/events/gaze_tracker.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ void GazeTracker::advance(Tick tick) {
     std::erase_if(looks_, [&](const Look& look) { return tick - look.last >= hold_; });
 }
 
-void GazeTracker::meet(Tick tick, collision::ObjectId object, double distance) {
+void GazeTracker::hit(Tick tick, collision::ObjectId object, double distance) {
     const auto place = std::ranges::lower_bound(looks_, object, {}, &Look::object);
     const Look look{object, tick, distance};
     if (place != looks_.end() && place->object == object) {
