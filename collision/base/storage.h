@@ -54,9 +54,9 @@ public:
     const T& front() const { return data_[0]; }
     const T& back() const { return data_[size_ - 1]; }
     /// Elements that fit without allocating.
-    std::size_t capacity() const { return is_elsewhere() ? size_ : own_.capacity(); }
+    std::size_t capacity() const { return is_external() ? size_ : own_.capacity(); }
     /// Whether the elements lie in memory owned elsewhere.
-    bool is_elsewhere() const { return owner_ != nullptr; }
+    bool is_external() const { return owner_ != nullptr; }
 
     T* data() { return own().data(); }
     T* begin() { return data(); }

@@ -30,7 +30,7 @@ public:
     const std::variant<Bvh8, HybridTree>& tree() const { return tree_; }
     /// Throw std::bad_variant_access for a collider with the other kind of tree.
     const Bvh8& bvh8() const { return std::get<Bvh8>(tree_); }
-    const HybridTree& paper_tree() const { return std::get<HybridTree>(tree_); }
+    const HybridTree& hybrid_tree() const { return std::get<HybridTree>(tree_); }
     /// Throws std::bad_optional_access for a collider of Interior::unknown.
     const ClosedParts& closed_parts() const { return closed_.value(); }
 

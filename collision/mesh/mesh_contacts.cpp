@@ -53,7 +53,7 @@ void find_contacts(const MeshCollider& a, const MeshCollider& b, const Pose& X_a
     }
     const double tilt = checked_tilt(X_a_b);
     if (a.tree_kind() == TreeKind::hybrid) {
-        find_hybrid_contacts({a.mesh(), a.paper_tree()}, {b.mesh(), b.paper_tree()}, X_a_b, mode, out,
+        find_hybrid_contacts({a.mesh(), a.hybrid_tree()}, {b.mesh(), b.hybrid_tree()}, X_a_b, mode, out,
                              statistics);
         return;
     }

@@ -275,7 +275,7 @@ std::vector<engine::Step> load_steps(const fs::path& steps_file) {
     std::vector<engine::Step> steps;
     const SourceMark mark = whole_file(steps_file);
     if (const auto file = YamlFile::open(steps_file, ".steps.yaml", mark, diagnostics)) {
-        steps = read_steps_alone(file->root(), steps_file);
+        steps = read_standalone_steps(file->root(), steps_file);
     }
     throw_in_order(diagnostics, mark);
     return steps;

@@ -32,7 +32,7 @@ std::string mismatch(const Codes& failed, const WalkStatus& status) {
 
 }  // namespace
 
-EvaluatedWalk outcome_of_evaluators(std::vector<Failure> failures, const WalkStatus& status) {
+EvaluatedWalk outcome_of_failures(std::vector<Failure> failures, const WalkStatus& status) {
     EvaluatedWalk evaluated{Outcome::passed, std::move(failures)};
     if (status.kind != WalkStatus::Kind::xfail) {
         evaluated.outcome = evaluated.failures.empty() ? Outcome::passed : Outcome::failed;

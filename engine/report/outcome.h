@@ -16,6 +16,6 @@ struct EvaluatedWalk {
 /// The verdict on a walk that has been run. `failures` are all of them, including those that observers found.
 /// A walk with the status xfail passes if it failed with exactly the codes that its status lists, in any
 /// order and number, or with any code if it lists none; otherwise it fails with a failure at its status.
-EvaluatedWalk outcome_of_evaluators(std::vector<Failure> failures, const WalkStatus& status);
+EvaluatedWalk outcome_of_failures(std::vector<Failure> failures, const WalkStatus& status);
 
 }  // namespace campuswalk::engine

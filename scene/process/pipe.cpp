@@ -31,7 +31,7 @@ Pipe make_pipe() {
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-Descriptor open_nowhere() {
+Descriptor open_null_device() {
     return Descriptor(::open("/dev/null", O_WRONLY | O_CLOEXEC));
 }
 

@@ -33,7 +33,7 @@ struct Pipe {
 Pipe make_pipe();
 
 /// /dev/null for writing.
-Descriptor open_nowhere();
+Descriptor open_null_device();
 
 // Signals don't interrupt these.
 

@@ -221,7 +221,7 @@ struct PoolLog {
 
     bool run(const Work& work, const std::vector<std::size_t>& tasks, const PoolSettings& settings) {
         PoolListener listener;
-        listener.ended_first = [](std::size_t, const Ending&) {};
+        listener.result_received = [](std::size_t, const Ending&) {};
         listener.heard = [this](std::size_t task, Topic, std::string_view body) {
             lines.push_back(std::to_string(task) + " says " + std::string(body));
         };
@@ -230,7 +230,7 @@ struct PoolLog {
                             ending.text);
             return lines.size() < enough;
         };
-        listener.passing_time = [] {};
+        listener.update_progress = [] {};
         return WorkerPool([&work] { return work; }, tasks, listener, settings).run();
     }
 };

@@ -148,7 +148,7 @@ TEST(ExpectationWalks, EndAsTheirStatusSays) {
             continue;
         }
         const EvaluatedWalk evaluated =
-            outcome_of_evaluators(failures_of(played, example), example.walk.status);
+            outcome_of_failures(failures_of(played, example), example.walk.status);
         EXPECT_EQ(evaluated.outcome, Outcome::passed);
         for (const Failure& failure : evaluated.failures) {
             if (evaluated.outcome != Outcome::passed) {

@@ -6,7 +6,7 @@ using namespace campuswalk::tools;
 int main(int argc, char** argv) {
     return run_program(argc, argv,
                        {"campuswalk", "Walks scripted paths through virtual campuses without a screen."},
-                       [](Command program, Chosen& chosen) {
+                       [](Command program, CommandAction& chosen) {
                            add_init(program, chosen);
                            add_validate(program, chosen);
                            add_run(program, chosen);

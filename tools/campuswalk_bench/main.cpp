@@ -57,7 +57,7 @@ void add_import_options(Command& command, BenchOptions& options) {
 }
 
 Command add_measurement(Command program, const std::string& name, const std::string& description,
-                        const std::shared_ptr<BenchOptions>& options, Chosen& chosen) {
+                        const std::shared_ptr<BenchOptions>& options, CommandAction& chosen) {
     Command command = program.add(name, description);
     command.option({.names = "--csv", .help = "Write every measurement to this file", .value = "FILE"},
                    options->csv);
@@ -92,7 +92,7 @@ Command add_measurement(Command program, const std::string& name, const std::str
     return command;
 }
 
-void add_benchmarks(Command program, Chosen& chosen) {
+void add_benchmarks(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<BenchOptions>();
     for (const BenchCommand& it : bench_commands()) {
         Command command = add_measurement(program, it.name, it.description, options, chosen);

@@ -37,7 +37,7 @@ constexpr std::array kLateReaders = {LateReader{"log", read_log},
 std::optional<PlainExpectation> read_word(const CheckedNode& node, const CampusNames& names) {
     const std::string word = node.is_scalar() ? node.text().value_or("") : "";
     const ExpectationReader* reader = entry_of(expectation_readers(), word);
-    if (reader == nullptr || !reader->stands_alone) {
+    if (reader == nullptr || !reader->needs_no_value) {
         return std::nullopt;
     }
     const scene::SourceMark mark = node.mark();

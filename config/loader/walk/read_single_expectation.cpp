@@ -31,7 +31,7 @@ void read_glob(CheckedMap& map, std::string_view key, std::string& glob) {
     }
 }
 
-constexpr int kMostTimes = 1'000'000'000;
+constexpr int kMaxTimes = 1'000'000'000;
 
 /// The keys `equals`, `at_least` and `at_most` of a map that messages call `what`, as in "'count'". `read`
 /// returns a node's number.
@@ -68,7 +68,7 @@ Limits<Number> read_either(const CheckedNode& node, const Read& read) {
 }
 
 std::optional<int> read_times(const CheckedNode& node) {
-    return node.as_int(0, kMostTimes);
+    return node.as_int(0, kMaxTimes);
 }
 
 Limits<int> read_times_limits(const CheckedNode& node) {

@@ -13,7 +13,7 @@ namespace campuswalk::config {
 struct ExpectationReader {
     std::string_view name;
     engine::PlainExpectation (*read)(const CheckedNode&, const CampusNames&) = nullptr;
-    bool stands_alone = false;  ///< needs no value, as in `- stuck`, and is then read from an empty one
+    bool needs_no_value = false;  ///< needs no value, as in `- stuck`, and is then read from an empty one
 };
 
 /// For the expectations that are evaluated during the walk.

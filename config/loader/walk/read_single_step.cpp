@@ -24,8 +24,8 @@ constexpr double kJumpHeight = 0.4;     // metres: an untrained adult from stand
 constexpr double kCrouchedShare = 0.6;  // of the full height
 
 /// The keys that the steps along a path have in common.
-template <typename MotionClearance>
-void read_way(CheckedMap& map, MotionClearance& step) {
+template <typename StepAlongPath>
+void read_path_options(CheckedMap& map, StepAlongPath& step) {
     constexpr std::array kIfBlocked = {Choice<IfBlocked>{"fail", IfBlocked::fail},
                                        Choice<IfBlocked>{"continue", IfBlocked::proceed}};
     map.number("within", kDistance, step.within);
@@ -92,7 +92,7 @@ Step read_walk_to(const CheckedNode& node, StepContext& context) {
     if (const auto to = map.require("to")) {
         step.target = context.names.target(*to);
     }
-    read_way(map, step);
+    read_path_options(map, step);
     return step;
 }
 
@@ -107,7 +107,7 @@ Step read_follow(const CheckedNode& node, StepContext& context) {
     if (const auto through = map.require("through")) {
         step.points = read_points(*through, context);
     }
-    read_way(map, step);
+    read_path_options(map, step);
     return step;
 }
 

@@ -19,7 +19,7 @@ using engine::Step;
 namespace {
 
 constexpr std::size_t kMostSteps = 100'000;
-constexpr std::size_t kMostDeep = 16;  // files included by files
+constexpr std::size_t kMaxIncludeDepth = 16;  // files included by files
 constexpr const char* kSuffix = ".steps.yaml";
 
 void read_list(const CheckedNode& section, StepContext& context, std::vector<Step>& out);
@@ -66,8 +66,9 @@ bool may_include(const CheckedNode& node, const fs::path& path, const StepContex
         node.diagnose("include-cycle", shown_path(path) + " includes itself through this line");
         return false;
     }
-    if (context.files.size() > kMostDeep) {
-        node.diagnose("include-depth", "files include each other more than " + std::to_string(kMostDeep) +
+    if (context.files.size() > kMaxIncludeDepth) {
+        node.diagnose("include-depth", "files include each other more than " +
+                                           std::to_string(kMaxIncludeDepth) +
                                            " levels deep; use fewer files");
         return false;
     }
@@ -146,7 +147,7 @@ std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& name
     return steps;
 }
 
-std::vector<Step> read_steps_alone(const CheckedNode& root, const fs::path& steps_file) {
+std::vector<Step> read_standalone_steps(const CheckedNode& root, const fs::path& steps_file) {
     const CampusNames unknown(nullptr);
     const engine::AvatarProfile avatar;
     const CameraKeys camera;

@@ -22,6 +22,7 @@ std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNam
 
 /// Reads a `NAME.steps.yaml` by itself, without a walk: the avatar has AvatarProfile's defaults, and names of
 /// places are not checked.
-std::vector<engine::Step> read_steps_alone(const CheckedNode& root, const std::filesystem::path& steps_file);
+std::vector<engine::Step> read_standalone_steps(const CheckedNode& root,
+                                                const std::filesystem::path& steps_file);
 
 }  // namespace campuswalk::config

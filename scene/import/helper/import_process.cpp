@@ -108,7 +108,7 @@ std::vector<std::string> helper_environment() {
 ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request,
                           const MemoryFile& response) {
     const Descriptor nowhere =
-        open_nowhere();  // a crash is reported in one line, without the helper's output
+        open_null_device();  // a crash is reported in one line, without the helper's output
     try {
         return start_program({.program = helper.program.string(),
                               .arguments = helper.arguments,

@@ -29,7 +29,7 @@ TEST(Storage, BehavesLikeAVector) {
     numbers.pop_back();
     numbers.resize(3);
     EXPECT_EQ(std::as_const(numbers).back(), 8);
-    EXPECT_FALSE(numbers.is_elsewhere());
+    EXPECT_FALSE(numbers.is_external());
     numbers.clear();
     EXPECT_TRUE(numbers.empty());
     numbers.assign(2, 5);
@@ -46,7 +46,7 @@ TEST(Storage, KeepsViewedMemoryAlive) {
         EXPECT_EQ(std::as_const(numbers).data(), there.owner->data());
     }
     const Numbers copy = numbers;
-    EXPECT_TRUE(copy.is_elsewhere());
+    EXPECT_TRUE(copy.is_external());
     numbers = {};
     EXPECT_EQ(copy, (Numbers{4, 5, 6}));
     EXPECT_FALSE(owner.expired());
@@ -56,7 +56,7 @@ TEST(Storage, CopiesViewedMemoryBeforeChangingIt) {
     const Elsewhere there;
     Numbers numbers = there.view();
     numbers[1] = 0;
-    EXPECT_FALSE(numbers.is_elsewhere());
+    EXPECT_FALSE(numbers.is_external());
     EXPECT_EQ(numbers, (Numbers{4, 0, 6}));
     Numbers grown = there.view();
     grown.push_back(7);

@@ -22,11 +22,11 @@ TEST(MeshCollider, HoldsTheMeshAndOneTree) {
     EXPECT_EQ(wide.tree_kind(), TreeKind::bvh8);
     EXPECT_EQ(wide.mesh().triangles.size(), 12U);
     EXPECT_FALSE(wide.bvh8().leaves.empty());
-    EXPECT_THROW(wide.paper_tree(), std::bad_variant_access);
+    EXPECT_THROW(wide.hybrid_tree(), std::bad_variant_access);
     const MeshCollider paper(box(), TreeKind::hybrid);
     EXPECT_EQ(paper.tree_kind(), TreeKind::hybrid);
     EXPECT_EQ(paper.mesh().triangles.size(), 12U);
-    EXPECT_EQ(paper.paper_tree().order.size(), 12U);
+    EXPECT_EQ(paper.hybrid_tree().order.size(), 12U);
     EXPECT_THROW(paper.bvh8(), std::bad_variant_access);
 }
 

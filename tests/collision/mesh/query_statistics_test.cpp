@@ -53,11 +53,11 @@ private:
     }
 
     bool count_needed(std::uint32_t index) {
-        const HybridNode& node = mesh_.paper_tree().nodes[index];
+        const HybridNode& node = mesh_.hybrid_tree().nodes[index];
         bool reached = false;
         if (node.is_leaf()) {
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                reached = in_reach(mesh_.paper_tree().order[i]) || reached;
+                reached = in_reach(mesh_.hybrid_tree().order[i]) || reached;
             }
             counts_.triangles_needed += reached ? node.count : 0;
             return reached;
@@ -69,7 +69,7 @@ private:
     }
 
     void count_by_spheres(std::uint32_t index) {
-        const HybridNode& node = mesh_.paper_tree().nodes[index];
+        const HybridNode& node = mesh_.hybrid_tree().nodes[index];
         ++counts_.by_spheres_alone;
         const Vec3 middle = 0.5 * (segment_.a + segment_.b);
         const double reach = 0.5 * (segment_.b - segment_.a).norm() + radius_ + node.outer.radius;
@@ -106,7 +106,7 @@ TEST(QueryStatistics, FarAwayOnlyTheRootIsTested) {
 TEST(QueryStatistics, WithEverythingInReachEveryNodeAndTriangleIsTested) {
     const MeshCollider paper(tiled_floor(), TreeKind::hybrid);
     const QueryStatistics on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
-    EXPECT_EQ(on_paper.volume_tests, paper.paper_tree().nodes.size());
+    EXPECT_EQ(on_paper.volume_tests, paper.hybrid_tree().nodes.size());
     EXPECT_EQ(on_paper.primitive_tests, paper.mesh().triangles.size());
     EXPECT_EQ(on_paper.transform_updates, 1U);
 

@@ -54,7 +54,7 @@ TEST(TreeLevel, LevelsMatchTheCollidersTree) {
     EXPECT_EQ(boxes_at_level(hybrid, 0).size(), 1U);
     EXPECT_EQ(boxes_at_level(hybrid, 1).size(), 2U);
     EXPECT_EQ(boxes_at_level(hybrid, 3).size(), 8U);
-    EXPECT_EQ(2 * boxes_at_level(hybrid, 100).size(), hybrid.paper_tree().nodes.size() + 1);
+    EXPECT_EQ(2 * boxes_at_level(hybrid, 100).size(), hybrid.hybrid_tree().nodes.size() + 1);
     for (const MeshCollider* each : {&bvh8, &hybrid}) {
         EXPECT_LT(largest(boxes_at_level(*each, 3)), largest(boxes_at_level(*each, 0)));
     }

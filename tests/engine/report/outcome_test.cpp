@@ -19,7 +19,7 @@ WalkStatus xfail(const std::vector<std::string>& codes = {}, const std::string& 
 
 /// The message about an xfail that did not fail as expected.
 std::string message_of(const std::vector<Failure>& failures, const WalkStatus& status) {
-    const EvaluatedWalk evaluated = outcome_of_evaluators(failures, status);
+    const EvaluatedWalk evaluated = outcome_of_failures(failures, status);
     EXPECT_EQ(evaluated.outcome, Outcome::failed);
     EXPECT_EQ(evaluated.failures.size(), failures.size() + 1) << "the walk's own failures remain";
     EXPECT_EQ(evaluated.failures.back().code, "xfail");
@@ -28,16 +28,16 @@ std::string message_of(const std::vector<Failure>& failures, const WalkStatus& s
 }
 
 TEST(EvaluatorOutcome, IsTheWalksOwnUnlessItIsExpectedToFail) {
-    EXPECT_EQ(outcome_of_evaluators({}, {}).outcome, Outcome::passed);
-    const EvaluatedWalk evaluated = outcome_of_evaluators({failure("never")}, {});
+    EXPECT_EQ(outcome_of_failures({}, {}).outcome, Outcome::passed);
+    const EvaluatedWalk evaluated = outcome_of_failures({failure("never")}, {});
     EXPECT_EQ(evaluated.outcome, Outcome::failed);
     EXPECT_EQ(evaluated.failures.size(), 1U);
 }
 
 TEST(EvaluatorOutcome, XfailPassesIfTheWalkFails) {
-    EXPECT_EQ(outcome_of_evaluators({failure("never")}, xfail()).outcome, Outcome::passed);
+    EXPECT_EQ(outcome_of_failures({failure("never")}, xfail()).outcome, Outcome::passed);
     const EvaluatedWalk evaluated =
-        outcome_of_evaluators({failure("near"), failure("never"), failure("near")}, xfail({"never", "near"}));
+        outcome_of_failures({failure("near"), failure("never"), failure("near")}, xfail({"never", "near"}));
     EXPECT_EQ(evaluated.outcome, Outcome::passed) << "in any order and number";
     EXPECT_EQ(evaluated.failures.size(), 3U);
 }

@@ -131,9 +131,9 @@ TEST(TreeFile, RefersToOwnedBytesWithoutCopying) {
         ASSERT_EQ(read.size(), 2U);
         const auto& nodes = read[0].collider->bvh8().nodes;
         const auto* first = reinterpret_cast<const std::byte*>(nodes.data());
-        EXPECT_EQ(nodes.is_elsewhere(), off == 0) << "unaligned arrays are copied";
+        EXPECT_EQ(nodes.is_external(), off == 0) << "unaligned arrays are copied";
         EXPECT_EQ(first > start && first < start + bytes.size(), off == 0);
-        EXPECT_TRUE(read[0].collider->mesh().positions.is_elsewhere());
+        EXPECT_TRUE(read[0].collider->mesh().positions.is_external());
         EXPECT_EQ(hits(*read[0].collider), hits(*made[0].collider));
         EXPECT_TRUE(read[0].collider->closed_parts().empty());
         EXPECT_EQ(read[1].collider->closed_parts().members(), made[1].collider->closed_parts().members());

@@ -36,7 +36,7 @@ TEST(StartProgram, HasItsStreamsArgumentsAndEnvironment) {
     start.environment = {"WORD=hello", "PATH=/usr/bin:/bin"};
     start.input = in.reading.number();
     start.output = out.writing.number();
-    const Descriptor nowhere = open_nowhere();
+    const Descriptor nowhere = open_null_device();
     start.error = nowhere.number();
     ChildProcess process = start_program(start);
     in.reading.close();

@@ -106,7 +106,7 @@ Command Command::add(const std::string& name, const std::string& description) {
     return Command(*command);
 }
 
-void Command::choose(Chosen& chosen, Chosen action) {
+void Command::choose(CommandAction& chosen, CommandAction action) {
     app_->callback([&chosen, action = std::move(action)] { chosen = action; });
 }
 
@@ -199,13 +199,13 @@ void Command::flag_with_value(const OptionSpec& spec, const std::string& default
 }
 
 int read_command_line(int argc, char** argv, const ProgramName& name,
-                      const std::function<void(Command, Chosen&)>& add_commands,
-                      const std::function<int(const Chosen&)>& guarded) {
+                      const std::function<void(Command, CommandAction&)>& add_commands,
+                      const std::function<int(const CommandAction&)>& guarded) {
     CLI::App app(name.description, name.name);
     app.set_version_flag("--version", kVersion);
     app.require_subcommand(1);
     app.failure_message(failure_message);
-    Chosen chosen;
+    CommandAction chosen;
     add_commands(Command(app), chosen);
     try {
         app.parse(argc, argv);

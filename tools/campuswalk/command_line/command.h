@@ -15,7 +15,7 @@ class Option;
 namespace campuswalk::tools {
 
 /// Runs the command that the user chose; returns the exit code.
-using Chosen = std::function<int()>;
+using CommandAction = std::function<int()>;
 
 /// How an option or a positional argument is spelled, explained and checked.
 struct OptionSpec {
@@ -59,7 +59,7 @@ public:
 
     Command add(const std::string& name, const std::string& description);
     /// Sets `chosen`, which must live as long as targets, when the user names this command.
-    void choose(Chosen& chosen, Chosen action);
+    void choose(CommandAction& chosen, CommandAction action);
     /// Text below the options in the help.
     void footer(const std::string& text);
     /// This command, with an empty name, and the commands that have been added to it so far.
@@ -132,7 +132,7 @@ struct ProgramName {
 /// Parses the command line and runs the chosen command or prints help, a version or an error, all of it
 /// through `guarded`. `add_commands` adds the commands. Returns the exit code.
 int read_command_line(int argc, char** argv, const ProgramName& name,
-                      const std::function<void(Command, Chosen&)>& add_commands,
-                      const std::function<int(const Chosen&)>& guarded);
+                      const std::function<void(Command, CommandAction&)>& add_commands,
+                      const std::function<int(const CommandAction&)>& guarded);
 
 }  // namespace campuswalk::tools

@@ -33,7 +33,7 @@ void choose_simd_target() {
     collision::use_simd_target(found->second);
 }
 
-int guarded(const Chosen& command) {
+int guarded(const CommandAction& command) {
     return report_exceptions([&] {
         choose_simd_target();
         const int exit_code = command();
@@ -45,7 +45,7 @@ int guarded(const Chosen& command) {
 }  // namespace
 
 int run_program(int argc, char** argv, const ProgramName& name,
-                const std::function<void(Command, Chosen&)>& add_commands) {
+                const std::function<void(Command, CommandAction&)>& add_commands) {
     if (argc == 2 && argv[1] == std::string_view(scene::kImportHelperArgument)) {
         return scene::serve_import();
     }

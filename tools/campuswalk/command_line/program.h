@@ -10,6 +10,6 @@ namespace campuswalk::tools {
 /// command and turns exceptions into messages and exit codes. A process started by model_importer() serves
 /// the import instead.
 int run_program(int argc, char** argv, const ProgramName& name,
-                const std::function<void(Command, Chosen&)>& add_commands);
+                const std::function<void(Command, CommandAction&)>& add_commands);
 
 }  // namespace campuswalk::tools

@@ -133,7 +133,7 @@ int collide_bodies(const CollideOptions& options) {
 
 }  // namespace
 
-void add_collide(Command program, Chosen& chosen) {
+void add_collide(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<CollideOptions>();
     Command command = program.add("collide", "Report where two models or shapes overlap");
     command.option({.names = "A", .help = "A model file, or a shape: see below", .required = true},

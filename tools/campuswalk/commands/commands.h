@@ -14,18 +14,18 @@ namespace campuswalk::tools {
 // Each function adds a command with its options, from a file of the same name. The command that the user
 // names sets `chosen`.
 
-void add_init(Command program, Chosen& chosen);
-void add_validate(Command program, Chosen& chosen);
-void add_run(Command program, Chosen& chosen);
-void add_merge_reports(Command program, Chosen& chosen);
-void add_diff(Command program, Chosen& chosen);
-void add_imgdiff(Command program, Chosen& chosen);
-void add_replay(Command program, Chosen& chosen);
-void add_info(Command program, Chosen& chosen);
-void add_snapshot(Command program, Chosen& chosen);
-void add_collide(Command program, Chosen& chosen);
-void add_completion(Command program, Chosen& chosen);
-void add_help(Command program, Chosen& chosen);
+void add_init(Command program, CommandAction& chosen);
+void add_validate(Command program, CommandAction& chosen);
+void add_run(Command program, CommandAction& chosen);
+void add_merge_reports(Command program, CommandAction& chosen);
+void add_diff(Command program, CommandAction& chosen);
+void add_imgdiff(Command program, CommandAction& chosen);
+void add_replay(Command program, CommandAction& chosen);
+void add_info(Command program, CommandAction& chosen);
+void add_snapshot(Command program, CommandAction& chosen);
+void add_collide(Command program, CommandAction& chosen);
+void add_completion(Command program, CommandAction& chosen);
+void add_help(Command program, CommandAction& chosen);
 
 // Options that several commands have, in shared_options.cpp.
 

@@ -8,7 +8,7 @@
 
 namespace campuswalk::tools {
 
-void add_completion(Command program, Chosen& chosen) {
+void add_completion(Command program, CommandAction& chosen) {
     using Script = std::string (*)(const std::vector<CommandInfo>&);
     const std::map<std::string, Script> scripts = {{"bash", completion::bash_script},
                                                    {"zsh", completion::zsh_script},

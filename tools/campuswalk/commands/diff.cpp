@@ -160,7 +160,7 @@ int compare_logs(const DiffOptions& options) {
 
 }  // namespace
 
-void add_diff(Command program, Chosen& chosen) {
+void add_diff(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<DiffOptions>();
     Command command = program.add("diff", "Show where two event logs diverge");
     command.option(

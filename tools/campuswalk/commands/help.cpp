@@ -42,7 +42,7 @@ int print_help(const std::string& word, const std::vector<std::string>& names) {
 
 }  // namespace
 
-void add_help(Command program, Chosen& chosen) {
+void add_help(Command program, CommandAction& chosen) {
     const auto topic = std::make_shared<std::string>();
     Command command = program.add("help", "Explain files, steps, expectations, events, ...");
     std::vector<std::string> names;

@@ -74,7 +74,7 @@ void add_tolerance(Command& command, ImgdiffArguments& arguments) {
 
 }  // namespace
 
-void add_imgdiff(Command program, Chosen& chosen) {
+void add_imgdiff(Command program, CommandAction& chosen) {
     const auto arguments = std::make_shared<ImgdiffArguments>();
     ImgdiffOptions& options = arguments->options;
     Command command = program.add("imgdiff", "Compare two pictures");

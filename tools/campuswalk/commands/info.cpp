@@ -211,7 +211,7 @@ int print_info(const InfoOptions& options) {
 
 }  // namespace
 
-void add_info(Command program, Chosen& chosen) {
+void add_info(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<InfoOptions>();
     Command command = program.add("info", "Report what is in a model file and what looks wrong");
     command.option({.names = "SCENE",

@@ -111,7 +111,7 @@ int make_project(const InitOptions& options) {
 
 }  // namespace
 
-void add_init(Command program, Chosen& chosen) {
+void add_init(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<InitOptions>();
     Command command =
         program.add("init", "Create a folder with a small school, walks and a CI workflow to start from");

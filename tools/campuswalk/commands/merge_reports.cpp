@@ -146,7 +146,7 @@ int merge_reports(const MergeOptions& options) {
 
 }  // namespace
 
-void add_merge_reports(Command program, Chosen& chosen) {
+void add_merge_reports(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<MergeOptions>();
     Command command = program.add("merge-reports", "Merge the reports of a run's shards");
     command.option({.names = "REPORT",

@@ -161,7 +161,7 @@ int replay_run(const ReplayOptions& options) {
 
 }  // namespace
 
-void add_replay(Command program, Chosen& chosen) {
+void add_replay(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<ReplayOptions>();
     Command command = program.add("replay", "Play the walks of a log or a report again");
     command.option({.names = "RUN",

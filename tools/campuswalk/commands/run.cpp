@@ -171,7 +171,7 @@ void add_output(Command& command, const Options& options) {
 
 }  // namespace
 
-void add_run(Command program, Chosen& chosen) {
+void add_run(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<RunOptions>();
     Command command = program.add("run", "Play walks and report what happens");
     add_selection(command, options);

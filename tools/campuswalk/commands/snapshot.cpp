@@ -132,7 +132,7 @@ std::string check_channels(const std::string& list) {
 
 }  // namespace
 
-void add_snapshot(Command program, Chosen& chosen) {
+void add_snapshot(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<SnapshotOptions>();
     Command command = program.add("snapshot", "Draw one picture of a campus");
     command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},

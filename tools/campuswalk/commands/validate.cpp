@@ -196,7 +196,7 @@ int validate_files(const ValidateOptions& options) {
 
 }  // namespace
 
-void add_validate(Command program, Chosen& chosen) {
+void add_validate(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<ValidateOptions>();
     Command command = program.add(
         "validate",

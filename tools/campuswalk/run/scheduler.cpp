@@ -86,7 +86,7 @@ int Scheduler::run() {
 
 PoolListener Scheduler::listener() {
     PoolListener listener;
-    listener.ended_first = [this](std::size_t index, const Ending& ending) { save(index, ending); };
+    listener.result_received = [this](std::size_t index, const Ending& ending) { save(index, ending); };
     listener.heard = [this](std::size_t index, Topic topic, std::string_view body) {
         handle_message(index, topic, body);
     };
@@ -95,7 +95,7 @@ PoolListener Scheduler::listener() {
         over_[index] = true;
         return report_up_to(index);
     };
-    listener.passing_time = [this] {
+    listener.update_progress = [this] {
         progress_.show();
         if (last_run_ != nullptr) {
             last_run_->sync_if_due();

@@ -40,7 +40,7 @@ bool fails_regardless_of_log(const std::vector<engine::Failure>& failures, const
         status.kind == engine::WalkStatus::Kind::xfail &&
         (status.codes.empty() ? failures.empty()
                               : std::ranges::find(status.codes, "log") != status.codes.end());
-    return !log_may_decide && engine::outcome_of_evaluators(failures, status).outcome == Outcome::failed;
+    return !log_may_decide && engine::outcome_of_failures(failures, status).outcome == Outcome::failed;
 }
 
 /// Compares the log with the golden one if the walk expects that, and prints what was written.
@@ -164,7 +164,7 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
         compared = images->evaluate(summary.failures);
     }
     engine::EvaluatedWalk evaluated =
-        engine::outcome_of_evaluators(std::move(summary.failures), loaded.walk.status);
+        engine::outcome_of_failures(std::move(summary.failures), loaded.walk.status);
     result.outcome = evaluated.outcome;
     result.failures = std::move(evaluated.failures);
 

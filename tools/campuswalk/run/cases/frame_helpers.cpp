@@ -15,7 +15,7 @@ namespace {
 void detach_from_terminal() {
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
-    if (const scene::Descriptor nowhere = scene::open_nowhere(); nowhere.open()) {
+    if (const scene::Descriptor nowhere = scene::open_null_device(); nowhere.open()) {
         dup2(nowhere.number(), STDERR_FILENO);
     }
 }

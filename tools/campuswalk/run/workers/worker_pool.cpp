@@ -38,7 +38,7 @@ bool WorkerPool::run() {
         wait_for_answers();
         kill_slow_workers();
         wants_more = report();
-        listener_.passing_time();
+        listener_.update_progress();
     }
     workers_.clear();
     return true;
@@ -121,7 +121,7 @@ void WorkerPool::take(std::size_t place, Message message) {
 }
 
 void WorkerPool::end_task(std::size_t place, Ending ending) {
-    listener_.ended_first(tasks_[place], ending);
+    listener_.result_received(tasks_[place], ending);
     buffered_ += ending.text.size();
     pending_.at(place).ending = std::move(ending);
 }

@@ -23,10 +23,10 @@ struct Ending {
 /// Callbacks of a pool's owner. All but the first and the last are called in the order of the tasks, each
 /// task's `heard` before its `ended`.
 struct PoolListener {
-    std::function<void(std::size_t task, const Ending&)> ended_first;  ///< at once, in any order
+    std::function<void(std::size_t task, const Ending&)> result_received;  ///< at once, in any order
     std::function<void(std::size_t task, Topic, std::string_view body)> heard;
     std::function<bool(std::size_t task, const Ending&)> ended;  ///< false: skip the other tasks
-    std::function<void()> passing_time;                          ///< several times a second
+    std::function<void()> update_progress;                       ///< several times a second
 };
 
 struct PoolSettings {
