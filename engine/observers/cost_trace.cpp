@@ -58,7 +58,7 @@ double CostTrace::stage(const char* name, double start, const collision::QuerySt
     return start + tests(cost);
 }
 
-void CostTrace::frame(const TickRecord& record) {
+void CostTrace::on_tick(const TickRecord& record) {
     const double start = cost_so_far_;
     if (record.tick >= next_) {  // a walk's closing record repeats its last tick
         next_ = record.tick + 1;

@@ -23,7 +23,7 @@ public:
     explicit CostTrace(LineSink sink, Clock clock = {}) : sink_(std::move(sink)), clock_(std::move(clock)) {}
 
     void begin(const Walk& walk) override;
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
     void end() override;
 
 private:

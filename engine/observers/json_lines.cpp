@@ -76,7 +76,7 @@ void JsonLines::begin(const Walk& walk) {
     sink_(line_of(header));
 }
 
-void JsonLines::frame(const TickRecord& record) {
+void JsonLines::on_tick(const TickRecord& record) {
     for (const Event& event : record.events) {
         Json json = {{"tick", event.tick},
                      {"time", rounded(record.time, 6)},

@@ -2,7 +2,7 @@
 
 namespace campuswalk::engine {
 
-void SnapshotStates::frame(const TickRecord& record) {
+void SnapshotStates::on_tick(const TickRecord& record) {
     history_.see(record);
     for (const SnapshotStep* step : record.snapshots) {
         states_[step->name] = history_.now();

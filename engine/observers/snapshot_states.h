@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 /// Stores the state at each snapshot, for verdicts on the images after the walk.
 class SnapshotStates final : public Observer {
 public:
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
 
     /// The state at this snapshot; null if it wasn't taken.
     const StateSnapshot* taken(const std::string& snapshot) const;

@@ -32,7 +32,7 @@ void TextLog::begin(const Walk& walk) {
           (walk.timeout ? " timeout=" + fixed(*walk.timeout, 3) : "") + text_of(walk.origin));
 }
 
-void TextLog::frame(const TickRecord& record) {
+void TextLog::on_tick(const TickRecord& record) {
     for (const Event& event : record.events) {
         sink_(text_line(event, record.time));
     }

@@ -13,7 +13,7 @@ public:
     explicit TextLog(LineSink sink) : sink_(std::move(sink)) {}
 
     void begin(const Walk& walk) override;
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
 
 private:
     LineSink sink_;

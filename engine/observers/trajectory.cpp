@@ -32,7 +32,7 @@ void TrajectoryCsv::begin(const Walk& walk) {
     sink_("t,x,y,z,yaw_deg,pitch_deg,grounded,height");
 }
 
-void TrajectoryCsv::frame(const TickRecord& record) {
+void TrajectoryCsv::on_tick(const TickRecord& record) {
     if (!is_new(record, next_)) {
         return;
     }
@@ -45,7 +45,7 @@ void TrajectoryCsv::frame(const TickRecord& record) {
     sink_(line + (avatar.grounded ? ",1," : ",0,") + number(avatar.stature * height_));
 }
 
-void TrajectoryTum::frame(const TickRecord& record) {
+void TrajectoryTum::on_tick(const TickRecord& record) {
     if (!is_new(record, next_)) {
         return;
     }

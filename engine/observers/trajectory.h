@@ -14,7 +14,7 @@ public:
     explicit TrajectoryCsv(LineSink sink) : sink_(std::move(sink)) {}
 
     void begin(const Walk& walk) override;
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
 
 private:
     LineSink sink_;
@@ -30,7 +30,7 @@ public:
     explicit TrajectoryTum(LineSink sink) : sink_(std::move(sink)) {}
 
     void begin(const Walk&) override { next_ = 0; }
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
 
 private:
     LineSink sink_;

@@ -14,7 +14,7 @@ public:
     /// Once before the first tick.
     virtual void begin(const Walk& walk) { static_cast<void>(walk); }
     /// After every tick, and once more with the closing events of the walk.
-    virtual void frame(const TickRecord& record) = 0;
+    virtual void on_tick(const TickRecord& record) = 0;
     /// Once after the last record; everything must be on disk when this returns.
     virtual void end() {}
 };

@@ -18,21 +18,33 @@ struct CameraTarget {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< if there is no building
 };
 
+/// What a view shows of the avatar and of the map around it. Each view says so itself: `kShows`.
+struct ViewContents {
+    bool figure = false;   ///< the avatar, unless the camera is at its eyes
+    bool minimap = false;  ///< where one is switched on
+    bool map = false;      ///< the path walked, a heading arrow, a scale bar and a north arrow
+};
+
 /// From the avatar's eyes.
-struct FirstPersonView {};
+struct FirstPersonView {
+    static constexpr ViewContents kShows{.minimap = true};
+};
 
 /// From behind the avatar.
 struct ThirdPersonView {
+    static constexpr ViewContents kShows{.figure = true, .minimap = true};
     std::optional<double> distance = {};  ///< metres; none: 4
 };
 
 /// As a map, from above the avatar.
 struct TopView {
+    static constexpr ViewContents kShows{.map = true};
     double height_above = 40.0;  ///< metres
 };
 
 /// From outside, towards what it orbits.
 struct OrbitView {
+    static constexpr ViewContents kShows{.figure = true};
     std::optional<CameraTarget> around = {};  ///< none: the avatar
     /// Metres; none: a building fills the image, a point is 10 m away.
     std::optional<double> distance = {};
@@ -42,6 +54,7 @@ struct OrbitView {
 
 /// From a fixed point on the campus.
 struct FixedView {
+    static constexpr ViewContents kShows{.figure = true};
     std::optional<Eigen::Vector3d> position = {};  ///< none: the avatar's eyes
     std::optional<CameraTarget> look_at = {};      ///< instead of angles
     std::optional<double> yaw = {};                ///< radians, of the look

@@ -97,7 +97,7 @@ WalkSummary run_walk(Simulation& simulation, const scene::Campus& campus, const 
     WalkSummary summary;
     const auto show = [&](const TickRecord& record) {
         for (Observer* observer : observers) {
-            observer->frame(record);
+            observer->on_tick(record);
         }
     };
 

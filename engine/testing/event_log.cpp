@@ -26,7 +26,7 @@ std::string describe(const Event& event) {
 
 }  // namespace
 
-void EventLog::frame(const TickRecord& record) {
+void EventLog::on_tick(const TickRecord& record) {
     events_.insert(events_.end(), record.events.begin(), record.events.end());
 }
 

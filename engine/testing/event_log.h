@@ -17,7 +17,7 @@ namespace campuswalk::engine {
 /// An observer for run_walk that stores all events; the last is walk.end.
 class EventLog final : public Observer {
 public:
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
 
     const std::vector<Event>& events() const { return events_; }
 

@@ -162,7 +162,7 @@ void Recorder::begin(const Walk&) {
     calls_.emplace_back("begin");
 }
 
-void Recorder::frame(const TickRecord& record) {
+void Recorder::on_tick(const TickRecord& record) {
     calls_.emplace_back("frame");
     TickState state{record.tick, record.time, record.avatar, {}, {}};
     for (const OpenPopup& popup : record.open_popups) {

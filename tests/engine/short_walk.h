@@ -81,7 +81,7 @@ public:
     };
 
     void begin(const Walk& walk) override;
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
     void end() override;
 
     /// "begin", "frame" and "end" in the order of the calls.

@@ -21,7 +21,7 @@ constexpr double kAllowed = 1e-6;
 
 }  // namespace
 
-void TickAudit::frame(const engine::TickRecord& record) {
+void TickAudit::on_tick(const engine::TickRecord& record) {
     if (record.tick < ticks_) {
         return;  // the closing events, at the last tick again
     }

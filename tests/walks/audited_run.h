@@ -18,7 +18,7 @@ public:
     TickAudit(const PenetrationOracle& oracle, const engine::AvatarProfile& avatar)
         : oracle_(oracle), avatar_(avatar) {}
 
-    void frame(const engine::TickRecord& record) override;
+    void on_tick(const engine::TickRecord& record) override;
 
     int ticks() const { return ticks_; }
     /// Where the walk ended.

@@ -118,7 +118,7 @@ TEST(FirstTour, AuditCatchesAMoverThatIgnoresWalls) {
         for (int i = 1; i <= ticks; ++i) {
             record.avatar.position = foot + leg * (static_cast<double>(i) / ticks);
             record.time = static_cast<double>(record.tick) / 60.0;
-            audit.frame(record);
+            audit.on_tick(record);
             ++record.tick;
         }
         foot = walk_to->target.point;

@@ -23,7 +23,7 @@ void SequenceObserver::begin(const Walk& walk) {
     requests_.begin(walk);
 }
 
-void SequenceObserver::frame(const TickRecord& record) {
+void SequenceObserver::on_tick(const TickRecord& record) {
     requests_.follow(record.avatar);
     if (!is_due(record.time)) {
         return;

@@ -31,7 +31,7 @@ public:
     void begin(const Walk& walk) override;
     /// Throws RenderError if rendering is impossible; rethrows what a sink or the source threw at an earlier
     /// frame.
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
     void end() override;
 
 private:

@@ -18,7 +18,7 @@ void SnapshotObserver::begin(const Walk& walk) {
     contacts_.clear();
 }
 
-void SnapshotObserver::frame(const TickRecord& record) {
+void SnapshotObserver::on_tick(const TickRecord& record) {
     requests_.follow(record.avatar);
     for (const Event& event : record.events) {
         if (event.kind == EventKind::collision_enter) {

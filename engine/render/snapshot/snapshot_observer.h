@@ -23,7 +23,7 @@ public:
     void begin(const Walk& walk) override;
     /// Throws RenderError if rendering is impossible, std::runtime_error that names a file that can't be
     /// written.
-    void frame(const TickRecord& record) override;
+    void on_tick(const TickRecord& record) override;
 
     /// The images written since construction, in order.
     const std::vector<std::filesystem::path>& files() const { return files_; }

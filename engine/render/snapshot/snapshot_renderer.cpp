@@ -32,10 +32,8 @@ Eigen::Vector3d eyes_of(const SnapshotRequest& request) {
            request.avatar.stature * request.profile.eye_height * Eigen::Vector3d::UnitY();
 }
 
-/// Whether a view of this kind is taken.
-template <typename Kind>
-bool takes(const SnapshotRequest& request) {
-    return std::holds_alternative<Kind>(request.camera.view);
+ViewContents contents_of(const SnapshotRequest& request) {
+    return std::visit([](const auto& view) { return view.kShows; }, request.camera.view);
 }
 
 }  // namespace
@@ -78,7 +76,7 @@ IdImage SnapshotRenderer::ids_of(const Channels& channels) {
 }
 
 std::optional<Figure> SnapshotRenderer::figure(const SnapshotRequest& request, const Viewpoint& view) {
-    if (request.nobody || takes<FirstPersonView>(request) || takes<TopView>(request)) {
+    if (request.nobody || !contents_of(request).figure) {
         return std::nullopt;
     }
     if ((view.position - eyes_of(request)).norm() <= kFigureFrom) {
@@ -165,15 +163,14 @@ Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {
 Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest& request,
                                       const Viewpoint& view) {
     const Canvas canvas(image, fonts_);
-    if (takes<TopView>(request)) {
+    if (contents_of(request).map) {
         draw_path(canvas, view, request.path);
         if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), request.avatar.position)) {
             draw_heading_arrow(canvas, pixel->x(), pixel->y(), request.avatar.yaw, 13.0 * canvas.scale());
         }
         draw_scale_bar(canvas, view);
         draw_north_arrow(canvas);
-    } else if (request.minimap && !renderer_.bounds().empty() &&
-               (takes<FirstPersonView>(request) || takes<ThirdPersonView>(request))) {
+    } else if (request.minimap && !renderer_.bounds().empty() && contents_of(request).minimap) {
         draw_minimap(canvas, minimap(), request.avatar);
     }
     const std::vector<WindowRect> frames =

@@ -25,7 +25,7 @@ std::vector<std::string> lines_of(const std::vector<Event>& events, double time 
     TickRecord record;
     record.time = time;
     record.events = events;
-    json.frame(record);
+    json.on_tick(record);
     return lines;
 }
 

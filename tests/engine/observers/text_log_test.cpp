@@ -45,7 +45,7 @@ TEST(TextLog, PrintsExactlyTheSpecifiedLines) {
         record.tick = e.tick;
         record.time = static_cast<double>(e.tick) / 60.0;
         record.events = {&e, 1};
-        log.frame(record);
+        log.on_tick(record);
     }
     const std::vector<std::string> expected = {
         R"(# walk-log 1 walk=first-tour campus=demo tps=60)",
@@ -85,7 +85,7 @@ TEST(TextLog, BeginsWithTheWalksSettings) {
 TEST(TextLog, PrintsNothingWithoutEvents) {
     int lines = 0;
     TextLog log([&](std::string_view) { ++lines; });
-    log.frame(TickRecord{});
+    log.on_tick(TickRecord{});
     log.end();
     EXPECT_EQ(lines, 0);
 }

@@ -65,7 +65,7 @@ TEST(Trajectory, HasTheOrientationOfTheEyesAsAQuaternion) {
         record.avatar.pitch = dice.between(-1.5, 1.5);
         std::string line;
         TrajectoryTum tum([&](std::string_view text) { line = text; });
-        tum.frame(record);
+        tum.on_tick(record);
         double t = 0;
         Eigen::Vector3d at;
         Eigen::Quaterniond q;

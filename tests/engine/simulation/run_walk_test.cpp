@@ -61,7 +61,7 @@ class CallNotes final : public Observer {
 public:
     CallNotes(std::string name, Lines& notes) : name_(std::move(name)), notes_(notes) {}
     void begin(const Walk& walk) override { notes_.push_back(name_ + " begin " + walk.name); }
-    void frame(const TickRecord& record) override {
+    void on_tick(const TickRecord& record) override {
         notes_.push_back(name_ + " frame " + std::to_string(record.tick));
     }
     void end() override { notes_.push_back(name_ + " end"); }
@@ -84,7 +84,7 @@ TEST(RunWalk, NotifiesObserversInTheirOrder) {
 /// Throws in tick 5.
 class Thrower final : public Observer {
 public:
-    void frame(const TickRecord& record) override {
+    void on_tick(const TickRecord& record) override {
         if (record.tick == 5) {
             throw std::runtime_error("disk full");
         }

@@ -91,7 +91,7 @@ class GrammarCheck final : public Observer {
 public:
     GrammarCheck(const scene::Campus& campus, Tick stay_ticks) : campus_(campus), stay_ticks_(stay_ticks) {}
 
-    void frame(const TickRecord& record) override {
+    void on_tick(const TickRecord& record) override {
         at_ = 0.0;
         for (const Event& event : record.events) {
             if (testing::Test::HasFatalFailure()) {

@@ -40,9 +40,9 @@ TEST(EventLog, RecordsTheEventsOfEveryTick) {
     const std::vector<Event> events = two_visits();
     TickRecord record;
     record.events = std::span(events).first(2);
-    log.frame(record);
+    log.on_tick(record);
     record.events = std::span(events).subspan(2);
-    log.frame(record);
+    log.on_tick(record);
     ASSERT_EQ(log.events().size(), 5U);
     EXPECT_EQ(log.events().back().tick, 20);
 }

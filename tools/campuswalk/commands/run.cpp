@@ -153,12 +153,11 @@ void add_output(Command& command, const Options& options) {
                  "timed-trace.json; several times"},
         names_of(record_kinds()), options->records);
     add_sequence(command, options->sequence);
-    command.choice_flag(
-        {.names = "-u,--update-snapshots",
-         .help =
-             "Which golden logs and kept pictures are written; alone it means changed [missing; none where "
-             "CI is set]"},
-        "changed", update_modes(), options->update);
+    command.choice_flag({.names = "-u,--update-snapshots",
+                         .help = "Which golden logs and reference images are written; alone it means changed "
+                                 "[missing; none where "
+                                 "CI is set]"},
+                        "changed", update_modes(), options->update);
     add_rendering_backend(command, options->backend);
     command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},
                  options->quiet);

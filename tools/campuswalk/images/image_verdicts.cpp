@@ -48,7 +48,7 @@ Comparison compare(const fs::path& actual, const fs::path& reference,
     }
     if (comparison.actual.width != comparison.reference->width ||
         comparison.actual.height != comparison.reference->height) {
-        comparison.why = "it has " + pixel_size_of(comparison.actual) + " pixels, the kept one " +
+        comparison.why = "it has " + pixel_size_of(comparison.actual) + " pixels, the reference image " +
                          pixel_size_of(*comparison.reference);
         return comparison;
     }
@@ -84,7 +84,7 @@ public:
         }
         if (missing) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
-                 "there is no kept picture '" + reference.string() +
+                 "there is no reference image '" + reference.string() +
                      "' yet; run with --update-snapshots=missing where you develop, and commit it");
             return;
         }
@@ -94,7 +94,7 @@ public:
             update_reference(actual, reference);
         } else if (!comparison.why.empty()) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
-                 "the snapshot '" + expected.name + "' is not the kept one (" +
+                 "the snapshot '" + expected.name + "' differs from its reference image (" +
                      reference.filename().string() + "): " + comparison.why +
                      "; if that is meant, run with --update-snapshots=changed");
             save_comparison(expected.name, actual, reference, comparison);
@@ -116,8 +116,8 @@ public:
             fail(expected.mark, engine::code_of(expected), expected.snapshot,
                  std::string(expected.negated ? "not expected, but " : "") + "of '" + expected.building.glob +
                      "' " + std::to_string(seen) + (seen == 1 ? " pixel is" : " pixels are") +
-                     " to be seen in '" + expected.snapshot + "' (" + engine::fixed(100.0 * ratio, 3) +
-                     " %)" + expected_share(expected));
+                     " visible in '" + expected.snapshot + "' (" + engine::fixed(100.0 * ratio, 3) + " %)" +
+                     expected_share(expected));
         }
     }
 

@@ -60,9 +60,9 @@ std::vector<Frame> frames_of(double every, int ticks, int ticks_per_second, cons
         record.tick = static_cast<Tick>(i);
         record.time = static_cast<double>(i) / ticks_per_second;
         record.avatar.position = {1.0, 0.0, 2.0 - 0.02 * i};
-        observer.frame(record);
+        observer.on_tick(record);
     }
-    observer.frame(record);  // the closing record
+    observer.on_tick(record);  // the closing record
     observer.end();
     return frames;
 }

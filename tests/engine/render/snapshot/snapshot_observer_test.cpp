@@ -30,7 +30,7 @@ protected:
             if (image && i + 1 == ticks) {
                 record.snapshots = steps;
             }
-            observer.frame(record);
+            observer.on_tick(record);
         }
         observer.end();
     }

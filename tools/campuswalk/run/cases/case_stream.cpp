@@ -20,12 +20,12 @@ void CaseStream::begin(const engine::Walk& walk) {
     }
 }
 
-void CaseStream::frame(const engine::TickRecord& record) {
+void CaseStream::on_tick(const engine::TickRecord& record) {
     if (settings_.log) {
-        text_.frame(record);
+        text_.on_tick(record);
     }
     if (settings_.events || save_lines_) {
-        json_.frame(record);
+        json_.on_tick(record);
     }
     const Clock::time_point now = Clock::now();
     if (settings_.place && now - place_sent_ > std::chrono::milliseconds(200)) {

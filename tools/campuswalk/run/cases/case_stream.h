@@ -21,7 +21,7 @@ public:
     CaseStream(const Say& say, const PlaySettings& settings, bool save_lines);
 
     void begin(const engine::Walk& walk) override;
-    void frame(const engine::TickRecord& record) override;
+    void on_tick(const engine::TickRecord& record) override;
 
     /// Sends the remaining lines.
     void flush();

@@ -42,7 +42,7 @@ ImageWatch::ImageWatch(const Case& played, const PlaySettings& settings,
     }
 }
 
-void ImageWatch::frame(const engine::TickRecord& record) {
+void ImageWatch::on_tick(const engine::TickRecord& record) {
     taken_.insert(taken_.end(), record.snapshots.begin(), record.snapshots.end());
 }
 

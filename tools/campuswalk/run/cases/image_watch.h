@@ -24,7 +24,7 @@ public:
     ImageWatch(const Case& played, const PlaySettings& settings, engine::render::RendererStore& renderers,
                FrameHelpers* helpers);
 
-    void frame(const engine::TickRecord& record) override;
+    void on_tick(const engine::TickRecord& record) override;
     /// This and the observers that it needs, which live as long as this.
     std::vector<engine::Observer*> observers();
 

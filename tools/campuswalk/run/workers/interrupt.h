@@ -16,7 +16,7 @@ struct Interrupted {};
 /// Ends a walk between two ticks, so that logs and images stay whole.
 class InterruptWatch final : public engine::Observer {
 public:
-    void frame(const engine::TickRecord&) override {
+    void on_tick(const engine::TickRecord&) override {
         if (interrupted()) {
             throw Interrupted{};
         }
