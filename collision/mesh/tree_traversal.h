@@ -66,7 +66,8 @@ private:
     std::size_t depth_ = 0;
 };
 
-// The paper's tree: outer spheres first, eq. (1), and the inner layer where they leave it open.
+// The paper's tree: outer spheres first, and the inner layer where they leave it open. A capsule or box is
+// tested by eq. (1) (volume_overlap.h), a ray or sweep by its distance from the sphere's centre.
 
 template <typename Volume>
 void push_node(const HybridTree& tree, std::uint32_t index, const Volume& volume, double limit,

@@ -111,8 +111,8 @@ void limit_slide(MoverState& state, double seconds, std::span<const HalfPlane> w
 }
 
 /// On what is too steep to stand on, the velocity turns down the slope without friction: it loses the
-/// component into the slope. A body that something else holds up as well doesn't gain speed that it doesn't
-/// move with.
+/// component into the slope. A body that is also supported elsewhere must not build up speed that it can't
+/// turn into motion.
 void turn_along(const MoverSettings& body, MoverState& state, const Vec3& n, double moved, double seconds) {
     Vec3 velocity = state.slide_velocity + Vec3(0, state.vertical_speed, 0);
     velocity -= std::min(0.0, velocity.dot(n)) * n;

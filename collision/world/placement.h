@@ -20,7 +20,7 @@ std::optional<ObjectId> obstruction(const World& world, const QueryFilter& filte
 std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
                                double height, double search, QueryStatistics* statistics = nullptr);
 
-/// Where a body is put that was to be placed somewhere.
+/// Where a body ends up that was to be placed at a position.
 struct FreePlacement {
     Vec3 foot = Vec3::Zero();
     std::optional<ObjectId>

@@ -11,8 +11,8 @@ namespace campuswalk::engine {
 /// When a contact may open its building's window.
 struct PopupTiming {
     bool once = false;  ///< only if it has never been open
-    Tick cooldown = 0;  ///< only so many ticks after it closed
-    Tick dwell = 0;     ///< only once the contact has lasted so many ticks
+    Tick cooldown = 0;  ///< only this many ticks after it closed
+    Tick dwell = 0;     ///< only once the contact has lasted this many ticks
 };
 
 /// Which buildings' information windows are open. A contact may open its building's window once: when it
@@ -31,7 +31,7 @@ public:
 
     /// Oldest first.
     const std::vector<std::size_t>& open() const { return open_; }
-    /// How often a building's window has opened.
+    /// How many times a building's window has opened.
     int visits(std::size_t building) const { return buildings_[building].visits; }
 
 private:

@@ -226,7 +226,7 @@ public:
 
     Finding finding(bool /*ended*/) const {
         if (when_) {
-            return {true, expected_->mark, "the avatar fell off the world " + at_time(when_->time), when_};
+            return {true, expected_->mark, "the avatar fell out of the world " + at_time(when_->time), when_};
         }
         return {false, expected_->mark, "the avatar did not fall off the world", std::nullopt, true};
     }

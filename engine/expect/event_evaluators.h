@@ -38,10 +38,10 @@ public:
 
     Finding finding(bool /*ended*/) const {
         if (count_ == expected_->events.size()) {
-            return {true, expected_->mark, "all came in this order, the last " + last_event_, last_};
+            return {true, expected_->mark, "all occurred in this order, the last " + last_event_, last_};
         }
         const EventPattern& missing = expected_->events[count_];
-        std::string message = "'" + to_string(missing) + "' never came";
+        std::string message = "'" + to_string(missing) + "' never occurred";
         if (!last_event_.empty()) {
             message += " after " + last_event_;
         }
@@ -79,7 +79,7 @@ public:
             return {true, expected_->event.mark, event + " never happened", std::nullopt, true};
         }
         return {false, expected_->event.mark,
-                event + " happened " + times_in_words(times_) + ", first " + first_event_, first_};
+                event + " occurred " + times_in_words(times_) + ", first " + first_event_, first_};
     }
 
 private:
@@ -109,7 +109,7 @@ public:
     Finding finding(bool /*ended*/) const {
         const std::string limit = violated_limit(expected_->times, times_);
         return {limit.empty(), expected_->mark,
-                "'" + to_string(expected_->event) + "' happened " + times_in_words(times_) +
+                "'" + to_string(expected_->event) + "' occurred " + times_in_words(times_) +
                     (limit.empty() ? "" : ", expected " + limit),
                 too_many_, can_still_change(expected_->times, times_)};
     }
@@ -152,7 +152,7 @@ public:
         }
         if (times_ == 0) {
             return {false, expected_->after.mark,
-                    "'" + to_string(expected_->after) + "' never came, so nothing could follow it",
+                    "'" + to_string(expected_->after) + "' never occurred, so nothing could follow it",
                     std::nullopt, true};
         }
         if (ended && !waits_.empty()) {
@@ -172,12 +172,12 @@ private:
     };
 
     std::string describe_miss(const Wait& wait) const {
-        return "'" + to_string(expected_->event) + "' did not come within " + fixed(expected_->seconds, 3) +
+        return "'" + to_string(expected_->event) + "' did not occur within " + fixed(expected_->seconds, 3) +
                " s after " + wait.event + (too_late_.empty() ? "" : ", only as " + too_late_);
     }
 
     const ExpectWithin* expected_;
-    int times_ = 0;            ///< how often `after` has come
+    int times_ = 0;            ///< how many times `after` has occurred
     std::vector<Wait> waits_;  ///< those that `event` hasn't followed yet
     std::optional<Wait> miss_;
     std::optional<StateSnapshot> missed_;

@@ -30,10 +30,15 @@ struct EvaluatorContext {
 
 /// The evaluator of one kind of expectation, which must outlive it. Specialized for each kind in
 /// *_evaluators.h, always with these members:
+///
 ///     EvaluatorOf(const Expected& expected, const EvaluatorContext& context);
-///     void see(const TickRecord& record, const StateSnapshot& now);  // every tick, with the state at its
-///     end Finding finding(bool ended) const;                             // so far; `ended`: nothing more
-///     will come
+///
+///     // Every tick, with the state at its end.
+///     void see(const TickRecord& record, const StateSnapshot& now);
+///
+///     // What holds so far; `ended`: nothing more will come.
+///     Finding finding(bool ended) const;
+///
 /// A copy continues independently.
 template <typename Expected>
 class EvaluatorOf;

@@ -78,7 +78,7 @@ public:
         const std::string& target = expected_->target.label;
         if (!last_) {
             const EventPattern at = expected_->at ? *expected_->at : EventPattern();
-            return {false, at.mark, "'" + to_string(at) + "' never came, so nothing was near " + target,
+            return {false, at.mark, "'" + to_string(at) + "' never occurred, so nothing was near " + target,
                     std::nullopt, true};
         }
         const Approach& decisive = first_miss_ ? *first_miss_ : *last_;

@@ -17,7 +17,7 @@ enum class Outcome {
     failed,       ///< an expectation doesn't hold, a step gave up, or an xfail passed
     skipped,      ///< `status: skip`
     bad_input,    ///< not run: there are errors in its files
-    broken,       ///< it ended by an error that isn't the walk's: disk full, a crash, killed
+    broken,       ///< an error outside the walk ended it: disk full, a crash, killed
     interrupted,  ///< not finished when the run was stopped
 };
 

@@ -211,7 +211,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const Ava
         return std::nullopt;
     }
     const std::string message =
-        "'" + to_string(step.event) + "' did not come within " + fixed(step.timeout, 1) + " s";
+        "'" + to_string(step.event) + "' did not occur within " + fixed(step.timeout, 1) + " s";
     return StepEnd{std::nullopt, nullptr, &step.mark, true, "timeout", message};
 }
 
@@ -220,13 +220,13 @@ std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const Ava
 /// To an angle the short way; by an angle all of it, even several times around.
 template <>
 void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
-    const double rest =
+    const double remaining =
         progress_.turn_left.value_or(step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
-    const double most = walk_.avatar.turn_speed * dt_;
-    const double part = std::clamp(rest, -most, most);
+    const double max_turn = walk_.avatar.turn_speed * dt_;
+    const double part = std::clamp(remaining, -max_turn, max_turn);
     intent.yaw = wrapped_angle(avatar.yaw + part);
-    progress_.turn_left = rest - part;
-    progress_.aligned = std::abs(rest - part) <= kAligned;
+    progress_.turn_left = remaining - part;
+    progress_.aligned = std::abs(remaining - part) <= kAligned;
 }
 
 template <>
@@ -321,7 +321,7 @@ std::string ScriptPlayer::why_not_reached(const Target& target, double within,
 }
 
 double ScriptPlayer::turned(double from, double to) const {
-    const double most = walk_.avatar.turn_speed * dt_;
+    const double max_turn = walk_.avatar.turn_speed * dt_;
     const double difference = wrapped_angle(to - from);
     return std::abs(difference) <= most ? wrapped_angle(to)
                                         : wrapped_angle(from + std::clamp(difference, -most, most));

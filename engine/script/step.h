@@ -18,7 +18,7 @@
 
 namespace campuswalk::engine {
 
-/// What is known of a step before the walk is run: its names and places are checked by it.
+/// What is known about a step before the run: its names and places are checked by this.
 struct StepPreview {
     /// The kind of an event that the step may log, and the name in the log's object column; none: the walk's.
     struct PossibleEvent {

@@ -24,7 +24,7 @@ std::optional<Stop> execute_step(const CrouchStep& step, SimulationState& state)
     if (!state.body.resize(step.height, state.statistics)) {
         const auto by = state.body.obstruction(step.height, state.statistics);
         return Stop{step.mark, "blocked",
-                    "there is no head room for " + fixed(step.height, 2) + " m" +
+                    "there is no headroom for " + fixed(step.height, 2) + " m" +
                         (by ? ": blocked by " + state.name_of(*by) : "")};
     }
     const bool down = step.height < state.walk.avatar.height;

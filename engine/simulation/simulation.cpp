@@ -88,7 +88,7 @@ void Simulation::report_motion(const Motion& motion) {
     }
     if (state_.body.has_fallen_off_the_world()) {
         state_.events.add(EventKind::avatar_fell, name, {pos});
-        stop_ = Stop{state_.walk.mark, "fell", "the avatar fell off the world"};
+        stop_ = Stop{state_.walk.mark, "fell", "the avatar fell out of the world"};
     }
     if (motion.stuck) {
         Event& event = state_.events.add(EventKind::avatar_stuck, name, {pos});
@@ -141,7 +141,7 @@ void Simulation::check_timeout() {
     if (over && !stop_ && !intents_.finished()) {
         const SourceMark* mark = intents_.mark();
         stop_ = Stop{mark != nullptr ? *mark : walk.mark, "timeout",
-                     "the walk was still in this step after " + fixed(*walk.timeout, 3) + " s, its time-out"};
+                     "the walk was still in this step after " + fixed(*walk.timeout, 3) + " s, its timeout"};
     }
 }
 

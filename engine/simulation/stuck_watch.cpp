@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kMinProgress = 0.1;  // metres within a second
 constexpr double kSlowShare = 0.25;   // of the distance that a slow avatar desires within a second
-constexpr double kStandstill = 1e-3;  // metres per second: who desires less stays
+constexpr double kStandstill =
+    1e-3;  // metres per second: below this desired speed the avatar counts as standing
 
 }  // namespace
 

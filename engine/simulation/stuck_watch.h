@@ -6,7 +6,7 @@ namespace campuswalk::engine {
 
 /// Detects an avatar that tries to move but makes no progress: for a second it tried to, and in that second
 /// it was never 10 cm (if it is slow, a quarter of the desired distance) away from where it was at the start.
-/// Sliding along a wall or waiting is not being stuck; running against a wall is, and so is trembling in a
+/// Sliding along a wall or waiting is not being stuck; running against a wall is, and so is jittering in a
 /// corner. Reported once, until the avatar has left the place.
 class StuckWatch {
 public:

@@ -45,7 +45,7 @@ Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::st
         }
         last = describe(*from++);
     }
-    return {true, "all came, the last being " + last};
+    return {true, "all occurred, the last being " + last};
 }
 
 Verdict has_never(const std::vector<Event>& events, const std::string& unwanted) {

@@ -4,8 +4,7 @@
 using namespace campuswalk::tools;
 
 int main(int argc, char** argv) {
-    return run_program(argc, argv,
-                       {"campuswalk", "Walks scripted paths through virtual campuses without a screen."},
+    return run_program(argc, argv, {"campuswalk", "Headless walkthrough tests for virtual campuses."},
                        [](Command program, CommandAction& chosen) {
                            add_init(program, chosen);
                            add_validate(program, chosen);

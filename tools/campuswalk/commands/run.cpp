@@ -31,7 +31,7 @@ void add_selection(Command& command, const Options& options) {
         {.names = "--config", .help = "Instead of the walks.config.yaml here or above", .value = "FILE"},
         options->config);
     command.option({.names = "-g,--grep",
-                    .help = "Only walks in whose 'FILE NAME TAGS' the regular expression matches",
+                    .help = "Only walks whose 'FILE NAME TAGS' match the regular expression",
                     .value = "REGEX"},
                    options->grep);
     command.option(
@@ -135,26 +135,26 @@ void add_output(Command& command, const Options& options) {
                             "--resume need [out]",
                     .value = "DIR"},
                    options->output);
-    command.option({.names = "--reporter",
-                    .help = config::listed(engine::reporter_names()) +
-                            " or log; with =FILE there, several times. Without: those of walks.config.yaml, "
-                            "else the log of a single walk, a "
-                            "list of several",
-                    .value = "NAME[=FILE]"},
-                   options->reporters);
+    command.option(
+        {.names = "--reporter",
+         .help = config::listed(engine::reporter_names()) +
+                 " or log; =FILE writes it to a file; may be repeated. Default: those of walks.config.yaml, "
+                 "else the log of a single walk, a list of several",
+         .value = "NAME[=FILE]"},
+        options->reporters);
     command.option({.names = "--log", .help = "Write the event log to this file too", .value = "FILE"},
                    options->log);
     command.option({.names = "--jsonl", .help = "Write the events as JSON lines", .value = "FILE"},
                    options->jsonl);
     command.choices(
         {.names = "--record",
-         .help = "Keep every tick in the walk's folder below --output: its place as trajectory.csv "
+         .help = "Keep every tick in the walk's folder below --output: its position as trajectory.csv "
                  "or .tum, its costs as trace.json, for Chrome's trace viewer, or with wall time as "
-                 "timed-trace.json; several times"},
+                 "timed-trace.json; may be repeated"},
         names_of(record_kinds()), options->records);
     add_sequence(command, options->sequence);
     command.choice_flag({.names = "-u,--update-snapshots",
-                         .help = "Which golden logs and reference images are written; alone it means changed "
+                         .help = "Which golden logs and golden images are written; alone it means changed "
                                  "[missing; none where "
                                  "CI is set]"},
                         "changed", update_modes(), options->update);

@@ -73,7 +73,7 @@ void set_viewpoint(const SnapshotOptions& options, const scene::CampusDescriptio
     if (!(fixed != nullptr && fixed->position) && !(orbit != nullptr && orbit->around)) {
         throw scene::InputError(
             {kCameraOption, 1, 1}, "bad-value",
-            "nobody walks here whom a camera could follow: use {view: orbit, around: NAME} or "
+            "there is no avatar here for the camera to follow: use {view: orbit, around: NAME} or "
             "{view: fixed, position: [x, y, z]}");
     }
 }
@@ -127,7 +127,9 @@ std::optional<engine::ImageChannels> channels_in(const std::string& list) {
 }
 
 std::string check_channels(const std::string& list) {
-    return channels_in(list) ? "" : "'" + list + "' is no list of depth, ids and normals, as in depth,ids";
+    return channels_in(list)
+               ? ""
+               : "'" + list + "' must be a comma-separated list of depth, ids and normals, as in depth,ids";
 }
 
 }  // namespace

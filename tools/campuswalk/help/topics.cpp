@@ -42,7 +42,7 @@ that doesn't hold makes the exit code 1.
 
 )" + key_table("walk.schema.json#/definitions/single_expectation") +
            R"(
-Four of them need no value: '- grounded', '- no_penetration', '- stuck', '- fell'; so does 'not':
+Four of them need no value: '- grounded', '- no_penetration', '- stuck', '- fell'; nor do they under 'not':
 '- not: fell'. The step 'expect' evaluates the walk so far and ends it with a failure if one doesn't hold.
 
   status: xfail                                      the walk must fail
@@ -65,8 +65,8 @@ std::string events() {
   avatar.spawn .teleport          the avatar was put down
   avatar.arrive .blocked          a walk_to or follow has ended
   avatar.stuck                    it tried to move for a second and got less than 10 cm farther
-  avatar.jump .crouch .stand      a step of the walk did so
-  avatar.landed .fell             a jump or fall has ended, or is endless
+  avatar.jump .crouch .stand      a step made the avatar jump, crouch or stand up
+  avatar.landed .fell             the avatar has landed, or has fallen out of the world
   avatar.depenetrated             it was put down inside an object and pushed out
   object.enable .disable          a step switched an object on or off
   snapshot.take                   a picture was requested
@@ -197,7 +197,7 @@ constexpr std::array kTopics = {
     Topic{"campus", "NAME.campus.yaml: a campus", campus},
     Topic{"popups", "Information windows: when they open and what they show", popups},
     Topic{"avatars", "Who walks: NAME.avatar.yaml", avatars},
-    Topic{"lights", "Sun, sky and air of pictures: NAME.light.yaml", lights},
+    Topic{"lights", "Sun, sky and fog in pictures: NAME.light.yaml", lights},
     Topic{"projects", "walks.config.yaml: one walk for several avatars, campuses or spawns", projects},
     Topic{"reports", "Reports of a run, and how runs are merged and compared", reports},
     Topic{"exit-codes", "Exit codes of the program", exit_codes},

@@ -48,7 +48,7 @@ Comparison compare(const fs::path& actual, const fs::path& reference,
     }
     if (comparison.actual.width != comparison.reference->width ||
         comparison.actual.height != comparison.reference->height) {
-        comparison.why = "it has " + pixel_size_of(comparison.actual) + " pixels, the reference image " +
+        comparison.why = "it has " + pixel_size_of(comparison.actual) + " pixels, the golden image " +
                          pixel_size_of(*comparison.reference);
         return comparison;
     }
@@ -84,7 +84,7 @@ public:
         }
         if (missing) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
-                 "there is no reference image '" + reference.string() +
+                 "there is no golden image '" + reference.string() +
                      "' yet; run with --update-snapshots=missing where you develop, and commit it");
             return;
         }
@@ -94,9 +94,9 @@ public:
             update_reference(actual, reference);
         } else if (!comparison.why.empty()) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
-                 "the snapshot '" + expected.name + "' differs from its reference image (" +
+                 "the snapshot '" + expected.name + "' differs from its golden image (" +
                      reference.filename().string() + "): " + comparison.why +
-                     "; if that is meant, run with --update-snapshots=changed");
+                     "; if this is intended, run with --update-snapshots=changed");
             save_comparison(expected.name, actual, reference, comparison);
         }
     }
@@ -114,10 +114,10 @@ public:
                             (!expected.min_ratio || ratio >= *expected.min_ratio);
         if (enough == expected.negated) {
             fail(expected.mark, engine::code_of(expected), expected.snapshot,
-                 std::string(expected.negated ? "not expected, but " : "") + "of '" + expected.building.glob +
-                     "' " + std::to_string(seen) + (seen == 1 ? " pixel is" : " pixels are") +
-                     " visible in '" + expected.snapshot + "' (" + engine::fixed(100.0 * ratio, 3) + " %)" +
-                     expected_share(expected));
+                 std::to_string(seen) + (seen == 1 ? " pixel of '" : " pixels of '") +
+                     expected.building.glob + (seen == 1 ? "' is" : "' are") + " visible in '" +
+                     expected.snapshot + "' (" + engine::fixed(100.0 * ratio, 3) + " %)" +
+                     (expected.negated ? ", which was not expected" : "") + expected_share(expected));
         }
     }
 

@@ -22,7 +22,7 @@ struct ImageEvaluation {
     const engine::Walk& walk;
     std::filesystem::path output;      ///< the run's output folder
     std::string folder;                ///< the walk's, below it: where its snapshots are
-    UpdateSnapshots update;            ///< of the reference images
+    UpdateSnapshots update;            ///< of the golden images
     engine::ImageTolerance tolerance;  ///< unless an expectation says otherwise
     const engine::SnapshotStates& moments;
     const engine::render::VisibleBuildingsBySnapshot& visible_buildings;
@@ -31,10 +31,10 @@ struct ImageEvaluation {
 struct EvaluatedImages {
     std::vector<engine::Failure> failures;       ///< in the order of the expectations
     std::vector<engine::Artifact> artifacts;     ///< of those that differ
-    std::vector<std::filesystem::path> written;  ///< reference images, relative like the walk file
+    std::vector<std::filesystem::path> written;  ///< golden images, relative like the walk file
 };
 
-/// Evaluates a walk's ExpectSnapshot and ExpectVisible. For a snapshot that differs from its reference image
+/// Evaluates a walk's ExpectSnapshot and ExpectVisible. For a snapshot that differs from its golden image
 /// it writes OUTPUT/FOLDER/NAME-actual.png, -expected.png and, if their sizes are the same, -diff.png. Throws
 /// std::runtime_error when something can't be written. A build without rendering never calls it.
 EvaluatedImages evaluate_images(const ImageEvaluation& request);

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
@@ -114,12 +115,12 @@ private:
         if (!last_run_) {
             throw error_about(
                 file, "missing-file",
-                "there are no results of a last run; run without --last-failed and --resume first");
+                "there are no results of a previous run; run without --last-failed and --resume first");
         }
         if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
             throw error_about(
                 "--resume", "bad-value",
-                "logs of walks that were played before aren't stored; use only reports, as in --reporter "
+                "it can't reproduce the logs of walks that already ran; use only reports, as in --reporter "
                 "list");
         }
     }
@@ -147,8 +148,8 @@ private:
             return kPass;
         }
         diagnostic_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
-                                        : "none of the walks found, " + std::to_string(plan.files) +
-                                              ", is selected; see --list");
+                                        : scene::plural(plan.files, "walk") +
+                                              " found, none matches the filters; see --list");
         return kNothingSelected;
     }
 
@@ -183,9 +184,10 @@ private:
             return std::make_unique<LastRunWriter>(file, plan_hash);
         }
         if (last_run_->plan != plan_hash) {
-            throw error_about(file, "other-run",
-                              "the last run had other walks, files or options than this one, so it can't be "
-                              "continued; run without --resume");
+            throw error_about(
+                file, "other-run",
+                "the last run used different walks, files or options, so it can't be continued; "
+                "run without --resume");
         }
         return std::make_unique<LastRunWriter>(file, *last_run_);
     }

@@ -29,7 +29,7 @@ public:
     std::vector<engine::Observer*> observers();
 
     /// To be called when the walk has ended: appends the failures of its image expectations, prints which
-    /// reference images were written, and returns the images that show differences.
+    /// golden images were written, and returns the images that show differences.
     std::vector<engine::Artifact> evaluate(std::vector<engine::Failure>& failures) const;
 
     /// The snapshots that the walk took, in order.
