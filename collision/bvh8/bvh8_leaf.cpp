@@ -51,8 +51,8 @@ Vec3 certain_normal(const Triangle& t) {
     const Vec3 e = t.b - t.a;
     const Vec3 f = t.c - t.a;
     const Vec3 n = e.cross(f);
-    constexpr double kLeastSine = 0x1p-20;
-    const bool certain = n.squaredNorm() > kLeastSine * kLeastSine * (e.squaredNorm() * f.squaredNorm());
+    constexpr double kMinSine = 0x1p-20;
+    const bool certain = n.squaredNorm() > kMinSine * kMinSine * (e.squaredNorm() * f.squaredNorm());
     return certain ? n : Vec3(Vec3::Zero());
 }
 

@@ -119,13 +119,13 @@ struct Gap {
 /// body's farthest point along a direction.
 template <typename Farthest>
 Gap gap_to_origin(const Farthest& farthest) {
-    constexpr int kMostSteps = 256;  // round bodies that barely touch converge slowly
+    constexpr int kMaxSteps = 256;  // round bodies that barely touch converge slowly
     Simplex simplex;
     simplex.add(farthest(Vec3::UnitX()));
     Vec3 nearest = simplex.reduce();
     double size = nearest.norm();
     double at_least = 0.0;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         const double distance = nearest.norm();
         if (distance <= kRounding * size) {
             return {0.0, size};

@@ -231,13 +231,13 @@ int exact_orientation(const Points<kDimension>& points) {
     }
     constexpr std::size_t kFew = 4;
     constexpr std::size_t kSome = 8;
-    constexpr std::size_t kMost = 66;
-    static_assert(kRoom<kMost> >= 1024 + 1074, "from 2^-1074 to 2^1024");
+    constexpr std::size_t kMax = 66;
+    static_assert(kRoom<kMax> >= 1024 + 1074, "from 2^-1074 to 2^1024");
     const ExactPoints<kDimension> exact = exact_points<kDimension>(points);
     if (exact.width <= kRoom<kFew>) {
         return long_orientation<kFew>(exact);
     }
-    return exact.width <= kRoom<kSome> ? long_orientation<kSome>(exact) : long_orientation<kMost>(exact);
+    return exact.width <= kRoom<kSome> ? long_orientation<kSome>(exact) : long_orientation<kMax>(exact);
 }
 
 }  // namespace

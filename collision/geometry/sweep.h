@@ -18,9 +18,9 @@ std::optional<double> first_touch(const Segment& segment, double radius, const V
     // The distance between convex bodies is a convex function of the fraction of a straight move, so Newton's
     // method from the left approaches the first contact and never passes it; once the distance stops falling,
     // there is none.
-    constexpr int kMostSteps = 64;  // grazing contacts converge slowly; stopping early is safe
+    constexpr int kMaxSteps = 64;  // grazing contacts converge slowly; stopping early is safe
     double fraction = 0.0;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         const Segment moved{segment.a + fraction * move, segment.b + fraction * move};
         const Closest c = closest_to(moved);
         const double gap = c.distance - radius;

@@ -15,8 +15,8 @@ namespace {
 
 /// How far beyond the requested box pieces are gathered horizontally, metres. The margin grows where there
 /// are few pieces: they are quick to gather and survey, and a walker then rarely needs others.
-constexpr double kLeastMargin = 0.2;
-constexpr double kMostMargin = 2.0;
+constexpr double kMinMargin = 0.2;
+constexpr double kMaxMargin = 2.0;
 constexpr std::size_t kFewPieces = 16;
 constexpr std::size_t kManyPieces = 40;
 /// The vertical margin, metres.
@@ -93,9 +93,9 @@ void ContactCache::move_to(const Aabb& box, QueryStatistics* statistics) {
     gather(before, statistics);
     restart_bounds();
     if (pieces_.size() < kFewPieces) {
-        margin_ = std::min(kMostMargin, 1.4 * margin_);
+        margin_ = std::min(kMaxMargin, 1.4 * margin_);
     } else if (pieces_.size() > kManyPieces) {
-        margin_ = std::max(kLeastMargin, 0.5 * margin_);
+        margin_ = std::max(kMinMargin, 0.5 * margin_);
     }
 }
 
@@ -113,7 +113,7 @@ void ContactCache::drop_outside() {
 }
 
 /// Adds the pieces of an object's shape.
-struct ContactCache::Gathering {
+struct ContactCache::PieceGatherer {
     ContactCache& cache;
     ObjectId id;
     const Aabb& before;
@@ -138,7 +138,7 @@ void ContactCache::gather(const Aabb& before, QueryStatistics* statistics) {
     rebuild_keys();
     world_->candidates(covered_, filter_, candidates_);
     for (const ObjectId id : candidates_) {
-        std::visit(Gathering{*this, id, before, statistics}, world_->object(id).shape);
+        std::visit(PieceGatherer{*this, id, before, statistics}, world_->object(id).shape);
     }
 }
 

@@ -79,7 +79,7 @@ public:
     bool known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const;
 
 private:
-    struct Gathering;
+    struct PieceGatherer;
     static constexpr std::size_t kLanes = 8;
     static constexpr double kFirstMargin = 0.5;
     using Lanes = std::array<float, kLanes>;

@@ -10,12 +10,12 @@ namespace campuswalk::collision {
 namespace {
 
 /// A point this near a walkable face belongs to it, metres: treads and risers are modelled with gaps.
-constexpr double kOwned = 0.01;
+constexpr double kSurfaceTolerance = 0.01;
 /// How far onto a piece the body has to walk to be carried by it, metres.
-constexpr double kOnto = 0.01;
+constexpr double kStepOntoDistance = 0.01;
 /// A contact this low beside the ball's centre, as a share of its radius, doesn't support it: with a radius
 /// 15 µm smaller, there would be none.
-constexpr double kSide = 0.01;
+constexpr double kMinSupportDrop = 0.01;
 
 using Piece = ContactCache::Piece;
 using Rest = MoveBuffers::Rest;
@@ -50,12 +50,12 @@ std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double
 
 bool ends_in_floor(const MoveContext& context, const Vec3& point) {
     return std::ranges::any_of(context.contacts.pieces(), [&](const Piece& p) {
-        if ((point.array() < p.box.min.array() - kOwned).any() ||
-            (point.array() > p.box.max.array() + kOwned).any()) {
+        if ((point.array() < p.box.min.array() - kSurfaceTolerance).any() ||
+            (point.array() > p.box.max.array() + kSurfaceTolerance).any()) {
             return false;
         }
         const Closest c = closest(Segment{point, point}, p.obstacle);
-        return c.distance <= kOwned && walkable_at(p.obstacle, c.on_shape, context.body.min_up);
+        return c.distance <= kSurfaceTolerance && walkable_at(p.obstacle, c.on_shape, context.body.min_up);
     });
 }
 
@@ -66,8 +66,8 @@ bool carries(const MoveContext& context, const Rest& rest, double highest) {
     const bool low = on.y() <= highest;
     if (walkable_at(o, on, context.body.min_up)) {
         // The crest of a ramp is higher than its foot, and reached on a face as steep as the touch.
-        constexpr double kAlike = 1e-6;
-        return low || (o.solid == nullptr && std::abs(o.normal.y()) <= up + kAlike);
+        constexpr double kSlopeTolerance = 1e-6;
+        return low || (o.solid == nullptr && std::abs(o.normal.y()) <= up + kSlopeTolerance);
     }
     return low && (up >= context.body.min_up || ends_in_floor(context, on));
 }
@@ -108,7 +108,7 @@ PieceKind kind_of(MoveContext& context, const Piece& piece, const Separation& s,
     }
     // What would carry the body there?
     const double gap = std::max(0.0, s.distance - body.radius);
-    const double ahead = std::min(gap / flat + kOnto, kProbeDistance) / flat;
+    const double ahead = std::min(gap / flat + kStepOntoDistance, kProbeDistance) / flat;
     const Ground there =
         find_ground(context, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(), stand,
                     highest - foot.y(), 2.0 * kRestGap);
@@ -129,7 +129,7 @@ Ground find_ground(MoveContext& context, double x, double z, const Support& stan
     for (const ContactCache::Index i : context.near) {
         const auto ball = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRestGap);
         if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRestGap &&
-            ball->height - ball->on.y() > kSide * radius) {
+            ball->height - ball->on.y() > kMinSupportDrop * radius) {
             rests.push_back({i, *ball});
             best = std::max(best, ball->height);
         }

@@ -59,7 +59,8 @@ struct RestingMove {
 
 /// What a mover's calls reuse from earlier ones, owned by the caller, one per body. It only saves work: with
 /// a fresh cache every result is the same, bit for bit. A mover clears a cache that was filled for another
-/// world, filter or body; the caller clears it when objects are added, enabled or disabled.
+/// world, filter or body; the caller clears it when objects are added, enabled or disabled, or the world is
+/// destroyed.
 struct MoverCache {
     ContactCache contacts;
     RestingMove resting;

@@ -85,7 +85,7 @@ public:
 
     Finding finding(bool /*ended*/) const {
         constexpr double kRounding = 1e-9;
-        constexpr std::size_t kMostListed = 8;
+        constexpr std::size_t kMaxListed = 8;
         const auto needed = static_cast<std::size_t>(
             std::ceil(expected_->ratio * static_cast<double>(buildings_.size()) - kRounding));
         std::string message = std::to_string(visited_.size()) + " of " + std::to_string(buildings_.size()) +
@@ -96,11 +96,11 @@ public:
         message += ", expected " + std::to_string(needed) + "; not visited: ";
         std::size_t listed = 0;
         for (const std::string& building : buildings_) {
-            if (!visited_.contains(building) && ++listed <= kMostListed) {
+            if (!visited_.contains(building) && ++listed <= kMaxListed) {
                 message += (listed == 1 ? "" : ", ") + building;
             }
         }
-        return {false, expected_->mark, message + (listed > kMostListed ? ", …" : ""), std::nullopt, true};
+        return {false, expected_->mark, message + (listed > kMaxListed ? ", …" : ""), std::nullopt, true};
     }
 
 private:

@@ -323,8 +323,9 @@ std::string ScriptPlayer::why_not_reached(const Target& target, double within,
 double ScriptPlayer::turned(double from, double to) const {
     const double max_turn = walk_.avatar.turn_speed * dt_;
     const double difference = wrapped_angle(to - from);
-    return std::abs(difference) <= most ? wrapped_angle(to)
-                                        : wrapped_angle(from + std::clamp(difference, -most, most));
+    return std::abs(difference) <= max_turn
+               ? wrapped_angle(to)
+               : wrapped_angle(from + std::clamp(difference, -max_turn, max_turn));
 }
 
 }  // namespace campuswalk::engine

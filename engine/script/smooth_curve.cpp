@@ -10,8 +10,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSegment = 0.1;          // metres
-constexpr double kMostSegments = 1000.0;  // between two points
+constexpr double kSegment = 0.1;         // metres
+constexpr double kMaxSegments = 1000.0;  // between two points
 
 /// The spline's parameter grows by the square root of the distance: that is what makes it centripetal.
 double knot_distance(const Vector3d& from, const Vector3d& to) {
@@ -74,7 +74,7 @@ void smooth_curve(const std::vector<Vector3d>& points, std::vector<Vector3d>& ou
         const Span span = span_of(i > 0 ? through[i - 1] : Vector3d(2.0 * from - to), from, to,
                                   i + 1 < last ? through[i + 2] : Vector3d(2.0 * to - from));
         const auto segments =
-            static_cast<int>(std::min(kMostSegments, std::ceil((to - from).norm() / kSegment)));
+            static_cast<int>(std::min(kMaxSegments, std::ceil((to - from).norm() / kSegment)));
         for (int segment = 1; segment < segments; ++segment) {
             const double share = static_cast<double>(segment) / segments;
             out.push_back(span.at(span.knots[1] + share * (span.knots[2] - span.knots[1])));

@@ -24,7 +24,7 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
 /// The expectations that aren't evaluated because the walk was stopped: "; the walk stops here, so what lines
 /// 9 and 11 expect isn't evaluated".
 std::string describe_undecided(const std::vector<SourceMark>& marks) {
-    constexpr std::size_t kMostListed = 8;
+    constexpr std::size_t kMaxListed = 8;
     std::vector<int> lines;
     for (const SourceMark& mark : marks) {
         if (std::ranges::find(lines, mark.line) == lines.end()) {
@@ -35,11 +35,11 @@ std::string describe_undecided(const std::vector<SourceMark>& marks) {
         return "";
     }
     std::string list;
-    for (std::size_t i = 0; i < std::min(lines.size(), kMostListed); ++i) {
+    for (std::size_t i = 0; i < std::min(lines.size(), kMaxListed); ++i) {
         const bool last = i + 1 == lines.size();
         list += (i == 0 ? "" : last ? " and " : ", ") + std::to_string(lines[i]);
     }
-    list += lines.size() > kMostListed ? ", …" : "";
+    list += lines.size() > kMaxListed ? ", …" : "";
     const bool one = lines.size() == 1;
     return "; the walk stops here, so what line" + std::string(one ? " " : "s ") + list +
            (one ? " expects" : " expect") + " isn't evaluated";

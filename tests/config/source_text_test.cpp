@@ -4,14 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/base/utf8.h"
 #include "tests/config/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::config {
 namespace {
 
-using scene::utf8_length;
 using test::says;
 
 class SourceText : public testing::Test {
@@ -94,22 +92,6 @@ TEST_F(SourceText, ReportsUnreadableFiles) {
 TEST_F(SourceText, RefusesFilesOverTwoMegabytes) {
     EXPECT_THAT(about(std::string(2'000'001, '#')), says("a.yaml: error too-large"));
     EXPECT_EQ(about(std::string(2'000'000, '#')), "");
-}
-
-TEST(Utf8Length, CountsTheBytesOfEveryForm) {
-    EXPECT_EQ(utf8_length("a", 0), 1U);
-    EXPECT_EQ(utf8_length("é", 0), 2U);
-    EXPECT_EQ(utf8_length("总", 0), 3U);
-    EXPECT_EQ(utf8_length("🌳", 0), 4U);
-    EXPECT_EQ(utf8_length("\xF4\x8F\xBF\xBF", 0), 4U);  // the last code point
-}
-
-TEST(Utf8Length, IsZeroForInvalidSequences) {
-    for (const char* bytes :
-         {"\x80", "\xC3", "\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xE6\x80", "\xED\xA0\x80",
-          "\xF0\x80\x80\x80", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF", "\xC3(", "\xE6\x80("}) {
-        EXPECT_EQ(utf8_length(bytes, 0), 0U) << bytes;
-    }
 }
 
 }  // namespace

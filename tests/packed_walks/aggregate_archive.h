@@ -41,7 +41,7 @@ constexpr bool has_members(std::index_sequence<I...>) {
     };
 }
 
-inline constexpr std::size_t kMostMembers = 18;
+inline constexpr std::size_t kMaxMembers = 18;
 
 /// The number of members of a struct whose members can't be counted, because Eigen accepts anything as an
 /// optional vector's value. A wrong number doesn't compile.
@@ -64,7 +64,7 @@ inline constexpr std::size_t kStatedMemberCount<engine::Views> = 5;
 template <>
 inline constexpr std::size_t kStatedMemberCount<engine::LightSettings> = 14;
 
-template <typename T, std::size_t N = kMostMembers + 1>
+template <typename T, std::size_t N = kMaxMembers + 1>
 constexpr std::size_t member_count() {
     if constexpr (kStatedMemberCount<T> != 0) {
         return kStatedMemberCount<T>;
@@ -79,7 +79,7 @@ constexpr std::size_t member_count() {
 template <typename T>
 auto members_of(T& t) {
     constexpr std::size_t kCount = member_count<std::remove_const_t<T>>();
-    static_assert(kCount >= 1 && kCount <= kMostMembers);
+    static_assert(kCount >= 1 && kCount <= kMaxMembers);
     // clang-format off
     if constexpr (kCount == 1) { auto& [a] = t; return std::tie(a); }
     else if constexpr (kCount == 2) { auto& [a, b] = t; return std::tie(a, b); }

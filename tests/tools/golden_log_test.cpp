@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
+#include "tools/campuswalk/logs/log_lines.h"
 
 namespace campuswalk::tools {
 namespace {
@@ -31,6 +32,13 @@ std::string end_line(const std::string& result, int events, const std::string& h
 }
 
 const Lines kLog = {kHeader, kStart, kEnter, end_line("pass", 1)};
+
+TEST(LogLines, KeepTheirColumnsApartInLongWalks) {
+    EXPECT_EQ(as_text_line(R"({"tick":600000,"time":10000.0,"event":"trigger.enter","object":"door"})")
+                  .substr(0, 20),
+              "600000 10000.000000 ");
+    EXPECT_EQ(as_text_line(kEnter).substr(0, 33), "000060    1.000000 trigger.enter ");
+}
 
 class GoldenLog : public testing::Test {
 protected:

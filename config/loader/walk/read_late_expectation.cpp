@@ -13,11 +13,11 @@ namespace {
 
 constexpr Range kShare{0.0, 1.0, false, ""};
 constexpr Range kSimilarity{-1.0, 1.0, false, ""};
-constexpr int kMostPixels = 1'000'000'000;
+constexpr int kMaxPixels = 1'000'000'000;
 
 std::optional<int> find_pixels(CheckedMap& map, std::string_view key) {
     const auto node = map.find(key);
-    return node ? node->as_int(0, kMostPixels) : std::nullopt;
+    return node ? node->as_int(0, kMaxPixels) : std::nullopt;
 }
 
 /// `[x, y, width, height]`
@@ -29,7 +29,7 @@ std::optional<PixelBox> read_mask(const CheckedNode& node) {
         return std::nullopt;
     }
     for (std::size_t i = 0; i < items.size(); ++i) {
-        numbers[i] = items[i].as_int(0, kMostPixels).value_or(0);
+        numbers[i] = items[i].as_int(0, kMaxPixels).value_or(0);
     }
     return PixelBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }

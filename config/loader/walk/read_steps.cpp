@@ -18,7 +18,7 @@ using engine::Step;
 
 namespace {
 
-constexpr std::size_t kMostSteps = 100'000;
+constexpr std::size_t kMaxSteps = 100'000;
 constexpr std::size_t kMaxIncludeDepth = 16;  // files included by files
 constexpr const char* kSuffix = ".steps.yaml";
 
@@ -26,12 +26,12 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
 
 /// Counts steps, including those that a `repeat` would add; reports the step that exceeds the limit.
 bool count_steps(std::size_t more, const CheckedNode& at, StepContext& context) {
-    context.read += std::min(more, 2 * kMostSteps);
-    if (context.read <= kMostSteps) {
+    context.read += std::min(more, 2 * kMaxSteps);
+    if (context.read <= kMaxSteps) {
         return true;
     }
-    at.diagnose("too-many-steps", "with 'repeat' and 'include' the walk has more than " +
-                                      std::to_string(kMostSteps) + " steps");
+    at.diagnose("too-many-steps",
+                "with 'repeat' and 'include' the walk has more than " + std::to_string(kMaxSteps) + " steps");
     return false;
 }
 
@@ -40,7 +40,7 @@ void read_repeat(const CheckedNode& node, StepContext& context, std::vector<Step
     std::vector<Step> round;
     CheckedMap map(node, "'repeat'");
     map.require("times");
-    map.as_int("times", 1, static_cast<int>(kMostSteps), times);
+    map.as_int("times", 1, static_cast<int>(kMaxSteps), times);
     if (const auto steps = map.require("steps")) {
         ++context.repeats;
         read_list(*steps, context, round);

@@ -62,7 +62,9 @@ TEST_F(Bvh8Check, RejectsNodesThatFormNoTree) {
     const auto last_leaf = static_cast<std::uint32_t>(tree_.leaves.size());
     const std::string no_tree = fault([](Bvh8& t) { t.nodes[0].count = 0; });
     EXPECT_NE(no_tree, "");
-    EXPECT_NE(fault([](Bvh8& t) { t.nodes.clear(); }), "");
+    const std::string no_root = fault([](Bvh8& t) { t.nodes.clear(); });
+    EXPECT_NE(no_root, "");
+    EXPECT_NE(no_root, no_tree);
     EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].child[0] = 0; }), no_tree) << "a circle";
     EXPECT_EQ(fault([&](Bvh8& t) { t.nodes[0].child[0] = last_node; }), no_tree);
     EXPECT_EQ(fault([](Bvh8& t) { t.nodes[0].child[0] = t.nodes[0].child[1]; }), no_tree) << "two parents";

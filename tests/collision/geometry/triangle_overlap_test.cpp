@@ -182,14 +182,14 @@ TEST(TriangleOverlap, TouchingIsOverlap) {
 }
 
 TEST(TriangleOverlap, AnyGapIsNoOverlap) {
-    constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+    constexpr double kMin = std::numeric_limits<double>::denorm_min();
     const auto above = [&](const Vec3& p) { return Triangle{p, p + Vec3(1, 0, 1), p + Vec3(0, 1, 2)}; };
     const double beyond = std::nextafter(2.0, 3.0);
-    EXPECT_FALSE(overlap(kFloor, above({1, 1, kLeast})));
+    EXPECT_FALSE(overlap(kFloor, above({1, 1, kMin})));
     EXPECT_FALSE(overlap(kFloor, above({2, beyond, 0})));
     EXPECT_FALSE(overlap(kFloor, above({std::nextafter(4.0, 5.0), 0, 0})));
-    EXPECT_FALSE(overlap(kFloor, moved(kFloor, [&](const Vec3& p) { return Vec3(p.x(), p.y(), kLeast); })));
-    EXPECT_FALSE(overlap(kFloor, {{0, -kLeast, 0}, {4, -kLeast, 0}, {0, -4, 0}}));
+    EXPECT_FALSE(overlap(kFloor, moved(kFloor, [&](const Vec3& p) { return Vec3(p.x(), p.y(), kMin); })));
+    EXPECT_FALSE(overlap(kFloor, {{0, -kMin, 0}, {4, -kMin, 0}, {0, -4, 0}}));
     EXPECT_FALSE(overlap(kFloor, {{2, beyond, 0}, {3, beyond, 0}, {3, 4, 0}})) << "in one plane";
     EXPECT_FALSE(overlap(kFloor, {{5, 5, -1}, {5, 5, 1}, {9, 9, 0}})) << "through the plane beside the face";
 }

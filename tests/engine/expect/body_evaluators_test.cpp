@@ -115,6 +115,8 @@ TEST(StuckEvaluator, RequiresAnEventWithTheObject) {
     SingleEvaluator evaluator(ExpectStuck{kMark, {kMark, "*"}});
     TickFeed(evaluator).tick({"avatar.blocked goal"});
     expect_failure(evaluator.failure(), 7, "stuck", {});
+    EXPECT_EQ(evaluator.failure()->message.find("by '"), std::string::npos)
+        << "the wildcard isn't worth a mention";
 }
 
 TEST(StuckEvaluator, MatchesOnlyTheWildcardIfTheObstacleIsUnknown) {

@@ -39,8 +39,8 @@ struct InfoOptions {
 };
 
 // Limits of the text: nobody reads more, and the warnings come below.
-constexpr std::size_t kMostMaterials = 50;
-constexpr std::size_t kMostNodes = 200;
+constexpr std::size_t kMaxMaterials = 50;
+constexpr std::size_t kMaxNodes = 200;
 
 Json json_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
@@ -141,18 +141,18 @@ void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& 
         std::printf("on Earth   %s\n", text_of(*report.geographic).c_str());
     }
     std::printf("materials  %zu\n", report.materials.size());
-    for (std::size_t i = 0; i < std::min(report.materials.size(), kMostMaterials); ++i) {
+    for (std::size_t i = 0; i < std::min(report.materials.size(), kMaxMaterials); ++i) {
         const scene::MaterialReport& m = report.materials[i];
         std::printf("  %-28s %8zu triangles  %s\n", m.name.c_str(), m.triangles,
                     m.texture.empty() ? "no texture" : m.texture.c_str());
     }
-    print_omitted(report.materials.size(), kMostMaterials);
+    print_omitted(report.materials.size(), kMaxMaterials);
     std::printf("nodes      %zu\n", report.nodes.size());
-    for (std::size_t i = 0; i < std::min(report.nodes.size(), kMostNodes); ++i) {
+    for (std::size_t i = 0; i < std::min(report.nodes.size(), kMaxNodes); ++i) {
         const scene::NodeReport& n = report.nodes[i];
         std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
     }
-    print_omitted(report.nodes.size(), kMostNodes);
+    print_omitted(report.nodes.size(), kMaxNodes);
     std::printf("warnings   %zu\n", warnings.size());
     print_lints(warnings);
 }

@@ -19,7 +19,7 @@ namespace render = engine::render;
 
 namespace {
 
-constexpr std::size_t kMostMoments = 4;
+constexpr std::size_t kMaxMoments = 4;
 constexpr int kWidth = 1280;  // pixels
 constexpr int kHeight = 720;  // pixels
 
@@ -27,7 +27,7 @@ constexpr int kHeight = 720;  // pixels
 std::vector<engine::Tick> moments_of(std::span<const engine::Failure> failures) {
     std::set<engine::Tick> ticks;
     for (const engine::Failure& failure : failures) {
-        if (ticks.size() < kMostMoments) {
+        if (ticks.size() < kMaxMoments) {
             ticks.insert(failure.scene.tick);
         }
     }

@@ -38,7 +38,7 @@ std::uint64_t max_bytes() {
     if (text.empty()) {
         return scene::CacheFolder::kDefaultLimit;
     }
-    constexpr std::uint64_t kMost = 1U << 20U;  // far from overflow in any unit
+    constexpr std::uint64_t kMax = 1U << 20U;  // far from overflow in any unit
     std::uint64_t count = 0;
     const char* end = text.data() + text.size();
     const auto [unit, error] = std::from_chars(text.data(), end, count);
@@ -47,7 +47,7 @@ std::uint64_t max_bytes() {
                                           : rest == "G"                ? std::optional(30U)
                                           : rest.empty() && count == 0 ? std::optional(0U)
                                                                        : std::nullopt;
-    if (error != std::errc() || !shift || count > kMost) {
+    if (error != std::errc() || !shift || count > kMax) {
         throw error_about("CAMPUSWALK_CACHE_SIZE", "bad-value",
                           "'" + text + "' is no size; write such as 500M or 8G, or 0 for no cache");
     }

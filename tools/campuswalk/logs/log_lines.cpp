@@ -140,8 +140,8 @@ std::string as_text_line(std::string_view line) {
         return std::string(line);
     }
     std::ostringstream start;
-    start << std::setw(6) << std::setfill('0') << json["tick"].get<engine::Tick>() << std::setfill(' ')
-          << std::setw(12) << engine::fixed(json["time"].get<double>(), 6) << " " << std::left
+    start << std::setw(6) << std::setfill('0') << json["tick"].get<engine::Tick>() << std::setfill(' ') << ' '
+          << std::setw(11) << engine::fixed(json["time"].get<double>(), 6) << " " << std::left
           << std::setw(16) << text_in(json, "event") << " " << std::setw(17) << text_in(json, "object");
     std::string text = start.str();
     for (const auto& [name, value] : json.items()) {

@@ -10,7 +10,7 @@ using scene::WalkableGround;
 
 namespace {
 
-constexpr std::size_t kMostVisits = 3;
+constexpr std::size_t kMaxVisits = 3;
 constexpr double kInside = 0.3;  // metres: the breadth of a shoulder
 constexpr double kWaist = 0.9;   // metres above the feet
 
@@ -45,7 +45,7 @@ std::vector<SuggestedVisit> plan_visits(std::uint32_t spawn, const WalkableGroun
         visits.push_back({building, std::move(waypoints)});
         at = end;
     };
-    while (visits.size() < kMostVisits) {
+    while (visits.size() < kMaxVisits) {
         const std::vector<std::uint32_t> paths = ground.shortest_paths_from(at);
         const Vector3d& here = ground.spots()[at].foot;
         std::optional<std::uint32_t> nearest;

@@ -37,7 +37,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kLeastGround = 16;  // spots of a quarter of a square metre
+constexpr std::size_t kMinGround = 16;  // spots of a quarter of a square metre
 
 /// The walk file beside a campus file. Throws if one of them must not be written.
 fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
@@ -128,7 +128,7 @@ bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampu
     }
     const scene::WalkableGround ground(solid.mesh, solid.p_world_origin, middle);
     const std::optional<std::uint32_t> spawn = ground.best_spawn_spot(middle, triggers);
-    if (!spawn || ground.count_reachable(*spawn) < kLeastGround) {
+    if (!spawn || ground.count_reachable(*spawn) < kMinGround) {
         return false;
     }
     campus.spawn = ground.spots()[*spawn].foot;

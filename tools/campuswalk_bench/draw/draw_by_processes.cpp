@@ -123,7 +123,7 @@ std::vector<DrawTimes> draw_by_processes(const scene::Model& model, const std::v
 }
 
 std::size_t drawing_processes() {
-    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, FrameHelpers::kMostParts);
+    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, FrameHelpers::kMaxParts);
 }
 
 }  // namespace campuswalk::tools::bench

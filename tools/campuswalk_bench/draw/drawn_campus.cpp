@@ -18,10 +18,10 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr double kEyes = 1.68;          ///< metres above the foot
-constexpr std::size_t kMostViews = 24;  ///< three on each of eight paths
-constexpr int kStreetViews = 12;        ///< on each of two walks
-constexpr float kLevel = 0.7F;          ///< faces whose normals have a greater y are walked on, hence paved
+constexpr double kEyes = 1.68;         ///< metres above the foot
+constexpr std::size_t kMaxViews = 24;  ///< three on each of eight paths
+constexpr int kStreetViews = 12;       ///< on each of two walks
+constexpr float kLevel = 0.7F;         ///< faces whose normals have a greater y are walked on, hence paved
 
 /// The material without an image, after those of the surface images.
 constexpr std::size_t kPlainMaterial = 5;
@@ -180,7 +180,7 @@ std::vector<DrawnView> views_over_hills(const WalkableCampus& campus) {
         views.push_back({low, low + Eigen::Vector3d(out.x(), 0.0, out.z())});
         views.push_back({middle, middle + Eigen::Vector3d(out.z(), 0.0, -out.x())});
     }
-    views.resize(std::min(views.size(), kMostViews));
+    views.resize(std::min(views.size(), kMaxViews));
     return views;
 }
 

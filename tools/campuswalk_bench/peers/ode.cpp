@@ -51,8 +51,7 @@ struct Library {
 
 class Ode final : public Engine {
 public:
-    Ode(const collision::TriangleMesh& a, const collision::TriangleMesh& b)
-        : a_(a), b_(b), contacts_(kMost) {}
+    Ode(const collision::TriangleMesh& a, const collision::TriangleMesh& b) : a_(a), b_(b), contacts_(kMax) {}
 
     void set_pose(const collision::Pose& X_a_b) override {
         dMatrix3 R = {};
@@ -68,7 +67,7 @@ public:
     }
 
     void all_pairs(std::vector<TrianglePair>& out) override {
-        const std::size_t found = collide(kMost);
+        const std::size_t found = collide(kMax);
         out.clear();
         for (std::size_t i = 0; i < found; ++i) {
             out.push_back(pair(i));
@@ -80,7 +79,7 @@ public:
     }
 
 private:
-    static constexpr int kMost = 0xFFFF;  ///< contacts; dCollide's flags have 16 bits for the number
+    static constexpr int kMax = 0xFFFF;  ///< contacts; dCollide's flags have 16 bits for the number
 
     std::size_t collide(int most) {
         return static_cast<std::size_t>(

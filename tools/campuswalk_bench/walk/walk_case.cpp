@@ -36,12 +36,12 @@ void print_score(const WalkScore& score) {
 }
 
 void print_failures(const WalkScore& score) {
-    constexpr std::size_t kMost = 8;
-    for (std::size_t i = 0; i < std::min(kMost, score.failures.size()); ++i) {
+    constexpr std::size_t kMax = 8;
+    for (std::size_t i = 0; i < std::min(kMax, score.failures.size()); ++i) {
         std::printf("%16s    %s\n", "", score.failures[i].c_str());
     }
-    if (score.failures.size() > kMost) {
-        std::printf("%16s    and %zu more\n", "", score.failures.size() - kMost);
+    if (score.failures.size() > kMax) {
+        std::printf("%16s    and %zu more\n", "", score.failures.size() - kMax);
     }
 }
 

@@ -13,7 +13,7 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kMostColumns = 1024.0;  ///< per side
+constexpr double kMaxColumns = 1024.0;  ///< per side
 
 Aabb bounds_of(const Triangle& t) {
     return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
@@ -87,7 +87,7 @@ WalkScorer::WalkScorer(const collision::TriangleMesh& mesh) : mesh_(mesh) {
     }
     low_ = all.min;
     const double wide = std::max(all.max.x() - all.min.x(), all.max.z() - all.min.z());
-    width_ = std::max(1.0, wide / kMostColumns);
+    width_ = std::max(1.0, wide / kMaxColumns);
     side_ = static_cast<std::size_t>(wide / width_) + 1;
     first_.assign(side_ * side_ + 1, 0);
     const auto each_column = [&](const auto& visit) {

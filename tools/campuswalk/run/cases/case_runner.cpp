@@ -10,6 +10,7 @@
 #include "engine/report/outcome.h"
 #include "engine/script/player.h"
 #include "engine/simulation/run_walk.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/cases/case_stream.h"
 #include "tools/campuswalk/run/cases/image_watch.h"
@@ -107,6 +108,9 @@ WalkResult CaseRunner::run(const Case& played, const Say& say) {
         play_into(result, played, helpers.get(), stream);
     } catch (const Interrupted&) {
         result.outcome = Outcome::interrupted;
+    } catch (const scene::InputError& error) {  // its text names the place, the severity and the code
+        result.outcome = Outcome::broken;
+        result.diagnostics = {error.what()};
     } catch (const std::exception& error) {
         result.outcome = Outcome::broken;
         result.diagnostics = {std::string("error: ") + error.what()};
@@ -121,7 +125,7 @@ std::unique_ptr<FrameHelpers> CaseRunner::frame_helpers_for(const Case& played) 
     if (!settings_.images || !settings_.sequence.any()) {
         return nullptr;
     }
-    std::size_t parts = std::min(settings_.processes_each, FrameHelpers::kMostParts);
+    std::size_t parts = std::min(settings_.processes_each, FrameHelpers::kMaxParts);
     if (const auto seconds = engine::planned_seconds(played.walk->walk)) {
         const double frames = *seconds / interval_of(settings_.sequence);
         parts = std::min(parts, static_cast<std::size_t>(std::clamp(frames / kFramesPerPart, 1.0, 1e3)));

@@ -13,7 +13,7 @@ namespace campuswalk::tools {
 /// play the walk, too, which is the same everywhere: sending what a frame shows would take more.
 class FrameHelpers {
 public:
-    static constexpr std::size_t kMostParts = 8;  ///< each holds the driver's copy of the campus
+    static constexpr std::size_t kMaxParts = 8;  ///< each holds the driver's copy of the campus
 
     /// Draws one part of the frames, in a process of its own: sends each as Topic::frame, and at the end an
     /// error message as Topic::result, which is empty if all went well. Throws nothing.

@@ -8,7 +8,7 @@ namespace campuswalk::tools {
 
 namespace {
 
-constexpr int kMostShards = 1'000'000;
+constexpr int kMaxShards = 1'000'000;
 
 std::optional<int> parse_int(const std::string& text) {
     int value = 0;
@@ -35,7 +35,7 @@ int number_in(const Environment& environment, const std::string& name) {
 }
 
 Shard checked(int index, int count, const std::string& from) {
-    if (count < 1 || count > kMostShards || index >= count) {
+    if (count < 1 || count > kMaxShards || index >= count) {
         refuse(from, "index " + std::to_string(index) + ", from 0, is none of " + std::to_string(count) +
                          " shards");
     }
@@ -63,7 +63,7 @@ std::optional<Shard> parse_shard(const std::string& text) {
     }
     const std::optional<int> number = parse_int(text.substr(0, slash));
     const std::optional<int> count = parse_int(text.substr(slash + 1));
-    if (!number || !count || *number < 1 || *number > *count || *count > kMostShards) {
+    if (!number || !count || *number < 1 || *number > *count || *count > kMaxShards) {
         return std::nullopt;
     }
     return Shard{*number - 1, *count, "--shard", ""};
