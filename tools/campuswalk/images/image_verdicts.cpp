@@ -117,7 +117,7 @@ public:
                  std::to_string(seen) + (seen == 1 ? " pixel of '" : " pixels of '") +
                      expected.building.glob + (seen == 1 ? "' is" : "' are") + " visible in '" +
                      expected.snapshot + "' (" + engine::fixed(100.0 * ratio, 3) + " %)" +
-                     (expected.negated ? ", which was not expected" : "") + expected_share(expected));
+                     expected_share(expected));
         }
     }
 
