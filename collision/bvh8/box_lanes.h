@@ -38,10 +38,10 @@ struct BoxFrame {
     Mat3 axes = Mat3::Identity();
     Vec3 origin = Vec3::Zero();
     double radius = 0.0;  ///< all boxes are within this distance of the origin
-    bool turned = true;   ///< false: `axes` is the identity
+    bool rotated = true;  ///< false: `axes` is the identity
 
     explicit BoxFrame(const Bvh8Node& node)
-        : origin(node.origin[0], node.origin[1], node.origin[2]), radius(node.radius), turned(node.turned) {
+        : origin(node.origin[0], node.origin[1], node.origin[2]), radius(node.radius), rotated(node.rotated) {
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t j = 0; j < 3; ++j) {
                 axes(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = node.axes[k][j];
@@ -49,11 +49,11 @@ struct BoxFrame {
         }
     }
     explicit BoxFrame(const Bvh8Leaf& leaf)
-        : origin(leaf.origin[0], leaf.origin[1], leaf.origin[2]), radius(leaf.radius), turned(false) {}
+        : origin(leaf.origin[0], leaf.origin[1], leaf.origin[2]), radius(leaf.radius), rotated(false) {}
     explicit BoxFrame(const OrientedBox& box)
         : axes(box.axes.transpose()), origin(box.center), radius(box.radius) {}
 
-    Vec3 rotate(const Vec3& v) const { return turned ? Vec3(axes * v) : v; }
+    Vec3 rotate(const Vec3& v) const { return rotated ? Vec3(axes * v) : v; }
     Vec3 operator*(const Vec3& p) const { return rotate(p - origin); }
 };
 
@@ -79,7 +79,7 @@ struct LeafBoxes {
     }
 };
 
-/// A line between two points of the boxes' frame, extended by `pad` along each axis.
+/// A segment in the boxes' frame, thickened by `pad` along each axis.
 struct PaddedLine {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();

@@ -38,13 +38,13 @@ struct alignas(64) Bvh8Node {
     std::array<std::uint32_t, kBvh8Children> child{};  ///< index of a node or a leaf
     std::uint8_t count = 0;                            ///< number of children
     std::uint8_t leaves = 0;                           ///< bit i: child i is a leaf
-    bool turned = false;                               ///< false: `axes` is the identity
+    bool rotated = false;                              ///< false: `axes` is the identity
     std::array<float, 3> low{};                        ///< of all the boxes
     std::array<float, 3> high{};
     alignas(64) std::array<std::array<float, 4>, 3> axes{};  ///< by column; the fourth entry is 0
 };
 
-static_assert(offsetof(Bvh8Node, turned) < 256);
+static_assert(offsetof(Bvh8Node, rotated) < 256);
 
 /// Triangles that share vertices, and their planes, all relative to one float32 origin, along the mesh's
 /// axes.
@@ -56,8 +56,8 @@ struct alignas(64) Bvh8Leaf {
     std::array<float, 4> origin{};                         ///< the fourth entry is 0
     std::array<std::uint32_t, kLeafTriangles> triangle{};  ///< of the mesh, ascending
     float radius = 0.0F;  ///< all vertices are within this distance of the origin
-    std::uint8_t vertices = 0;
-    std::uint8_t triangles = 0;
+    std::uint8_t vertex_count = 0;
+    std::uint8_t triangle_count = 0;
     bool exact = false;             ///< origin + vertex is exactly the mesh's vertex, for all vertices
     std::array<float, 3> facing{};  ///< unit mean normal, or zero
     float low = 0.0F;               ///< least facing . vertex

@@ -159,7 +159,7 @@ private:
         leaf_contents_.reserve(leaves_.size());
         std::size_t first = 0;
         for (const LeafTriangles& leaf : leaves_) {
-            const std::span vertices = std::span<const Lanes>(vertices_).subspan(first, leaf.vertices);
+            const std::span vertices = std::span<const Lanes>(vertices_).subspan(first, leaf.vertex_count);
             fill_leaf(tree_.leaves.emplace_back(), leaf, vertices);
             leaf_contents_.push_back(contents_of(vertices, middle_));
             first += vertices.size();

@@ -47,8 +47,8 @@ bool is_sound(const Bvh8Leaf& leaf, std::size_t mesh_triangles) {
     for (const std::uint32_t triangle : leaf.triangle) {
         last = std::max(last, triangle);
     }
-    return last < mesh_triangles && leaf.vertices >= 1 && leaf.vertices <= kLeafVertices &&
-           leaf.triangles >= 1 && leaf.triangles <= kLeafTriangles &&
+    return last < mesh_triangles && leaf.vertex_count >= 1 && leaf.vertex_count <= kLeafVertices &&
+           leaf.triangle_count >= 1 && leaf.triangle_count <= kLeafTriangles &&
            (beyond_vertices(leaf) | not_finite(leaf)) == 0;
 }
 

@@ -31,7 +31,7 @@ Boxes straight_boxes(std::span<const Contents> children, const Lanes& origin) {
     return boxes;
 }
 
-Boxes turned_boxes(std::span<const Contents> children, const Lanes& origin, const Eigen::Matrix3f& axes) {
+Boxes rotated_boxes(std::span<const Contents> children, const Lanes& origin, const Eigen::Matrix3f& axes) {
     const Lanes x = lanes(axes.col(0));
     const Lanes y = lanes(axes.col(1));
     const Lanes z = lanes(axes.col(2));
@@ -47,7 +47,7 @@ Boxes turned_boxes(std::span<const Contents> children, const Lanes& origin, cons
     return boxes;
 }
 
-/// A vertex' coordinate in the frame is a sum of three products of rounded differences: it is off by at most
+/// A vertex's coordinate in the frame is a sum of three products of rounded differences: it is off by at most
 /// 5 kFloatUnit times its distance from the origin, which is itself off by at most 10 of them. Halving and
 /// adding the ends adds 3 more, so 16 cover all.
 void set_boxes(Bvh8Node& node, const Boxes& boxes, std::size_t count) {
@@ -137,14 +137,15 @@ BoundingSphere sphere_about(const Vec3& center, std::span<const Lanes> vertices)
 void fit_node(Bvh8Node& node, std::span<const Contents> children, const Contents& all) {
     const Lanes origin = all.bounds.middle();
     // A rotated frame must outweigh the work of rotating rays and capsules into it.
-    constexpr float kWorthTurning = 0.9F;
+    constexpr float kWorthRotating = 0.9F;
     Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
     Boxes boxes = straight_boxes(children, origin);
-    const Eigen::Matrix3f turned = principal_axes(all.moments.covariance()).transpose().cast<float>();
-    if (const Boxes other = turned_boxes(children, origin, turned); other.area < kWorthTurning * boxes.area) {
-        axes = turned;
+    const Eigen::Matrix3f rotated = principal_axes(all.moments.covariance()).transpose().cast<float>();
+    if (const Boxes other = rotated_boxes(children, origin, rotated);
+        other.area < kWorthRotating * boxes.area) {
+        axes = rotated;
         boxes = other;
-        node.turned = true;
+        node.rotated = true;
     }
     for (std::size_t k = 0; k < 3; ++k) {
         node.origin[k] = origin[static_cast<Eigen::Index>(k)];

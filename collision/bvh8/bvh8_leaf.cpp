@@ -32,14 +32,14 @@ void set_vertices(Bvh8Leaf& leaf, std::span<const Lanes> vertices) {
     for (const Lanes& vertex : vertices) {
         const Lanes local = vertex - origin;
         for (std::size_t k = 0; k < 3; ++k) {
-            leaf.vertex[k][leaf.vertices] = local[static_cast<Eigen::Index>(k)];
+            leaf.vertex[k][leaf.vertex_count] = local[static_cast<Eigen::Index>(k)];
         }
-        ++leaf.vertices;
+        ++leaf.vertex_count;
         leaf.exact = leaf.exact && is_sum(vertex, origin, local);
         farthest = std::max(farthest, exact(local).squaredNorm());
     }
     for (auto& along : leaf.vertex) {
-        std::fill(along.begin() + leaf.vertices, along.end(), along[leaf.vertices - 1U]);
+        std::fill(along.begin() + leaf.vertex_count, along.end(), along[leaf.vertex_count - 1U]);
     }
     leaf.origin = {origin[0], origin[1], origin[2], 0.0F};
     leaf.radius = static_cast<float>(std::sqrt(farthest)) * (1.0F + 8.0F * kFloatUnit) + kUnderflow;
@@ -75,7 +75,7 @@ Vec3 set_planes(Bvh8Leaf& leaf, std::span<const Lanes> vertices) {
     leaf.plane[3].fill(-1e30F);
     const Vec3 origin = Eigen::Vector3f(leaf.origin[0], leaf.origin[1], leaf.origin[2]).cast<double>();
     Vec3 sum = Vec3::Zero();
-    for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
+    for (std::size_t slot = 0; slot < leaf.triangle_count; ++slot) {
         const Triangle triangle{exact(vertices[leaf.vertex_of[0][slot]]),
                                 exact(vertices[leaf.vertex_of[1][slot]]),
                                 exact(vertices[leaf.vertex_of[2][slot]])};
@@ -95,7 +95,7 @@ void set_facing(Bvh8Leaf& leaf, const Vec3& sum_of_normals) {
     for (std::size_t k = 0; k < 3; ++k) {
         leaf.facing[k] = facing[static_cast<Eigen::Index>(k)];
     }
-    for (std::size_t c = 0; c < leaf.vertices; ++c) {
+    for (std::size_t c = 0; c < leaf.vertex_count; ++c) {
         const float along =
             facing[0] * leaf.vertex[0][c] + (facing[1] * leaf.vertex[1][c] + facing[2] * leaf.vertex[2][c]);
         leaf.low = std::min(leaf.low, along);
@@ -128,15 +128,15 @@ bool LeafMaker::make(std::span<const SplitItem> items, LeafTriangles& leaf) {
         }
     }
     count_ = count;
-    leaf.triangles = static_cast<std::uint8_t>(items.size());
-    leaf.vertices = static_cast<std::uint8_t>(count);
+    leaf.triangle_count = static_cast<std::uint8_t>(items.size());
+    leaf.vertex_count = static_cast<std::uint8_t>(count);
     return count <= kLeafVertices;
 }
 
 void fill_leaf(Bvh8Leaf& leaf, const LeafTriangles& triangles, std::span<const Lanes> vertices) {
     leaf.triangle = triangles.triangle;
     leaf.vertex_of = triangles.vertex_of;
-    leaf.triangles = triangles.triangles;
+    leaf.triangle_count = triangles.triangle_count;
     set_vertices(leaf, vertices);
     set_facing(leaf, set_planes(leaf, vertices));
 }

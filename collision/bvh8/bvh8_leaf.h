@@ -17,8 +17,8 @@ struct LeafTriangles {
     std::array<std::uint32_t, kLeafTriangles> triangle{};
     std::array<std::array<std::uint8_t, kLeafTriangles>, 3>
         vertex_of{};  ///< by vertex of a triangle, then triangle
-    std::uint8_t triangles = 0;
-    std::uint8_t vertices = 0;
+    std::uint8_t triangle_count = 0;
+    std::uint8_t vertex_count = 0;
 };
 
 /// Puts triangles into leaves, one leaf after the other.

@@ -11,7 +11,7 @@ namespace campuswalk::collision {
 namespace {
 
 /// A split must leave at least one item in so many on each side, so that the depth stays logarithmic.
-constexpr std::size_t kMinShare = 16;
+constexpr std::size_t kMinSideDivisor = 16;
 
 std::size_t longest_axis(std::span<const SplitItem> items) {
     std::size_t longest = 0;
@@ -52,7 +52,7 @@ std::size_t halve(std::span<SplitItem> items, std::span<SplitItem> spare) {
 }  // namespace
 
 std::size_t split(std::span<SplitItem> items, std::span<SplitItem> spare, SimdTarget simd_target) {
-    const std::size_t least = std::max<std::size_t>(1, items.size() / kMinShare);
+    const std::size_t least = std::max<std::size_t>(1, items.size() / kMinSideDivisor);
     const std::size_t left = split_by_area(items, spare, least, simd_target);
     return left > 0 ? left : halve(items, spare);
 }

@@ -140,8 +140,9 @@ Closest closest(const Segment& s, const Segment& t) {
 }
 
 Closest closest(const Segment& segment, const Triangle& t) {
+    const bool is_point = segment.a == segment.b;  // pierces nothing, and both ends are the same
     Vec3 crossing;
-    if (pierces(segment, t, crossing)) {
+    if (!is_point && pierces(segment, t, crossing)) {
         return {crossing, crossing, 0.0, Feature::face};
     }
     // Beside a wall parallel to the segment all distances are equal and rounding would decide: the face wins
@@ -155,14 +156,18 @@ Closest closest(const Segment& segment, const Triangle& t) {
             best = c;
         }
     };
-    for (const Vec3& end : {segment.a, segment.b}) {
+    const auto offer_end = [&](const Vec3& end) {
         Feature feature = Feature::face;
         const Vec3 q = closest_on_triangle(t, end, feature);
         offer({end, q, (end - q).norm(), feature});
+    };
+    offer_end(segment.a);
+    if (!is_point) {
+        offer_end(segment.b);
     }
-    for (const Segment& edge : {Segment{t.a, t.b}, Segment{t.b, t.c}, Segment{t.c, t.a}}) {
-        offer(closest(segment, edge));
-    }
+    offer(closest(segment, Segment{t.a, t.b}));
+    offer(closest(segment, Segment{t.b, t.c}));
+    offer(closest(segment, Segment{t.c, t.a}));
     return best;
 }
 

@@ -119,7 +119,7 @@ std::optional<double> hit(const Ray& ray, const Wheel& wheel) {
 }
 
 std::optional<double> hit(const Ray& ray, const Capsule& capsule) {
-    // The union of a cylinder and two balls is convex, so the first entry of any part is the entry.
+    // The union of a cylinder and two spheres is convex, so the first entry of any part is the entry.
     const Vec3 d = ray.to - ray.from;
     const Vec3& o = ray.from;
     Span barrel = below_zero(d.x() * d.x() + d.z() * d.z(), d.x() * o.x() + d.z() * o.z(),

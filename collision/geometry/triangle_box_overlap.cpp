@@ -1,7 +1,6 @@
 #include "collision/geometry/triangle_box_overlap.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/Geometry>
 

@@ -19,7 +19,7 @@ using FlatVertices = std::array<Vec2, 3>;
 /// The side of a plane that each vertex of a triangle lies on: -1, 0 or 1.
 using Sides = std::array<int, 3>;
 
-/// The sides of t's plane; all 0 if t has no area.
+/// The sides of t's plane that s's vertices lie on; all 0 if t has no area.
 Sides sides_of_plane(const Vertices& t, const Vertices& s) {
     const auto side = [&](const Vec3& p) { return orientation(t[0], t[1], t[2], p); };
     return {side(s[0]), side(s[1]), side(s[2])};
@@ -36,7 +36,7 @@ bool all_on_plane(const Sides& sides) {
 // Two triangles with area, in planes that intersect.
 
 /// Rotates the vertices so that both edges at the first one cross the plane or end on it, and neither lies in
-/// it. Returns the first vertex' side; if that is on the plane, the side that the others aren't on.
+/// it. Returns the first vertex's side; if that is on the plane, the side that the others aren't on.
 int put_lone_vertex_first(Vertices& s, const Sides& sides) {
     const auto is_lone = [&](std::size_t i) {
         const int side = sides[i];

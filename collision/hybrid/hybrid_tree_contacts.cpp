@@ -58,7 +58,7 @@ private:
 /// overlapping pair, which returns whether to go on.
 ///
 /// Recursive, with stack frames of half a kilobyte, as many as both trees are deep together: some dozens, and
-/// some hundreds in the worst trees that kLeastPart allows.
+/// some hundreds in the worst trees that kMinSideDivisor allows.
 template <NodeTest kTest, typename Visit>
 class Traversal {
 public:

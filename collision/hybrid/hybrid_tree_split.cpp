@@ -82,7 +82,7 @@ Cut cheapest_cut(const TriangleMesh& mesh, std::span<const std::uint32_t> triang
             slices[static_cast<std::size_t>(axis)][slice_of(box, one.bounds, axis)].add(one);
         }
     }
-    const std::size_t least = std::max<std::size_t>(1, triangles.size() / kMaxSplitRatio);
+    const std::size_t least = std::max<std::size_t>(1, triangles.size() / kMinSideDivisor);
     Cut best{0, 0, all.cost()};
     for (int axis = 0; axis < 3; ++axis) {
         improve(best, slices[static_cast<std::size_t>(axis)], axis, least);

@@ -11,7 +11,7 @@ namespace campuswalk::collision {
 
 /// Each side of a split gets at least one in so many of the triangles, and at least one triangle: the depth
 /// stays logarithmic for every mesh.
-inline constexpr std::size_t kMaxSplitRatio = 16;
+inline constexpr std::size_t kMinSideDivisor = 16;
 
 /// Divides a node's triangles, at least two, between its two children: reorders them and returns how many go
 /// to the left one.

@@ -15,8 +15,8 @@ class ClosedParts {
 public:
     /// Vertices at the same float32 position count as one vertex, whatever their indices.
     explicit ClosedParts(const TriangleMesh& mesh);
-    /// From earlier results of `members` and `bounds`, such as from a file. Throws std::invalid_argument if
-    /// they don't fit a mesh with so many triangles.
+    /// From earlier results of `members` and `bounds`, such as one read from a file. Throws
+    /// std::invalid_argument if they don't fit a mesh with so many triangles.
     ClosedParts(Storage<std::uint64_t> members, const Aabb& bounds, std::size_t mesh_triangles);
 
     bool empty() const { return members_.empty(); }

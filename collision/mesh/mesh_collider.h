@@ -21,7 +21,7 @@ public:
     /// is not finite or beyond kMaxCoordinate: callers check user input first.
     explicit MeshCollider(TriangleMesh mesh, TreeKind tree_kind = TreeKind::bvh8,
                           Interior interior = Interior::found);
-    /// With the tree and the closed parts built earlier from this mesh, such as from a file. Throws
+    /// With the tree and the closed parts built earlier from this mesh, such as one read from a file. Throws
     /// std::invalid_argument for a mesh as above, and for an inconsistent tree (bvh8_check.h).
     MeshCollider(TriangleMesh mesh, Bvh8 tree, ClosedParts closed);
 

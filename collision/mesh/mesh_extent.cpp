@@ -29,10 +29,10 @@ std::uint32_t highest_vertex(std::span<const std::array<std::uint32_t, 3>> trian
 
 float largest_coordinate(std::span<const Eigen::Vector3f> positions) {
     // Without the sign, floats are ordered like their bits, with infinity and NaN above all others.
-    constexpr std::uint32_t kSignless = 0x7FFFFFFF;
+    constexpr std::uint32_t kMagnitudeMask = 0x7FFFFFFF;
     std::uint32_t largest = 0;
     for (const float coordinate : coordinates(positions)) {
-        largest = std::max(largest, std::bit_cast<std::uint32_t>(coordinate) & kSignless);
+        largest = std::max(largest, std::bit_cast<std::uint32_t>(coordinate) & kMagnitudeMask);
     }
     constexpr auto kInfinity = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
     return std::bit_cast<float>(std::min(largest, kInfinity));

@@ -183,7 +183,7 @@ std::optional<MeshHit> sweep(const MeshCollider& mesh, const Segment& segment, d
 
 void visit_triangles_beyond(const MeshCollider& mesh, const Pose& X_world_mesh, const Aabb& known,
                             const Aabb& region, TriangleVisitor visit, QueryStatistics* statistics) {
-    traverse(mesh, Beyond(known, region, X_world_mesh), 0.0, VisitAll(mesh.mesh(), visit), statistics);
+    traverse(mesh, BoxWithHole(known, region, X_world_mesh), 0.0, VisitAll(mesh.mesh(), visit), statistics);
 }
 
 }  // namespace campuswalk::collision

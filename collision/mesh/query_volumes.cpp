@@ -43,10 +43,10 @@ LayeredBody::LayeredBody(const Segment& segment, double radius) {
 LayeredBody::LayeredBody(const Box& box, const Pose& X_mesh_box) {
     inner_.center = X_mesh_box.translation;
     inner_.axes = X_mesh_box.rotation;
-    const double vertex = box.half_extents.norm();
-    const double outward = kOutward * (inner_.center.norm() + vertex);
+    const double half_diagonal = box.half_extents.norm();
+    const double outward = kOutward * (inner_.center.norm() + half_diagonal);
     inner_.half_extents = box.half_extents.array() + outward;
-    inner_.radius = vertex + 2.0 * outward;
+    inner_.radius = half_diagonal + 2.0 * outward;
     outer_ = {inner_.center, inner_.radius};
 }
 
@@ -72,18 +72,17 @@ double PointVolume::bound(const OrientedBox& inner) const {
 }
 
 PathVolume::PathVolume(const Segment& segment, double radius, const Vec3& move)
-    : half_(0.5 * (segment.b - segment.a)), radius_(radius), thick_(true) {
+    : half_(0.5 * (segment.b - segment.a)), radius_(radius), reach_(half_.norm() + radius), thick_(true) {
     const Vec3 middle = 0.5 * (segment.a + segment.b);
     path_ = {middle, middle + move};
 }
 
 double PathVolume::bound(const BoundingSphere& outer) const {
-    const Vec3 near = closest_on_segment({path_.from, path_.to}, outer.center);
-    const double size =
-        (path_.from - outer.center).cwiseAbs().sum() + (path_.to - outer.center).cwiseAbs().sum();
-    const double body = half_.norm() + radius_;
-    const double reach = outer.radius + body + kOutward * (size + body);
-    return (near - outer.center).squaredNorm() > reach * reach ? kApart<double> : 0.0;
+    const Segment path{path_.from - outer.center, path_.to - outer.center};
+    const double size = path.a.cwiseAbs().sum() + path.b.cwiseAbs().sum();
+    const double reach = outer.radius + reach_ + kOutward * (size + reach_);
+    const Vec3 nearest = closest_on_segment(path, Vec3::Zero());
+    return nearest.squaredNorm() > reach * reach ? kApart<double> : 0.0;
 }
 
 double PathVolume::bound(const OrientedBox& inner) const {

@@ -66,11 +66,11 @@ private:
     Pose X_mesh_box_;
 };
 
-/// The part of a box that lies outside another one, the hole, in a mesh's frame. Where the mesh or a node is
-/// rotated, the hole is ignored: the query then visits more than it must.
-class Beyond : public BoxVolume {
+/// The part of a box that lies outside another one, the hole, in a mesh's frame. The hole is ignored in the
+/// hybrid tree and where the mesh or a node is rotated: the query then visits more than it must.
+class BoxWithHole : public BoxVolume {
 public:
-    Beyond(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
+    BoxWithHole(const Aabb& hole, const Aabb& whole, const Pose& X_world_mesh)
         : BoxVolume(Box{0.5 * (whole.max - whole.min)},
                     {X_world_mesh.rotation.transpose(), X_world_mesh.inverse_apply(whole.center())}),
           holed_(whole.overlaps(hole) && X_world_mesh.rotation == Mat3::Identity()) {
@@ -84,7 +84,7 @@ public:
     template <std::size_t N>
     void bounds(const BoxFrame& frame, const Rows<float, N>& center, const Rows<float, N>& half,
                 std::array<float, N>& out) const {
-        if (!holed_ || frame.turned) {
+        if (!holed_ || frame.rotated) {
             BoxVolume::bounds(frame, center, half, out);
             return;
         }
@@ -170,6 +170,7 @@ private:
     Ray path_;                  ///< of the body's centre
     Vec3 half_ = Vec3::Zero();  ///< from the centre to the segment's end
     double radius_ = 0.0;
+    double reach_ = 0.0;  ///< from the centre to the farthest point
     bool thick_ = false;
 };
 

@@ -30,7 +30,7 @@ namespace campuswalk::collision {
 /// Nodes and leaves that are still to be visited.
 class TraversalStack {
 public:
-    /// Without initializers: each query would set all 512.
+    /// Uninitialized, so that a query doesn't set all 512 first.
     struct Entry {
         double bound;
         std::uint32_t index;
@@ -147,7 +147,7 @@ void open_leaf(const Bvh8& tree, std::uint32_t index, const Volume& volume, doub
     const LeafBoxes boxes(leaf);
     alignas(32) std::array<float, kLeafTriangles> bounds;
     volume.bounds(BoxFrame(leaf), boxes.center, boxes.half, bounds);
-    for (std::size_t i = 0; i < leaf.triangles; ++i) {
+    for (std::size_t i = 0; i < leaf.triangle_count; ++i) {
         if (!(static_cast<double>(bounds[i]) > limit)) {
             ++work.primitive_tests;
             if constexpr (std::is_invocable_v<const Visit&, const Bvh8Leaf&, std::size_t, double>) {

@@ -62,7 +62,7 @@ public:
     /// Drops the contents and retains the memory.
     void clear();
 
-    /// Gathers what is missing of everything in `box`.
+    /// Gathers the pieces in `box` that aren't cached yet.
     void cover(const Aabb& box, QueryStatistics* statistics = nullptr);
 
     /// The pieces that the body may come within `reach` of as it moves from `foot` to anywhere up to

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSurfaceTolerance = 0.01;
 /// How far onto a piece the body has to walk to be carried by it, metres.
 constexpr double kStepOntoDistance = 0.01;
-/// A contact this low beside the ball's centre, as a share of its radius, doesn't support it: with a radius
+/// A contact this low beside the sphere's centre, as a share of its radius, doesn't support it: with a radius
 /// 15 µm smaller, there would be none.
 constexpr double kMinSupportDrop = 0.01;
 
@@ -23,7 +23,7 @@ using Rest = MoveBuffers::Rest;
 std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double reach, double highest,
                                   double lowest) {
     const Aabb& box = piece.box;
-    // The ball rests no higher than it would on the nearest point of the box's top.
+    // The sphere rests no higher than it would on the nearest point of the box's top.
     const double dx = std::max({box.min.x() - x, x - box.max.x(), 0.0});
     const double dz = std::max({box.min.z() - z, z - box.max.z(), 0.0});
     const double left = reach * reach - (dx * dx + dz * dz);
@@ -35,16 +35,16 @@ std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double
     if (o.solid == nullptr) {
         return sphere_rest(o.vertices, o.normal, x, z, reach);
     }
-    const Segment ball{{x, highest, z}, {x, highest, z}};
+    const Segment sphere{{x, highest, z}, {x, highest, z}};
     const Vec3 drop(0, lowest - highest, 0);
-    if (closest(ball, o).distance <= reach) {
+    if (closest(sphere, o).distance <= reach) {
         return std::nullopt;  // beside or above
     }
-    const auto fraction = sweep(ball, reach, drop, o);
+    const auto fraction = sweep(sphere, reach, drop, o);
     if (!fraction) {
         return std::nullopt;
     }
-    const Vec3 center = ball.a + *fraction * drop;
+    const Vec3 center = sphere.a + *fraction * drop;
     return SphereRest{center.y(), closest(Segment{center, center}, o).on_shape};
 }
 
@@ -61,8 +61,8 @@ bool ends_in_floor(const MoveContext& context, const Vec3& point) {
 
 bool carries(const MoveContext& context, const Rest& rest, double highest) {
     const Obstacle& o = context.contacts.piece(rest.piece).obstacle;
-    const Vec3& on = rest.ball.on;
-    const double up = (rest.ball.height - on.y()) / (context.body.radius + kRestGap);
+    const Vec3& on = rest.sphere.on;
+    const double up = (rest.sphere.height - on.y()) / (context.body.radius + kRestGap);
     const bool low = on.y() <= highest;
     if (walkable_at(o, on, context.body.min_up)) {
         // The crest of a ramp is higher than its foot, and reached on a face as steep as the touch.
@@ -91,22 +91,22 @@ bool rises_above(const MoverSettings& body, const Obstacle& obstacle, const Vec3
 PieceKind kind_of(MoveContext& context, const Piece& piece, const Separation& s, const Support& stand) {
     const MoverSettings& body = context.body;
     const Vec3& foot = stand.foot;
-    const bool below = s.normal.y() >= body.min_up;
-    if (below && s.feature == Feature::face) {
+    const bool walkable_touch = s.normal.y() >= body.min_up;
+    if (walkable_touch && s.feature == Feature::face) {
         return PieceKind::floor;
     }
     // The edge of a floor may be the crest of a ramp, however high.
     const bool may_be_crest = piece.walkable && s.normal.y() > 0.0;
     const double highest = highest_edge(body, stand);
-    if (!below && !may_be_crest &&
+    if (!walkable_touch && !may_be_crest &&
         (s.on_piece.y() > highest || rises_above(body, piece.obstacle, foot, highest))) {
         return PieceKind::wall;
     }
     const double flat = horizontal_norm(s.normal);
     if (flat <= 0.0) {
-        return below ? PieceKind::floor : PieceKind::wall;
+        return walkable_touch ? PieceKind::floor : PieceKind::wall;
     }
-    // What would carry the body there?
+    // What would carry the body there? If nothing would, it may walk over the edge and fall.
     const double gap = std::max(0.0, s.distance - body.radius);
     const double ahead = std::min(gap / flat + kStepOntoDistance, kProbeDistance) / flat;
     const Ground there =
@@ -127,21 +127,21 @@ Ground find_ground(MoveContext& context, double x, double z, const Support& stan
     rests.clear();
     double best = lowest;
     for (const ContactCache::Index i : context.near) {
-        const auto ball = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRestGap);
-        if (ball && ball->height <= highest && ball->height >= best - 2.0 * kRestGap &&
-            ball->height - ball->on.y() > kMinSupportDrop * radius) {
-            rests.push_back({i, *ball});
-            best = std::max(best, ball->height);
+        const auto sphere = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRestGap);
+        if (sphere && sphere->height <= highest && sphere->height >= best - 2.0 * kRestGap &&
+            sphere->height - sphere->on.y() > kMinSupportDrop * radius) {
+            rests.push_back({i, *sphere});
+            best = std::max(best, sphere->height);
         }
     }
     Ground ground;
     ground.support_y = lowest - radius;
     for (const Rest& rest : rests) {
-        if (rest.ball.height >= best - 2.0 * kRestGap && rest.ball.height >= lowest) {
+        if (rest.sphere.height >= best - 2.0 * kRestGap && rest.sphere.height >= lowest) {
             ground.found = true;
             if (carries(context, rest, highest_edge(context.body, stand))) {
                 ground.carries = true;
-                ground.support_y = std::max(ground.support_y, rest.ball.on.y());
+                ground.support_y = std::max(ground.support_y, rest.sphere.on.y());
             }
         }
     }

@@ -7,7 +7,8 @@ namespace campuswalk::collision {
 /// Where the body stands, and the height that edges are measured from.
 struct Support {
     Vec3 foot = Vec3::Zero();
-    double base = 0.0;  ///< height of what carries the body; not below the foot
+    double base =
+        0.0;  ///< height of what carries the body; not below the foot, which is kRestGap above flat ground
 };
 
 /// What a body that moves straight down would come to rest on.
@@ -18,10 +19,6 @@ struct Ground {
     double support_y = 0.0;  ///< height of the highest point that carries
 };
 
-// Distinguishes ground from walls by the faces of what the body would touch, not by where it touches them: an
-// edge within the step height carries if a walkable face ends there, and a higher one is never climbed,
-// although the body is round.
-
 /// How far beside the body `classify` looks, metres: the survey must include that.
 inline constexpr double kProbeDistance = 0.06;
 
@@ -29,6 +26,9 @@ inline constexpr double kProbeDistance = 0.06;
 /// stands now.
 Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down);
 
+/// Floor, step or wall? Decided by the faces of the piece, not by where the round body touches it: an edge up
+/// to `step_height` and kHeightSlack above `stand.base` is a step if a walkable face ends there, and a higher
+/// one is a wall, although the body could roll over it.
 PieceKind classify(MoveContext& context, ContactCache::Index i, const Support& stand);
 
 }  // namespace campuswalk::collision

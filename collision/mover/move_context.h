@@ -14,7 +14,7 @@ namespace campuswalk::collision {
 struct MoveBuffers {
     struct Rest {
         ContactCache::Index piece = 0;
-        SphereRest ball;
+        SphereRest sphere;
     };
     std::vector<Rest> rests;
     std::vector<HalfPlane> walls;

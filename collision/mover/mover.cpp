@@ -42,8 +42,8 @@ Support support_of(const MoverSettings& body, const MoverState& state) {
 }
 
 /// Surveys what the body may touch this far from its place.
-void look_around(MoveContext& context, const Vec3& foot, double sideways, double up, double down,
-                 QueryStatistics* statistics) {
+void survey(MoveContext& context, const Vec3& foot, double sideways, double up, double down,
+            QueryStatistics* statistics) {
     const MoverSettings& body = context.body;
     const double beside = sideways + kProbeDistance;
     const double reach = body.radius + beside + body.skin + kSurroundings;
@@ -203,7 +203,7 @@ void move_part(MoveContext& context, MoverState& state, const Vec3& desired, dou
         const double above = support_of(context.body, state).base - state.foot.y();
         const double high =
             std::max(context.body.step_height + above, context.steepest * length) + 2.0 * kHeightSlack;
-        look_around(context, state.foot, length, high, high, statistics);
+        survey(context, state.foot, length, high, high, statistics);
         if (length > 0.0) {
             walk(context, state, desired);
         }
@@ -211,7 +211,7 @@ void move_part(MoveContext& context, MoverState& state, const Vec3& desired, dou
     }
     const double high =
         (std::abs(state.vertical_speed) + context.body.gravity * seconds) * seconds + kHeightSlack;
-    look_around(context, state.foot, length + high, high, high, statistics);
+    survey(context, state.foot, length + high, high, high, statistics);
     fall(context, state, desired, seconds, trace);
 }
 
@@ -220,10 +220,10 @@ void list_touching(MoveContext& context, const MoverState& state, MoveTrace& tra
     const Support stand = support_of(context.body, state);
     const Vec3& foot = stand.foot;
     const double reach = context.body.radius + context.body.skin + kListed;
-    const double highest_edge = foot.y() + context.body.step_height;
+    const double surely_floor = foot.y() + context.body.step_height;
     for (const ContactCache::Index i : context.near) {
         const ContactCache::Piece& piece = context.contacts.piece(i);
-        if ((piece.walkable && piece.obstacle.top <= highest_edge) ||
+        if ((piece.walkable && piece.obstacle.top <= surely_floor) ||
             context.contacts.known_apart(i, foot, foot, reach)) {
             continue;
         }
@@ -283,7 +283,7 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
     const double length = horizontal_norm(desired) + horizontal_norm(state.slide_velocity) * seconds;
     const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
     if (parts > 1) {
-        look_around(context, state.foot, length, settings_.step_height, settings_.step_height, statistics);
+        survey(context, state.foot, length, settings_.step_height, settings_.step_height, statistics);
     }
     for (int i = 0; i < parts; ++i) {
         move_part(context, state, desired / parts, seconds / parts, trace, statistics);
@@ -303,7 +303,7 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
 void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, MoverCache& cache,
                          QueryStatistics* statistics) const {
     MoveContext context = context_with(cache);
-    look_around(context, foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
+    survey(context, foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
     const Vec3 down = free_part(context, foot, Vec3(0, -search, 0), settings_.radius + kRestGap);
     const Ground ground = underfoot(context, foot + down);
     state = MoverState{};
@@ -326,9 +326,8 @@ std::optional<CapsuleMover> CapsuleMover::resized(const MoverState& state, doubl
     const Segment old_core = settings_.core(state.foot);
     CapsuleMover other = *this;
     other.settings_.height = height;
-    cache.clear();
     MoveContext context = other.context_with(cache);
-    look_around(context, state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
+    survey(context, state.foot, 0.0, kHeightSlack, kHeightSlack, statistics);
     const bool has_room = std::ranges::all_of(context.near, [&](ContactCache::Index i) {
         const double distance = cache.contacts.measure(i, state.foot).distance;
         return distance >= settings_.radius + kSweepGap ||
@@ -342,7 +341,7 @@ void CapsuleMover::touch(const MoverState& state, MoverCache& cache, MoveTrace& 
     const double high =
         support_of(settings_, state).base - state.foot.y() + settings_.step_height + kHeightSlack;
     MoveContext context = context_with(cache);
-    look_around(context, state.foot, 0.0, high, high, statistics);
+    survey(context, state.foot, 0.0, high, high, statistics);
     list_touching(context, state, trace);
 }
 

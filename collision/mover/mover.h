@@ -95,7 +95,7 @@ public:
     bool jump(MoverState& state, double speed) const;
 
     /// The mover of the body once it has crouched or stood up: with another total height, no less than two
-    /// radii, on the same foot. None where there is no headroom. Clears the cache.
+    /// radii, on the same foot. None where there is no headroom.
     std::optional<CapsuleMover> resized(const MoverState& state, double height, MoverCache& cache,
                                         QueryStatistics* statistics = nullptr) const;
 

@@ -8,7 +8,7 @@ namespace campuswalk::collision {
 struct MoverSettings {
     double height = 1.8;  ///< total
     double radius = 0.3;
-    double step_height = 0.3;            ///< the highest edge it rolls over
+    double step_height = 0.3;            ///< the highest riser that it steps up
     double min_up = 0.6427876096865393;  ///< cosine of the steepest slope it walks on (50°)
     double skin = 0.02;                  ///< gap to flat walls
     double gravity = 9.81;               ///< metres per second squared

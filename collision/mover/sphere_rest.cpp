@@ -38,7 +38,7 @@ void rest_on_vertex(const Vec3& vertex, double x, double z, double radius, Highe
     }
 }
 
-/// The ball's centre is as far from the edge's line as its radius: a quadratic in its height over `a`.
+/// The sphere's centre is as far from the edge's line as its radius: a quadratic in its height over `a`.
 void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radius, Highest& highest) {
     constexpr double kUpright = 1e-10;  // squared sine of the angle to the vertical
     const Vec3 e = b - a;

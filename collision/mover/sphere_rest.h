@@ -7,14 +7,14 @@
 
 namespace campuswalk::collision {
 
-/// A ball at rest on top of something, world coordinates, metres.
+/// A sphere at rest on top of something, world coordinates, metres.
 struct SphereRest {
-    double height = 0.0;     ///< y of the ball's centre
+    double height = 0.0;     ///< y of the sphere's centre
     Vec3 on = Vec3::Zero();  ///< where it touches
 };
 
-/// Where a ball of `radius` that moves straight down at (x, z) from far above stops on the triangle; none if
-/// it passes beside it. `normal` is the face's, on either side, or zero. Of edges within 1e-5 of upright,
+/// Where a sphere of `radius` that moves straight down at (x, z) from far above stops on the triangle; none
+/// if it passes beside it. `normal` is the face's, on either side, or zero. Of edges within 1e-5 of upright,
 /// only the ends count.
 std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
                                       double radius);

@@ -23,10 +23,10 @@ void find_walls(MoveContext& context, const Support& stand, double length, bool 
     context.buffers.walls.clear();
     context.buffers.edges.clear();
     const double reach = body.radius + body.skin + length + kRestGap;
-    const double highest_edge = foot.y() + body.step_height;
+    const double surely_floor = foot.y() + body.step_height;
     for (const ContactCache::Index i : context.near) {
         const ContactCache::Piece& piece = context.contacts.piece(i);
-        if ((grounded && piece.walkable && piece.obstacle.top <= highest_edge) ||
+        if ((grounded && piece.walkable && piece.obstacle.top <= surely_floor) ||
             context.contacts.known_apart(i, foot, foot, reach)) {
             continue;
         }

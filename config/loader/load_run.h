@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "scene/campus/campus_description.h"
 
 namespace campuswalk::config {
+
+/// What a walk's file name ends with.
+inline constexpr std::string_view kWalkSuffix = ".walk.yaml";
 
 /// Where to look for profiles, which walks name without a path.
 struct SearchPaths {

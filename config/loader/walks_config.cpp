@@ -144,10 +144,10 @@ WalksConfig load_walks_config(const fs::path& file) {
 }
 
 std::optional<fs::path> find_walks_config(const fs::path& folder) {
-    std::error_code none;
+    std::error_code ignored;
     fs::path at = folder.empty() ? fs::path(".") : folder;
-    for (fs::path whole = fs::absolute(at, none);; whole = whole.parent_path()) {
-        if (fs::is_regular_file(at / kFileName, none)) {
+    for (fs::path whole = fs::absolute(at, ignored);; whole = whole.parent_path()) {
+        if (fs::is_regular_file(at / kFileName, ignored)) {
             return (at / kFileName).lexically_normal();
         }
         if (whole == whole.parent_path()) {

@@ -71,9 +71,10 @@ struct Field {
 };
 
 /// Something that happened. The order within a tick is total: if the avatar is put elsewhere, first the
-/// contacts that this ends; then contacts by (at, exits before enters before stays, object, detection mode),
-/// each pop-up next to its contact; then landing, falling off the world, being stuck and the end of a step;
-/// last the instant steps, in the script's order, each with the contacts that it ends or begins.
+/// contacts that this ends; then the start of the walk, spawn, teleport and jump; then contacts by (at, exits
+/// before enters before stays, object, detection mode), each pop-up next to its contact, and after them the
+/// pop-ups whose dwell time is over; then landing, falling out of the world, being stuck and the end of a
+/// step; last the instant steps, in the script's order, each with the contacts that it ends or begins.
 ///
 /// An enter or exit that isn't due to the avatar's motion has a `cause`: spawn, teleport, enable, disabled or
 /// end (of the walk). Every enter has its exit.

@@ -69,21 +69,22 @@ std::string text_of_name(const std::string& value) {
     return value.empty() || std::ranges::any_of(value, breaks_columns) ? in_quotes(value) : value;
 }
 
+std::string text_line(Tick tick, double time, std::string_view kind, const std::string& object,
+                      const std::string& details) {
+    return right_aligned(std::to_string(tick), kTickWidth, '0') + ' ' +
+           right_aligned(fixed(time, 6), kTimeWidth, ' ') + ' ' + left_aligned(kind, kKindWidth) + ' ' +
+           (details.empty() ? object : left_aligned(object, kObjectWidth) + details);
+}
+
 std::string text_line(const Event& event, double time) {
-    std::string line = right_aligned(std::to_string(event.tick), kTickWidth, '0') + ' ' +
-                       right_aligned(fixed(time, 6), kTimeWidth, ' ') + ' ' +
-                       left_aligned(name_of(event.kind), kKindWidth) + ' ';
-    if (event.fields.empty()) {
-        return line + text_of(event.object);
-    }
-    line += left_aligned(text_of(event.object), kObjectWidth);
+    std::string details;
     for (const Field& field : event.fields) {
-        line += ' ';
-        line += field.name;
-        line += '=';
-        line += std::visit([](const auto& value) { return text_of(value); }, field.value);
+        details += ' ';
+        details += field.name;
+        details += '=';
+        details += std::visit([](const auto& value) { return text_of(value); }, field.value);
     }
-    return line;
+    return text_line(event.tick, time, name_of(event.kind), text_of(event.object), details);
 }
 
 }  // namespace campuswalk::engine

@@ -27,14 +27,14 @@ public:
           avatar_(&context.avatar),
           ignored_layers_(ignored_layers(context.campus, context.avatar)) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const double radius = avatar_->radius;
         const double height = record.avatar.stature * avatar_->height;
-        const collision::Segment axis = body_axis(*avatar_, record.avatar.position, height);
+        const collision::Segment axis = collision::upright_axis(record.avatar.position, radius, height);
         const collision::QueryFilter filter{collision::Detection::solid, ignored_layers_, record.disabled};
         collision::gather_obstacles(campus_->world, filter, axis, radius, obstacles_);
         for (const collision::Obstacle& obstacle : obstacles_) {
-            see_depth(obstacle.object, radius - collision::closest(axis, obstacle).distance, now);
+            note_depth(obstacle.object, radius - collision::closest(axis, obstacle).distance, now);
         }
         // Deep inside a closed mesh its surface may be out of reach.
         const Eigen::Vector3d middle = 0.5 * (axis.a + axis.b);
@@ -43,7 +43,7 @@ public:
         campus_->world.candidates(box, filter, candidates_);
         for (const collision::ObjectId id : candidates_) {
             if (deepest_ < radius && collision::contains(campus_->world.object(id), middle)) {
-                see_depth(id, radius, now);
+                note_depth(id, radius, now);
             }
         }
     }
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    void see_depth(collision::ObjectId object, double depth, const StateSnapshot& now) {
+    void note_depth(collision::ObjectId object, double depth, const StateSnapshot& now) {
         if (depth > deepest_) {
             deepest_ = depth;
             inside_ = index_of(object);
@@ -88,7 +88,7 @@ class EvaluatorOf<ExpectGrounded> {
 public:
     EvaluatorOf(const ExpectGrounded& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         if (record.tick == last_) {
             return;
         }
@@ -136,7 +136,7 @@ public:
     }
 
     /// `verb` is "blocked" or "stuck".
-    void see(bool expected, const std::string& verb, const std::string& object, const StateSnapshot& now) {
+    void add(bool expected, const std::string& verb, const std::string& object, const StateSnapshot& now) {
         const std::string what = verb + (object.empty() ? " " : " by " + object + " ") + at_time(now.time);
         if (expected && first_.empty()) {
             first_ = "the avatar was " + what;
@@ -164,12 +164,12 @@ class EvaluatorOf<ExpectBlockedBy> {
 public:
     EvaluatorOf(const ExpectBlockedBy& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         for (const Event& event : record.events) {
             if (event.kind == EventKind::avatar_blocked || event.kind == EventKind::avatar_stuck) {
                 const std::string object = ObstructionFinder::obstacle_of(event);
                 const bool expected = !object.empty() && scene::glob_matches(expected_->object.glob, object);
-                finder_.see(expected, "blocked", object, now);
+                finder_.add(expected, "blocked", object, now);
             }
         }
     }
@@ -189,13 +189,13 @@ class EvaluatorOf<ExpectStuck> {
 public:
     EvaluatorOf(const ExpectStuck& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const std::string& glob = expected_->by.glob;
         for (const Event& event : record.events) {
             if (event.kind == EventKind::avatar_stuck) {
                 const std::string object = ObstructionFinder::obstacle_of(event);
                 const bool expected = glob == "*" || (!object.empty() && scene::glob_matches(glob, object));
-                finder_.see(expected, "stuck", object, now);
+                finder_.add(expected, "stuck", object, now);
             }
         }
     }
@@ -216,7 +216,7 @@ class EvaluatorOf<ExpectFell> {
 public:
     EvaluatorOf(const ExpectFell& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const bool falls =
             std::ranges::find(record.events, EventKind::avatar_fell, &Event::kind) != record.events.end();
         if (falls && !when_) {
@@ -228,7 +228,7 @@ public:
         if (when_) {
             return {true, expected_->mark, "the avatar fell out of the world " + at_time(when_->time), when_};
         }
-        return {false, expected_->mark, "the avatar did not fall off the world", std::nullopt, true};
+        return {false, expected_->mark, "the avatar did not fall out of the world", std::nullopt, true};
     }
 
 private:

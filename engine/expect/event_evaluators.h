@@ -19,7 +19,7 @@ public:
     EvaluatorOf(const ExpectSequence& expected, const EvaluatorContext&)
         : expected_(&expected), early_(expected.events.size()) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const std::vector<EventPattern>& events = expected_->events;
         for (const Event& event : record.events) {
             if (count_ < events.size() && matches(events[count_], event)) {
@@ -64,7 +64,7 @@ class EvaluatorOf<ExpectNever> {
 public:
     EvaluatorOf(const ExpectNever& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         for (const Event& event : record.events) {
             if (matches(expected_->event, event) && ++times_ == 1) {
                 first_event_ = describe(event, record.time);
@@ -76,7 +76,7 @@ public:
     Finding finding(bool /*ended*/) const {
         const std::string event = "'" + to_string(expected_->event) + "'";
         if (times_ == 0) {
-            return {true, expected_->event.mark, event + " never happened", std::nullopt, true};
+            return {true, expected_->event.mark, event + " never occurred", std::nullopt, true};
         }
         return {false, expected_->event.mark,
                 event + " occurred " + times_in_words(times_) + ", first " + first_event_, first_};
@@ -94,7 +94,7 @@ class EvaluatorOf<ExpectCount> {
 public:
     EvaluatorOf(const ExpectCount& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const Limits<int>& limits = expected_->times;
         for (const Event& event : record.events) {
             times_ += matches(expected_->event, event) ? 1 : 0;
@@ -125,7 +125,7 @@ class EvaluatorOf<ExpectWithin> {
 public:
     EvaluatorOf(const ExpectWithin& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         constexpr double kRounding = 1e-9;  // seconds
         if (!miss_ && !waits_.empty() &&
             record.time - waits_.front().since > expected_->seconds + kRounding) {
@@ -160,8 +160,9 @@ public:
                     std::nullopt, true};
         }
         return {true, expected_->mark,
-                "'" + to_string(expected_->event) + "' came within " + fixed(expected_->seconds, 3) +
-                    " s after '" + to_string(expected_->after) + "', which came " + times_in_words(times_),
+                "'" + to_string(expected_->event) + "' occurred within " + fixed(expected_->seconds, 3) +
+                    " s after '" + to_string(expected_->after) + "', which occurred " +
+                    times_in_words(times_),
                 std::nullopt, true};
     }
 

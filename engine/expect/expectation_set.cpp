@@ -25,8 +25,8 @@ std::optional<Evaluator> Evaluator::of(const Expectation& expectation, const sce
     return made;
 }
 
-void Evaluator::see(const TickRecord& record, const StateSnapshot& now) {
-    std::visit([&](auto& evaluator) { evaluator.see(record, now); }, evaluator_);
+void Evaluator::on_tick(const TickRecord& record, const StateSnapshot& now) {
+    std::visit([&](auto& evaluator) { evaluator.on_tick(record, now); }, evaluator_);
 }
 
 Finding Evaluator::finding(bool ended) const {
@@ -76,34 +76,33 @@ ExpectationSet::ExpectationSet(const scene::Campus& campus, const Walk& walk)
     }
 }
 
-void ExpectationSet::see(const TickRecord& record) {
-    history_.see(record);
-    see_closing(record);
+void ExpectationSet::on_tick(const TickRecord& record) {
+    history_.on_tick(record);
+    for (Evaluator& evaluator : of_walk_) {
+        evaluator.on_tick(record, history_.now());
+    }
     for (Group& group : of_steps_) {
         for (Evaluator& evaluator : group.evaluators) {
-            evaluator.see(record, history_.now());
+            evaluator.on_tick(record, history_.now());
         }
     }
 }
 
-void ExpectationSet::see_closing(const TickRecord& record) {
+void ExpectationSet::on_close(const TickRecord& record) {
     for (Evaluator& evaluator : of_walk_) {
-        evaluator.see(record, history_.now());
+        evaluator.on_tick(record, history_.now());
     }
 }
 
 std::vector<ExpectationSet::Group>::const_iterator ExpectationSet::group_of(const ExpectStep& step) const {
-    return std::ranges::find_if(of_steps_, [&](const Group& group) {
-        return group.mark.line == step.mark.line && group.mark.column == step.mark.column &&
-               group.mark.file == step.mark.file;
-    });
+    return std::ranges::find_if(of_steps_, [&](const Group& group) { return group.mark == step.mark; });
 }
 
 std::optional<Failure> ExpectationSet::failure_at(const ExpectStep& step, const TickRecord& record) const {
     StateHistory so_far = history_;
-    so_far.see(record);
+    so_far.on_tick(record);
     for (Evaluator evaluator : group_of(step)->evaluators) {
-        evaluator.see(record, so_far.now());
+        evaluator.on_tick(record, so_far.now());
         if (auto failure = evaluator.failure(false, so_far.now())) {
             return failure;
         }

@@ -27,7 +27,7 @@ public:
     static std::optional<Evaluator> of(const Expectation& expectation, const scene::Campus& campus,
                                        const AvatarProfile& avatar);
 
-    void see(const TickRecord& record, const StateSnapshot& now);
+    void on_tick(const TickRecord& record, const StateSnapshot& now);
 
     /// Why the expectation doesn't hold for what has been seen, if it doesn't; if it wasn't decided earlier,
     /// it is decided `now`.
@@ -58,12 +58,13 @@ public:
     ExpectationSet(const scene::Campus& campus, const Walk& walk);
 
     /// Every record but the closing one.
-    void see(const TickRecord& record);
-    /// The walk's last record, in which all contacts end. It isn't part of the history.
-    void see_closing(const TickRecord& record);
+    void on_tick(const TickRecord& record);
+    /// The walk's last record, in which all contacts end. It isn't part of the history, and no step is left
+    /// to expect anything.
+    void on_close(const TickRecord& record);
 
     /// The first of the step's expectations that doesn't hold, if any; `record` is the tick so far, which
-    /// `see` gets afterwards in full.
+    /// `on_tick` gets afterwards in full.
     std::optional<Failure> failure_at(const ExpectStep& step, const TickRecord& record) const;
 
     /// The failures of the whole walk's expectations, in the order of the file; empty if all hold.

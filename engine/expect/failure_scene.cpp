@@ -25,7 +25,8 @@ struct Nearest {
 };
 
 Nearest nearest_solid(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar) {
-    const Segment axis = body_axis(avatar, state.avatar.position, state.avatar.stature * avatar.height);
+    const Segment axis =
+        collision::upright_axis(state.avatar.position, avatar.radius, state.avatar.stature * avatar.height);
     const collision::QueryFilter filter{collision::Detection::solid, ignored_layers(campus, avatar),
                                         state.disabled.get()};
     std::vector<collision::Obstacle> obstacles;

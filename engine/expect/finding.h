@@ -33,8 +33,8 @@ struct EvaluatorContext {
 ///
 ///     EvaluatorOf(const Expected& expected, const EvaluatorContext& context);
 ///
-///     // Every tick, with the state at its end.
-///     void see(const TickRecord& record, const StateSnapshot& now);
+///     // Every record, with the state at its end; the closing one repeats the last tick.
+///     void on_tick(const TickRecord& record, const StateSnapshot& now);
 ///
 ///     // What holds so far; `ended`: nothing more will come.
 ///     Finding finding(bool ended) const;
@@ -56,8 +56,7 @@ std::string in_metres(double value);
 
 /// What a number should have been, as in "at least 2"; empty when it is.
 std::string violated_limit(const Limits<int>& limits, int count);
-/// The same; `unit` has a space before it. Three decimals are printed, and numbers are equal to three
-/// decimals.
+/// The same; `unit` has a space before it. Prints three decimals, and numbers that agree in these are equal.
 std::string violated_limit(const Limits<double>& limits, double value, const std::string& unit);
 /// Whether a number that only grows may still come within its limits, or leave them.
 bool can_still_change(const Limits<int>& limits, int count);

@@ -24,7 +24,7 @@ class EvaluatorOf<ExpectReaches> {
 public:
     EvaluatorOf(const ExpectReaches& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const double distance = distance_between(expected_->target, record.avatar.position);
         if (distance < nearest_) {
             nearest_ = distance;
@@ -54,7 +54,7 @@ class EvaluatorOf<ExpectNear> {
 public:
     EvaluatorOf(const ExpectNear& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         const Eigen::Vector3d& end = record.avatar.position;
         if (!expected_->at) {
             last_ = Approach{distance_between(expected_->target, end), at_time(record.time), now};
@@ -106,7 +106,7 @@ class EvaluatorOf<ExpectDuration> {
 public:
     EvaluatorOf(const ExpectDuration& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& /*now*/) { time_ = record.time; }
+    void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) { time_ = record.time; }
 
     Finding finding(bool ended) const {
         const std::string limit = violated_limit(expected_->seconds, time_, " s");
@@ -126,7 +126,7 @@ class EvaluatorOf<ExpectDistance> {
 public:
     EvaluatorOf(const ExpectDistance& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& /*now*/) { distance_ = record.distance; }
+    void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) { distance_ = record.distance; }
 
     Finding finding(bool ended) const {
         const std::string limit = violated_limit(expected_->metres, distance_, " m");

@@ -20,7 +20,7 @@ class EvaluatorOf<ExpectPopup> {
 public:
     EvaluatorOf(const ExpectPopup& expected, const EvaluatorContext&) : expected_(&expected) {}
 
-    void see(const TickRecord& record, const StateSnapshot& now) {
+    void on_tick(const TickRecord& record, const StateSnapshot& now) {
         for (const Event& event : record.events) {
             if (event.kind != EventKind::popup_open ||
                 !scene::glob_matches(expected_->building.glob, event.object)) {
@@ -74,7 +74,7 @@ public:
         }
     }
 
-    void see(const TickRecord& record, const StateSnapshot& /*now*/) {
+    void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) {
         for (const Event& event : record.events) {
             if (event.kind == EventKind::popup_open &&
                 std::ranges::find(buildings_, event.object) != buildings_.end()) {

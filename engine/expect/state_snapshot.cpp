@@ -4,7 +4,7 @@
 
 namespace campuswalk::engine {
 
-void StateHistory::see(const TickRecord& record) {
+void StateHistory::on_tick(const TickRecord& record) {
     now_.tick = record.tick;
     now_.time = record.time;
     now_.avatar = record.avatar;

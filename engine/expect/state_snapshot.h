@@ -33,7 +33,7 @@ struct StateSnapshot {
 /// Follows a walk from record to record.
 class StateHistory {
 public:
-    void see(const TickRecord& record);
+    void on_tick(const TickRecord& record);
     const StateSnapshot& now() const { return now_; }
 
 private:

@@ -83,8 +83,8 @@ void CostTrace::on_tick(const TickRecord& record) {
     }
 }
 
-/// The terms of eq. (4). In the hybrid tree, a pair of nodes whose spheres overlap has its boxes tested: the
-/// others were decided by eq. (1) alone.
+/// The terms of eq. (4). In the hybrid tree, a node whose sphere the query overlaps has its box tested, too:
+/// the others were decided by eq. (1) alone.
 void CostTrace::end() {
     std::string terms =
         std::string(R"("tree":)") + (hybrid_ ? R"("hybrid")" : R"("bvh8")") + R"(,"Nv":)" +

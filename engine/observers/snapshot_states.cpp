@@ -3,7 +3,7 @@
 namespace campuswalk::engine {
 
 void SnapshotStates::on_tick(const TickRecord& record) {
-    history_.see(record);
+    history_.on_tick(record);
     for (const SnapshotStep* step : record.snapshots) {
         states_[step->name] = history_.now();
     }

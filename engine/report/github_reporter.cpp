@@ -122,7 +122,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Reporter> make_github_reporter(TextSink sink) {
+std::unique_ptr<Reporter> make_github_reporter(TextSink sink, const ReportStyle& /*style*/) {
     return std::make_unique<GithubReporter>(std::move(sink));
 }
 

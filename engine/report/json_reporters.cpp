@@ -60,11 +60,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Reporter> make_json_reporter(TextSink sink) {
+std::unique_ptr<Reporter> make_json_reporter(TextSink sink, const ReportStyle& /*style*/) {
     return std::make_unique<JsonReporter>(std::move(sink));
 }
 
-std::unique_ptr<Reporter> make_jsonl_reporter(TextSink sink) {
+std::unique_ptr<Reporter> make_jsonl_reporter(TextSink sink, const ReportStyle& /*style*/) {
     return std::make_unique<JsonlReporter>(std::move(sink));
 }
 

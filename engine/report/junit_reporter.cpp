@@ -69,9 +69,9 @@ void append_failures(pugi::xml_node test, const WalkResult& result) {
     for (const Failure& failure : result.failures) {
         details += details_of(failure);
     }
-    const bool has_verdict = !verdict.empty() || result.failures.empty();
-    append_problem(test, "failure", has_verdict ? "status" : result.failures.front().code,
-                   has_verdict ? verdict : result.failures.front().message, details);
+    const bool use_verdict = !verdict.empty() || result.failures.empty();
+    append_problem(test, "failure", use_verdict ? "status" : result.failures.front().code,
+                   use_verdict ? verdict : result.failures.front().message, details);
 }
 
 void append_error(pugi::xml_node test, const WalkResult& result) {
@@ -181,7 +181,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Reporter> make_junit_reporter(TextSink sink) {
+std::unique_ptr<Reporter> make_junit_reporter(TextSink sink, const ReportStyle& /*style*/) {
     return std::make_unique<JunitReporter>(std::move(sink));
 }
 

@@ -17,7 +17,7 @@ using TextSink = std::function<void(std::string_view text)>;
 /// How a report is written for its reader; only `list` and `dot`, which people read, use it.
 struct ReportStyle {
     bool color = false;       ///< ANSI colours, for a terminal
-    bool quiet = false;       ///< only what isn't as it should be, and the last line
+    bool quiet = false;       ///< only problems, and the last line
     std::string folder = {};  ///< the run's output folder as the user wrote it, where images are
 };
 

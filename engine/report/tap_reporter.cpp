@@ -89,7 +89,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Reporter> make_tap_reporter(TextSink sink) {
+std::unique_ptr<Reporter> make_tap_reporter(TextSink sink, const ReportStyle& /*style*/) {
     return std::make_unique<TapReporter>(std::move(sink));
 }
 

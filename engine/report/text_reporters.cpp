@@ -36,7 +36,7 @@ Mark mark_of(const WalkResult& result) {
     }
 }
 
-bool is_as_it_should_be(const WalkResult& result) {
+bool is_ok(const WalkResult& result) {
     return result.outcome == Outcome::passed || result.outcome == Outcome::skipped;
 }
 
@@ -55,7 +55,7 @@ public:
         if (!style_.quiet) {
             print(result);
         }
-        if (!is_as_it_should_be(result)) {
+        if (!is_ok(result)) {
             problems_.push_back(result);
         }
     }

@@ -9,7 +9,8 @@
 namespace campuswalk::engine {
 
 /// The visitor's body and abilities (`NAME.avatar.yaml`); a walk may override any field.
-/// Defaults follow those of game engines: Jolt's 50° slope and 0.4 m step are a little generous for people.
+/// The defaults are those of game engines, such as Jolt's 50° slope, but for the step: 0.4 m is much for a
+/// person.
 struct AvatarProfile {
     double height = 1.8;                     ///< metres, total
     double radius = 0.3;                     ///< metres

@@ -55,7 +55,7 @@ struct ExpectCount {
     std::vector<Mention> mentions() const { return {{event, ""}}; }
 };
 
-/// `after` comes, and each time `event` follows within this time.
+/// `after` comes, and each time `event` follows within `seconds`.
 struct ExpectWithin {
     static constexpr std::string_view kName = "within";
     SourceMark mark;
@@ -124,7 +124,7 @@ struct ExpectNear {
 struct ExpectDuration {
     static constexpr std::string_view kName = "duration";
     SourceMark mark;
-    Limits<double> seconds;  ///< simulated; compared to the millisecond
+    Limits<double> seconds;  ///< simulated; equal if equal to the millisecond
 
     std::vector<Mention> mentions() const { return {}; }
 };
@@ -132,14 +132,14 @@ struct ExpectDuration {
 struct ExpectDistance {
     static constexpr std::string_view kName = "distance";
     SourceMark mark;
-    Limits<double> metres;  ///< along the path of the foot point; compared to the millimetre
+    Limits<double> metres;  ///< along the path of the foot point; equal if equal to the millimetre
 
     std::vector<Mention> mentions() const { return {}; }
 };
 
 // ---- the body -----------------------------------------------------------------------------------------
 
-/// At the end of each tick the body is inside no solid, layers that it ignores aside.
+/// At the end of each tick the body is outside all solids, but for those of layers that it ignores.
 struct ExpectNoPenetration {
     static constexpr std::string_view kName = "no_penetration";
     SourceMark mark;
@@ -194,8 +194,8 @@ struct ExpectNot {
     PlainExpectation what;
 };
 
-/// The event log equals, to the byte, the one that is stored beside the walk. Evaluated after the run by
-/// whoever has the files; a step can't expect it.
+/// The event log equals, to the byte, the one that is stored beside the walk. Evaluated after the run,
+/// where the files are; a step can't expect it.
 struct ExpectLog {
     static constexpr std::string_view kName = "log";
     SourceMark mark;
@@ -203,7 +203,7 @@ struct ExpectLog {
 };
 
 // ---- images -----------------------------------------------------------------------------------------
-// Evaluated after the run by whoever draws the walk's snapshots: drawing differs between machines, and the
+// Evaluated after the run, where the walk's snapshots are drawn: drawing differs between machines, and the
 // verdict on an image changes neither the walk nor its log. A step can't expect these.
 
 /// A snapshot equals, within a tolerance, the image that is stored beside the walk.

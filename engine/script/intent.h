@@ -40,7 +40,7 @@ struct StepEnd {
 
 /// Where a simulation gets the avatar's intent from: the walk's script, a recording, another program. A
 /// source without steps overrides only `intend` and `finished`. Each tick calls `intend` before the avatar
-/// moves, then `observe`, `settle` and, if that appended instant steps, `observe` again. Walks are
+/// moves, then `on_events`, `settle` and, if that appended instant steps, `on_events` again. Walks are
 /// reproducible if the source answers the same calls in the same way.
 class IntentSource {
 public:
@@ -53,7 +53,7 @@ public:
     virtual bool finished() const = 0;
 
     /// The events of the tick; called again with those of the instant steps.
-    virtual void observe(std::span<const Event> events) { static_cast<void>(events); }
+    virtual void on_events(std::span<const Event> events) { static_cast<void>(events); }
     /// How a step ended, if one did in this tick and that is to be logged. Appends to `instant` the steps to
     /// execute at the end of the tick, in their order; they must outlive the tick, snapshot steps the
     /// observers too.

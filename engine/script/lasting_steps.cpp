@@ -21,7 +21,7 @@ namespace {
 
 /// Being this far above or below a target that has a height still counts as being there, metres.
 constexpr double kLevel = 0.5;
-/// A walk_to or follow gives up after this many seconds in which its target came no nearer by kProgress, or
+/// A step that travels gives up after this many seconds in which its target came no nearer by kProgress, or
 /// by half of what a slower avatar would walk in that time.
 constexpr double kPatience = 1.5;
 constexpr double kProgress = 0.05;  // metres
@@ -49,7 +49,7 @@ std::optional<StepEnd> over_if(bool over) {
 /// When the steps so far are over if nothing is in the way, and where the avatar is then.
 class Plan {
 public:
-    explicit Plan(const AvatarProfile& avatar) : avatar_(avatar), pace_(avatar.speed) {}
+    explicit Plan(const AvatarProfile& avatar) : avatar_(avatar), speed_(avatar.speed) {}
 
     double seconds() const { return seconds_; }
 
@@ -57,13 +57,13 @@ public:
     void add(const TeleportStep& step) { put(step.position, step.yaw.value_or(yaw_)); }
     void add(const WalkToStep& step) {
         const double distance = flat(step.target.point - position_).norm();
-        seconds_ += std::max(0.0, distance - step.within) / step.speed.value_or(pace_);
+        seconds_ += std::max(0.0, distance - step.within) / step.speed.value_or(speed_);
         arrive(position_, step.target.point);
     }
     void add(const FollowStep& step) {
         CurveWalk curve;
         curve.start(position_, step.points);
-        seconds_ += std::max(0.0, curve.length() - step.within) / step.speed.value_or(pace_);
+        seconds_ += std::max(0.0, curve.length() - step.within) / step.speed.value_or(speed_);
         const std::size_t count = step.points.size();
         arrive(count > 1 ? step.points[count - 2].point : position_, step.points.back().point);
     }
@@ -72,7 +72,7 @@ public:
     void add(const TurnStep& step) { turn(step.absolute ? wrapped_angle(step.angle - yaw_) : step.angle); }
     void add(const LookAtStep& step) { turn(wrapped_angle(yaw_from(position_, step.target.point) - yaw_)); }
     void add(const JumpStep& step) { seconds_ += 2.0 * step.speed / collision::MoverSettings().gravity; }
-    void add(const SpeedStep& step) { pace_ = step.speed; }
+    void add(const SpeedStep& step) { speed_ = step.speed; }
     template <InstantStep Instant>
     void add(const Instant&) {}
 
@@ -92,7 +92,7 @@ private:
     }
 
     const AvatarProfile& avatar_;
-    double pace_;
+    double speed_;
     Vector3d position_ = Vector3d::Zero();
     double yaw_ = 0.0;
     double seconds_ = 0.0;
@@ -220,12 +220,12 @@ std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const Ava
 /// To an angle the short way; by an angle all of it, even several times around.
 template <>
 void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
-    const double remaining =
-        progress_.turn_left.value_or(step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
+    const double remaining = progress_.turn_remaining.value_or(
+        step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
     const double max_turn = walk_.avatar.turn_speed * dt_;
     const double part = std::clamp(remaining, -max_turn, max_turn);
     intent.yaw = wrapped_angle(avatar.yaw + part);
-    progress_.turn_left = remaining - part;
+    progress_.turn_remaining = remaining - part;
     progress_.aligned = std::abs(remaining - part) <= kAligned;
 }
 
@@ -273,7 +273,7 @@ std::optional<double> planned_seconds(const Walk& walk) {
 // ---- what several of them do ----------------------------------------------------------------------------
 
 double ScriptPlayer::speed_of(const std::optional<double>& own) const {
-    return own.value_or(pace_.value_or(walk_.avatar.speed));
+    return own.value_or(speed_.value_or(walk_.avatar.speed));
 }
 
 void ScriptPlayer::go_towards(const Vector3d& point, double speed, const AvatarState& avatar,

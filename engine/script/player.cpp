@@ -19,7 +19,7 @@ Intent ScriptPlayer::intend(const AvatarState& avatar) {
     return intent;
 }
 
-void ScriptPlayer::observe(std::span<const Event> events) {
+void ScriptPlayer::on_events(std::span<const Event> events) {
     if (finished()) {
         return;
     }
@@ -41,7 +41,7 @@ std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vect
     }
     for (; !finished() && is_instant(walk_.steps[current_]); ++current_) {
         if (const auto* speed = std::get_if<SpeedStep>(&walk_.steps[current_])) {
-            pace_ = speed->speed;
+            speed_ = speed->speed;
         } else {
             instant.push_back(&walk_.steps[current_]);
         }

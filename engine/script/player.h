@@ -20,7 +20,7 @@ public:
     bool finished() const override { return current_ >= walk_.steps.size(); }
     Intent intend(const AvatarState& avatar) override;
     /// Looks for the event of a wait_until.
-    void observe(std::span<const Event> events) override;
+    void on_events(std::span<const Event> events) override;
     /// Ends the current step if it is done, and appends the instant steps after it. Reports the end of a
     /// walk_to or a follow, and failures.
     std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) override;
@@ -28,22 +28,12 @@ public:
     const SourceMark* mark() const override;
 
 private:
-    struct Progress {
-        Tick ticks = 0;                   ///< spent on the current step
-        Tick since_closer = 0;            ///< ticks since the target came nearer
-        double nearest = 1e300;           ///< least distance to the target so far, metres
-        std::optional<double> turn_left;  ///< radians
-        bool aligned = false;             ///< turn and look_at: looks in the desired direction
-        double allowed = 0.0;             ///< walk_to and follow: seconds before it gives up
-        bool jumped = false;
-        bool awaited_event_came = false;  ///< wait_until
-    };
-
     void intend_step(const AvatarState& avatar, Intent& intent);
     /// None while the step goes on; one with neither a kind nor a failure if there is nothing to report.
     std::optional<StepEnd> end_of_step(const AvatarState& avatar);
 
-    // The same for each kind of step, in lasting_steps.cpp: a kind without its own doesn't compile.
+    // Specialized for each kind of step in lasting_steps.cpp: a kind that isn't doesn't compile. `intent`
+    // comes with the avatar's yaw and pitch and no motion.
     template <typename Kind>
     void intend(const Kind& step, const AvatarState& avatar, Intent& intent) = delete;
     template <typename Kind>
@@ -70,8 +60,8 @@ private:
     const Walk& walk_;
     double dt_;
     std::size_t current_ = 0;
-    Progress progress_;
-    std::optional<double> pace_;  ///< metres per second, once a step has set it
+    StepProgress progress_;
+    std::optional<double> speed_;  ///< metres per second, once a step has set it
     CurveWalk curve_;
 };
 

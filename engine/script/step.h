@@ -40,6 +40,18 @@ struct StepPreview {
     std::optional<Switch> switched = {};     ///< objects enabled or disabled from here on
 };
 
+/// What ScriptPlayer remembers from tick to tick of a step; it starts anew with each step.
+struct StepProgress {
+    Tick ticks = 0;                        ///< spent on the step
+    Tick since_closer = 0;                 ///< ticks since the target came nearer
+    double nearest = 1e300;                ///< least distance to the target so far, metres
+    double allowed = 0.0;                  ///< seconds before a step that travels gives up
+    std::optional<double> turn_remaining;  ///< radians
+    bool aligned = false;                  ///< looks in the desired direction
+    bool jumped = false;
+    bool awaited_event_came = false;
+};
+
 /// Places the avatar; the first step of every walk. The place must be free, which is checked before the run.
 struct SpawnStep {
     SourceMark mark;

@@ -65,7 +65,7 @@ struct Walk {
     AvatarProfile avatar;
     SimSettings sim;
     CameraSettings camera;
-    Views views = default_views();  ///< with the settings of `camera`, to choose another view by
+    Views views = default_views();  ///< one of each kind; that of `camera` has its settings
     LightSettings light;            ///< of the images
     std::vector<Step> steps;
     std::vector<Expectation> expectations;

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// This far below all objects the avatar has fallen off the world, metres.
+/// This far below all objects the avatar has fallen out of the world, metres.
 constexpr double kAbyss = 10.0;
 /// Falls from less than this are steps, not landings that are worth an event, metres.
 constexpr double kNotableFall = 0.5;
@@ -44,7 +44,7 @@ std::optional<ObjectId> Body::obstacle() const {
     return nearest == trace_.touching.end() ? std::nullopt : std::optional(nearest->object);
 }
 
-bool Body::has_fallen_off_the_world() const {
+bool Body::has_fallen_out_of_the_world() const {
     return foot().y() < campus_.world.bounds().min.y() - kAbyss;
 }
 
@@ -67,13 +67,15 @@ Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
         }
         jumping_ = jumping_ && !mover_state_.grounded;
     }
-    motion.stuck = stuck_.see(foot(), intent.move.norm());
+    motion.stuck = stuck_.update(foot(), intent.move.norm());
     return motion;
 }
 
 bool Body::resize(double height, QueryStatistics& statistics) {
     const auto resized = mover_.resized(mover_state_, height, mover_cache_, &statistics);
-    mover_ = resized.value_or(mover_);
+    if (resized) {
+        mover_ = *resized;
+    }
     return resized.has_value();
 }
 
@@ -93,7 +95,7 @@ Body::Adjustment Body::adjust_to_enabled(QueryStatistics& statistics) {
             adjustment.enclosed_by = solid;
         }
     }
-    rest(statistics);
+    trace_in_place(statistics);
     return adjustment;
 }
 
@@ -105,7 +107,7 @@ void Body::adjust_to_disabled(QueryStatistics& statistics) {
     if (mover_state_.grounded && !probe.grounded) {
         mover_state_.leave_ground(0.0, foot().y());
     }
-    rest(statistics);
+    trace_in_place(statistics);
 }
 
 /// At the given position or, if that isn't free, beside the obstacle.
@@ -120,12 +122,12 @@ std::optional<Push> Body::put_down(const Vector3d& foot, QueryStatistics& statis
         push = Push{foot, (placement.foot - foot).norm(), *placement.pushed_out_of};
     }
     mover_.place(mover_state_, placement.foot, 2.0 * kPlacementSearch, mover_cache_, &statistics);
-    rest(statistics);
+    trace_in_place(statistics);
     return push;
 }
 
 /// Sets the trace of a body that doesn't move.
-void Body::rest(QueryStatistics& statistics) {
+void Body::trace_in_place(QueryStatistics& statistics) {
     trace_.path.assign(1, foot());
     trace_.landed = false;
     mover_.touch(mover_state_, mover_cache_, trace_, &statistics);

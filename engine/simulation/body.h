@@ -49,7 +49,7 @@ public:
     const collision::MoveTrace& trace() const { return trace_; }
     /// The nearest of the objects that the body touches.
     std::optional<collision::ObjectId> obstacle() const;
-    bool has_fallen_off_the_world() const;
+    bool has_fallen_out_of_the_world() const;
 
     /// One tick.
     Motion follow(const Intent& intent, collision::QueryStatistics& statistics);
@@ -70,7 +70,7 @@ public:
 
 private:
     std::optional<Push> put_down(const Eigen::Vector3d& foot, collision::QueryStatistics& statistics);
-    void rest(collision::QueryStatistics& statistics);
+    void trace_in_place(collision::QueryStatistics& statistics);
 
     const scene::Campus& campus_;
     const AvatarProfile& profile_;

@@ -2,7 +2,7 @@
 
 #include <set>
 #include <string>
-#include <tuple>
+#include <utility>
 
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
@@ -88,10 +88,9 @@ private:
 
 /// The steps of a `repeat` are checked once per round.
 void drop_repeated(std::vector<Diagnostic>& diagnostics) {
-    std::set<std::tuple<std::string, int, int, std::string>> seen;
-    std::erase_if(diagnostics, [&](const Diagnostic& each) {
-        return !seen.emplace(each.mark.file, each.mark.line, each.mark.column, each.message).second;
-    });
+    std::set<std::pair<scene::SourceMark, std::string>> seen;
+    std::erase_if(diagnostics,
+                  [&](const Diagnostic& each) { return !seen.emplace(each.mark, each.message).second; });
 }
 
 }  // namespace

@@ -9,9 +9,7 @@ namespace campuswalk::engine {
 
 /// Checks before the run what requires the built campus. Returns the diagnostics; empty if the walk can run:
 ///   spawn-blocked   a spawn or teleport where the avatar's capsule, with its height at that time, doesn't
-///   fit
-///                   between the objects that are enabled at that time (see
-///                   collision::nearest_free_placement)
+///                   fit between the objects that are enabled then (see collision::nearest_free_placement)
 ///   unknown-name    an event that is expected or waited for but can't happen on this campus, whatever the
 ///                   avatar does; an object or building in an expectation, or an object to enable or disable,
 ///                   that doesn't exist

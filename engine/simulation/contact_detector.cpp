@@ -48,7 +48,7 @@ void ContactDetector::detect(Tick tick, const AvatarState& avatar, const collisi
                              std::vector<DetectedTransition>& out, collision::QueryStatistics* statistics) {
     out.clear();
     find_solid_contacts(trace);
-    collect(tick, DetectionMode::collision, solids_, out);
+    collect(tick, DetectionMode::solid, solids_, out);
     find_trigger_overlaps(avatar.stature * avatar_.height, trace, statistics);
     collect(tick, DetectionMode::trigger, triggers_, out);
     find_gaze_hits(tick, avatar, statistics);
@@ -80,7 +80,7 @@ void ContactDetector::leave_all(Tick tick, std::vector<DetectedTransition>& out)
             out.push_back({mode, t, 0.0});
         }
     };
-    leave(DetectionMode::collision, solids_);
+    leave(DetectionMode::solid, solids_);
     leave(DetectionMode::trigger, triggers_);
     leave(DetectionMode::ray, gaze_);
     gaze_tracker_.forget_all();
@@ -130,7 +130,7 @@ ObjectOverlap ContactDetector::trigger_overlap(collision::ObjectId id, double he
                                                collision::QueryStatistics* statistics) const {
     const double radius = avatar_.radius + (triggers_.active(id) ? kVolumeSlack : 0.0);
     const auto span_from = [&](const Vec3& foot, const Vec3& move) {
-        const Segment body = body_axis(avatar_, foot, height);
+        const Segment body = collision::upright_axis(foot, avatar_.radius, height);
         return overlap_span(campus_.world, id, body, radius, move, statistics);
     };
     if (path.size() == 1) {  // placed here

@@ -14,11 +14,11 @@
 
 namespace campuswalk::engine {
 
-enum class DetectionMode { collision, trigger, ray };
+enum class DetectionMode { solid, trigger, ray };
 
 /// A transition with the mode that detected it.
 struct DetectedTransition {
-    DetectionMode mode = DetectionMode::collision;
+    DetectionMode mode = DetectionMode::solid;
     Transition transition;
     double distance = 0.0;  ///< ray: from the eye to the object, metres
 };

@@ -20,7 +20,7 @@ EventKind kind_of(const DetectedTransition& contact) {
 }
 
 /// At least one.
-Tick ticks_of(double seconds, const SimSettings& sim) {
+Tick at_least_one_tick(double seconds, const SimSettings& sim) {
     return std::max<Tick>(1, sim.ticks_of(seconds));
 }
 
@@ -39,11 +39,12 @@ Vector3d position_at(double fraction, const std::vector<Vector3d>& path) {
 }  // namespace
 
 ContactEvents::ContactEvents(const scene::Campus& campus, const Walk& walk, const std::vector<bool>& disabled,
-                             PopupWindows& windows)
+                             PopupWindows& popups)
     : campus_(campus),
       detector_(campus, walk.avatar, ignored_layers(campus, walk.avatar),
-                ticks_of(walk.sim.stay_every, walk.sim), ticks_of(walk.sim.gaze_hold, walk.sim), &disabled),
-      windows_(windows) {}
+                at_least_one_tick(walk.sim.stay_every, walk.sim),
+                at_least_one_tick(walk.sim.gaze_hold, walk.sim), &disabled),
+      popups_(popups) {}
 
 void ContactEvents::detect(const Body& body, const char* cause, TickEvents& events,
                            collision::QueryStatistics& statistics) {
@@ -65,11 +66,11 @@ void ContactEvents::end_all(const Body& body, const char* cause, TickEvents& eve
 void ContactEvents::report_all(const Body& body, const char* cause, TickEvents& events) {
     for (const DetectedTransition& contact : transitions_) {
         if (contact.transition.phase == Phase::exit) {
-            windows_.contact_ended(contact, events);
+            popups_.contact_ended(contact, events);
         }
         report(contact, body, cause, events);
         if (contact.transition.phase == Phase::enter) {
-            windows_.contact_began(contact, events);
+            popups_.contact_began(contact, events);
         }
     }
 }

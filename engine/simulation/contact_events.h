@@ -14,7 +14,7 @@ class ContactEvents {
 public:
     /// `disabled` is by object. All must outlive it.
     ContactEvents(const scene::Campus& campus, const Walk& walk, const std::vector<bool>& disabled,
-                  PopupWindows& windows);
+                  PopupWindows& popups);
 
     /// After the body has moved. `cause` says why contacts change; null if it is by the avatar's own motion.
     void detect(const Body& body, const char* cause, TickEvents& events,
@@ -31,7 +31,7 @@ private:
 
     const scene::Campus& campus_;
     ContactDetector detector_;
-    PopupWindows& windows_;
+    PopupWindows& popups_;
     std::vector<DetectedTransition> transitions_;  ///< a member to reuse its memory
 };
 

@@ -30,12 +30,12 @@ const TickRecord& Simulation::step() {
     const Intent intent = intents_.intend(state_.body.state());
     const Motion motion = move(intent);
     state_.contacts.detect(state_.body, cause_of(intent), state_.events, state_.costs.detect);
-    state_.windows.open_due(state_.events);
+    state_.popups.open_due(state_.events);
     report_motion(motion);
     settle_steps();
     check_timeout();
     end_tick();
-    state_.expectations.see(record_);
+    state_.expectations.on_tick(record_);
     return record_;
 }
 
@@ -43,10 +43,10 @@ const TickRecord& Simulation::close() {
     begin_tick(state_.events.tick);
     state_.contacts.end_all(state_.body, "end", state_.events);
     end_tick();
-    // Not hashed: a walk's expectations, which may end it, don't change it.
+    // Not hashed: a walk has the same hash with and without expectations.
     state_.events.add(EventKind::walk_end, state_.walk.name);
     record_.events = state_.events.list;
-    state_.expectations.see_closing(record_);
+    state_.expectations.on_close(record_);
     return record_;
 }
 
@@ -86,7 +86,7 @@ void Simulation::report_motion(const Motion& motion) {
     if (motion.landed_from) {
         state_.events.add(EventKind::avatar_landed, name, {pos, {"height", Decimal{*motion.landed_from, 3}}});
     }
-    if (state_.body.has_fallen_off_the_world()) {
+    if (state_.body.has_fallen_out_of_the_world()) {
         state_.events.add(EventKind::avatar_fell, name, {pos});
         stop_ = Stop{state_.walk.mark, "fell", "the avatar fell out of the world"};
     }
@@ -104,7 +104,7 @@ void Simulation::settle_steps() {
         return;
     }
     std::vector<Event>& events = state_.events.list;
-    intents_.observe(events);
+    intents_.on_events(events);
     instant_steps_.clear();
     if (const auto end = intents_.settle(state_.body.state(), instant_steps_)) {
         report_step_end(*end);
@@ -118,7 +118,7 @@ void Simulation::settle_steps() {
             stop_ = execute(*step, state_);
         }
     }
-    intents_.observe(std::span(events).subspan(observed));
+    intents_.on_events(std::span(events).subspan(observed));
 }
 
 void Simulation::report_step_end(const StepEnd& end) {

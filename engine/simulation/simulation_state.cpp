@@ -7,8 +7,8 @@ SimulationState::SimulationState(const scene::Campus& at, const Walk& played)
       walk(played),
       disabled(at.objects.size(), false),
       body(at, played, disabled),
-      windows(at, played),
-      contacts(at, played, disabled, windows),
+      popups(at, played),
+      contacts(at, played, disabled, popups),
       expectations(at, played) {}
 
 const std::string& SimulationState::name_of(collision::ObjectId object) const {
@@ -32,7 +32,7 @@ TickRecord SimulationState::record() const {
     record.distance = body.distance();
     record.events = events.list;
     record.snapshots = snapshots;
-    record.open_popups = windows.open();
+    record.open_popups = popups.open();
     record.disabled = &disabled;
     return record;
 }

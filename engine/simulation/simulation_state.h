@@ -34,7 +34,7 @@ struct SimulationState {
     const Walk& walk;
     std::vector<bool> disabled;  ///< by object
     Body body;
-    PopupWindows windows;
+    PopupWindows popups;
     ContactEvents contacts;
     ExpectationSet expectations;
 

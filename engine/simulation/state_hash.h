@@ -19,8 +19,8 @@ public:
         }
     }
     void add(double value) {
-        add(std::bit_cast<std::uint64_t>(value + 0.0));
-    }  // -0 becomes 0: the same place
+        add(std::bit_cast<std::uint64_t>(value + 0.0));  // -0 becomes 0: the same place
+    }
     void add(const Eigen::Vector3d& v) {
         add(v.x());
         add(v.y());

@@ -13,7 +13,7 @@ constexpr double kStandstill =
 
 }  // namespace
 
-bool StuckWatch::see(const Eigen::Vector3d& position, double desired) {
+bool StuckWatch::update(const Eigen::Vector3d& position, double desired) {
     const double speed = desired * ticks_per_second_;
     const double progress = std::min(kMinProgress, kSlowShare * speed);
     if (speed < kStandstill || ticks_ == 0 || (position - from_).norm() > progress) {

@@ -14,7 +14,7 @@ public:
 
     /// After every tick, with the avatar's position and the length of its desired displacement, metres. True
     /// in the tick in which it is found to be stuck.
-    bool see(const Eigen::Vector3d& position, double desired);
+    bool update(const Eigen::Vector3d& position, double desired);
 
 private:
     int ticks_per_second_;

@@ -48,11 +48,11 @@ Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::st
     return {true, "all occurred, the last being " + last};
 }
 
-Verdict has_never(const std::vector<Event>& events, const std::string& unwanted) {
-    const EventPattern pattern = pattern_from(unwanted);
+Verdict has_never(const std::vector<Event>& events, const std::string& text) {
+    const EventPattern pattern = pattern_from(text);
     const auto found =
         std::ranges::find_if(events, [&](const Event& event) { return matches(pattern, event); });
-    return found == events.end() ? Verdict{true, "no " + unwanted} : Verdict{false, describe(*found)};
+    return found == events.end() ? Verdict{true, "no " + text} : Verdict{false, describe(*found)};
 }
 
 std::size_t count_of(const std::vector<Event>& events, const std::string& text) {

@@ -40,7 +40,7 @@ std::ostream& operator<<(std::ostream& out, const Verdict& verdict);
 Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::string>& patterns);
 
 /// No event matches.
-Verdict has_never(const std::vector<Event>& events, const std::string& unwanted);
+Verdict has_never(const std::vector<Event>& events, const std::string& pattern);
 
 /// How many events match.
 std::size_t count_of(const std::vector<Event>& events, const std::string& pattern);

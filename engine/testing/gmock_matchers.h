@@ -23,13 +23,15 @@ inline auto HasSequence(std::vector<std::string> patterns) {
     return HasEventsInOrder(std::move(patterns));
 }
 
-MATCHER_P(HasNever, unwanted, "has no " + std::string(unwanted)) {
-    const Verdict verdict = has_never(arg, unwanted);
+MATCHER_P(HasNever, pattern, "has no " + std::string(pattern)) {
+    const Verdict verdict = has_never(arg, pattern);
     *result_listener << verdict.found;
     return verdict.holds;
 }
 
-MATCHER_P2(HasCount, pattern, count, "has the expected number of " + std::string(pattern)) {
+MATCHER_P2(HasCount, pattern, count,
+           "has a count of " + std::string(pattern) + " that " +
+               ::testing::DescribeMatcher<std::size_t>(count, negation)) {
     const std::size_t found = count_of(arg, pattern);
     *result_listener << found << " of " << pattern;
     return ::testing::Matches(count)(found);

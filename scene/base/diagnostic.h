@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +13,8 @@ struct SourceMark {
     std::string file;  ///< as the user wrote it, relative to the working directory
     int line = 0;
     int column = 0;
+
+    friend auto operator<=>(const SourceMark&, const SourceMark&) = default;
 };
 
 enum class Severity { error, warning };

@@ -68,12 +68,12 @@ ContentHash key_with_files(const ContentHash& key, const SceneFile& file, const 
     ContentHasher hasher;
     hasher.add_hash(key);
     const SceneFolder folder(file.path);
-    std::error_code none;
+    std::error_code ignored;
     for (const FileRequest& request : requests) {
         hasher.add_text(request.uri);
         hasher.add_number(std::uint64_t{request.image});
         const std::optional<std::filesystem::path> found = folder.find(request);
-        const bool itself = found && std::filesystem::equivalent(*found, file.path, none);
+        const bool itself = found && std::filesystem::equivalent(*found, file.path, ignored);
         const auto hash = itself ? contents : found ? hash_of_file(*found) : std::nullopt;
         hasher.add_number(std::uint64_t{hash.has_value()});
         hasher.add_hash(hash.value_or(ContentHash{}));

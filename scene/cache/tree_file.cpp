@@ -96,7 +96,7 @@ PlacedMesh take_mesh(ArchiveReader& in) {
     TriangleMesh mesh;
     mesh.positions = in.take_aligned<Eigen::Vector3f>(positions);
     mesh.triangles = in.take_aligned<std::array<std::uint32_t, 3>>(triangles);
-    tree.nodes = take_flagged<Bvh8Node>(in, nodes, offsetof(Bvh8Node, turned));
+    tree.nodes = take_flagged<Bvh8Node>(in, nodes, offsetof(Bvh8Node, rotated));
     tree.leaves = take_flagged<Bvh8Leaf>(in, leaves, offsetof(Bvh8Leaf, exact));
     Storage<std::uint64_t> inside = in.take_aligned<std::uint64_t>(members);
     if (!placed.p_world_origin.allFinite()) {

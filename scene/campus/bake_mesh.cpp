@@ -76,7 +76,7 @@ BakedMesh bake_mesh(const WorldGeometry& geometry) {
     if (bounds.empty()) {
         return baked;
     }
-    baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+    baked.p_world_origin = whole_millimetres(bounds.center());
     add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& vertices) {
         const bool thick = thickness(vertices[0].cast<double>(), vertices[1].cast<double>(),
                                      vertices[2].cast<double>()) >= kMinThickness;
@@ -90,7 +90,7 @@ BakedMesh bake_every_triangle(const WorldGeometry& geometry) {
     BakedMesh baked;
     const collision::Aabb bounds = bounds_of(geometry);
     if (!bounds.empty() && !float_holds(geometry)) {
-        baked.p_world_origin = whole_millimetres(0.5 * (bounds.min + bounds.max));
+        baked.p_world_origin = whole_millimetres(bounds.center());
     }
     add_triangles(geometry, baked, [](const std::array<Eigen::Vector3f, 3>&) { return true; });
     return baked;

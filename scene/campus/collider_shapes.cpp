@@ -30,7 +30,7 @@ Aabb bounds_in(const Pose& frame, const WorldGeometry& geometry) {
 }
 
 Vec3 centre_of(const Aabb& bounds) {
-    return 0.5 * (bounds.min + bounds.max);
+    return bounds.center();
 }
 
 double farthest_from(const Vec3& p_world, const WorldGeometry& geometry) {

@@ -38,7 +38,7 @@ void check_size(const Bounds& bounds, std::vector<ModelLint>& out) {
                                         " across, which is an unlikely size for a campus" +
                                         campus_unit_hint(size)});
     }
-    const Eigen::Vector3d center = 0.5 * (bounds.min + bounds.max);
+    const Eigen::Vector3d center = bounds.center();
     const double distance = center.norm();
     if (center.cwiseAbs().maxCoeff() > kFarAway) {  // the criterion of origin_near
         out.push_back({"far-from-origin",
@@ -157,7 +157,7 @@ void check_outliers(const Model& model, const ModelReport& report, std::vector<M
     ModelLint lint{"outlier", "", {}};
     for (const std::size_t n : outlier_nodes(model)) {
         const Bounds& bounds = report.nodes[n].bounds;
-        lint.places.push_back({model.nodes[n].name, 0.5 * (bounds.min + bounds.max)});
+        lint.places.push_back({model.nodes[n].name, bounds.center()});
     }
     if (!lint.places.empty()) {
         lint.message = plural(lint.places.size(), "node") + " far from everything else, for example '" +

@@ -78,7 +78,7 @@ std::vector<std::size_t> outlier_nodes(const Model& model) {
 }
 
 std::vector<DuplicateFaces> find_duplicate_faces(const Model& model, const Bounds& bounds) {
-    const Eigen::Vector3d centre = 0.5 * (bounds.min + bounds.max);
+    const Eigen::Vector3d centre = bounds.center();
     const std::size_t triangles = count_triangles(model);
     WeldTable<3> positions(triangles);
     WeldTable<3> faces(triangles);

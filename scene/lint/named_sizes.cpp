@@ -26,7 +26,7 @@ constexpr double kMaxUsualDoor = 3.2;  // metres
 constexpr double kMaxRiser = 0.32;     // metres: avatars step up 0.3 m
 
 ModelLint::Place place_of(const NodeReport& node) {
-    Vector3d foot = 0.5 * (node.bounds.min + node.bounds.max);
+    Vector3d foot = node.bounds.center();
     foot.y() = node.bounds.min.y();
     return {node.name, foot};
 }

@@ -97,6 +97,7 @@ struct Bounds {
     Eigen::Vector3d max = Eigen::Vector3d::Constant(-1e300);
 
     bool empty() const { return min.x() > max.x(); }
+    Eigen::Vector3d center() const { return 0.5 * (min + max); }
     void extend(const Eigen::Vector3d& point) {
         min = min.cwiseMin(point);
         max = max.cwiseMax(point);

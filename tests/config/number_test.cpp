@@ -60,9 +60,9 @@ TEST(ParseNumber, RefusesOtherNotations) {
 TEST(ParseNumber, NamesTheRangeAndTheText) {
     const Range lengths{0.0, 10.0, true, "m"};
     const Range seconds{0.0, 2.5, false, "s"};
-    EXPECT_THAT(parse_number("0", lengths).message, ContainsRegex("0 .*10 m.*'0'"));
-    EXPECT_THAT(parse_number("-0.5", seconds).message, ContainsRegex("0 .*2\\.5 s.*'-0\\.5'"));
-    EXPECT_THAT(parse_number("3", seconds).message, ContainsRegex("0 .*2\\.5 s.*'3'"));
+    EXPECT_THAT(parse_number("0", lengths).message, ContainsRegex("more than 0 .*10 m.*'0'"));
+    EXPECT_THAT(parse_number("-0.5", seconds).message, ContainsRegex("from 0 .*2\\.5 s.*'-0\\.5'"));
+    EXPECT_THAT(parse_number("3", seconds).message, ContainsRegex("from 0 .*2\\.5 s.*'3'"));
     EXPECT_THAT(parse_number("tall", lengths).message, HasSubstr("'tall'"));
     EXPECT_THAT(parse_number("08", lengths).message, HasSubstr("'08'"));
     EXPECT_THAT(parse_number(".inf", lengths).message, HasSubstr("'.inf'"));

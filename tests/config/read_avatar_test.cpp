@@ -1,21 +1,19 @@
 #include "config/loader/profile/read_avatar.h"
 
-#include <numbers>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/angles.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using engine::AvatarProfile;
-using test::says;
+using support::radians;
+using support::says;
 using testing::ElementsAre;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 class ReadAvatar : public testing::Test {
 protected:
@@ -45,9 +43,9 @@ ignore_layers: [trees, glass-walls]
     EXPECT_EQ(avatar.eye_height, 1.1);
     EXPECT_EQ(avatar.speed, 0.9);
     EXPECT_EQ(avatar.step_height, 0.2);
-    EXPECT_NEAR(avatar.max_slope, 30 * kDegree, 1e-15);
+    EXPECT_NEAR(avatar.max_slope, radians(30), 1e-15);
     EXPECT_EQ(avatar.skin_width, 0.01);
-    EXPECT_NEAR(avatar.turn_speed, 90 * kDegree, 1e-15);
+    EXPECT_NEAR(avatar.turn_speed, radians(90), 1e-15);
     EXPECT_EQ(avatar.look_distance, 7.0);
     EXPECT_THAT(avatar.ignore_layers, ElementsAre("trees", "glass-walls"));
 }

@@ -1,12 +1,11 @@
 #include "config/loader/walk/read_camera.h"
 
-#include <numbers>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/angles.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
@@ -18,10 +17,9 @@ using engine::OrbitView;
 using engine::SnapshotStep;
 using engine::ThirdPersonView;
 using engine::TopView;
-using test::says;
+using support::radians;
+using support::says;
 using testing::ElementsAre;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 class ReadCamera : public testing::Test {
 protected:
@@ -39,7 +37,7 @@ TEST_F(ReadCamera, ReadsEveryKey) {
     const CameraSettings& camera = walk.camera;
     EXPECT_EQ(camera.width, 640);
     EXPECT_EQ(camera.height, 480);
-    EXPECT_NEAR(camera.fov, 90 * kDegree, 1e-15);
+    EXPECT_NEAR(camera.fov, radians(90), 1e-15);
     EXPECT_EQ(std::get<TopView>(camera.view).height_above, 25.0);
     // The other views, which video frames may use, have the keys too.
     EXPECT_EQ(std::get<ThirdPersonView>(walk.views[1]).distance, 3.0);
@@ -60,7 +58,7 @@ TEST_F(ReadCamera, LetsASnapshotOverrideTheCamera) {
     const auto& second = std::get<SnapshotStep>(walk.steps.at(2));
     EXPECT_EQ(second.name, "b");
     EXPECT_TRUE(std::holds_alternative<FirstPersonView>(second.camera.view));
-    EXPECT_NEAR(second.camera.fov, 45 * kDegree, 1e-15);
+    EXPECT_NEAR(second.camera.fov, radians(45), 1e-15);
     EXPECT_EQ(second.camera.width, 640);
     const auto& third = std::get<SnapshotStep>(walk.steps.at(3));
     EXPECT_EQ(std::get<OrbitView>(third.camera.view).distance, 3.0) << "from the walk's camera";
@@ -79,8 +77,8 @@ TEST_F(ReadCamera, ResolvesCameraTargets) {
     const engine::Walk walk = folder_.run().walk;
     const auto& a = std::get<OrbitView>(std::get<SnapshotStep>(walk.steps.at(1)).camera.view);
     EXPECT_EQ(a.around->building, 0U);
-    EXPECT_NEAR(*a.yaw, 45 * kDegree, 1e-15);
-    EXPECT_NEAR(*a.pitch, -30 * kDegree, 1e-15);
+    EXPECT_NEAR(*a.yaw, radians(45), 1e-15);
+    EXPECT_NEAR(*a.pitch, radians(-30), 1e-15);
     EXPECT_FALSE(a.distance);
     const auto& b = std::get<OrbitView>(std::get<SnapshotStep>(walk.steps.at(2)).camera.view);
     EXPECT_FALSE(b.around->building);

@@ -6,15 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using scene::CampusDescription;
 using scene::UpAxis;
+using support::says;
 using test::Lines;
-using test::says;
 using testing::ElementsAre;
 
 class ReadCampus : public testing::Test {

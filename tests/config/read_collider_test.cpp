@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using scene::ColliderDescription;
-using test::says;
+using support::says;
 using testing::ElementsAre;
 
 class ReadCollider : public testing::Test {

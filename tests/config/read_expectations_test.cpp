@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using namespace engine;
-using test::says;
+using support::says;
 using testing::ElementsAre;
 
 template <typename Expected>

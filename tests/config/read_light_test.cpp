@@ -1,22 +1,20 @@
 #include "config/loader/profile/read_light.h"
 
-#include <numbers>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/angles.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using engine::AntiAliasing;
 using engine::LightSettings;
-using test::says;
+using support::radians;
+using support::says;
 using testing::ElementsAre;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 class ReadLight : public testing::Test {
 protected:
@@ -46,8 +44,8 @@ protected:
 
 TEST_F(ReadLight, ReadsEveryKey) {
     const LightSettings light = light_of("dusk");
-    EXPECT_NEAR(*light.sun_azimuth, 250 * kDegree, 1e-12);
-    EXPECT_NEAR(*light.sun_elevation, 5 * kDegree, 1e-12);
+    EXPECT_NEAR(*light.sun_azimuth, radians(250), 1e-12);
+    EXPECT_NEAR(*light.sun_elevation, radians(5), 1e-12);
     EXPECT_EQ(light.sun_color, Eigen::Vector3d(1, 0.5, 0.2));
     EXPECT_EQ(light.sun_disc, 2.0);
     EXPECT_EQ(light.zenith_color, Eigen::Vector3d(0, 0.1, 0.3));

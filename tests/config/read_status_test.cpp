@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using engine::WalkStatus;
-using test::says;
+using support::says;
 using testing::ElementsAre;
 
 /// Keys above a walk's steps, from line 2 on.

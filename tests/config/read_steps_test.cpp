@@ -1,22 +1,20 @@
 #include "config/loader/walk/read_steps.h"
 
-#include <numbers>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/config/says.h"
 #include "tests/config/steps_fixture.h"
+#include "tests/support/angles.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using namespace engine;
 using Eigen::Vector3d;
-using test::says;
+using support::radians;
+using support::says;
 using testing::ElementsAre;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 class ReadSteps : public test::StepsFixture {};
 
@@ -27,15 +25,15 @@ TEST_F(ReadSteps, ReadsSpawnsAndTeleports) {
     const auto& spawn = std::get<SpawnStep>(steps.at(0));
     EXPECT_EQ(spawn.label, "gate");
     EXPECT_EQ(spawn.position, Vector3d(1, 0, 5));
-    EXPECT_NEAR(spawn.yaw, 90 * kDegree, 1e-15);
+    EXPECT_NEAR(spawn.yaw, radians(90), 1e-15);
     EXPECT_EQ(spawn.mark.line, 3);
     EXPECT_EQ(spawn.mark.column, 12);
     EXPECT_EQ(std::get<TeleportStep>(steps.at(1)).label, "gate");
-    EXPECT_NEAR(std::get<TeleportStep>(steps.at(1)).yaw.value(), 90 * kDegree, 1e-15);
+    EXPECT_NEAR(std::get<TeleportStep>(steps.at(1)).yaw.value(), radians(90), 1e-15);
     EXPECT_EQ(std::get<TeleportStep>(steps.at(2)).label, "1,2,3");
     EXPECT_EQ(std::get<TeleportStep>(steps.at(2)).position, Vector3d(1, 2, 3));
     EXPECT_FALSE(std::get<TeleportStep>(steps.at(2)).yaw);
-    EXPECT_NEAR(std::get<TeleportStep>(steps.at(3)).yaw.value(), 180 * kDegree, 1e-15);
+    EXPECT_NEAR(std::get<TeleportStep>(steps.at(3)).yaw.value(), radians(180), 1e-15);
 }
 
 TEST_F(ReadSteps, SpawnsAtCoordinates) {
@@ -43,7 +41,7 @@ TEST_F(ReadSteps, SpawnsAtCoordinates) {
     const auto& spawn = std::get<SpawnStep>(steps.at(0));
     EXPECT_EQ(spawn.label, "1.5,0,-2");
     EXPECT_EQ(spawn.position, Vector3d(1.5, 0, -2));
-    EXPECT_NEAR(spawn.yaw, -90 * kDegree, 1e-15);
+    EXPECT_NEAR(spawn.yaw, radians(-90), 1e-15);
 }
 
 TEST_F(ReadSteps, ReadsWalkTo) {
@@ -89,9 +87,9 @@ TEST_F(ReadSteps, ReadsWaitTurnLookAtAndSnapshot) {
         "  - look_at: [1, 2]\n"
         "  - snapshot: view-1\n");
     EXPECT_EQ(std::get<WaitStep>(steps.at(1)).seconds, 2.5);
-    EXPECT_NEAR(std::get<TurnStep>(steps.at(2)).angle, -90 * kDegree, 1e-15);
+    EXPECT_NEAR(std::get<TurnStep>(steps.at(2)).angle, radians(-90), 1e-15);
     EXPECT_FALSE(std::get<TurnStep>(steps.at(2)).absolute);
-    EXPECT_NEAR(std::get<TurnStep>(steps.at(3)).angle, 180 * kDegree, 1e-15);
+    EXPECT_NEAR(std::get<TurnStep>(steps.at(3)).angle, radians(180), 1e-15);
     EXPECT_TRUE(std::get<TurnStep>(steps.at(3)).absolute);
     EXPECT_EQ(std::get<LookAtStep>(steps.at(4)).target.point, Vector3d(2, 0, -3));
     EXPECT_FALSE(std::get<LookAtStep>(steps.at(5)).target.has_height);

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::config {
 namespace {
 
-using test::says;
+using support::says;
 
 class SourceText : public testing::Test {
 protected:

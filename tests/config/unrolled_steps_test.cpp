@@ -6,14 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "config/loader/walk/read_steps.h"
-#include "tests/config/says.h"
 #include "tests/config/steps_fixture.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
 using namespace engine;
-using test::says;
+using support::says;
 using testing::ElementsAre;
 
 class UnrolledSteps : public test::StepsFixture {
@@ -117,8 +117,8 @@ TEST_F(UnrolledSteps, TakeOneSnapshotPerName) {
     folder_.write("lap.steps.yaml", "steps: [{snapshot: view}]\n");
     EXPECT_EQ(read("  - spawn: gate\n  - include: lap.steps.yaml\n").size(), 2U);
     EXPECT_THAT(about("snapshot: view\n  - include: lap.steps.yaml"),
-                ElementsAre(testing::MatchesRegex("lap.steps.yaml:1:20: error duplicate-name: .*'view'.* "
-                                                  "line 4 of .*a.walk.yaml")));
+                ElementsAre(says("lap.steps.yaml:1:20: error duplicate-name",
+                                 {"'view'", " line 4 of ", "a.walk.yaml"})));
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/config/config_folder.h"
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
-using test::says;
+using support::says;
 using testing::ElementsAre;
 
 class ReadWalksConfig : public testing::Test {

@@ -2,24 +2,33 @@
 
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/config/says.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::config {
 namespace {
 
-using test::says;
-
 using scene::DiagnosticList;
+using support::says;
+using testing::ElementsAre;
+
+std::vector<std::string> diagnostics_of(const std::string& text) {
+    DiagnosticList diagnostics;
+    const auto root = parse_yaml(text, "a.yaml", diagnostics);
+    std::vector<std::string> lines;
+    for (const scene::Diagnostic& diagnostic : diagnostics.all()) {
+        lines.push_back(scene::to_string(diagnostic));
+    }
+    return lines;
+}
 
 /// The diagnostics of a text, one per line.
 std::string about(const std::string& text) {
-    DiagnosticList diagnostics;
-    const auto root = parse_yaml(text, "a.yaml", diagnostics);
     std::string lines;
-    for (const scene::Diagnostic& diagnostic : diagnostics.all()) {
-        lines += scene::to_string(diagnostic) + "\n";
+    for (const std::string& line : diagnostics_of(text)) {
+        lines += line + "\n";
     }
     return lines;
 }
@@ -92,9 +101,9 @@ TEST(YamlTree, RefusesEmptyFiles) {
 }
 
 TEST(YamlTree, ExplainsSyntaxErrors) {
-    EXPECT_THAT(about("a:\n  b: 1\n c: 2\n"), says("a.yaml:3:2: error yaml-syntax"));
-    EXPECT_THAT(about("a: 1\n- b\n"), says("a.yaml:2:1: error yaml-syntax"));
-    EXPECT_THAT(about("a:\n  - b\n  c: 2\n"), says("a.yaml:3:3: error yaml-syntax"));
+    EXPECT_THAT(about("a:\n  b: 1\n c: 2\n"), says("a.yaml:3:2: error yaml-syntax", {"indentation"}));
+    EXPECT_THAT(about("a: 1\n- b\n"), says("a.yaml:2:1: error yaml-syntax", {"indentation"}));
+    EXPECT_THAT(about("a:\n  - b\n  c: 2\n"), says("a.yaml:3:3: error yaml-syntax", {"indentation"}));
     EXPECT_THAT(about("a: 1\nb: {c: 2\n"), says("a.yaml:2:4: error yaml-syntax", {"'{'", "'}'"}));
     EXPECT_THAT(about("a: [1, 2\nb: 3\n"), says("a.yaml:1:4: error yaml-syntax", {"'['", "']'"}));
     EXPECT_THAT(about("a: 1]\nb: [2]]\n"), says("a.yaml:2:7: error yaml-syntax"));
@@ -115,9 +124,9 @@ TEST(YamlTree, RefusesUnclosedQuotes) {
 }
 
 TEST(YamlTree, DiagnosesEveryDuplicateKey) {
-    EXPECT_THAT(about("a: 1\nb: {c: 1, c: 2}\na: 3\n"),
-                testing::MatchesRegex("a.yaml:2:11: error duplicate-key: .*'c'.* line 2.*\n"
-                                      "a.yaml:3:1: error duplicate-key: .*'a'.* line 1.*\n"));
+    EXPECT_THAT(diagnostics_of("a: 1\nb: {c: 1, c: 2}\na: 3\n"),
+                ElementsAre(says("a.yaml:2:11: error duplicate-key", {"'c'", " line 2"}),
+                            says("a.yaml:3:1: error duplicate-key", {"'a'", " line 1"})));
 }
 
 TEST(YamlTree, RefusesNonScalarKeysAndTags) {
@@ -128,8 +137,8 @@ TEST(YamlTree, RefusesNonScalarKeysAndTags) {
 }
 
 TEST(YamlTree, RefusesAnAliasInsideItsAnchor) {
-    EXPECT_THAT(about("a: &a [*a]\n"), says("a.yaml:1:8: error yaml-syntax"));
-    EXPECT_THAT(about("a: &a {b: [1, {c: *a}]}\n"), says("a.yaml:1:19: error yaml-syntax"));
+    EXPECT_THAT(about("a: &a [*a]\n"), says("a.yaml:1:8: error yaml-syntax", {"alias"}));
+    EXPECT_THAT(about("a: &a {b: [1, {c: *a}]}\n"), says("a.yaml:1:19: error yaml-syntax", {"alias"}));
 }
 
 TEST(YamlTree, RefusesAliasBombs) {

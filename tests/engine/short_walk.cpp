@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/script/event_pattern.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::engine {
 
@@ -26,7 +27,7 @@ WaitStep wait_for(double seconds) {
 
 TurnStep turn_by(double degrees) {
     TurnStep step;
-    step.angle = radians(degrees);
+    step.angle = support::radians(degrees);
     return step;
 }
 
@@ -163,7 +164,7 @@ void Recorder::begin(const Walk&) {
 }
 
 void Recorder::on_tick(const TickRecord& record) {
-    calls_.emplace_back("frame");
+    calls_.emplace_back("tick");
     TickState state{record.tick, record.time, record.avatar, {}, {}};
     for (const OpenPopup& popup : record.open_popups) {
         state.open_popups.push_back(popup.building);

@@ -11,12 +11,6 @@
 
 namespace campuswalk::engine {
 
-constexpr double kPi = 3.14159265358979323846;
-
-constexpr double radians(double degrees) {
-    return degrees * kPi / 180.0;
-}
-
 // Steps as a loader would make them.
 
 SpawnStep spawn_at(const Eigen::Vector3d& foot, double yaw = 0.0, const std::string& label = "start");
@@ -84,7 +78,7 @@ public:
     void on_tick(const TickRecord& record) override;
     void end() override;
 
-    /// "begin", "frame" and "end" in the order of the calls.
+    /// "begin", "tick" and "end" in the order of the calls.
     const std::vector<std::string>& calls() const { return calls_; }
     const std::vector<TickState>& states() const { return states_; }
     const std::vector<Event>& events() const { return events_; }

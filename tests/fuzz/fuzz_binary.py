@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Damaged and forged binary files by the thousand: those of the cache, and answers of the import helper.
+"""Damaged and forged binary files by the thousand: those of the cache, and responses of the import helper.
 
-`fuzz_binary.py PROGRAM SEAL_ANEW TAKE_ANSWERS [--mutants N] [--targets cache,answers] [--workers N]`: N mutants of
-each. Half of them get a correct checksum, and most keep their size. A cache file with a wrong one must change nothing:
-the walk's log is that of a run without a cache. A forged file may be accepted where it makes sense; it must never
-crash, hang or exhaust the memory.
+`fuzz_binary.py PROGRAM CORRECT_CHECKSUMS READ_RESPONSES [--mutants N] [--targets cache,responses] [--workers N]`: N
+mutants of each. Half of them get a correct checksum, and most keep their size. A cache file with a wrong one must
+change nothing: the walk's log is that of a run without a cache. A forged file may be accepted where it makes sense; it
+must never crash, hang or exhaust the memory.
 """
 
 import argparse
@@ -42,15 +42,15 @@ class School:
 
     def __init__(self, program, folder, limited):
         self.program, self.limited = program, limited
-        self.place = os.path.join(folder, "school")
-        code, _, errors = run([program, "init", self.place], folder, False)
+        self.folder = os.path.join(folder, "school")
+        code, _, errors = run([program, "init", self.folder], folder, False)
         if code != 0:
             sys.exit("init: " + errors)
-        with open(os.path.join(self.place, "school.mtl"), "a", encoding="utf-8") as materials:
+        with open(os.path.join(self.folder, "school.mtl"), "a", encoding="utf-8") as materials:
             materials.write("map_Kd small.tga\n")
-        with open(os.path.join(self.place, "small.tga"), "wb") as image:
+        with open(os.path.join(self.folder, "small.tga"), "wb") as image:
             image.write(TGA)
-        self.cache = os.path.join(folder, "whole-cache")
+        self.cache = os.path.join(folder, "intact-cache")
         self.log = self.walk(None, "--no-cache")[1]
         self.walk(self.cache)
         self.files = sorted(glob.glob(os.path.join(self.cache, "*.campuswalk")))
@@ -58,11 +58,11 @@ class School:
             sys.exit("the cache of the school isn't complete")
 
     def walk(self, cache, *options):
-        return run([self.program, "run", "walks/visit.walk.yaml", *options], self.place, self.limited,
-                   CAMPUSWALK_CACHE_DIR=cache or os.path.join(self.place, "none"))
+        return run([self.program, "run", "walks/visit.walk.yaml", *options], self.folder, self.limited,
+                   CAMPUSWALK_CACHE_DIR=cache or os.path.join(self.folder, "none"))
 
 
-def write_mutants(folder, count, seal_anew, files, label):
+def write_mutants(folder, count, correct_checksums, files, label):
     """Mutants of the files in turn, as (path, is_forged, is_unchanged); every second one gets a correct checksum."""
     made = []
     for i in range(count):
@@ -80,12 +80,12 @@ def write_mutants(folder, count, seal_anew, files, label):
         made.append((path, is_forged, changed == data))
     forged = [path for path, is_forged, _ in made if is_forged]
     for at in range(0, len(forged), 500):
-        subprocess.run([seal_anew, *forged[at:at + 500]], check=True)
+        subprocess.run([correct_checksums, *forged[at:at + 500]], check=True)
     return made
 
 
 def fuzz_cache(options, folder, school):
-    mutants = write_mutants(folder, options.mutants, options.seal_anew, school.files, "cache")
+    mutants = write_mutants(folder, options.mutants, options.correct_checksums, school.files, "cache")
 
     def check(made):
         path, is_forged, _ = made
@@ -103,19 +103,19 @@ def fuzz_cache(options, folder, school):
 
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
         outcomes = list(pool.map(check, mutants))
-    print("cache    %5d mutants: %5d walked the same, %4d forged ones another way; slowest %.1f s"
+    print("cache     %5d mutants: %5d walked the same, %4d forged ones another way; slowest %.1f s"
           % (len(mutants), sum(same for _, _, same in outcomes), sum(not same for _, _, same in outcomes),
              max(took for _, took, _ in outcomes)), flush=True)
     return [failure for failure, _, _ in outcomes if failure]
 
 
-def fuzz_answers(options, folder, school):
+def fuzz_responses(options, folder, school):
     models = [file for file in school.files if ".model." in file]
-    mutants = write_mutants(folder, options.mutants, options.seal_anew, models, "answers")
+    mutants = write_mutants(folder, options.mutants, options.correct_checksums, models, "responses")
     paths = [path for path, _, _ in mutants]
 
     def check(batch):
-        code, output, errors = run([options.take_answers, *batch], folder, options.limited)
+        code, output, errors = run([options.read_responses, *batch], folder, options.limited)
         lines = output.decode("utf-8", "replace").splitlines()
         if code != 0 or len(lines) != len(batch):
             return "%s: %s: %s" % (batch[min(len(lines), len(batch) - 1)], code, errors[:600]), lines
@@ -125,22 +125,22 @@ def fuzz_answers(options, folder, school):
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
         outcomes = list(pool.map(check, batches))
     lines = [line for _, output in outcomes for line in output]
-    print("answers  %5d mutants: %5d taken, %5d refused"
-          % (len(mutants), sum(line.startswith("taken") for line in lines),
+    print("responses %5d mutants: %5d accepted, %5d refused"
+          % (len(mutants), sum(line.startswith("accepted") for line in lines),
              sum(line.startswith("refused") for line in lines)), flush=True)
     damaged = [line for (_, is_forged, same), line in zip(mutants, lines) if not is_forged and not same]
     accepted = [line for line in damaged if not line.startswith("refused")]
     failures = [failure for failure, _ in outcomes if failure]
-    return failures + (["%d damaged answers were accepted" % len(accepted)] if accepted and not failures else [])
+    return failures + (["%d damaged responses were accepted" % len(accepted)] if accepted and not failures else [])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=os.path.abspath)
-    parser.add_argument("seal_anew", type=os.path.abspath)
-    parser.add_argument("take_answers", type=os.path.abspath)
+    parser.add_argument("correct_checksums", type=os.path.abspath)
+    parser.add_argument("read_responses", type=os.path.abspath)
     parser.add_argument("--mutants", type=int, default=1500)
-    parser.add_argument("--targets", default="cache,answers")
+    parser.add_argument("--targets", default="cache,responses")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     parser.add_argument("--no-limit", dest="limited", action="store_false", help="of memory: for sanitizers")
     options = parser.parse_args()
@@ -150,7 +150,7 @@ def main():
         for name in options.targets.split(","):
             place = os.path.join(folder, name)
             os.mkdir(place)
-            failures += {"cache": fuzz_cache, "answers": fuzz_answers}[name](options, place, school)
+            failures += {"cache": fuzz_cache, "responses": fuzz_responses}[name](options, place, school)
     for failure in failures:
         print("  FAILED " + failure, flush=True)
     return 1 if failures else 0

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "tests/support/angles.h"
+
 namespace campuswalk::scene::test {
 namespace {
 
@@ -43,7 +45,7 @@ std::size_t add_box(Model& model, const std::string& name, const Eigen::Vector3d
 std::size_t add_turned_box(Model& model, const std::string& name, const Eigen::Vector3d& center,
                            const Eigen::Vector3d& size, double yaw_deg) {
     const std::size_t node = add_box(model, name, -0.5 * size, 0.5 * size);
-    const double yaw = yaw_deg * std::acos(-1.0) / 180.0;
+    const double yaw = support::radians(yaw_deg);
     Eigen::Matrix4d& X = model.nodes[node].X_world_node;
     X.topLeftCorner<3, 3>() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()).toRotationMatrix();
     X.topRightCorner<3, 1>() = center;

@@ -10,19 +10,19 @@ namespace campuswalk::support {
 class SolidMesh {
 public:
     explicit SolidMesh(const collision::TriangleMesh& mesh)
-        : wide_(mesh, collision::TreeKind::bvh8), paper_(mesh, collision::TreeKind::hybrid) {}
+        : bvh8_(mesh, collision::TreeKind::bvh8), hybrid_(mesh, collision::TreeKind::hybrid) {}
 
     bool contains(const collision::Vec3& point) const {
-        const bool inside = collision::is_inside(wide_, point);
-        if (collision::is_inside(paper_, point) != inside) {
+        const bool inside = collision::is_inside(bvh8_, point);
+        if (collision::is_inside(hybrid_, point) != inside) {
             throw std::logic_error("the trees disagree about what is inside");
         }
         return inside;
     }
 
 private:
-    collision::MeshCollider wide_;
-    collision::MeshCollider paper_;
+    collision::MeshCollider bvh8_;
+    collision::MeshCollider hybrid_;
 };
 
 }  // namespace campuswalk::support

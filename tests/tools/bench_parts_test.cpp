@@ -22,7 +22,7 @@ using collision::Ray;
 using collision::TriangleMesh;
 using collision::Vec3;
 
-TEST(ShuffledRuns, TimeTheSecondOfTwoRuns) {
+TEST(ShuffledRuns, CountOnlyTheSecondOfTwoRuns) {
     std::vector<int> calls(3, 0);
     // The first of two takes 1000, the second 5, 4, 3, 2, 1 in turn.
     const auto spreads = shuffled_runs(3, 5, [&](std::size_t i) {

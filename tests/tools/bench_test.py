@@ -38,22 +38,20 @@ class Bench(ProgramCase):
         self.assertEqual((outcome.code, outcome.err if outcome.code else ""), (0, ""))
         return outcome
 
-    def refused(self, expected, *arguments, where=""):
+    def refused(self, *arguments, expected, where=""):
         self.assert_bad_usage(self.run_bench(*arguments), f"campuswalk-bench {where}".strip(), expected)
 
     def test_bad_usage_is_refused(self):
-        self.refused("table1 million nested trees campus import walk draw all")
-        self.refused("'table2' 'table1'", "table2")
-        for expected, option, *value in (("--rounds 0 1 100000", "--rounds", "0"),
-                                         ("--plot 'a.jpg' .svg .png", "--plot", "a.jpg"),
-                                         ("--csv FILE", "--csv")):
-            self.refused(expected, "table1", option, *value, where="table1 ")
+        self.refused(expected="table1 million nested trees campus import walk draw all")
+        self.refused("table2", expected="'table2' 'table1'")
+        self.refused("table1", "--rounds", "0", expected="--rounds 0 1 100000", where="table1 ")
+        self.refused("table1", "--plot", "a.jpg", expected="--plot 'a.jpg' .svg .png", where="table1 ")
+        self.refused("table1", "--csv", expected="--csv FILE", where="table1 ")
 
     def test_every_case_takes_the_same_options(self):
         self.write("file", "")
         for case in ("million", "nested", "trees", "campus", "import", "walk", "draw"):
-            self.refused("--rounds 100001 1 100000", case, "--quick", "--rounds", "100001",
-                         where=case + " ")
+            self.refused(case, "--quick", "--rounds", "100001", expected="--rounds 100001 1 100000", where=case + " ")
             outcome = self.run_bench(case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
             self.assertEqual((outcome.code, outcome.out), (2, ""))
             self.assertRegex(outcome.err, r"^file/a\.csv: error output-unwritable: ")
@@ -206,7 +204,7 @@ class Bench(ProgramCase):
 
     def test_peers_have_a_name_and_a_command(self):
         for peer in ("three.js", "=node", "three.js="):
-            self.refused(f"--peer '{peer}' NAME=COMMAND", "draw", "--peer", peer, where="draw ")
+            self.refused("draw", "--peer", peer, expected=f"--peer '{peer}' NAME=COMMAND", where="draw ")
 
     def plots(self, name, start, *arguments, **options):
         """What table1 prints while it plots; nothing in a build without rendering."""

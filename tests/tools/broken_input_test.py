@@ -51,11 +51,12 @@ FIELD_WALK = "campus: field.campus.yaml\navatar: adult\nsteps: [{spawn: start}, 
 class BrokenInput(ProgramCase):
     """Each test breaks one thing in a campus that works."""
 
-    def refused(self, *diagnostics, arguments=("run", "short.walk.yaml"), code=2):
-        """Runs the program: these diagnostics on standard error, nothing on standard output, nothing written."""
+    def refused(self, *arguments, expected, code=2):
+        """Runs the walk, or the program with these arguments: the expected diagnostic, or a list of them, on standard
+        error, nothing on standard output, nothing written."""
         before = self.contents()
-        outcome = self.run_program(*arguments)
-        self.assert_refused(outcome, *diagnostics, code=code)
+        outcome = self.run_program(*(arguments or ("run", "short.walk.yaml")))
+        self.assert_refused(outcome, *([expected] if isinstance(expected, str) else expected), code=code)
         self.assertEqual(outcome.out, "")
         self.assertEqual(self.contents(), before)
 
@@ -91,77 +92,77 @@ class BrokenInput(ProgramCase):
     # ---- missing files
 
     def test_missing_walk(self):
-        self.refused("shrot.walk.yaml: error missing-file:",
-                     arguments=("run", "shrot.walk.yaml"))
+        self.refused("run", "shrot.walk.yaml", expected="shrot.walk.yaml: error missing-file:")
 
     def test_missing_campus(self):
         self.walk("small.campus.yaml", "smal.campus.yaml")
-        self.refused("short.walk.yaml:1:9: error missing-file: 'smal.campus.yaml'")
+        self.refused(expected="short.walk.yaml:1:9: error missing-file: 'smal.campus.yaml'")
 
     def test_missing_avatar(self):
         self.walk("avatar: adult", "avatar: adlt")
-        self.refused("short.walk.yaml:2:9: error unknown-name: adlt.avatar.yaml 'avatars' 'config/avatars' 'adult'")
+        self.refused(expected="short.walk.yaml:2:9: error unknown-name: adlt.avatar.yaml 'avatars' 'config/avatars' 'adult'")
 
     def test_missing_scene(self):
         self.campus("room.obj", "models/room.obj")
-        self.refused("small.campus.yaml:2:11: error missing-file: 'models/room.obj'")
+        self.refused(expected="small.campus.yaml:2:11: error missing-file: 'models/room.obj'")
 
     def test_missing_scene_of_a_campus_elsewhere(self):
         self.write("north/small.campus.yaml", CAMPUS)
         self.walk("small.campus.yaml", "north/small.campus.yaml")
-        self.refused("north/small.campus.yaml:2:11: error missing-file: 'north/room.obj'")
+        self.refused(expected="north/small.campus.yaml:2:11: error missing-file: 'north/room.obj'")
 
     def test_campus_given_as_a_walk(self):
-        self.refused("small.campus.yaml: error file-name: 'small.campus.yaml' NAME.walk.yaml", arguments=("run", "small.campus.yaml"))
+        self.refused("run", "small.campus.yaml",
+                     expected="small.campus.yaml: error file-name: 'small.campus.yaml' NAME.walk.yaml")
 
     # ---- YAML
 
     def test_bad_yaml(self):
         self.walk("  - walk_to: end\n", "   - walk_to: end\n")
-        self.refused("short.walk.yaml:5:4: error yaml-syntax:")
+        self.refused(expected="short.walk.yaml:5:4: error yaml-syntax:")
 
     def test_wrong_type(self):
         self.walk("turn: 180", "turn: around")
-        self.refused("short.walk.yaml:6:11: error wrong-type: 'turn' 'around'")
+        self.refused(expected="short.walk.yaml:6:11: error wrong-type: 'turn' 'around'")
 
     def test_unknown_key(self):
         self.walk("walk_to:", "walkto:")
-        self.refused("short.walk.yaml:5:5: error unknown-key: 'walkto' 'walk_to'")
+        self.refused(expected="short.walk.yaml:5:5: error unknown-key: 'walkto' 'walk_to'")
 
     # ---- steps of other files, objects by name
 
     def test_steps_file_that_is_missing_or_includes_itself(self):
         self.walk("turn: 180", "include: lap.steps.yaml")
-        self.refused("short.walk.yaml:6:14: error missing-file: 'lap.steps.yaml'")
+        self.refused(expected="short.walk.yaml:6:14: error missing-file: 'lap.steps.yaml'")
         self.write("short.walk.yaml", WALK.replace("turn: 180", "include: short.walk.yaml"))
-        self.refused("short.walk.yaml:6:14: error include-cycle: short.walk.yaml")
+        self.refused(expected="short.walk.yaml:6:14: error include-cycle: short.walk.yaml")
 
     def test_mistake_in_a_steps_file(self):
         self.walk("turn: 180", "repeat: {times: 2, steps: [{include: parts/lap.steps.yaml}]}")
         self.write("parts/lap.steps.yaml", "steps:\n  - wait: 1\n  - crouch: down\n")
-        self.refused("parts/lap.steps.yaml:3:13: error bad-value: 'crouch' on off 'down'")
+        self.refused(expected="parts/lap.steps.yaml:3:13: error bad-value: 'crouch' on off 'down'")
 
     def test_unknown_object(self):
         self.walk("turn: 180", "disable: [gate, hut/wal]")
-        self.refused("short.walk.yaml:6:21: error unknown-name: 'hut/wal' 'hut/wall'")
+        self.refused(expected="short.walk.yaml:6:21: error unknown-name: 'hut/wal' 'hut/wall'")
 
     def test_waiting_for_an_impossible_event(self):
         self.walk("turn: 180", "wait_until: {event: trigger.enter hut/wall}")
-        self.refused("short.walk.yaml:6:25: error unknown-name: 'trigger.enter hut/wall'")
+        self.refused(expected="short.walk.yaml:6:25: error unknown-name: 'trigger.enter hut/wall'")
 
     def test_all_mistakes_at_once(self):
         self.walk("turn: 180\nexpect", "turm: 180\nexpct")
         self.campus("mode: trigger", "mode: triger")
-        self.refused("short.walk.yaml:6:5: error unknown-key: 'turm' 'turn'",
-                     "short.walk.yaml:7:1: error unknown-key: 'expct' 'expect'",
-                     "small.campus.yaml:12:70: error bad-value: 'mode' solid trigger ray 'triger' 'trigger'")
+        self.refused(expected=["short.walk.yaml:6:5: error unknown-key: 'turm' 'turn'",
+                               "short.walk.yaml:7:1: error unknown-key: 'expct' 'expect'",
+                               "small.campus.yaml:12:70: error bad-value: 'mode' solid trigger ray 'triger' 'trigger'"])
 
     # ---- models
 
     def test_glob_that_matches_nothing(self):
         self.campus("nodes: floor", "nodes: [flor, 'gravel_*']")
-        self.refused("small.campus.yaml:10:26: error no-node: 'flor' 'floor'",
-                     "small.campus.yaml:10:32: error no-node: 'gravel_*' 'floor' 'room.obj' 'wall'")
+        self.refused(expected=["small.campus.yaml:10:26: error no-node: 'flor' 'floor'",
+                               "small.campus.yaml:10:32: error no-node: 'gravel_*' 'floor' 'room.obj' 'wall'"])
 
     def test_collider_without_a_triangle(self):
         self.write("room.obj", ROOM + "o rail\nv 0 0 0\nv 1 0 0\nl 13 14\n")
@@ -200,31 +201,29 @@ class BrokenInput(ProgramCase):
 
     def test_spawn_deep_inside_a_wall(self):
         self.campus("at: [0, 0, 5]", "at: [0, 0, -4.5]")
-        self.refused("short.walk.yaml:4:12: error spawn-blocked: start 0.000,0.000,-4.500 hut/wall")
+        self.refused(expected="short.walk.yaml:4:12: error spawn-blocked: start 0.000,0.000,-4.500 hut/wall")
 
     # ---- output that can't be written
 
     def test_log_that_is_a_folder(self):
-        self.refused("avatars: error log-unwritable:",
-                     arguments=("run", "short.walk.yaml", "--log", "avatars"))
+        self.refused("run", "short.walk.yaml", "--log", "avatars", expected="avatars: error log-unwritable: folder")
 
     def test_log_below_a_file(self):
-        self.refused("room.obj/a.log: error log-unwritable: 'room.obj'",
-                     arguments=("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "room.obj/a.log"))
+        self.refused("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "room.obj/a.log",
+                     expected="room.obj/a.log: error log-unwritable: 'room.obj'")
 
     def test_log_over_a_walk(self):
         self.write("other.walk.yaml", WALK)
-        self.refused("other.walk.yaml: error log-unwritable:",
-                     arguments=("run", "--log", "other.walk.yaml", "short.walk.yaml"))
+        self.refused("run", "--log", "other.walk.yaml", "short.walk.yaml",
+                     expected="other.walk.yaml: error log-unwritable: overwrite YAML")
 
     def test_one_file_for_both_logs(self):
-        self.refused("./a.log: error log-unwritable:",
-                     arguments=("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "./a.log"))
+        self.refused("run", "short.walk.yaml", "--log", "a.log", "--jsonl", "./a.log",
+                     expected="./a.log: error log-unwritable: another here already")
 
     def test_log_on_a_full_disk(self):
         for option in ("--log", "--jsonl"):
-            self.refused("error: /dev/full",
-                         arguments=("run", "-q", "short.walk.yaml", option, "/dev/full"), code=3)
+            self.refused("run", "-q", "short.walk.yaml", option, "/dev/full", expected="error: /dev/full", code=3)
 
 
 if __name__ == "__main__":

@@ -161,7 +161,7 @@ class CheckLayers(unittest.TestCase):
 
     def test_includes_start_at_the_root(self):
         self.finds({"engine/simulation/x.cpp": '#include "avatar.h"\n#include <engine/script/avatar.h>\n', "engine/script/avatar.h": HEADER},
-                   'engine/simulation/x.cpp:1:10: error include-path: "avatar.h" is no file from the repository\'s root',
+                   'engine/simulation/x.cpp:1:10: error include-path: "avatar.h" isn\'t a file below the repository\'s root',
                    'engine/simulation/x.cpp:2:10: error include-path: files of the project are included as "engine/script/avatar.h"')
 
     def test_include_cycles_are_found(self):

@@ -54,7 +54,7 @@ class Collide(ProgramCase):
         self.assertEqual(outcome.code, 1 if found["overlapping"] else 0)
         return found
 
-    def refused(self, expected, *arguments):
+    def refused(self, *arguments, expected):
         outcome = self.run_program("collide", *arguments)
         self.assertEqual(outcome.out, "")
         self.assert_refused(outcome, expected)
@@ -68,7 +68,7 @@ class EveryPairOfKinds(Collide):
             with self.subTest(a=a, b=b):
                 yield a, b, REACH[a] + REACH[b]
 
-    def test_apart(self):
+    def test_separate_shapes_exit_with_0(self):
         for a, b, reach in self.pairs():
             outcome = self.collide(a, b, "--pose", "%r,0,0" % (reach + 0.25))
             solids = "obj" not in a + b
@@ -189,7 +189,7 @@ class TwoShapes(Collide):
 class Output(Collide):
     """--first, --count, --json, --up and --scale."""
 
-    def test_first(self):
+    def test_first_prints_one_pair(self):
         everything = self.collide("unit.obj", "half.obj", "--pose", "0.7,0,0").lines
         first = self.collide("unit.obj", "half.obj", "--pose", "0.7,0,0", "--first").lines
         self.assertEqual((len(first), first[2]), (3, "overlapping"))
@@ -198,7 +198,7 @@ class Output(Collide):
                          ['a 2 "unit"', "overlapping"])
         self.assertNotIn("count", self.found("unit.obj", "sphere:0.5", "--first"))
 
-    def test_count(self):
+    def test_count_prints_only_the_number(self):
         for arguments in (("unit.obj", "half.obj", "--pose", "0.7,0,0"), ("sphere:0.5", "unit.obj", "--pose", "0.9,0,0"),
                           ("sphere:0.5", "box:1,1,1")):
             count = self.found(*arguments)["count"]
@@ -225,7 +225,7 @@ class Output(Collide):
 class BadInput(Collide):
     """Diagnostics say what is expected; nothing is on standard output."""
 
-    def test_shapes(self):
+    def test_invalid_shapes_are_refused(self):
         for word, expected in (
                 ("box", "bad-shape: 3 0 box:WIDTH,HEIGHT,DEPTH"),
                 ("box:", "bad-shape: 3 0 box:WIDTH,HEIGHT,DEPTH"),
@@ -238,19 +238,20 @@ class BadInput(Collide):
                 ("wheel:1", "bad-shape: 2 1 wheel:RADIUS,WIDTH"),
                 ("spere:1", "unknown-shape: 'spere' 'sphere'")):
             with self.subTest(word=word):
-                self.refused("%s: error %s" % (word, expected), word, "sphere:1")
-                self.refused("%s: error %s" % (word, expected), "unit.obj", word)
+                self.refused(word, "sphere:1", expected="%s: error %s" % (word, expected))
+                self.refused("unit.obj", word, expected="%s: error %s" % (word, expected))
 
-    def test_poses(self):
-        for word, names in (("1,2", "3 6 2"), ("1,2,3,4,5,6,7", "3 6 7"), ("1,,3", "y ''"),
+    def test_invalid_poses_are_refused(self):
+        for word, names in (("1,2", "3 6 not 2;"), ("1,2,3,4,5,6,7", "3 6 not 7;"), ("1,,3", "y ''"),
                             ("0,0,0,1e9", "yaw -36000 36000 '1e9'")):
-            self.refused("--pose %s: error bad-pose: %s" % (word, names), "sphere:1", "sphere:1", "--pose", word)
-        for word, names in (("1", "12 1"), ("2,0,0,0,0,1,0,0,0,0,1,0", "matrix rotation"),
+            self.refused("sphere:1", "sphere:1", "--pose", word,
+                         expected="--pose %s: error bad-pose: %s" % (word, names))
+        for word, names in (("1", "12 not 1;"), ("2,0,0,0,0,1,0,0,0,0,1,0", "matrix rotation"),
                             ("1,0,0,0,0,1,0,0,0,0,-1,0", "matrix mirror")):
-            self.refused("--pose-matrix %s: error bad-pose: %s" % (word, names), "sphere:1", "sphere:1",
-                         "--pose-matrix", word)
+            self.refused("sphere:1", "sphere:1", "--pose-matrix", word,
+                         expected="--pose-matrix %s: error bad-pose: %s" % (word, names))
 
-    def test_files(self):
+    def test_invalid_files_are_refused(self):
         self.write("broken.obj", "f 1 2 3\n")
         self.write("huge.obj", cube("huge", 0, 1e30))
         for name, code in (("none.obj", "missing-file"), ("broken.obj", None), ("huge.obj", "bad-size"),
@@ -259,7 +260,7 @@ class BadInput(Collide):
             self.assertEqual((outcome.code, outcome.out), (2, ""), name)
             self.assertRegex(outcome.err, "^%s: error %s: " % (name, code or r"[a-z-]+"))
 
-    def test_usage(self):
+    def test_invalid_usage_is_refused(self):
         for arguments in ((), ("unit.obj",), ("a", "b", "c"), ("a", "b", "--first", "--count"),
                           ("a", "b", "--pose", "0,0,0", "--pose-matrix", "1")):
             outcome = self.run_program("collide", *arguments)

@@ -38,36 +38,39 @@ class Help(ProgramCase):
 class Usage(ProgramCase):
     """Bad usage ends with 2, a line that says why, and one that points to the help."""
 
-    def refused(self, arguments, expected, command=""):
+    def refused(self, arguments, *, expected, command=""):
         self.assert_bad_usage(self.run_program(*arguments), f"campuswalk {command}".strip(), expected)
 
-    def test_commands(self):
-        self.refused([], "init validate run merge-reports diff imgdiff replay info snapshot collide completion help")
-        self.refused(["rum"], "'rum' 'run'")
-        self.refused(["dance"], "'dance'")
-        self.refused(["--verbose"], "'--verbose'")
+    def test_unknown_commands_are_refused(self):
+        self.refused([],
+                     expected="init validate run merge-reports diff imgdiff replay info snapshot collide completion help")
+        self.refused(["rum"], expected="'rum' 'run'")
+        self.refused(["dance"], expected="'dance'")
+        self.refused(["--verbose"], expected="'--verbose'")
 
-    def test_arguments(self):
-        self.refused(["merge-reports"], "REPORT", "merge-reports ")
-        self.refused(["validate"], "PATH", "validate ")
-        self.refused(["info"], "SCENE", "info ")
-        self.refused(["snapshot", "-o", "a.png"], "CAMPUS", "snapshot ")
-        self.refused(["snapshot", "a.campus.yaml"], "--output", "snapshot ")
-        self.refused(["run", "--zoom", "a"], "--zoom", "run ")
-        self.refused(["run", "--tags=a"], "--tags=a '--tag'", "run ")
-        self.refused(["info", "a.obj", "b.obj"], "b.obj", "info ")
-        self.refused(["run", "a", "--log"], "--log FILE", "run ")
+    def test_missing_and_unknown_arguments_are_refused(self):
+        self.refused(["merge-reports"], expected="REPORT", command="merge-reports ")
+        self.refused(["validate"], expected="PATH", command="validate ")
+        self.refused(["info"], expected="SCENE", command="info ")
+        self.refused(["snapshot", "-o", "a.png"], expected="CAMPUS", command="snapshot ")
+        self.refused(["snapshot", "a.campus.yaml"], expected="--output", command="snapshot ")
+        self.refused(["run", "--zoom", "a"], expected="--zoom", command="run ")
+        self.refused(["run", "--tags=a"], expected="--tags=a '--tag'", command="run ")
+        self.refused(["info", "a.obj", "b.obj"], expected="b.obj", command="info ")
+        self.refused(["run", "a", "--log"], expected="--log FILE", command="run ")
 
-    def test_values(self):
-        self.refused(["run", "a", "--rendering-backend", "gpu"], "--rendering-backend 'gpu' auto|egl|none|osmesa", "run ")
-        self.refused(["info", "a", "--up", "x"], "--up 'x' y|z", "info ")
-        self.refused(["snapshot", "a", "-o", "b", "--width", "8193"], "--width 8193 16 8192", "snapshot ")
+    def test_values_out_of_range_are_refused(self):
+        self.refused(["run", "a", "--rendering-backend", "gpu"],
+                     expected="--rendering-backend 'gpu' auto|egl|none|osmesa", command="run ")
+        self.refused(["info", "a", "--up", "x"], expected="--up 'x' y|z", command="info ")
+        self.refused(["snapshot", "a", "-o", "b", "--width", "8193"],
+                     expected="--width 8193 16 8192", command="snapshot ")
 
 
 class Run(ProgramCase):
     """Exit codes and verdicts of `run`."""
 
-    def test_pass(self):
+    def test_a_passing_walk_exits_with_0(self):
         outcome = self.passes("run", "short.walk.yaml")
         self.assertEqual(outcome.lines[0], "# walk-log 1 walk=short campus=small tps=60")
         self.assertIn(" result=pass ", outcome.lines[-1])
@@ -221,7 +224,7 @@ class StandardOutput(ProgramCase):
                 outcome = self.run_program(*arguments, stdout=full)
             self.assert_refused(outcome, "error: standard output", code=3)
 
-    def test_closed(self):
+    def test_a_closed_standard_output_is_an_error(self):
         for arguments in self.COMMANDS:
             outcome = self.run_program(*arguments, stdout=None, preexec_fn=lambda: os.close(1))
             self.assert_refused(outcome, "error: standard output", code=3)

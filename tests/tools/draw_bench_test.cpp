@@ -30,17 +30,17 @@ TEST(DrawTimes, AreTheMeanTheMedianAndTheLeastOfEachView) {
 
 TEST(DrawPeers, FramesAreReadLineByLine) {
     const auto looks =
-        read_frames("three.js",
+        parse_times("three.js",
                     "# three.js 187\nframe fxaa 0 12.5\nframe msaa4 0 50\nframe fxaa 1 13\nframe\n"
                     "frame fxaa x 3\nother fxaa 1 2\n");
     ASSERT_EQ(looks.size(), 2U);
     EXPECT_EQ(looks[0].engine, "three.js");
     EXPECT_EQ(looks[0].look, "fxaa");
-    ASSERT_EQ(looks[0].frames.size(), 2U);
-    EXPECT_EQ(looks[0].frames[1].view, 1U);
-    EXPECT_DOUBLE_EQ(looks[0].frames[1].ms, 13.0);
-    EXPECT_DOUBLE_EQ(looks[1].frames.at(0).ms, 50.0);
-    EXPECT_THROW(read_frames("three.js", "nothing\n"), std::runtime_error);
+    ASSERT_EQ(looks[0].images.size(), 2U);
+    EXPECT_EQ(looks[0].images[1].view, 1U);
+    EXPECT_DOUBLE_EQ(looks[0].images[1].ms, 13.0);
+    EXPECT_DOUBLE_EQ(looks[1].images.at(0).ms, 50.0);
+    EXPECT_THROW(parse_times("three.js", "nothing\n"), std::runtime_error);
 }
 
 DrawnCampus made_up_campus(std::size_t triangles, double ms, std::size_t heap_bytes) {

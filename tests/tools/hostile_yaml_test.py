@@ -130,7 +130,6 @@ class HostileYaml(ProgramCase):
                 self.write("avatars/adult.avatar.yaml", "height: 1.8\n")
 
     def test_byte_order_marks_and_windows_line_ends_are_accepted(self):
-        """A byte order mark and \\r\\n."""
         self.write("short.walk.yaml", "\ufeff" + WALK.replace("\n", "\r\n"))
         self.passes("run", "-q", "short.walk.yaml")
 

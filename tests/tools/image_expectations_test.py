@@ -23,7 +23,7 @@ class ImageCase(ProgramCase):
         self.write("short.walk.yaml", head + STEPS + "expect:\n" + "".join("  - %s\n" % each for each in expectations))
 
     def run_walk(self, *arguments):
-        return self.run_program("run", "short.walk.yaml", *arguments, env={**os.environ, "CI": ""})
+        return self.run_program("run", "short.walk.yaml", *arguments)
 
     def failures(self, *arguments):
         """[(code, message)] from the report."""
@@ -44,18 +44,19 @@ class Snapshots(ImageCase):
         """Makes the image of the next run differ."""
         self.write("small.campus.yaml", self.read("small.campus.yaml").replace(b"end: [0, 0, -2]", b"end: [0, 0, 0]"))
 
-    def test_missing_reference_is_written_but_not_in_ci(self):
-        outcome = self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": "1"})
-        self.assertEqual(outcome.code, 1)
-        self.assertIn("'%s'" % REFERENCE, outcome.err)
-        self.assertNotIn(REFERENCE, self.contents())
-        outcome = self.run_walk()
+    def test_a_missing_reference_fails_and_is_written_on_request(self):
+        for ci in ("", "1"):
+            outcome = self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": ci})
+            self.assertEqual(outcome.code, 1)
+            self.assertIn("'%s'" % REFERENCE, outcome.err)
+            self.assertNotIn(REFERENCE, self.contents())
+        outcome = self.run_walk("-u")
         self.assertEqual((outcome.code, outcome.err_lines[0]), (0, "wrote " + REFERENCE))
         self.assertEqual(self.read(REFERENCE), self.read("out/short/hut.png"))
         self.assertEqual(self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": "1"}).code, 0)
 
     def test_another_image_fails_and_is_attached(self):
-        log = self.run_walk().out
+        log = self.run_walk("-u").out
         self.change()
         outcome = self.run_walk("--reporter", "json=report.json", "--reporter", "junit=junit.xml")
         self.assertEqual(outcome.code, 1)
@@ -76,8 +77,23 @@ class Snapshots(ImageCase):
         self.assertEqual(self.read(REFERENCE), self.read("out/short/hut.png"))
         self.assertNotIn("out/short/hut-diff.png", self.contents(), "the previous run's files are removed")
 
+    def test_a_walk_that_fails_otherwise_writes_no_reference(self):
+        self.write("short.walk.yaml", self.read("short.walk.yaml") + b"  - never: popup.open hut\n")
+        for mode in ("-u", "--update-snapshots=all", "--update-snapshots=missing"):
+            outcome = self.run_walk(mode)
+            self.assertEqual(outcome.code, 1)
+            self.assertIn("not written, because the walk fails: " + REFERENCE, outcome.err_lines)
+            self.assertNotIn(REFERENCE, self.contents())
+
+    def test_a_failed_image_expectation_keeps_the_golden_log_from_being_written(self):
+        self.walk("snapshot: hut")
+        self.write("short.walk.yaml", self.read("short.walk.yaml") + b"  - log: {golden: true}\n"
+                   b"  - visible: {building: hut, in: hut, min_pixels: 1000000}\n")
+        self.assertEqual(self.run_walk("-u").code, 1)
+        self.assertFalse([name for name in self.contents() if "-snapshots/" in name])
+
     def test_update_modes(self):
-        self.run_walk()
+        self.run_walk("-u")
         before = self.read(REFERENCE)
         self.change()
         for mode in ("none", "missing"):
@@ -90,7 +106,7 @@ class Snapshots(ImageCase):
         self.assertEqual(self.run_walk("--update-snapshots=missing").code, 0)
 
     def test_tolerances_of_the_walk_and_of_all_walks(self):
-        self.run_walk()
+        self.run_walk("-u")
         self.change()
         lax = "{min_tile_ssim: -1, max_diff_pixel_ratio: 1}"
         self.walk("snapshot: {name: hut, min_tile_ssim: -1, max_diff_pixel_ratio: 1}")
@@ -110,12 +126,12 @@ class Snapshots(ImageCase):
 
     def test_projects_have_their_own_references(self):
         self.write("walks.config.yaml", "projects: {near: {}, far: {spawn: {at: [0, 0, 6]}}}\n")
-        self.run_walk()
+        self.run_walk("-u")
         self.assertIn("short.walk.yaml-snapshots/near-hut.png", self.contents())
         self.assertIn("short.walk.yaml-snapshots/far-hut.png", self.contents())
 
     def test_other_size_and_broken_file(self):
-        self.run_walk()
+        self.run_walk("-u")
         os.rename(self.path("out/short/away.png"), self.path(REFERENCE))
         self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"hut, width: 96", b"hut, width: 97"))
         ((code, message),) = self.failures()
@@ -128,7 +144,7 @@ class Snapshots(ImageCase):
         self.assertEqual(self.failures("-u"), [])
 
     def test_snapshot_that_was_never_taken(self):
-        self.run_walk()
+        self.run_walk("-u")
         self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"  - walk_to: end",
                                                                            b"  - walk_to: {to: [0, -8], timeout: 4}"))
         [message] = [message for code, message in self.failures() if code == "snapshot"]

@@ -21,6 +21,12 @@ class Images(ProgramCase):
         self.assertEqual(data[-8:-4], b"IEND")
         return struct.unpack(">II", data[16:24])
 
+    def refuses_camera(self, camera, *, expected):
+        before = self.contents()
+        outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", camera, "-o", "a.png", "--no-cache")
+        self.assert_refused(outcome, expected)
+        self.assertEqual(self.contents(), before)
+
     def test_plan(self):
         outcome = self.passes("snapshot", "small.campus.yaml", "--camera", "top", "-o", "maps/plan.png", "--width", "320",
                               "--height", "200")
@@ -51,24 +57,17 @@ class Images(ProgramCase):
         self.assertEqual(self.size_of("view.png"), (64, 48))
         self.assertNotEqual(self.read("view.png"), self.read("plan.png"))
 
-    def test_unknown_camera(self):
-        before = self.contents()
-        outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", "strat", "-o", "a.png", "--no-cache")
-        self.assert_refused(outcome, "--camera: error unknown-name: 'strat' 'top' small 'start'")
-        self.assertEqual(self.contents(), before)
+    def test_an_unknown_camera_is_refused(self):
+        self.refuses_camera("strat", expected="--camera: error unknown-name: 'strat' 'top' small 'start'")
 
     def test_view_by_a_cameras_keys(self):
         for camera in ("{view: orbit, around: hut}", "{view: fixed, position: [0, 30, 0], pitch_deg: -90, width: 80}"):
             self.passes("snapshot", "small.campus.yaml", "--camera", camera, "-o", "a.png", "--width", "64", "--height", "48")
             self.assertEqual(self.size_of("a.png"), (80 if "80" in camera else 64, 48))
-        before = self.contents()
-        for camera, expected in (
-                ("{view: orbit}", "--camera:1:1: error bad-value:"),
-                ("{view: orbit, around: htu}", "--camera:1:23: error unknown-name: 'htu' 'hut'"),
-                ("{view: fixed, position: [0, 1, 0], width: 0}", "--camera:1:43: error bad-value: 'width' 16 8192 '0'")):
-            outcome = self.run_program("snapshot", "small.campus.yaml", "--camera", camera, "-o", "b.png")
-            self.assert_refused(outcome, expected)
-        self.assertEqual(self.contents(), before)
+        self.refuses_camera("{view: orbit}", expected="--camera:1:1: error bad-value:")
+        self.refuses_camera("{view: orbit, around: htu}", expected="--camera:1:23: error unknown-name: 'htu' 'hut'")
+        self.refuses_camera("{view: fixed, position: [0, 1, 0], width: 0}",
+                            expected="--camera:1:43: error bad-value: 'width' 16 8192 '0'")
 
     def test_channels_are_files_beside_the_image(self):
         self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "out/view.png", "--width", "64", "--height",
@@ -94,7 +93,7 @@ class Images(ProgramCase):
         for name in ("a.png", "a-depth.png", "a-ids.png", "a-ids.json"):
             self.assertIn(f"short/{name}", report)
 
-    def test_light(self):
+    def test_light_profiles_change_the_image(self):
         def drawn(*light):
             self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "a.png", "--width", "64", "--height", "48",
                         *light)
@@ -110,7 +109,17 @@ class Images(ProgramCase):
         self.assertEqual((outcome.code, len(outcome.err_lines)), (2, 1))
         self.assertRegex(outcome.err, "^--light.*: error .*'night'")
 
-    def test_overlays(self):
+    def test_what_would_have_no_effect_is_refused(self):
+        for arguments, code in ((("-o", "a.jpg", "--camera", "start"), "a.jpg: error file-name: a.png"),
+                                (("-o", "a.png", "--overlay", "labels"), "--overlay: error bad-value: --camera"),
+                                (("-o", "a.png", "--camera", "top", "--tree-level", "2"),
+                                 "--tree-level: error bad-value: --camera")):
+            before = self.contents()
+            outcome = self.run_program("snapshot", "small.campus.yaml", *arguments)
+            self.assert_refused(outcome, code)
+            self.assertEqual(self.contents(), before)
+
+    def test_each_overlay_changes_the_image(self):
         def drawn(*overlays):
             self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "a.png", "--width", "160", "--height",
                         "120", *overlays)

@@ -81,13 +81,13 @@ class Order(ManyWalks):
         self.assertEqual(self.run_walks().err, "")
         self.assertIn("c: FAIL after ", self.run_walks("--verbose").err)
 
-    def test_colors(self):
+    def test_colors_are_for_terminals_or_on_request(self):
         plain = self.run_walks("--color", "never").out
         self.assertNotIn("\x1b", plain)
         self.assertEqual(self.run_walks().out, plain)  # a pipe isn't a terminal
         self.assertIn("\x1b[", self.run_walks("--color=always").out)
 
-    def test_repetitions(self):
+    def test_repetitions_are_identical(self):
         outcome = self.run_walks("a.walk.yaml", "--repeat-each", "3", "--require-identical", "--reporter",
                                  "jsonl=r.jsonl")
         self.assertEqual(outcome.code, 0)
@@ -126,7 +126,7 @@ class Order(ManyWalks):
         self.assertEqual(outcome.code, 2)
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")], ["bad_input"])
 
-    def test_records(self):
+    def test_records_hold_every_tick(self):
         outcome = self.run_walks("a.walk.yaml", "--record", "csv", "--record", "tum", "--record", "trace",
                                  "--jsonl", "a.jsonl", "--reporter", "jsonl=r.jsonl")
         self.assertEqual(outcome.code, 0)
@@ -199,7 +199,7 @@ class Again(ManyWalks):
         self.assertTrue(after.startswith(before[:before.rindex(b"\n") + 1]))
         self.assertEqual(len(after.splitlines()), 7)  # no walk was played twice
 
-    def test_watch(self):
+    def test_watch_replays_a_changed_walk(self):
         watching = self.start("--watch", "--reporter", "dot")
         lines = []
 
@@ -292,6 +292,11 @@ class CutShort(ManyWalks):
         self.assertEqual(outcome.code, 1)
         self.assertIn(" error timeout: ", outcome.err)
         self.assertIn("b: FAIL after 2.0 s", outcome.err)
+
+    def test_the_timeout_of_the_command_line_limits_that_of_the_walk(self):
+        for own, after in (("3", "2.0"), ("1", "1.0")):
+            self.write("b.walk.yaml", ENDLESS + "timeout: %s\n" % own)
+            self.assertIn("b: FAIL after %s s" % after, self.run_walks("--timeout", "2", "-q", "b.walk.yaml").err)
 
     def seen_on_a_terminal(self, until, *arguments, walk=ENDLESS):
         """What an endless run prints until `until` matches, and then when it is interrupted."""

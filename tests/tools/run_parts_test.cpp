@@ -221,11 +221,11 @@ struct PoolLog {
 
     bool run(const Work& work, const std::vector<std::size_t>& tasks, const PoolSettings& settings) {
         PoolListener listener;
-        listener.result_received = [](std::size_t, const Ending&) {};
-        listener.heard = [this](std::size_t task, Topic, std::string_view body) {
+        listener.on_result = [](std::size_t, const Ending&) {};
+        listener.on_message = [this](std::size_t task, Topic, std::string_view body) {
             lines.push_back(std::to_string(task) + " says " + std::string(body));
         };
-        listener.ended = [this](std::size_t task, const Ending& ending) {
+        listener.on_end = [this](std::size_t task, const Ending& ending) {
             lines.push_back(std::to_string(task) + (ending.answered ? " answers " : " is lost: ") +
                             ending.text);
             return lines.size() < enough;
@@ -236,11 +236,11 @@ struct PoolLog {
 };
 
 /// Later tasks are faster, so that they finish in the wrong order.
-void talk(std::size_t task, const Say& say) {
-    say(Topic::log, "a");
+void talk(std::size_t task, const Send& send) {
+    send(Topic::log, "a");
     usleep(static_cast<useconds_t>(2000 * (10 - task % 10)));
-    say(Topic::log, "b");
-    say(Topic::result, std::to_string(task * task));
+    send(Topic::log, "b");
+    send(Topic::result, std::to_string(task * task));
 }
 
 TEST(WorkerPool, ReportsTheSameWithAnyNumberOfWorkers) {
@@ -260,12 +260,12 @@ TEST(WorkerPool, ReportsTheSameWithAnyNumberOfWorkers) {
 
 TEST(WorkerPool, LimitsTheBufferOfEarlyResults) {
     const std::string much(200'000, 'x');
-    const Work work = [&](std::size_t task, const Say& say) {
+    const Work work = [&](std::size_t task, const Send& send) {
         usleep(task == 0 ? 100'000 : 0);
         for (int i = 0; i < 5; ++i) {
-            say(Topic::log, much);
+            send(Topic::log, much);
         }
-        say(Topic::result, "done");
+        send(Topic::result, "done");
     };
     PoolLog log;
     EXPECT_TRUE(log.run(work, {0, 1, 2, 3, 4, 5}, {3, std::nullopt, 1000}));
@@ -274,12 +274,12 @@ TEST(WorkerPool, LimitsTheBufferOfEarlyResults) {
 }
 
 TEST(WorkerPool, ReplacesAWorkerThatDies) {
-    const Work work = [](std::size_t task, const Say& say) {
-        say(Topic::log, "a");
+    const Work work = [](std::size_t task, const Send& send) {
+        send(Topic::log, "a");
         if (task == 1) {
             raise(SIGKILL);
         }
-        say(Topic::result, "done");
+        send(Topic::result, "done");
     };
     PoolLog log;
     EXPECT_TRUE(log.run(work, {0, 1, 2}, {1, std::nullopt, std::size_t{1} << 20U}));
@@ -291,9 +291,9 @@ TEST(WorkerPool, ReplacesAWorkerThatDies) {
 }
 
 TEST(WorkerPool, StopsTasksThatTakeTooLong) {
-    const Work work = [](std::size_t task, const Say& say) {
+    const Work work = [](std::size_t task, const Send& send) {
         usleep(task == 0 ? 60'000'000 : 0);
-        say(Topic::result, "done");
+        send(Topic::result, "done");
     };
     PoolLog log;
     EXPECT_TRUE(log.run(work, {0, 1}, {1, 0.3, std::size_t{1} << 20U}));
@@ -312,11 +312,11 @@ TEST(WorkerPool, SkipsTheRestWhenTheListenerStops) {
 // ------------------------------------------------------------------------------------
 
 TEST(FrameHelpers, ReturnTheFramesOfEachPartInOrder) {
-    FrameHelpers helpers(3, [](std::size_t part, const Say& say) {
+    FrameHelpers helpers(3, [](std::size_t part, const Send& send) {
         for (int i = 0; i < 3; ++i) {
-            say(Topic::frame, std::to_string(part) + ' ' + std::to_string(i));
+            send(Topic::frame, std::to_string(part) + ' ' + std::to_string(i));
         }
-        say(Topic::result, "");
+        send(Topic::result, "");
     });
     EXPECT_EQ(helpers.parts(), 3U);
     for (const int i : {0, 1, 2}) {
@@ -338,27 +338,27 @@ std::string diagnostic_of(const FrameHelpers::Draw& draw) {
 }
 
 TEST(FrameHelpers, ReportWhyThereAreNoMoreFrames) {
-    EXPECT_EQ(diagnostic_of([](std::size_t, const Say& say) {
-                  say(Topic::frame, "one");
-                  say(Topic::result, "no driver here");
+    EXPECT_EQ(diagnostic_of([](std::size_t, const Send& send) {
+                  send(Topic::frame, "one");
+                  send(Topic::result, "no driver here");
               }),
               "no driver here");
-    EXPECT_NE(diagnostic_of([](std::size_t, const Say& say) {
-                  say(Topic::frame, "one");
-                  say(Topic::result, "");
+    EXPECT_NE(diagnostic_of([](std::size_t, const Send& send) {
+                  send(Topic::frame, "one");
+                  send(Topic::result, "");
               }),
               "");
-    EXPECT_THAT(diagnostic_of([](std::size_t, const Say& say) {
-                    say(Topic::frame, "one");
+    EXPECT_THAT(diagnostic_of([](std::size_t, const Send& send) {
+                    send(Topic::frame, "one");
                     raise(SIGKILL);
                 }),
                 testing::HasSubstr("signal 9 (Killed)"));
 }
 
 TEST(FrameHelpers, CanBeDestroyedBeforeTheyFinish) {
-    FrameHelpers helpers(2, [](std::size_t, const Say& say) {
+    FrameHelpers helpers(2, [](std::size_t, const Send& send) {
         while (true) {
-            say(Topic::frame, std::string(100'000, 'x'));
+            send(Topic::frame, std::string(100'000, 'x'));
         }
     });
     EXPECT_EQ(helpers.next_frame(1).size(), 100'000U);

@@ -2,7 +2,9 @@
 """Which walks `run` plays: paths, expressions, projects, walks.config.yaml."""
 
 import json
+import math
 import os
+import re
 
 from program import CAMPUS, WALK, ProgramCase, main
 
@@ -59,7 +61,7 @@ class Selection(ProgramCase):
     def test_walks_with_mistakes_are_listed(self):
         self.write("walks/lift.walk.yaml", NESTED.replace("walk_to: end", "walk_to: nowhere"))
         outcome = self.run_program("run", "--list")
-        self.assertEqual((outcome.code, outcome.lines[0]), (2, "walks/lift.walk.yaml (has mistakes)"))
+        self.assertEqual((outcome.code, outcome.lines[0]), (2, "walks/lift.walk.yaml (has errors)"))
         self.assertEqual(self.listed("-G", "lift"), ["walks/ramp.walk.yaml", "walks/stairs.walk.yaml"])
 
     def test_shard_of_the_environment(self):
@@ -107,9 +109,17 @@ class Status(ProgramCase):
     def test_only_excludes_other_walks(self):
         self.write("other.walk.yaml", WALK + "status: only\n")
         self.assertEqual(self.passes("run", "--list").lines, ["other.walk.yaml"])
-        outcome = self.run_walks("--forbid-only")
-        self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertRegex(outcome.err, r"^other.walk.yaml:\d+:\d+: error only-forbidden: ")
+        for arguments, ci in ((("--forbid-only",), ""), ((), "true")):
+            outcome = self.run_program("run", *arguments, env={**os.environ, "CI": ci})
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertRegex(outcome.err, r"^other.walk.yaml:\d+:\d+: error only-forbidden: ")
+
+    def test_the_summary_tells_how_many_walks_only_leaves_out(self):
+        for name, status in (("other", "status: only\n"), ("third", "")):
+            self.write(name + ".walk.yaml", WALK + status)
+        outcome = self.run_program("run", "--rendering-backend", "none")
+        self.assertEqual(outcome.code, 0)
+        self.assertEqual(outcome.err_lines[-1], "2 walks not run, because others are marked 'status: only'")
 
     def test_expected_failures_pass(self):
         self.write("short.walk.yaml", self.FAILING + "status: {is: xfail, because: the hut has a window, "
@@ -134,15 +144,24 @@ class GoldenLog(ProgramCase):
         environment = {**os.environ, "CI": ci}
         return self.run_program("run", "-q", "--rendering-backend", "none", *arguments, "short.walk.yaml", env=environment)
 
-    def test_is_written_once_and_then_compared(self):
-        first = self.run_walk()
+    def test_fails_while_it_is_missing(self):
+        before = self.contents()
+        missing = self.run_walk()
+        self.assertEqual(missing.code, 1)
+        self.assertRegex(missing.err_lines[0], r"^short.walk.yaml:10:\d+: error log: .*" + re.escape(self.GOLDEN))
+        self.assertEqual(self.contents(), before)
+
+    def test_is_written_on_request_and_then_compared(self):
+        first = self.run_walk("-u")
         self.assertEqual((first.code, first.err_lines[0]), (0, "wrote " + self.GOLDEN))
         golden = self.read(self.GOLDEN)
         self.assertEqual(len(self.run_walk().err_lines), 1)
         self.write("short.walk.yaml", self.read("short.walk.yaml").replace(b"turn: 180", b"turn: 170"))
-        changed = self.run_walk()
+        changed = self.run_walk("--reporter", "json=report.json")
         self.assertEqual(changed.code, 1)
         self.assertRegex(changed.err_lines[0], r"^short.walk.yaml:10:\d+: error log: ")
+        (failure,) = json.loads(self.read("report.json"))["results"][0]["failures"]
+        self.assertAlmostEqual(failure["scene"]["yaw_rad"], math.radians(170), msg="turned all the way by then")
         self.assertEqual(self.read(self.GOLDEN), golden)
         self.assertEqual(self.run_walk("--update-snapshots=none").code, 1)
         self.assertEqual(self.run_walk("-u").code, 0)
@@ -152,13 +171,13 @@ class GoldenLog(ProgramCase):
     def test_is_not_written_for_a_walk_that_fails(self):
         self.write("short.walk.yaml", WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut") +
                    "  - log: {golden: true}\n")
-        for arguments in ((), ("-u",), ("--update-snapshots=all",)):
+        for arguments in (("-u",), ("--update-snapshots=all",), ("--update-snapshots=missing",)):
             outcome = self.run_walk(*arguments)
             self.assertEqual(outcome.code, 1)
-            self.assertIn(self.GOLDEN, outcome.err_lines[0])
+            self.assertRegex(outcome.err_lines[0], "^not written.*" + re.escape(self.GOLDEN))
             self.assertNotIn(self.GOLDEN, self.contents())
         self.write("short.walk.yaml", self.read("short.walk.yaml") + b"status: {is: xfail, failures: [never]}\n")
-        outcome = self.run_walk()  # fails as expected
+        outcome = self.run_walk("-u")  # fails as expected
         self.assertEqual((outcome.code, outcome.err_lines[0]), (0, "wrote " + self.GOLDEN))
 
     def test_is_never_written_in_ci(self):
@@ -171,12 +190,12 @@ class GoldenLog(ProgramCase):
 
     def test_update_modes(self):
         self.assertEqual(self.run_walk("--update-snapshots=sometimes").code, 2)
-        self.assertEqual(json.loads(self.passes("run", "-u", "--print-config", env={**os.environ, "CI": ""}).out)
+        self.assertEqual(json.loads(self.passes("run", "-u", "--print-config").out)
                          ["update_snapshots"], "changed")
 
     def test_each_project_has_its_own(self):
         self.write("walks.config.yaml", "projects: {plain: , near: {spawn: {at: [0, 0, 3]}}}\n")
-        self.assertEqual(self.run_walk().code, 0)
+        self.assertEqual(self.run_walk("-u").code, 0)
         self.assertEqual(self.run_walk("--workers", "2", ci="true").code, 0)
         for name in ("plain", "near"):
             self.assertIn(f"short.walk.yaml-snapshots/{name}-log.jsonl", self.contents())

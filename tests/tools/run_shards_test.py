@@ -53,7 +53,7 @@ class Shards(ProgramCase):
         self.assertEqual(outcome.code, 1)
         self.assertIn("4 passed, 2 failed", outcome.out)
 
-    def refused(self, expected, *arguments):
+    def refused(self, *arguments, expected):
         outcome = self.run_program("merge-reports", *arguments)
         self.assertEqual(outcome.out, "")
         self.assert_refused(outcome, expected)
@@ -61,11 +61,10 @@ class Shards(ProgramCase):
     def test_files_that_are_not_reports_are_refused(self):
         self.run_walks("--reporter", "jsonl=a.jsonl", "-g", "w0")
         self.write("b.jsonl", self.read("a.jsonl"))
-        self.refused("none.jsonl: error missing-file:", "none.jsonl")
-        self.refused("room.obj:1:1: error bad-report: --reporter", "room.obj")
-        self.refused("avatars: error bad-report: --reporter",
-                     "avatars")
-        self.refused("b.jsonl: error bad-report: 'sub/w0.walk.yaml near'", "a.jsonl", "b.jsonl")
+        self.refused("none.jsonl", expected="none.jsonl: error missing-file:")
+        self.refused("room.obj", expected="room.obj:1:1: error bad-report: --reporter")
+        self.refused("avatars", expected="avatars: error bad-report: --reporter")
+        self.refused("a.jsonl", "b.jsonl", expected="b.jsonl: error bad-report: 'sub/w0.walk.yaml near'")
         self.write("b.jsonl", self.read("a.jsonl") + b'{"id":')
         outcome = self.run_program("merge-reports", "b.jsonl")
         self.assertEqual((outcome.code, outcome.out), (2, ""))

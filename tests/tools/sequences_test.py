@@ -54,7 +54,7 @@ class Sequences(ProgramCase):
     def size_of(self, name):
         return struct.unpack(">II", self.read(name)[16:24])
 
-    def refused(self, expected, *arguments, **options):
+    def refused(self, *arguments, expected, **options):
         before = self.contents()
         outcome = self.run_program("run", "short.walk.yaml", *arguments, **options)
         self.assertEqual(outcome.out, "")
@@ -160,22 +160,23 @@ class Drawn(Sequences):
 
     def test_video_without_ffmpeg_is_refused(self):
         os.makedirs(self.path("bin"))
-        self.refused("--video: error bad-value: ffmpeg --animation", "--video", env={**os.environ, "PATH": self.path("bin")})
+        self.refused("--video", expected="--video: error bad-value: ffmpeg --animation",
+                     env={**os.environ, "PATH": self.path("bin")})
 
     def test_frames_without_a_backend_are_refused(self):
         for arguments in (("--every", "1"), ("--contact-sheet",)):
-            self.refused("--every: error bad-value: --rendering-backend", *arguments,
-                         "--rendering-backend", "none")
+            self.refused(*arguments, "--rendering-backend", "none",
+                         expected="--every: error bad-value: --rendering-backend")
 
     def test_unwritable_output_is_refused(self):
-        self.refused("room.obj/short: error output-unwritable: 'room.obj'",
-                     "--every", "1", "--output", "room.obj")
+        self.refused("--every", "1", "--output", "room.obj",
+                     expected="room.obj/short: error output-unwritable: 'room.obj'")
 
 
 @unittest.skipUnless(WITHOUT_RENDERING, "this build draws")
 class NothingIsDrawn(Sequences):
     def test_frames_are_refused(self):
-        self.refused("--every: error bad-value: CAMPUSWALK_RENDER=ON", "--every", "1")
+        self.refused("--every", "1", expected="--every: error bad-value: CAMPUSWALK_RENDER=ON")
 
 
 if __name__ == "__main__":

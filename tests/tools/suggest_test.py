@@ -111,8 +111,7 @@ class Suggest(ProgramCase):
         for taken in ("new.campus.yaml", "new.walk.yaml"):
             self.write(taken, "mine")
             outcome = self.run_program("info", "hut.obj", "--suggest", "new.campus.yaml")
-            self.assertEqual((outcome.code, outcome.err_lines),
-                             (2, [taken + ": error file-exists: it is there already; name another, or say --overwrite"]))
+            self.assert_refused(outcome, taken + ": error file-exists: --overwrite")
             self.assertEqual(self.read(taken), b"mine")
             os.remove(self.path(taken))
         self.write("new.walk.yaml", "mine")

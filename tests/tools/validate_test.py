@@ -67,11 +67,11 @@ class Validate(ProgramCase):
         self.write("broken.walk.yaml", WALK.replace("walk_to:", "walkto:").replace("turn: 180", "turn: 50%"))
 
     def assert_mistakes(self, found):
-        """Those of MISTAKES, each with its file, line, column, code and message."""
+        """MISTAKES, in order: place and code exactly, the message by its names."""
         self.assertEqual([each[:4] for each in found], [each[:4] for each in MISTAKES])
         self.assert_diagnostics(["error: " + each[4] for each in found], *("error: " + each[4] for each in MISTAKES))
 
-    def test_folder(self):
+    def test_a_folder_is_searched_for_files(self):
         self.write("parts/lap.steps.yaml", "steps: [{wait: 1}, {walk_to: somewhere}]\n")
         self.write(".hidden/bad.walk.yaml", "steps: 1\n")
         self.write("notes.yaml", "a: 1\n")
@@ -129,7 +129,7 @@ class Validate(ProgramCase):
         outcome = self.run_program("validate", "short.walk.yaml", "other.walk.yaml", "small.campus.yaml")
         self.assertEqual((outcome.code, outcome.out, len(outcome.err_lines)), (2, "", 1))
 
-    def test_json(self):
+    def test_json_lists_every_diagnostic(self):
         outcome = self.run_program("validate", "--format", "json", "short.walk.yaml", "broken.walk.yaml", "none")
         self.assertEqual((outcome.code, outcome.err), (2, ""))
         report = json.loads(outcome.out)
@@ -141,7 +141,7 @@ class Validate(ProgramCase):
         self.assertTrue(found[2].pop("message"))
         self.assertEqual(found[2], {"file": "none", "severity": "error", "code": "missing-file"})
 
-    def test_sarif(self):
+    def test_sarif_conforms_to_its_schema(self):
         self.write("a folder/ü.walk.yaml", self.read("broken.walk.yaml"))
         outcome = self.run_program("validate", "--format", "sarif", "broken.walk.yaml", "a folder", "none")
         self.assertEqual((outcome.code, outcome.err), (2, ""))
@@ -166,7 +166,7 @@ class Validate(ProgramCase):
         jsonschema.validate(log, SARIF)
         self.assertEqual(log["runs"][0]["results"], [])
 
-    def test_github(self):
+    def test_github_annotations_escape_properties(self):
         self.write("a,b:c.walk.yaml", self.read("broken.walk.yaml"))
         outcome = self.run_program("validate", "--format", "github", "broken.walk.yaml", "a,b:c.walk.yaml")
         self.assertEqual((outcome.code, outcome.err), (2, ""))

@@ -241,7 +241,7 @@ TEST(OurWalker, MeasuresTheMemoryOfItsMover) {
     OurWalker ours(campus.mesh, {});
     ours.place(campus.paths[0].start);
     ours.walk({0.02, 0.0, 0.0});
-    const std::size_t bytes = ours.release_mover();
+    const std::size_t bytes = ours.release_working_memory();
     EXPECT_GE(bytes, sizeof(collision::CapsuleMover));
     EXPECT_LT(bytes, 1U << 20U) << "without the mesh";
 }

@@ -11,10 +11,13 @@
 #include "collision/world/bullet_broad_phase.h"
 #include "scene/campus/campus.h"
 #include "tests/collision/course/course_scene.h"
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 
 namespace campuswalk::collision::course {
 namespace {
+
+using support::radians;
 
 namespace fs = std::filesystem;
 

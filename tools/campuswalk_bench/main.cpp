@@ -50,10 +50,9 @@ void add_draw_options(Command& command, BenchOptions& options) {
 
 /// The options of `import` alone.
 void add_import_options(Command& command, BenchOptions& options) {
-    command.option({.names = "--model",
-                    .help = "Also read this model file; may be given several times",
-                    .value = "FILE"},
-                   options.models);
+    command.option(
+        {.names = "--model", .help = "Also read this model file; may be repeated", .value = "FILE"},
+        options.models);
 }
 
 Command add_measurement(Command program, const std::string& name, const std::string& description,

@@ -53,7 +53,7 @@ def _fault(tree, file, include):
     if any(target.startswith(prefix) for prefix in THIRD_PARTY):
         return _third_party_fault(file, target)
     if include.quote == '"':
-        return "include-path", '"%s" is no file from the repository\'s root' % include.target
+        return "include-path", '"%s" isn\'t a file below the repository\'s root' % include.target
     if "/" in target or "." in target:
         return _third_party_fault(file, target)
     if target in REFUSED_STANDARD and needs_same_bits(file):

@@ -36,10 +36,10 @@ function(campuswalk_package layer)
         COMPONENT ${layer})
 endfunction()
 
-# campuswalk_engine_package(DOORS headers…)
-# What `--component engine` adds to it: the layers that run walks, and the headers `DOORS` with all they include.
+# campuswalk_engine_package(ENTRY_HEADERS headers…)
+# What `--component engine` adds to it: the layers that run walks, and the headers `ENTRY_HEADERS` with all they include.
 function(campuswalk_engine_package)
-    cmake_parse_arguments(arg "" "" "DOORS" ${ARGN})
+    cmake_parse_arguments(arg "" "" "ENTRY_HEADERS" ${ARGN})
     set(targets "")
     foreach(layer model import scene broadphase engine loader)
         set_target_properties(campuswalk_${layer} PROPERTIES EXPORT_NAME ${layer})
@@ -62,7 +62,7 @@ function(campuswalk_engine_package)
         COMPONENT engine)
     install(
         CODE "set(root \"${PROJECT_SOURCE_DIR}\")
-              set(doors \"${arg_DOORS}\")
+              set(entry_headers \"${arg_ENTRY_HEADERS}\")
               set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/campuswalk\")
               include(\"${PROJECT_SOURCE_DIR}/tools/cmake/InstallHeaders.cmake\")"
         COMPONENT engine)

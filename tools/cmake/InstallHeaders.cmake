@@ -1,7 +1,7 @@
-# At install time: the headers `doors` and whatever of ours they include, below `destination`, under their names
+# At install time: the headers `entry_headers` and whatever of ours they include, below `destination`, under their names
 # from `root`, the repository.
 cmake_policy(VERSION 3.25)
-set(open ${doors})
+set(open ${entry_headers})
 set(found "")
 while(open)
     list(POP_FRONT open header)

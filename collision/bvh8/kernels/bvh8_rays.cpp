@@ -30,7 +30,7 @@ namespace HWY_NAMESPACE {
 /// by its index.
 class StackEntry {
 public:
-    /// Without initialization: each ray would set all 512.
+    /// Uninitialized, so that a ray doesn't set all 512 first.
     StackEntry() {}
     HWY_INLINE StackEntry(float entry, std::uint32_t index, bool leaf)
         : key_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(entry)) << 32 | index << 1 |

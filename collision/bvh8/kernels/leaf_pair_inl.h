@@ -28,8 +28,8 @@ using VertexTable = float[3][kLeafVertices];
 /// remaining pairs are decided by the two intervals of Guigue & Devillers 2003 in float32, and what rounding
 /// leaves open by the exact predicate.
 ///
-/// Rounding: a vertex' difference from its origin is off by u r, its position relative to the other leaf by
-/// 6 u L; a plane's normal by 2 u and its offset by 5 u r. A vertex' distance from a plane is thus off by at
+/// Rounding: a vertex's difference from its origin is off by u r, its position relative to the other leaf by
+/// 6 u L; a plane's normal by 2 u and its offset by 5 u r. A vertex's distance from a plane is thus off by at
 /// most 26 u L: sides are certain beyond 32 u L, and so is the order of two vertices' distances along a
 /// direction of length 1.
 class LeafPairs {
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    /// Four lanes load a vertex' coordinates at once and transpose them; more lanes pick them from tables,
+    /// Four lanes load a vertex's coordinates at once and transpose them; more lanes pick them from tables,
     /// one axis at a time.
     static constexpr bool kByPoint = kLanes == 4;
     using PointTable = float[kByPoint ? kLeafVertices : 1][4];
@@ -115,7 +115,7 @@ private:
               error(bound),
               max_volume_error(greatest_volume_error(leaf_a.radius, leaf_b.radius, length_of(t), bound)) {
             const Floats d;
-            for (std::size_t c = 0; c < b.vertices; c += kLanes) {
+            for (std::size_t c = 0; c < b.vertex_count; c += kLanes) {
                 const Real3 p = load(b.vertex, c);
                 for (std::size_t k = 0; k < 3; ++k) {
                     Real v = hn::MulAdd(hn::Set(d, pose.column[0][k]), p.x, hn::Set(d, t[k]));
@@ -127,7 +127,7 @@ private:
                     store_points(load(b_in_a, c), b_points, c);
                 }
             }
-            for (std::size_t c = 0; c < a.vertices; c += kLanes) {
+            for (std::size_t c = 0; c < a.vertex_count; c += kLanes) {
                 const Real3 p =
                     subtract(load(a.vertex, c), {hn::Set(d, t[0]), hn::Set(d, t[1]), hn::Set(d, t[2])});
                 for (std::size_t k = 0; k < 3; ++k) {
@@ -183,12 +183,13 @@ private:
     HWY_INLINE bool find(const PosedLeaves& s) {
         SideTable<kSides> of_b;
         SideTable<kSides> of_a;
-        const bool certain_b = of_b.fill(s.a, s.b_in_a, s.b.vertices, s.error);
-        const bool certain_a = of_a.fill(s.b, s.a_in_b, s.a.vertices, s.error);
+        const bool certain_b = of_b.fill(s.a, s.b_in_a, s.b.vertex_count, s.error);
+        const bool certain_a = of_a.fill(s.b, s.a_in_b, s.a.vertex_count, s.error);
         if (!certain_a || !certain_b) {
             return false;
         }
-        OpenPairs open(of_b.may_intersect(s.b, s.a.triangles), of_a.may_intersect(s.a, s.b.triangles));
+        OpenPairs open(of_b.may_intersect(s.b, s.a.triangle_count),
+                       of_a.may_intersect(s.a, s.b.triangle_count));
         std::size_t count = open.count();
         // So few are decided at once, as quickly as they would be separated along the line.
         constexpr std::size_t kAtOnce = 16;
@@ -206,7 +207,7 @@ private:
     static HWY_INLINE void spans(const Bvh8Leaf& leaf, const float vertices[16], float margin, float low[16],
                                  float high[16]) {
         const Floats d;
-        for (std::size_t c = 0; c < leaf.triangles; c += kLanes) {
+        for (std::size_t c = 0; c < leaf.triangle_count; c += kLanes) {
             const Real p = pick(d, vertices, leaf.vertex_of[0].data() + c);
             const Real q = pick(d, vertices, leaf.vertex_of[1].data() + c);
             const Real r = pick(d, vertices, leaf.vertex_of[2].data() + c);
@@ -231,10 +232,10 @@ private:
                                m[0] * n[1] - m[1] * n[0]};
         HWY_ALIGN float vertices_a[16];
         HWY_ALIGN float vertices_b[16];
-        for (std::size_t c = 0; c < s.a.vertices; c += kLanes) {
+        for (std::size_t c = 0; c < s.a.vertex_count; c += kLanes) {
             hn::Store(along(line, load(s.a.vertex, c)), d, vertices_a + c);
         }
-        for (std::size_t c = 0; c < s.b.vertices; c += kLanes) {
+        for (std::size_t c = 0; c < s.b.vertex_count; c += kLanes) {
             hn::Store(along(line, load(s.b_in_a, c)), d, vertices_b + c);
         }
         HWY_ALIGN float low_a[16];
@@ -248,7 +249,7 @@ private:
             const Real low = hn::Set(d, low_a[at]);
             const Real high = hn::Set(d, high_a[at]);
             std::uint32_t overlapping = 0;
-            for (std::size_t c = 0; c < s.b.triangles; c += kLanes) {
+            for (std::size_t c = 0; c < s.b.triangle_count; c += kLanes) {
                 overlapping |= bits_of(d, hn::And(hn::Le(low, hn::Load(d, high_b + c)),
                                                   hn::Ge(high, hn::Load(d, low_b + c))))
                                << c;

@@ -126,7 +126,7 @@ struct FrameChange {
         const auto a0 = hn::LoadU(d, a.axes[0].data());
         const auto a1 = hn::LoadU(d, a.axes[1].data());
         const auto a2 = hn::LoadU(d, a.axes[2].data());
-        HWY_ALIGN float turned[4];
+        HWY_ALIGN float rotated[4];
         for (std::size_t k = 0; k < 3; ++k) {
             auto g = hn::Mul(r0, hn::Set(d, b.axes[0][k]));
             g = Arithmetic::multiply_add(r1, hn::Set(d, b.axes[1][k]), g);
@@ -134,10 +134,10 @@ struct FrameChange {
             auto m = hn::Mul(a0, hn::Broadcast<0>(g));
             m = Arithmetic::multiply_add(a1, hn::Broadcast<1>(g), m);
             m = Arithmetic::multiply_add(a2, hn::Broadcast<2>(g), m);
-            hn::Store(m, d, turned);
+            hn::Store(m, d, rotated);
             for (std::size_t i = 0; i < 3; ++i) {
-                row[i][k] = turned[i];
-                column[k][i] = turned[i];
+                row[i][k] = rotated[i];
+                column[k][i] = rotated[i];
             }
         }
         float t[4];
@@ -145,9 +145,9 @@ struct FrameChange {
         auto v = hn::Mul(a0, hn::Set(d, t[0]));
         v = Arithmetic::multiply_add(a1, hn::Set(d, t[1]), v);
         v = Arithmetic::multiply_add(a2, hn::Set(d, t[2]), v);
-        hn::Store(v, d, turned);
+        hn::Store(v, d, rotated);
         for (std::size_t i = 0; i < 3; ++i) {
-            s[i] = turned[i];
+            s[i] = rotated[i];
         }
     }
 };

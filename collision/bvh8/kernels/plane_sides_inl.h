@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace campuswalk::collision {
 namespace HWY_NAMESPACE {
 
-/// How a vertex' distance from a plane is classified.
+/// How a vertex's distance from a plane is classified.
 enum class Sides {
     signs,    ///< above or below; only valid if no distance is near zero
     certain,  ///< above, below, or uncertain
@@ -62,7 +62,7 @@ public:
             hn::Store(hn::Zero(d8), d8, above_[half]);
         }
         Bits nearest = hn::Set(Unsigned(), 0xFFFFFFFFU);
-        for (std::size_t c = 0; c < planes.triangles; c += kPlanesAtOnce) {
+        for (std::size_t c = 0; c < planes.triangle_count; c += kPlanesAtOnce) {
             nearest = fill_planes(planes, vertices, count, error, c, nearest);
         }
         const Bits uncertain = hn::BitCast(Unsigned(), hn::Set(d, 2.0F * error));
@@ -196,7 +196,7 @@ private:
             clear =
                 hn::Or(clear, hn::Not(hn::Or(lookup(table, p), hn::Or(lookup(table, q), lookup(table, r)))));
         }
-        const auto there = hn::Lt(hn::Iota(d, 0), hn::Set(d, leaf.triangles));
+        const auto there = hn::Lt(hn::Iota(d, 0), hn::Set(d, leaf.triangle_count));
         const auto mask = static_cast<std::uint8_t>(((1U << planes) - 1U) >> (8 * half));
         return hn::IfThenElseZero(there, hn::AndNot(clear, hn::Set(d, mask)));
     }

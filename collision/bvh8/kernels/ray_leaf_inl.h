@@ -74,7 +74,7 @@ public:
             const auto right = hn::Gt(hn::Max(u, hn::Max(v, w)), hn::Set(d, error));
             missed |= bits_of(d, hn::And(left, right)) << t;
         }
-        return ~missed & ((1U << leaf.triangles) - 1U);
+        return ~missed & ((1U << leaf.triangle_count) - 1U);
     }
 
 private:

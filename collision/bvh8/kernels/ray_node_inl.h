@@ -95,7 +95,7 @@ HWY_INLINE std::uint32_t children_on_ray(const PreparedRay& ray, const Bvh8Node&
     const float size = (std::abs(from[0]) + std::abs(from[1])) + (std::abs(from[2]) + node.radius);
     const float* inverse = ray.inverse;
     HWY_ALIGN float rotated_inverse[4];
-    if (node.turned) {
+    if (node.rotated) {
         const hn::FixedTag<float, 4> d4;
         hn::Store(PreparedRay::inverse_of(rotated(node, ray.along)), d4, rotated_inverse);
         hn::Store(rotated(node, from), d4, from);

@@ -28,7 +28,7 @@ ShapeDescription read_mesh(CheckedMap& /*map*/) {
 ShapeDescription read_box(CheckedMap& map) {
     BoxShape box;
     map.vector("center", kCoordinate, box.center);
-    map.vector("size", kLength, box.size);
+    map.vector("size", kPositiveLength, box.size);
     map.angle("yaw_deg", kYaw, box.yaw);
     return box;
 }
@@ -36,15 +36,15 @@ ShapeDescription read_box(CheckedMap& map) {
 ShapeDescription read_sphere(CheckedMap& map) {
     SphereShape sphere;
     map.vector("center", kCoordinate, sphere.center);
-    map.number("radius", kLength, sphere.radius);
+    map.number("radius", kPositiveLength, sphere.radius);
     return sphere;
 }
 
 ShapeDescription read_capsule(CheckedMap& map) {
     CapsuleShape capsule;
     map.vector("base", kCoordinate, capsule.base);
-    map.number("radius", kLength, capsule.radius);
-    map.number("height", kLength, capsule.height);
+    map.number("radius", kPositiveLength, capsule.radius);
+    map.number("height", kPositiveLength, capsule.height);
     if (capsule.radius && capsule.height && *capsule.height < 2.0 * *capsule.radius) {
         map.diagnose_at("height", "bad-value",
                         "'height' is the capsule's total height and must be at least twice its radius of " +
@@ -71,8 +71,8 @@ Eigen::Vector3d read_axis(const CheckedNode& node) {
 ShapeDescription read_wheel(CheckedMap& map) {
     WheelShape wheel;
     map.vector("center", kCoordinate, wheel.center);
-    map.number("radius", kLength, wheel.radius);
-    map.number("width", kLength, wheel.width);
+    map.number("radius", kPositiveLength, wheel.radius);
+    map.number("width", kPositiveLength, wheel.width);
     if (const auto axis = map.find("axis")) {
         wheel.axis = read_axis(*axis);
     }

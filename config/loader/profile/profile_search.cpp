@@ -17,8 +17,8 @@ constexpr int kMaxParents = 8;
 std::vector<std::string> known_profiles(const ProfileKind& kind, const std::vector<fs::path>& folders) {
     std::set<std::string> names;
     for (const fs::path& folder : folders) {
-        std::error_code none;
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+        std::error_code ignored;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
             std::string name = entry.path().filename().string();
             if (name.ends_with(kind.suffix)) {
                 name.resize(name.size() - std::string_view(kind.suffix).size());
@@ -48,8 +48,8 @@ std::optional<fs::path> find_profile(const ProfileKind& kind, const CheckedNode&
                                      const std::string& name, const std::vector<fs::path>& folders) {
     for (const fs::path& folder : folders) {
         fs::path file = folder / (name + kind.suffix);
-        std::error_code none;
-        if (fs::exists(file, none)) {
+        std::error_code ignored;
+        if (fs::exists(file, ignored)) {
             return file;
         }
     }

@@ -44,8 +44,8 @@ std::vector<CheckedNode> read_avatar_fields(CheckedMap& map, AvatarProfile& prof
     map.number("height", kHeight, profile.height);
     map.number("radius", kRadius, profile.radius);
     map.number("eye_height", kHeight, profile.eye_height);
-    map.number("speed", kPace, profile.speed);
-    map.number("run_speed", kPace, profile.run_speed);
+    map.number("speed", kSpeed, profile.speed);
+    map.number("run_speed", kSpeed, profile.run_speed);
     map.number("step_height", kStepHeight, profile.step_height);
     map.angle("max_slope_deg", kSlope, profile.max_slope);
     map.number("skin_width", kSkin, profile.skin_width);

@@ -32,7 +32,7 @@ public:
 
     void text(std::string_view key, std::string& target);
     void as_bool(std::string_view key, bool& target);
-    void as_int(std::string_view key, int least, int most, int& target);
+    void as_int(std::string_view key, int min, int max, int& target);
     void number(std::string_view key, const Range& range, double& target);
     void number(std::string_view key, const Range& range, std::optional<double>& target);
     void vector(std::string_view key, const Range& range, Eigen::Vector3d& target);

@@ -8,12 +8,12 @@ namespace campuswalk::config {
 // whatever is computed from them finite.
 
 constexpr Range kCoordinate{-1e7, 1e7, false, "m"};
-constexpr Range kLength{0.0, 1e6, true, "m"};
+constexpr Range kPositiveLength{0.0, 1e6, true, "m"};
 constexpr Range kDistance{0.0, 1e6, false, "m"};
 constexpr Range kYaw{-3600.0, 3600.0, false, "degrees"};
 constexpr Range kSeconds{0.0, 86'400.0, false, "s"};
 constexpr Range kTimeout{0.0, 86'400.0, true, "s"};
-constexpr Range kPace{0.0, 100.0, true, "m/s"};
+constexpr Range kSpeed{0.0, 100.0, true, "m/s"};
 constexpr Range kFieldOfView{1.0, 170.0, false, "degrees"};
 
 }  // namespace campuswalk::config

@@ -42,8 +42,8 @@ std::optional<std::string> name_from(const std::string& file_name, const std::st
 std::unique_ptr<YamlFile> YamlFile::open(const std::filesystem::path& path, const std::string& suffix,
                                          const SourceMark& named_at, DiagnosticList& diagnostics) {
     std::unique_ptr<YamlFile> file(new YamlFile());
-    std::error_code none;
-    if (std::filesystem::is_regular_file(path, none)) {  // otherwise read_source reports it
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) {  // otherwise read_source reports it
         const auto name = name_from(path.filename().generic_string(), suffix, named_at, diagnostics);
         if (!name) {
             return nullptr;

@@ -83,8 +83,8 @@ void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& c
     map.as_int("width", kMinPixels, kMaxPixels, camera.size.width);
     map.as_int("height", kMinPixels, kMaxPixels, camera.size.height);
     map.angle("fov_deg", kFieldOfView, camera.size.fov);
-    map.number("height_above", kLength, camera.height_above);
-    map.number("distance", kLength, camera.distance);
+    map.number("height_above", kPositiveLength, camera.height_above);
+    map.number("distance", kPositiveLength, camera.distance);
     if (const auto around = map.find("around")) {
         camera.around = names.camera_target(*around);
     }

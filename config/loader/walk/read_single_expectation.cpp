@@ -186,7 +186,7 @@ Expected read_at_place(const CheckedNode& node, const CampusNames& names, const 
     if (const auto place = map.require("place")) {
         expected.target = names.target(*place);
     }
-    map.number("within", kLength, expected.within);
+    map.number("within", kPositiveLength, expected.within);
     read_more(map, expected);
     map.refuse_other_keys();
     return expected;

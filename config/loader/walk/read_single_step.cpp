@@ -30,7 +30,7 @@ void read_path_options(CheckedMap& map, StepAlongPath& step) {
                                        Choice<IfBlocked>{"continue", IfBlocked::proceed}};
     map.number("within", kDistance, step.within);
     map.number("timeout", kTimeout, step.timeout);
-    map.number("speed", kPace, step.speed);
+    map.number("speed", kSpeed, step.speed);
     map.choice("if_blocked", kIfBlocked, step.if_blocked);
     map.refuse_other_keys();
 }
@@ -159,8 +159,8 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
         read_overlays(*overlays, step.overlays);
     }
     if (const auto level = map.find("tree_level")) {
-        constexpr int kDeepest = 40;
-        step.overlays.tree_level = level->as_int(0, kDeepest);
+        constexpr int kMaxTreeLevel = 40;
+        step.overlays.tree_level = level->as_int(0, kMaxTreeLevel);
     }
     if (const auto channels = map.find("channels")) {
         step.channels = read_channels(*channels);
@@ -192,7 +192,7 @@ Step read_jump(const CheckedNode& node, StepContext& /*context*/) {
     if (const auto height = map.find("height")) {
         step.speed = takeoff_speed(height->number(kHeight).value_or(kJumpHeight));
     }
-    map.number("speed", kPace, step.speed);
+    map.number("speed", kSpeed, step.speed);
     if (map.has("height") && map.has("speed")) {
         map.diagnose_at("speed", "bad-value", "'jump' takes 'height' or 'speed', not both");
     }
@@ -226,7 +226,7 @@ Step read_run(const CheckedNode& node, StepContext& context) {
 }
 
 Step read_speed(const CheckedNode& node, StepContext& context) {
-    return SpeedStep{node.mark(), node.number(kPace).value_or(context.avatar.speed)};
+    return SpeedStep{node.mark(), node.number(kSpeed).value_or(context.avatar.speed)};
 }
 
 // ---- expecting, waiting and changing the campus -----------------------------------------------------------

@@ -56,8 +56,8 @@ void read_repeat(const CheckedNode& node, StepContext& context, std::vector<Step
 }
 
 bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code none;
-    return fs::equivalent(a, b, none);
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored);
 }
 
 /// Whether the file may be opened from the one that is being read.

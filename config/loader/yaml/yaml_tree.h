@@ -36,8 +36,7 @@ struct YamlNode::Entry {
 ///   duplicate-key  at the second of the two; the first is used
 ///   wrong-type     a key that isn't a scalar, a tag such as `!!float`
 ///   too-large      nested more than 64 deep, more than a million nodes with aliases expanded, or more than
-///   ten
-///                  thousand anchors
+///                  ten thousand anchors
 ///   empty-file     nothing but comments
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::string& file,
                                            scene::DiagnosticList& diagnostics);

@@ -65,7 +65,7 @@ Viewpoint orbiting(const Eigen::Vector3d& centre, double distance, double yaw, d
 }
 
 Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double pitch, double fov) {
-    const Eigen::Vector3d centre = 0.5 * (box.min + box.max);
+    const Eigen::Vector3d centre = box.center();
     const Eigen::Matrix3d R_camera_world = rotation(yaw, pitch).transpose();
     const double slope = std::tan(0.5 * fov);
     double distance = kClosestOrbit;
@@ -112,7 +112,7 @@ Viewpoint plan(const scene::Bounds& campus, double aspect) {
     }
     const Eigen::Vector3d size = campus.max - campus.min;
     const double height = std::max({size.z(), size.x() / aspect, kSmallestPlan});
-    return downwards(0.5 * (campus.min + campus.max), kPlanMargin * height, campus);
+    return downwards(campus.center(), kPlanMargin * height, campus);
 }
 
 Eigen::Matrix4d clip_from_world(const Viewpoint& view, double aspect) {

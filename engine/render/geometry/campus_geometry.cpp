@@ -44,7 +44,7 @@ public:
             }
         }
         if (!geometry_.bounds.empty()) {
-            geometry_.origin = 0.5 * (geometry_.bounds.min + geometry_.bounds.max);
+            geometry_.origin = geometry_.bounds.center();
         }
         for (const scene::Model& model : models) {
             add_model(model);

@@ -187,12 +187,12 @@ ShaderProgram ChannelPass::program(const char* name, std::string_view define) co
 void ChannelPass::upload_nodes(const CampusGeometry& geometry) {
     const std::size_t rows =
         std::max<std::size_t>(1, (geometry.vertices.size() + kNodeColumns - 1) / kNodeColumns);
-    GLint most_rows = 0;
-    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most_rows);
-    if (rows > static_cast<std::size_t>(most_rows)) {
+    GLint max_rows = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_rows);
+    if (rows > static_cast<std::size_t>(max_rows)) {
         throw RenderError("a campus of " + std::to_string(geometry.vertices.size()) +
                           " vertices is too large for channels: the maximum is " +
-                          std::to_string(kNodeColumns * static_cast<std::size_t>(most_rows)));
+                          std::to_string(kNodeColumns * static_cast<std::size_t>(max_rows)));
     }
     std::vector<std::uint32_t> numbers(rows * kNodeColumns, 0);
     for (std::size_t i = 0; i < geometry.placements.size(); ++i) {

@@ -157,7 +157,7 @@ Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {
         return target.point;
     }
     const scene::Bounds& box = building_bounds_[*target.building];
-    return box.empty() ? target.point : Eigen::Vector3d(0.5 * (box.min + box.max));
+    return box.empty() ? target.point : box.center();
 }
 
 Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest& request,
@@ -212,7 +212,7 @@ std::optional<Eigen::Vector2d> SnapshotRenderer::anchor(std::size_t building, co
         return std::nullopt;
     }
     // Two thirds up: above doors and passers-by, below the roof.
-    Eigen::Vector3d point = 0.5 * (box.min + box.max);
+    Eigen::Vector3d point = box.center();
     point.y() = box.min.y() + 0.66 * (box.max.y() - box.min.y());
     return pixel_of(view, request.camera.width, request.camera.height, point);
 }
@@ -228,7 +228,7 @@ std::vector<MapLabel> SnapshotRenderer::labels() const {
     for (std::size_t i = 0; i < building_bounds_.size(); ++i) {
         const scene::Bounds& box = building_bounds_[i];
         if (!box.empty()) {
-            all.push_back({title_of(i), 0.5 * (box.min + box.max)});
+            all.push_back({title_of(i), box.center()});
         }
     }
     return all;

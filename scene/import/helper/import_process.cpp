@@ -107,7 +107,7 @@ std::vector<std::string> helper_environment() {
 /// Starts the helper with the request as its standard input and the response as its standard output.
 ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request,
                           const MemoryFile& response) {
-    const Descriptor nowhere =
+    const Descriptor null_device =
         open_null_device();  // a crash is reported in one line, without the helper's output
     try {
         return start_program({.program = helper.program.string(),
@@ -115,7 +115,7 @@ ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request
                               .environment = helper_environment(),
                               .input = request.number(),
                               .output = response.number(),
-                              .error = nowhere.number(),
+                              .error = null_device.number(),
                               .detached = true});
     } catch (const std::system_error& error) {
         cannot_start(error.code().value());
@@ -124,9 +124,9 @@ ChildProcess start_helper(const HelperProgram& helper, const MemoryFile& request
 
 /// With the CPU time for the size of the file added.
 ImportLimits limits_for(const SceneFile& file, ImportLimits limits) {
-    std::error_code none;
-    const std::uintmax_t bytes = std::filesystem::file_size(file.path, none);
-    if (!none) {
+    std::error_code ignored;
+    const std::uintmax_t bytes = std::filesystem::file_size(file.path, ignored);
+    if (!ignored) {
         const auto megabytes = static_cast<std::uint32_t>(std::min<std::uintmax_t>(bytes >> 20U, 100'000));
         limits.cpu += megabytes * std::min(limits.cpu_per_megabyte, 1000U);
     }

@@ -104,9 +104,9 @@ TEST_F(Bvh8Check, RejectsLeavesThatReferToNothingInTheMesh) {
     EXPECT_NE(foreign, "");
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle[15] = kTriangles; }), foreign) << "an unused slot";
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertex_of[1][15] = 16; }), foreign);
-    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertices = 17; }), foreign);
-    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangles = 17; }), foreign);
-    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangles = 0; }), foreign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertex_count = 17; }), foreign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle_count = 17; }), foreign);
+    EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].triangle_count = 0; }), foreign);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].vertex[2][15] = kNan; }), foreign);
     EXPECT_EQ(fault([](Bvh8& t) { t.leaves[3].origin[0] = -std::numeric_limits<float>::infinity(); }),

@@ -39,7 +39,7 @@ private:
         deepest_ = std::max(deepest_, depth);
         const Bvh8Node& node = tree_.nodes[index];
         constexpr decltype(Bvh8Node::axes) kStraight = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-        EXPECT_EQ(node.turned, node.axes != kStraight);
+        EXPECT_EQ(node.rotated, node.axes != kStraight);
         EXPECT_GE(node.count, 1);
         EXPECT_LE(node.count, kBvh8Children);
         std::vector<std::uint32_t> all;
@@ -70,11 +70,11 @@ private:
     }
 
     std::vector<std::uint32_t> inspect_leaf(const Bvh8Leaf& leaf) {
-        EXPECT_GE(leaf.triangles, 1);
-        EXPECT_LE(leaf.triangles, kLeafTriangles);
-        EXPECT_LE(leaf.vertices, kLeafVertices);
+        EXPECT_GE(leaf.triangle_count, 1);
+        EXPECT_LE(leaf.triangle_count, kLeafTriangles);
+        EXPECT_LE(leaf.vertex_count, kLeafVertices);
         std::vector<std::uint32_t> all;
-        for (std::size_t slot = 0; slot < leaf.triangles; ++slot) {
+        for (std::size_t slot = 0; slot < leaf.triangle_count; ++slot) {
             const std::uint32_t t = leaf.triangle[slot];
             ++seen_[t];
             all.push_back(t);
@@ -85,7 +85,7 @@ private:
                 expect_vertex(leaf, slot, c, mesh_.positions[mesh_.triangles[t][c]].cast<double>());
             }
         }
-        for (std::size_t slot = leaf.triangles; slot < kLeafTriangles; ++slot) {
+        for (std::size_t slot = leaf.triangle_count; slot < kLeafTriangles; ++slot) {
             EXPECT_LT(leaf.plane[3][slot], -1e29F) << "everything lies above the plane of an unused slot";
         }
         return all;
@@ -93,7 +93,7 @@ private:
 
     void expect_vertex(const Bvh8Leaf& leaf, std::size_t slot, std::size_t c, const Vec3& position) {
         const std::size_t at = leaf.vertex_of[c][slot];
-        ASSERT_LT(at, leaf.vertices);
+        ASSERT_LT(at, leaf.vertex_count);
         const Vec3 stored(leaf.vertex[0][at], leaf.vertex[1][at], leaf.vertex[2][at]);
         const Vec3 local = position - point(leaf.origin);
         const double unit = kFloatUnit * static_cast<double>(leaf.radius);

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/angles.h"
+
 namespace campuswalk::collision::course {
 
-double radians(double degrees) {
-    return degrees * std::numbers::pi / 180.0;
-}
-
 Vec3 towards(double degrees) {
-    return {std::cos(radians(degrees)), 0.0, -std::sin(radians(degrees))};
+    return {std::cos(support::radians(degrees)), 0.0, -std::sin(support::radians(degrees))};
 }
 
 std::unique_ptr<World> empty_world() {

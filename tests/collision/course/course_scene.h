@@ -17,7 +17,6 @@ constexpr double kSkin = 0.02;
 constexpr double kPace = 1.4;
 const Vec3 kEast(kPace, 0, 0);
 
-double radians(double degrees);
 /// A horizontal unit vector, `degrees` from east towards -Z.
 Vec3 towards(double degrees);
 

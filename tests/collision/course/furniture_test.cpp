@@ -28,7 +28,7 @@ void add_bench(TriangleMesh& mesh, const Vec3& at) {
     }
 }
 
-struct Thing {
+struct Furniture {
     const char* name = "";
     void (*put)(World& world, const Vec3& at) = nullptr;
     double half_width = 0.0;  ///< seen from the west, metres
@@ -41,11 +41,11 @@ void put_mesh(World& world, const Add& add) {
     support::add_object(world, std::move(mesh));
 }
 
-void PrintTo(const Thing& thing, std::ostream* out) {
-    *out << thing.name;
+void PrintTo(const Furniture& piece, std::ostream* out) {
+    *out << piece.name;
 }
 
-class CourseFurniture : public ::testing::TestWithParam<Thing> {};
+class CourseFurniture : public ::testing::TestWithParam<Furniture> {};
 
 /// How much longer the body's path within `seconds` is than the distance it covers, metres.
 double excess_motion(AuditedBody& body, const Vec3& velocity, double seconds) {
@@ -88,44 +88,43 @@ TEST_P(CourseFurniture, IsWalkedAroundWithoutJitter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Things, CourseFurniture,
-    ::testing::Values(Thing{"thin_pole",
-                            [](World& world, const Vec3& at) {
-                                support::add_object(world, Capsule{0.02, 1.5}, at + Vec3(0, 1.5, 0));
-                            },
-                            0.02},
-                      Thing{"prism_pole",
-                            [](World& world, const Vec3& at) {
-                                put_mesh(world,
-                                         [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.15, 3.0, 8); });
-                            },
-                            0.15},
-                      Thing{"fine_column",
-                            [](World& world, const Vec3& at) {
-                                put_mesh(world,
-                                         [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.5, 3.0, 64); });
-                            },
-                            0.5},
-                      Thing{"ball",
-                            [](World& world, const Vec3& at) {
-                                support::add_object(world, Sphere{0.8}, at + Vec3(0, 0.8, 0));
-                            },
-                            0.5},
-                      Thing{"hanging_ball",
-                            [](World& world, const Vec3& at) {
-                                support::add_object(world, Sphere{0.4}, at + Vec3(0, 1.9, 0));
-                            },
-                            0.3},
-                      Thing{"bench",
-                            [](World& world, const Vec3& at) {
-                                put_mesh(world, [&](TriangleMesh& mesh) { add_bench(mesh, at); });
-                            },
-                            0.9},
-                      Thing{"box_bench",
-                            [](World& world, const Vec3& at) {
-                                support::add_object(world, Box{{0.25, 0.225, 0.9}}, at + Vec3(0, 0.225, 0));
-                            },
-                            0.9}),
+    Pieces, CourseFurniture,
+    ::testing::Values(
+        Furniture{"thin_pole",
+                  [](World& world, const Vec3& at) {
+                      support::add_object(world, Capsule{0.02, 1.5}, at + Vec3(0, 1.5, 0));
+                  },
+                  0.02},
+        Furniture{"prism_pole",
+                  [](World& world, const Vec3& at) {
+                      put_mesh(world, [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.15, 3.0, 8); });
+                  },
+                  0.15},
+        Furniture{"fine_column",
+                  [](World& world, const Vec3& at) {
+                      put_mesh(world, [&](TriangleMesh& mesh) { add_prism(mesh, at, 0.5, 3.0, 64); });
+                  },
+                  0.5},
+        Furniture{"ball",
+                  [](World& world, const Vec3& at) {
+                      support::add_object(world, Sphere{0.8}, at + Vec3(0, 0.8, 0));
+                  },
+                  0.5},
+        Furniture{"hanging_ball",
+                  [](World& world, const Vec3& at) {
+                      support::add_object(world, Sphere{0.4}, at + Vec3(0, 1.9, 0));
+                  },
+                  0.3},
+        Furniture{"bench",
+                  [](World& world, const Vec3& at) {
+                      put_mesh(world, [&](TriangleMesh& mesh) { add_bench(mesh, at); });
+                  },
+                  0.9},
+        Furniture{"box_bench",
+                  [](World& world, const Vec3& at) {
+                      support::add_object(world, Box{{0.25, 0.225, 0.9}}, at + Vec3(0, 0.225, 0));
+                  },
+                  0.9}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/collision/course/course_scene.h"
+#include "tests/support/angles.h"
 #include "tests/support/course/profile.h"
 
 /// The course's ground: the foot follows it like a ball rolling over it, at full horizontal speed.
@@ -11,6 +12,7 @@ namespace campuswalk::collision::course {
 namespace {
 
 using support::Profile;
+using support::radians;
 using support::rolled_height;
 
 /// How far the foot may be above the ball that rolls over the ground, metres.
@@ -33,11 +35,11 @@ std::unique_ptr<World> world_of(const Profile& profile) {
 }
 
 /// Once across the ground, straight or at an angle; x must be right at every tick.
-void cross(AuditedBody& body, const Ground& ground, double from, double to, double aside) {
+void cross(AuditedBody& body, const Ground& ground, double from, double to, double sideways) {
     const double heading = to > from ? 1.0 : -1.0;
-    const Vec3 velocity(heading * ground.speed, 0, aside * ground.speed);
+    const Vec3 velocity(heading * ground.speed, 0, sideways * ground.speed);
     const double start_height = rolled_height(ground.profile, from, kRadius);
-    body.stand({from, start_height + 0.01, -aside}, 0.1);
+    body.stand({from, start_height + 0.01, -sideways}, 0.1);
     ASSERT_TRUE(body.state().grounded);
     const double per_tick = ground.speed / body.ticks_per_second;
     const int ticks = static_cast<int>(std::abs(to - from) / per_tick);
@@ -61,15 +63,15 @@ TEST_P(CourseGround, IsFollowedInBothDirectionsAtFullSpeed) {
     const auto world = world_of(ground.profile);
     AuditedBody body(*world);
     for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
-        for (const double aside : {0.0, 0.3}) {
-            SCOPED_TRACE(testing::Message() << rate << " Hz, aside " << aside);
+        for (const double offset : {0.0, 0.3}) {
+            SCOPED_TRACE(testing::Message() << rate << " Hz, offset " << offset);
             body.ticks_per_second = rate;
             {
                 SCOPED_TRACE("east");
-                ASSERT_NO_FATAL_FAILURE(cross(body, ground, ground.from, ground.to, aside));
+                ASSERT_NO_FATAL_FAILURE(cross(body, ground, ground.from, ground.to, offset));
             }
             SCOPED_TRACE("west");
-            ASSERT_NO_FATAL_FAILURE(cross(body, ground, ground.to, ground.from, aside));
+            ASSERT_NO_FATAL_FAILURE(cross(body, ground, ground.to, ground.from, offset));
         }
     }
 }

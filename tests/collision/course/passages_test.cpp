@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/collision/course/course_scene.h"
+#include "tests/support/angles.h"
 #include "tests/support/course/walls.h"
 
 /// The course's narrow places: the body passes where there is room, and stops without jitter where there
@@ -11,6 +12,7 @@ namespace campuswalk::collision::course {
 namespace {
 
 using support::add_quad;
+using support::radians;
 
 /// Doors of 0.7 to 1 m in walls of any thickness: at full speed through the middle, past the posts from
 /// off-centre.
@@ -22,15 +24,15 @@ TEST(CoursePassages, WideEnoughDoorwaysArePassed) {
                 [&](TriangleMesh& mesh) { support::add_doorway(mesh, 2.0, thickness, width, 2.0); });
             AuditedBody body(*world);
             const double room = 0.5 * width - kRadius - kSkin;
-            for (const double aside : {0.0, 0.9 * room, -0.9 * room}) {
-                body.stand({0, 0, aside});
+            for (const double offset : {0.0, 0.9 * room, -0.9 * room}) {
+                body.stand({0, 0, offset});
                 ASSERT_NO_FATAL_FAILURE(body.walk(kEast, 4.0));
-                EXPECT_NEAR(body.foot().x(), 4.0 * kPace, 1e-6) << aside << " m from the middle";
+                EXPECT_NEAR(body.foot().x(), 4.0 * kPace, 1e-6) << offset << " m from the middle";
             }
-            for (const double aside : {-0.9, -0.45, 0.3, 0.7}) {
-                body.stand({0.5, 0, aside});
-                EXPECT_TRUE(reach(body, {2.0 + 0.5 * thickness, 0, 0}, kPace, 10.0)) << "from " << aside;
-                EXPECT_TRUE(reach(body, {5.0, 0, -0.5 * aside}, kPace, 10.0)) << "from " << aside;
+            for (const double offset : {-0.9, -0.45, 0.3, 0.7}) {
+                body.stand({0.5, 0, offset});
+                EXPECT_TRUE(reach(body, {2.0 + 0.5 * thickness, 0, 0}, kPace, 10.0)) << "from " << offset;
+                EXPECT_TRUE(reach(body, {5.0, 0, -0.5 * offset}, kPace, 10.0)) << "from " << offset;
             }
         }
     }

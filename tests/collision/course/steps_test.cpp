@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/collision/course/course_scene.h"
+#include "tests/support/angles.h"
 #include "tests/support/course/profile.h"
 #include "tests/support/effort.h"
 
@@ -13,6 +14,7 @@ namespace campuswalk::collision::course {
 namespace {
 
 using support::add_box;
+using support::radians;
 
 constexpr double kTolerance = 5e-3;
 

@@ -7,11 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/collision/course/course_scene.h"
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 
 /// The course's walls: none is passed through at any speed, and only the angle costs speed.
 namespace campuswalk::collision::course {
 namespace {
+
+using support::radians;
 
 /// How a wall is built.
 struct WallKind {

@@ -34,7 +34,7 @@ TEST(HybridTreeSplit, KeepsEveryTriangleAndLeavesEnoughOnBothSides) {
     for (int i = 0; i < 300; ++i) {
         const int count = 2 + dice.below(200);
         const Sides sides = sides_of(support::random_mesh(dice, count, dice.between(0.0, 5.0)));
-        const std::size_t least = std::max<std::size_t>(1, static_cast<std::size_t>(count) / kMaxSplitRatio);
+        const std::size_t least = std::max<std::size_t>(1, static_cast<std::size_t>(count) / kMinSideDivisor);
         EXPECT_GE(sides.left.size(), least);
         EXPECT_GE(sides.right.size(), least);
         std::vector<std::uint32_t> all;
@@ -54,8 +54,8 @@ TEST(HybridTreeSplit, DoesNotSplitOffAFewDistantTriangles) {
             support::add_triangle(mesh, {x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0});
         }
         const Sides sides = sides_of(mesh);
-        EXPECT_GE(sides.left.size(), 64 / kMaxSplitRatio);
-        EXPECT_GE(sides.right.size(), 64 / kMaxSplitRatio);
+        EXPECT_GE(sides.left.size(), 64 / kMinSideDivisor);
+        EXPECT_GE(sides.right.size(), 64 / kMinSideDivisor);
     }
 }
 

@@ -20,39 +20,39 @@ TEST(MeshContacts, AreTheSameWithTheHybridTreeAsWithTheBvh8) {
         const TriangleMesh a = support::random_mesh(dice, 1 + dice.below(150), 2.0);
         const TriangleMesh b = support::random_mesh(dice, 1 + dice.below(150), 2.0);
         const Pose X = support::random_pose(dice, 2.0);
-        std::vector<TrianglePair> wide;
-        std::vector<TrianglePair> paper{{77, 77}};
-        all_contacts(MeshCollider(a), MeshCollider(b), X, wide);
-        const MeshCollider paper_a(a, TreeKind::hybrid);
-        const MeshCollider paper_b(b, TreeKind::hybrid);
-        QueryStatistics paper_counters;
-        all_contacts(paper_a, paper_b, X, paper, &paper_counters);
-        EXPECT_GT(paper_counters.volume_tests, 0U);
-        EXPECT_EQ(first_contact(paper_a, paper_b, X, &paper_counters),
-                  paper.empty() ? std::nullopt : std::optional(paper.front()));
-        std::sort(wide.begin(), wide.end());
-        std::sort(paper.begin(), paper.end());
-        EXPECT_EQ(wide, paper);
-        found += wide.size();
+        std::vector<TrianglePair> bvh8;
+        std::vector<TrianglePair> hybrid{{77, 77}};
+        all_contacts(MeshCollider(a), MeshCollider(b), X, bvh8);
+        const MeshCollider hybrid_a(a, TreeKind::hybrid);
+        const MeshCollider hybrid_b(b, TreeKind::hybrid);
+        QueryStatistics hybrid_counters;
+        all_contacts(hybrid_a, hybrid_b, X, hybrid, &hybrid_counters);
+        EXPECT_GT(hybrid_counters.volume_tests, 0U);
+        EXPECT_EQ(first_contact(hybrid_a, hybrid_b, X, &hybrid_counters),
+                  hybrid.empty() ? std::nullopt : std::optional(hybrid.front()));
+        std::sort(bvh8.begin(), bvh8.end());
+        std::sort(hybrid.begin(), hybrid.end());
+        EXPECT_EQ(bvh8, hybrid);
+        found += bvh8.size();
     }
     EXPECT_GT(found, static_cast<std::size_t>(support::repeats(1000)));
 }
 
 TEST(MeshContacts, BetweenDifferentKindsOfTreesAreRefused) {
     Dice dice(441);
-    const MeshCollider wide(support::random_mesh(dice, 5, 1.0));
-    const MeshCollider paper(wide.mesh(), TreeKind::hybrid);
+    const MeshCollider bvh8(support::random_mesh(dice, 5, 1.0));
+    const MeshCollider hybrid(bvh8.mesh(), TreeKind::hybrid);
     std::vector<TrianglePair> pairs;
-    EXPECT_THROW(all_contacts(wide, paper, {}, pairs), std::invalid_argument);
-    EXPECT_THROW(first_contact(paper, wide, {}), std::invalid_argument);
+    EXPECT_THROW(all_contacts(bvh8, hybrid, {}, pairs), std::invalid_argument);
+    EXPECT_THROW(first_contact(hybrid, bvh8, {}), std::invalid_argument);
 }
 
 TEST(MeshContacts, WithHybridTreesRefuseAMirroredPose) {
     Dice dice(442);
-    const MeshCollider paper(support::random_mesh(dice, 5, 1.0), TreeKind::hybrid);
+    const MeshCollider hybrid(support::random_mesh(dice, 5, 1.0), TreeKind::hybrid);
     Pose mirror;
     mirror.rotation(0, 0) = -1.0;
-    EXPECT_THROW(first_contact(paper, paper, mirror), std::invalid_argument);
+    EXPECT_THROW(first_contact(hybrid, hybrid, mirror), std::invalid_argument);
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ std::vector<SimdTarget> supported_simd_targets();
 
 /// One mesh with both trees.
 struct BothTrees {
-    MeshCollider wide;
-    MeshCollider paper;
+    MeshCollider bvh8;
+    MeshCollider hybrid;
 
-    explicit BothTrees(const TriangleMesh& mesh) : wide(mesh), paper(mesh, TreeKind::hybrid) {}
-    const TriangleMesh& mesh() const { return wide.mesh(); }
-    std::array<const MeshCollider*, 2> each() const { return {&wide, &paper}; }
+    explicit BothTrees(const TriangleMesh& mesh) : bvh8(mesh), hybrid(mesh, TreeKind::hybrid) {}
+    const TriangleMesh& mesh() const { return bvh8.mesh(); }
+    std::array<const MeshCollider*, 2> each() const { return {&bvh8, &hybrid}; }
 };
 
 /// A mesh that is easy or hard for a tree: scattered, regular, all in one place or a single triangle.

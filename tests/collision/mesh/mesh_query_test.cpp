@@ -107,13 +107,13 @@ QueryStatistics expect_hits(const MeshCollider& mesh, const Ray& ray, const std:
 std::size_t expect_hits_of_loop(const BothTrees& both, const Ray& ray) {
     const std::vector<MeshHit> expected = loop_all_on_ray(both.mesh(), ray);
     {
-        SCOPED_TRACE("paper");
-        expect_hits(both.paper, ray, expected, SimdTarget::sse42);
+        SCOPED_TRACE("hybrid");
+        expect_hits(both.hybrid, ray, expected, SimdTarget::sse42);
     }
     std::optional<QueryStatistics> work;
     for (const SimdTarget simd_target : supported_simd_targets()) {
         SCOPED_TRACE(static_cast<int>(simd_target));
-        const QueryStatistics counters = expect_hits(both.wide, ray, expected, simd_target);
+        const QueryStatistics counters = expect_hits(both.bvh8, ray, expected, simd_target);
         work = work.value_or(counters);
         EXPECT_EQ(counters.volume_tests, work->volume_tests);
         EXPECT_EQ(counters.primitive_tests, work->primitive_tests);
@@ -269,8 +269,8 @@ TEST(RayHits, OfASphereAgreeWithTheLoop) {
         p = (turn * p.cast<double>()).cast<float>();
     }
     const BothTrees both(ball);
-    const auto& nodes = both.wide.bvh8().nodes;
-    EXPECT_GT(std::count_if(nodes.begin(), nodes.end(), [](const Bvh8Node& n) { return n.turned; }), 10);
+    const auto& nodes = both.bvh8.bvh8().nodes;
+    EXPECT_GT(std::count_if(nodes.begin(), nodes.end(), [](const Bvh8Node& n) { return n.rotated; }), 10);
     std::size_t hits = 0;
     QueryStatistics work;
     for (int i = 0; i < repeats(300); ++i) {
@@ -278,7 +278,7 @@ TEST(RayHits, OfASphereAgreeWithTheLoop) {
         const Ray ray{dice.in_cube(1.5), dice.in_cube(1.5)};
         hits += expect_hits_of_loop(both, ray);
         std::vector<MeshHit> all;
-        all_on_ray(both.wide, ray, all, &work);
+        all_on_ray(both.bvh8, ray, all, &work);
     }
     EXPECT_GT(hits, static_cast<std::size_t>(repeats(200)));
     EXPECT_LE(work.primitive_tests, 2 * hits) << "the float32 test rejects nearly all misses";

@@ -104,21 +104,21 @@ TEST(QueryStatistics, FarAwayOnlyTheRootIsTested) {
 }
 
 TEST(QueryStatistics, WithEverythingInReachEveryNodeAndTriangleIsTested) {
-    const MeshCollider paper(tiled_floor(), TreeKind::hybrid);
-    const QueryStatistics on_paper = count_near(paper, {{0, 0, 0}, {0, 2, 0}}, 500.0);
-    EXPECT_EQ(on_paper.volume_tests, paper.hybrid_tree().nodes.size());
-    EXPECT_EQ(on_paper.primitive_tests, paper.mesh().triangles.size());
-    EXPECT_EQ(on_paper.transform_updates, 1U);
+    const MeshCollider hybrid(tiled_floor(), TreeKind::hybrid);
+    const QueryStatistics of_hybrid = count_near(hybrid, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(of_hybrid.volume_tests, hybrid.hybrid_tree().nodes.size());
+    EXPECT_EQ(of_hybrid.primitive_tests, hybrid.mesh().triangles.size());
+    EXPECT_EQ(of_hybrid.transform_updates, 1U);
 
-    const MeshCollider wide(tiled_floor());
+    const MeshCollider bvh8(tiled_floor());
     std::size_t boxes = 1;  // the outer sphere
-    for (const Bvh8Node& node : wide.bvh8().nodes) {
+    for (const Bvh8Node& node : bvh8.bvh8().nodes) {
         boxes += node.count;
     }
-    const QueryStatistics on_wide = count_near(wide, {{0, 0, 0}, {0, 2, 0}}, 500.0);
-    EXPECT_EQ(on_wide.volume_tests, boxes);
-    EXPECT_EQ(on_wide.primitive_tests, wide.mesh().triangles.size());
-    EXPECT_EQ(on_wide.transform_updates, 1U);
+    const QueryStatistics of_bvh8 = count_near(bvh8, {{0, 0, 0}, {0, 2, 0}}, 500.0);
+    EXPECT_EQ(of_bvh8.volume_tests, boxes);
+    EXPECT_EQ(of_bvh8.primitive_tests, bvh8.mesh().triangles.size());
+    EXPECT_EQ(of_bvh8.transform_updates, 1U);
 }
 
 TEST(QueryStatistics, LieBetweenTheNecessaryTestsAndThoseOfSpheresAlone) {

@@ -120,7 +120,7 @@ TEST_P(WarmQueries, OnANewThreadAllocateNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothTrees, WarmQueries, ::testing::Values(TreeKind::bvh8, TreeKind::hybrid),
-                         [](const auto& each) { return each.param == TreeKind::bvh8 ? "wide" : "paper"; });
+                         [](const auto& each) { return each.param == TreeKind::bvh8 ? "bvh8" : "hybrid"; });
 
 struct ContactKind {
     TreeKind tree_kind = TreeKind::bvh8;
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(EveryKernel, WarmContacts,
                          ::testing::Values(ContactKind{TreeKind::bvh8, SimdTarget::sse42, "sse42"},
                                            ContactKind{TreeKind::bvh8, SimdTarget::avx2, "avx2"},
                                            ContactKind{TreeKind::bvh8, SimdTarget::avx512, "avx512"},
-                                           ContactKind{TreeKind::hybrid, SimdTarget::sse42, "paper"}),
+                                           ContactKind{TreeKind::hybrid, SimdTarget::sse42, "hybrid"}),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

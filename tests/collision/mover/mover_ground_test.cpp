@@ -1,10 +1,10 @@
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "collision/mover/mover.h"
 #include "tests/collision/mover/audited_body.h"
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
@@ -17,6 +17,7 @@ using support::add_floor;
 using support::add_object;
 using support::add_quad;
 using support::add_stairs;
+using support::radians;
 
 constexpr double kGravity = 9.81;
 const Vec3 kEast(1.4, 0, 0);
@@ -31,7 +32,7 @@ protected:
     /// A slope that starts at x = 1 and rises along +X for 6 m, then a landing.
     void build_ramp(double degrees) {
         build([&](TriangleMesh& mesh) {
-            const double high = 6.0 * std::tan(degrees * std::numbers::pi / 180.0);
+            const double high = 6.0 * std::tan(radians(degrees));
             add_quad(mesh, {1, 0, 2}, {7, high, 2}, {7, high, -2}, {1, 0, -2});
             add_quad(mesh, {7, high, 2}, {20, high, 2}, {20, high, -2}, {7, high, -2});
         });
@@ -126,7 +127,7 @@ TEST_F(MoverAndGround, RampsAreWalkedUpAndDownAtFullHorizontalSpeed) {
     body.stand({0, 0, 0});
     body.walk(kEast, 6.0);
     EXPECT_NEAR(body.foot().x(), 8.4, 1e-6);
-    EXPECT_NEAR(body.foot().y(), 6.0 * std::tan(std::numbers::pi / 6.0), 1e-3);
+    EXPECT_NEAR(body.foot().y(), 6.0 * std::tan(radians(30.0)), 1e-3);
     body.walk(-kEast, 6.0);
     EXPECT_NEAR(body.foot().x(), 0.0, 1e-6);
     EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
@@ -139,7 +140,7 @@ TEST_F(MoverAndGround, RampsBeyondTheSlopeLimitAreWalls) {
         World world(std::make_unique<LinearBroadPhase>());
         TriangleMesh mesh;
         add_floor(mesh, 40.0);
-        const double high = 6.0 * std::tan(degrees * std::numbers::pi / 180.0);
+        const double high = 6.0 * std::tan(radians(degrees));
         add_quad(mesh, {1, 0, 2}, {7, high, 2}, {7, high, -2}, {1, 0, -2});
         add_object(world, mesh);
         AuditedBody body(world);

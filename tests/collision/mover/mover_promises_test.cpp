@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "collision/mover/mover.h"
 #include "tests/collision/mover/audited_body.h"
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/random_scene.h"
@@ -19,8 +19,7 @@ using support::add_floor;
 using support::add_object;
 using support::add_quad;
 using support::add_stairs;
-
-constexpr double kPerDegree = std::numbers::pi / 180.0;
+using support::radians;
 
 /// A stair, a ramp, a kerb and a room with a doorway.
 TriangleMesh yard() {
@@ -112,7 +111,7 @@ TEST(MoverPromises, NothingIsCrossedAtAHundredMetresPerSecond) {
         AuditedBody body(world);
         body.stand({0, 0.05, 0});
         for (int i = 0; i < 40; ++i) {  // back and forth: the oracle checks every segment
-            const double angle = (heading + 177.0 * i) * kPerDegree;
+            const double angle = radians(heading + 177.0 * i);
             body.walk(100.0 * Vec3(std::cos(angle), 0, std::sin(angle)), 0.05);
         }
     }
@@ -134,7 +133,7 @@ TEST(MoverPromises, SlidingAlongAWallKeepsTheTangentialSpeed) {
             add_object(world, mesh);
             AuditedBody body(world);
             body.stand({-20, 0.05, 0.68});
-            const double angle = degrees * kPerDegree;
+            const double angle = radians(degrees);
             body.walk(1.4 * Vec3(std::cos(angle), 0, std::sin(angle)), 1.0);
             const Vec3 start = body.foot();
             body.walk(1.4 * Vec3(std::cos(angle), 0, std::sin(angle)), 5.0);
@@ -179,7 +178,7 @@ TEST(MoverPromises, RidgesAndValleysAreCrossedAtFullSpeed) {
     for (const double bend : {-1.0, 1.0}) {
         World world(std::make_unique<LinearBroadPhase>());
         TriangleMesh mesh;
-        const double high = bend * 5.0 * std::tan(35.0 * kPerDegree);
+        const double high = bend * 5.0 * std::tan(radians(35.0));
         add_quad(mesh, {-5, high, 5}, {0, 0, 5}, {0, 0, -5}, {-5, high, -5});
         add_quad(mesh, {0, 0, 5}, {5, high, 5}, {5, high, -5}, {0, 0, -5});
         add_object(world, mesh);
@@ -224,7 +223,7 @@ TEST(MoverPromises, NoJitterInWedgesAndOnSteps) {
             if (step > 0.0) {
                 add_box(mesh, {3, 0, -9}, {9, step, 9});
             }
-            const double half = 0.5 * degrees * kPerDegree;
+            const double half = radians(0.5 * degrees);
             const Vec3 tip(5, -1, 0);
             for (const double side : {-1.0, 1.0}) {
                 const Vec3 end = tip + 12.0 * Vec3(-std::cos(half), 0, side * std::sin(half));

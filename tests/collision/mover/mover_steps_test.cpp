@@ -1,10 +1,10 @@
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "collision/mover/mover.h"
 #include "tests/collision/mover/audited_body.h"
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
@@ -17,6 +17,7 @@ using support::add_floor;
 using support::add_object;
 using support::add_quad;
 using support::add_stairs;
+using support::radians;
 
 struct Profile {
     const char* name = "";
@@ -40,7 +41,7 @@ double height_reached(const MoverSettings& settings, double heading, double spee
     add_object(world, support::floor_with(add));
     AuditedBody body(world, settings);
     body.stand({0, 0, 0});
-    const double angle = heading * std::numbers::pi / 180.0;
+    const double angle = radians(heading);
     double highest = 0.0;
     for (int i = 0; i < static_cast<int>(120.0 * 1.4 / speed); ++i) {
         body.tick(speed * Vec3(std::cos(angle), 0, std::sin(angle)));
@@ -105,7 +106,7 @@ TEST_P(MoverAndSteps, TheRoundFootClimbsNoHigher) {
 TEST_P(MoverAndSteps, TheCrestOfARampIsNotAStep) {
     const MoverSettings settings = settings_of(GetParam());
     for (const double degrees : {10.0, 30.0, 45.0}) {
-        const double high = std::tan(degrees * std::numbers::pi / 180.0);
+        const double high = std::tan(radians(degrees));
         const auto add = [&](TriangleMesh& mesh) {
             add_quad(mesh, {1, 0, 9}, {2, high, 9}, {2, high, -9}, {1, 0, -9});
             add_quad(mesh, {2, high, 9}, {9, high, 9}, {9, high, -9}, {2, high, -9});

@@ -1,11 +1,11 @@
 #include "collision/mover/mover.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "tests/collision/mover/audited_body.h"
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 
@@ -15,6 +15,7 @@ namespace {
 
 using support::add_object;
 using support::add_quad;
+using support::radians;
 
 constexpr double kRadius = 0.3;
 constexpr double kSkin = 0.02;
@@ -112,7 +113,7 @@ TEST_F(MoverAndWalls, SlidesAlongSlantedWalls) {
                 continue;  // the search for a box's nearest point takes minutes under sanitizers
             }
             SCOPED_TRACE(testing::Message() << degrees << (boxes ? " boxes" : " triangles"));
-            const double angle = degrees * std::numbers::pi / 180.0;
+            const double angle = radians(degrees);
             const Vec3 along(std::cos(angle), 0, -std::sin(angle));
             const Vec3 out(-std::sin(angle), 0, -std::cos(angle));
             world_ = floor_only();
@@ -151,7 +152,7 @@ TEST_F(MoverAndWalls, StandsStillInAWedge) {
         World world(std::make_unique<LinearBroadPhase>());
         TriangleMesh place;
         support::add_floor(place, 50.0);
-        const double half = 0.5 * degrees * std::numbers::pi / 180.0;
+        const double half = radians(0.5 * degrees);
         for (const double side : {-1.0, 1.0}) {  // a wedge that narrows towards +X
             const Vec3 tip(5, 0, 0);
             const Vec3 end = tip + 10.0 * Vec3(-std::cos(half), 0, side * std::sin(half));
@@ -177,15 +178,15 @@ TEST_F(MoverAndWalls, WalksThroughADoorwayOfNinetyCentimetres) {
     body.stand({0, 0, 0});
     body.walk({0, 0, -1.4}, 3.0);
     EXPECT_NEAR(body.foot().z(), -4.2, 1e-9) << "at full speed through the middle";
-    for (const double aside : {-0.1, 0.1}) {
-        body.stand({aside, 0, 0});
+    for (const double offset : {-0.1, 0.1}) {
+        body.stand({offset, 0, 0});
         body.walk({0, 0, -1.4}, 3.0);
-        EXPECT_NEAR(body.foot().z(), -4.2, 1e-9) << aside;
+        EXPECT_NEAR(body.foot().z(), -4.2, 1e-9) << offset;
     }
-    for (const double aside : {-0.4, -0.3, 0.2, 0.35}) {
-        body.stand({aside, 0, 0});
-        body.walk(Vec3(-0.5 * aside, 0, -1.4), 6.0);
-        EXPECT_LT(body.foot().z(), -4.0) << aside << ": slides past the door post";
+    for (const double offset : {-0.4, -0.3, 0.2, 0.35}) {
+        body.stand({offset, 0, 0});
+        body.walk(Vec3(-0.5 * offset, 0, -1.4), 6.0);
+        EXPECT_LT(body.foot().z(), -4.0) << offset << ": slides past the door post";
     }
 }
 

@@ -71,64 +71,64 @@ TEST(Cast, HitsWhereALoopOverEverythingDoes) {
     EXPECT_GT(hits, worlds * 4);
 }
 
-/// Balls of radius 1 along the X axis, each with its detection.
-class CastAtBalls : public ::testing::Test {
+/// Spheres of radius 1 along the X axis, each with its detection.
+class CastAtSpheres : public ::testing::Test {
 protected:
-    ObjectId add_ball(double x, Detection detection, std::uint32_t layer = 0) {
-        Object ball;
-        ball.shape = Sphere{1.0};
-        ball.X_world_shape.translation = {x, 0, 0};
-        ball.detection = detection;
-        ball.layer = layer;
-        return world_.add(ball);
+    ObjectId add_sphere(double x, Detection detection, std::uint32_t layer = 0) {
+        Object sphere;
+        sphere.shape = Sphere{1.0};
+        sphere.X_world_shape.translation = {x, 0, 0};
+        sphere.detection = detection;
+        sphere.layer = layer;
+        return world_.add(sphere);
     }
     Ray ray_ = {Vec3(0, 0, 0), Vec3(20, 0, 0)};
     World world_{std::make_unique<LinearBroadPhase>()};
 };
 
-TEST_F(CastAtBalls, TheNearestWinsWhateverItsId) {
-    add_ball(9, Detection::ray);
-    const ObjectId near = add_ball(5, Detection::ray);
+TEST_F(CastAtSpheres, TheNearestWinsWhateverItsId) {
+    add_sphere(9, Detection::ray);
+    const ObjectId near = add_sphere(5, Detection::ray);
     const auto found = cast_at(world_, ray_);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->object, near);
     EXPECT_NEAR(found->fraction, 4.0 / 20.0, 1e-12);
 }
 
-TEST_F(CastAtBalls, TheFilterDecidesWhatIsHit) {
-    add_ball(5, Detection::solid);
-    add_ball(8, Detection::ray, 7);
-    const ObjectId visible = add_ball(11, Detection::ray | Detection::solid);
+TEST_F(CastAtSpheres, TheFilterDecidesWhatIsHit) {
+    add_sphere(5, Detection::solid);
+    add_sphere(8, Detection::ray, 7);
+    const ObjectId visible = add_sphere(11, Detection::ray | Detection::solid);
     const auto found = cast_at(world_, ray_, {Detection::ray, 1U << 7U});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->object, visible);
     EXPECT_FALSE(cast_at(world_, ray_, {Detection::trigger, 0}));
 }
 
-TEST_F(CastAtBalls, InTheSamePlaceThePreferredThenTheLowestIdWins) {
-    const ObjectId wall = add_ball(5, Detection::solid);
-    const ObjectId sign = add_ball(5, Detection::ray);
-    add_ball(5, Detection::ray);
+TEST_F(CastAtSpheres, InTheSamePlaceThePreferredThenTheLowestIdWins) {
+    const ObjectId wall = add_sphere(5, Detection::solid);
+    const ObjectId sign = add_sphere(5, Detection::ray);
+    add_sphere(5, Detection::ray);
     EXPECT_EQ(cast_at(world_, ray_)->object, wall);
     EXPECT_EQ(cast_at(world_, ray_, kEverything, Detection::ray)->object, sign);
 }
 
-TEST_F(CastAtBalls, APreferredObjectBehindAnotherIsHidden) {
-    const ObjectId wall = add_ball(5, Detection::solid);
-    add_ball(5.1, Detection::ray);
+TEST_F(CastAtSpheres, APreferredObjectBehindAnotherIsHidden) {
+    const ObjectId wall = add_sphere(5, Detection::solid);
+    add_sphere(5.1, Detection::ray);
     EXPECT_EQ(cast_at(world_, ray_, kEverything, Detection::ray)->object, wall);
 }
 
-TEST_F(CastAtBalls, ARayFromInsideHitsImmediately) {
-    const ObjectId around = add_ball(0.5, Detection::ray);
+TEST_F(CastAtSpheres, ARayFromInsideHitsImmediately) {
+    const ObjectId around = add_sphere(0.5, Detection::ray);
     const auto found = cast_at(world_, ray_);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->object, around);
     EXPECT_EQ(found->fraction, 0.0);
 }
 
-TEST_F(CastAtBalls, ARayOfNoLengthHitsNothing) {
-    add_ball(0, Detection::ray);
+TEST_F(CastAtSpheres, ARayOfNoLengthHitsNothing) {
+    add_sphere(0, Detection::ray);
     EXPECT_FALSE(cast_at(world_, {Vec3(0, 0, 0), Vec3(0, 0, 0)}));
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/angles.h"
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/plain_solids.h"
@@ -18,6 +19,7 @@ namespace {
 using support::add_object;
 using support::Dice;
 using support::Line;
+using support::radians;
 using support::repeats;
 
 Obstacle obstacle_of(const Object& solid) {
@@ -152,9 +154,9 @@ TEST(GatherPieces, ConsidersOnlyTheGivenObjectWhateverItsDetection) {
 }
 
 TEST(WalkableAt, TrianglesAreWalkableOnBothSidesUpToTheLimit) {
-    const double limit = std::cos(50.0 * std::numbers::pi / 180.0);
+    const double limit = std::cos(radians(50.0));
     const auto slope = [](double degrees) {
-        const double angle = degrees * std::numbers::pi / 180.0;
+        const double angle = radians(degrees);
         return obstacle_of(Triangle{}, Vec3(std::sin(angle), std::cos(angle), 0));
     };
     EXPECT_TRUE(walkable_at(slope(0), Vec3::Zero(), limit));

@@ -48,6 +48,7 @@ TEST(SequenceEvaluator, FailsIfEvenTheFirstIsMissing) {
     SingleEvaluator evaluator(expected);
     TickFeed(evaluator).tick({"trigger.exit a"});
     expect_failure(evaluator.failure(), 4, "sequence", {"'trigger.enter'"});
+    EXPECT_EQ(evaluator.failure()->message.find("after"), std::string::npos);
 }
 
 TEST(SequenceEvaluator, MatchesEachEventToOneItem) {
@@ -153,7 +154,7 @@ TEST(WithinEvaluator, FailsIfTheWalkEndsBefore) {
     TickFeed(evaluator).tick({}).tick({"trigger.enter door"});
     EXPECT_FALSE(evaluator.failure_so_far()) << "it may still follow";
     expect_failure(evaluator.failure(), 12, "within",
-                   {"'popup.open'", "0.200 s", "trigger.enter door at 0.100 s"});
+                   {"'popup.open'", "0.200 s", "trigger.enter door at 0.100 s", "the walk was over"});
 }
 
 TEST(WithinEvaluator, FailsIfTheFirstEventIsMissing) {

@@ -126,11 +126,11 @@ TEST(NotExpectation, DescribesWhatHappenedForEveryKind) {
         {ExpectNear{kMark, {"here", {0, 0, 0}, true}, 1.0, std::nullopt}, {"here", "0.000 m", "0.100 s"}},
         {ExpectDuration{kMark, {{}, {}, 1.0}}, {"0.100 s"}},
         {ExpectDistance{kMark, {{}, {}, 1.0}}, {"0.000 m"}},
-        {ExpectNoPenetration{kMark}, {}},
-        {ExpectGrounded{kMark}, {}},
+        {ExpectNoPenetration{kMark}, {"nothing"}},
+        {ExpectGrounded{kMark}, {"on the ground"}},
         {ExpectBlockedBy{kMark, {kMark, "wall"}}, {"wall", "0.100 s"}},
         {ExpectStuck{kMark, {kMark, "wall"}}, {"wall", "0.100 s"}},
-        {ExpectFell{kMark}, {"0.100 s"}}};
+        {ExpectFell{kMark}, {"fell", "0.100 s"}}};
     ASSERT_EQ(cases.size(), std::variant_size_v<PlainExpectation>);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         EXPECT_EQ(cases[i].expectation.index(), i) << "each kind once";
@@ -142,6 +142,7 @@ TEST(NotExpectation, DescribesWhatHappenedForEveryKind) {
         }
         TickFeed(evaluator).tick({"walk.start me"}).with(std::move(events));
         ASSERT_TRUE(evaluator.failure()) << i;
+        EXPECT_THAT(evaluator.failure()->message, testing::StartsWith("not expected, but ")) << i;
         for (const std::string& fact : cases[i].facts) {
             EXPECT_THAT(evaluator.failure()->message, testing::HasSubstr(fact)) << i;
         }

@@ -25,9 +25,9 @@ SingleEvaluator::SingleEvaluator(Expectation expected) : SingleEvaluator(std::mo
 SingleEvaluator::SingleEvaluator(Expectation expected, const scene::Campus& campus)
     : expected_(std::move(expected)), evaluator_(Evaluator::of(expected_, campus, avatar_)) {}
 
-void SingleEvaluator::see(const TickRecord& record) {
-    history_.see(record);
-    evaluator_->see(record, history_.now());
+void SingleEvaluator::on_tick(const TickRecord& record) {
+    history_.on_tick(record);
+    evaluator_->on_tick(record, history_.now());
 }
 
 Event made_event(const std::string& words, std::vector<Field> fields) {
@@ -56,7 +56,7 @@ TickFeed& TickFeed::with(std::vector<Event> events, const Eigen::Vector3d& posit
     record.avatar.grounded = grounded_;
     record.distance = distance_;
     record.events = events;
-    see_(record);
+    on_tick_(record);
     ++tick_;
     return *this;
 }

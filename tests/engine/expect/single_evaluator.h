@@ -16,7 +16,7 @@ public:
     explicit SingleEvaluator(Expectation expected);
     SingleEvaluator(Expectation expected, const scene::Campus& campus);
 
-    void see(const TickRecord& record);
+    void on_tick(const TickRecord& record);
 
     /// At the walk's end.
     std::optional<Failure> failure() const { return evaluator_->failure(true, history_.now()); }
@@ -38,7 +38,7 @@ class TickFeed {
 public:
     template <typename Receiver>
     explicit TickFeed(Receiver& receiver)
-        : see_([&receiver](const TickRecord& record) { receiver.see(record); }) {}
+        : on_tick_([&receiver](const TickRecord& record) { receiver.on_tick(record); }) {}
 
     TickFeed& tick(const std::vector<std::string>& event_lines,
                    const Eigen::Vector3d& position = Eigen::Vector3d::Zero());
@@ -48,7 +48,7 @@ public:
     TickFeed& after_metres(double distance);
 
 private:
-    std::function<void(const TickRecord&)> see_;
+    std::function<void(const TickRecord&)> on_tick_;
     Tick tick_ = 0;
     bool grounded_ = true;
     double distance_ = 0.0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ TEST(Trajectory, HasOneLinePerTick) {
                   8);
         EXPECT_NEAR(t, static_cast<double>(i) / 60.0, 1e-9);
         EXPECT_LT((Eigen::Vector3d(x, y, z) - avatar.position).norm(), 2e-9);
-        EXPECT_NEAR(yaw, avatar.yaw * 180.0 / kPi, 1e-9);
+        EXPECT_NEAR(yaw, avatar.yaw * 180.0 / std::numbers::pi, 1e-9);
         EXPECT_EQ(grounded != 0, avatar.grounded);
         EXPECT_NEAR(height, avatar.stature * 1.8, 1e-9);
     }
@@ -61,7 +62,7 @@ TEST(Trajectory, HasTheOrientationOfTheEyesAsAQuaternion) {
     for (int i = 0; i < 200; ++i) {
         TickRecord record;
         record.avatar.position = dice.in_cube(100.0);
-        record.avatar.yaw = dice.between(-2.0 * kPi, 2.0 * kPi);
+        record.avatar.yaw = dice.between(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi);
         record.avatar.pitch = dice.between(-1.5, 1.5);
         std::string line;
         TrajectoryTum tum([&](std::string_view text) { line = text; });

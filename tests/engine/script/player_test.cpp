@@ -1,15 +1,18 @@
 #include "engine/script/player.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "tests/engine/short_walk.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::engine {
 namespace {
 
 using Eigen::Vector3d;
+using support::radians;
 
 /// An avatar that moves exactly as the script intends, unless it is `stuck`.
 class Puppet {
@@ -26,7 +29,7 @@ public:
         avatar.yaw = intent.yaw;
         avatar.pitch = intent.pitch;
         effects.clear();
-        player.observe(events);
+        player.on_events(events);
         end = player.settle(avatar, effects);
         ++ticks;
     }
@@ -268,7 +271,7 @@ TEST(ScriptPlayer, LooksAtAPointFromItsEyes) {
 
 TEST(ScriptPlayer, LooksLevelAtAPointWithoutAHeight) {
     const AvatarState level = look({"1,12", {1, 0, 12}, false});
-    EXPECT_NEAR(std::abs(level.yaw), kPi, 1e-12) << "straight behind";
+    EXPECT_NEAR(std::abs(level.yaw), std::numbers::pi, 1e-12) << "straight behind";
     EXPECT_EQ(level.pitch, 0.0);
 }
 

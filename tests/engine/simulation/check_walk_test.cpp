@@ -5,16 +5,14 @@
 
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::engine {
 namespace {
 
 using collision::Detection;
-using testing::AllOfArray;
+using support::says;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Matcher;
-using testing::StartsWith;
 
 /// A floor, a wall in a separate layer, a table 0.4 m high and a door's trigger.
 scene::Campus furnished_campus() {
@@ -32,16 +30,6 @@ std::vector<std::string> diagnostics(const Walk& walk) {
         reported.push_back(scene::to_string(diagnostic));
     }
     return reported;
-}
-
-/// Matches a diagnostic that begins with `FILE:LINE:COL: error CODE` and mentions all facts.
-Matcher<std::string> reports(const std::string& place_and_code, const std::vector<std::string>& facts) {
-    std::vector<Matcher<std::string>> all;
-    all.push_back(StartsWith(place_and_code + ": "));
-    for (const std::string& fact : facts) {
-        all.push_back(HasSubstr(fact));
-    }
-    return AllOfArray(all);
 }
 
 template <typename Marked>
@@ -66,10 +54,9 @@ TEST(CheckWalk, AcceptsAPlaceThatIsFreeUpToHalfAMetreAbove) {
 }
 
 TEST(CheckWalk, RejectsASpawnInAWall) {
-    EXPECT_THAT(
-        diagnostics(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
-        ElementsAre(reports("a.walk.yaml:12:5: error spawn-blocked",
-                            {"main-gate", "5.000,0.250,0.500", "library/walls", "0.30 m", "1.80 m"})));
+    EXPECT_THAT(diagnostics(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
+                ElementsAre(says("a.walk.yaml:12:5: error spawn-blocked",
+                                 {"main-gate", "5.000,0.250,0.500", "library/walls", "0.30 m", "1.80 m"})));
 }
 
 TEST(CheckWalk, AcceptsATeleportThatCanBePushedOutOfAWall) {
@@ -79,8 +66,8 @@ TEST(CheckWalk, AcceptsATeleportThatCanBePushedOutOfAWall) {
     EXPECT_EQ(teleport_with_gap(0.001), Diagnostics());
     EXPECT_EQ(teleport_with_gap(-0.299), Diagnostics()) << "by less than the radius";
     EXPECT_THAT(teleport_with_gap(-0.301),
-                ElementsAre(reports("a.walk.yaml:14:5: error spawn-blocked",
-                                    {"elsewhere", "4.001,0.000,0.000", "library/walls"})));
+                ElementsAre(says("a.walk.yaml:14:5: error spawn-blocked",
+                                 {"elsewhere", "4.001,0.000,0.000", "library/walls"})));
 }
 
 TEST(CheckWalk, UsesTheWalksOwnAvatar) {
@@ -101,15 +88,15 @@ TEST(CheckWalk, SkipsIgnoredLayers) {
 TEST(CheckWalk, RejectsATypoWithASuggestion) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_never("trigger.enter libary/door", 21)};
-    EXPECT_THAT(diagnostics(walk), ElementsAre(reports("a.walk.yaml:21:5: error unknown-name",
-                                                       {"'trigger.enter libary/door'", "'library/door'"})));
+    EXPECT_THAT(diagnostics(walk), ElementsAre(says("a.walk.yaml:21:5: error unknown-name",
+                                                    {"'trigger.enter libary/door'", "'library/door'"})));
 }
 
 TEST(CheckWalk, RejectsAnObjectOfAnotherDetectionMode) {
     Walk walk = walk_of({spawn_at({0, 0, 0})});
     walk.expectations = {expect_count("ray.enter table", {}, 1, {}, 22)};
     EXPECT_THAT(diagnostics(walk),
-                ElementsAre(reports("a.walk.yaml:22:5: error unknown-name", {"'ray.enter table'"})));
+                ElementsAre(says("a.walk.yaml:22:5: error unknown-name", {"'ray.enter table'"})));
 }
 
 TEST(CheckWalk, RejectsEnablingAnUnknownObject) {
@@ -117,7 +104,7 @@ TEST(CheckWalk, RejectsEnablingAnUnknownObject) {
     step.objects[0].mark = {"a.walk.yaml", 8, 13};
     EXPECT_THAT(
         diagnostics(walk_of({spawn_at({0, 0, 0}), disable("library/*"), step, step})),
-        ElementsAre(reports("a.walk.yaml:8:13: error unknown-name", {"'libary/door'", "'library/door'"})))
+        ElementsAre(says("a.walk.yaml:8:13: error unknown-name", {"'libary/door'", "'library/door'"})))
         << "once, however often the step is played";
 }
 
@@ -125,8 +112,8 @@ TEST(CheckWalk, RejectsWaitingForAnImpossibleEvent) {
     WaitUntilStep step = wait_until("trigger.enter library/dor");
     step.event.mark = {"a.walk.yaml", 9, 17};
     EXPECT_THAT(diagnostics(walk_of({spawn_at({0, 0, 0}), step})),
-                ElementsAre(reports("a.walk.yaml:9:17: error unknown-name",
-                                    {"'trigger.enter library/dor'", "'library/door'"})));
+                ElementsAre(says("a.walk.yaml:9:17: error unknown-name",
+                                 {"'trigger.enter library/dor'", "'library/door'"})));
 }
 
 TEST(CheckWalk, ReportsEverythingAtOnce) {
@@ -153,14 +140,14 @@ TEST(CheckWalk, ChecksTheBuildingsAndObjectsOfExpectations) {
     const std::string unknown = "a.walk.yaml:21:5: error unknown-name";
     EXPECT_EQ(about(ExpectPopup{mark, {mark, "library"}}), Diagnostics());
     EXPECT_THAT(about(ExpectPopup{mark, {mark, "libary"}}),
-                ElementsAre(reports(unknown, {"building", "'libary'", "'library'"})));
+                ElementsAre(says(unknown, {"building", "'libary'", "'library'"})));
     EXPECT_THAT(about(ExpectVisits{mark, {{mark, "l*"}, {mark, "lab"}}, 1.0}),
-                ElementsAre(reports(unknown, {"building", "'lab'"})));
+                ElementsAre(says(unknown, {"building", "'lab'"})));
     EXPECT_THAT(about(ExpectBlockedBy{mark, {mark, "tabel"}}),
-                ElementsAre(reports(unknown, {"object", "'tabel'", "'table'"})));
+                ElementsAre(says(unknown, {"object", "'tabel'", "'table'"})));
     EXPECT_EQ(about(ExpectStuck{mark, {mark, "*"}}), Diagnostics());
     EXPECT_THAT(about(ExpectNot{mark, ExpectStuck{mark, {mark, "library/door"}}}),
-                ElementsAre(reports(unknown, {"object", "'library/door'"})))
+                ElementsAre(says(unknown, {"object", "'library/door'"})))
         << "a trigger blocks nobody";
     EXPECT_EQ(about(ExpectNear{mark, {}, 1.0, EventPattern{mark, "trigger.enter", "table"}}).size(), 1U);
     EXPECT_EQ(about(ExpectWithin{mark, {mark, "trigger.enter", "a"}, {mark, "popup.open", "b"}, 1.0}).size(),

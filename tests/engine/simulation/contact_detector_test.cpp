@@ -1,12 +1,14 @@
 #include "engine/simulation/contact_detector.h"
 
 #include <algorithm>
+#include <numbers>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/angles.h"
 #include "tests/support/dice.h"
 #include "tests/support/effort.h"
 
@@ -17,6 +19,7 @@ using collision::Detection;
 using collision::MoveTrace;
 using collision::ObjectId;
 using Eigen::Vector3d;
+using support::radians;
 
 /// A ContactDetector whose avatar the test moves.
 class MovedDetector {
@@ -177,7 +180,7 @@ TEST(ContactDetector, PutsTransitionsInATotalOrder) {
         for (int part = dice.below(4); part >= 0; --part) {
             path.push_back(0.9 * path.back() + dice.in_cube(2.0));
         }
-        detector.yaw = dice.between(-kPi, kPi);
+        detector.yaw = dice.between(-std::numbers::pi, std::numbers::pi);
         detector.move(path);
         foot = path.back();
         const auto key = [](const DetectedTransition& s) {

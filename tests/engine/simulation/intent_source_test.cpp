@@ -34,7 +34,7 @@ public:
         ticks_.push_back({source_.intend(avatar), {}, {}, false});
         return ticks_.back().intent;
     }
-    void observe(std::span<const Event> events) override { source_.observe(events); }
+    void on_events(std::span<const Event> events) override { source_.on_events(events); }
     std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) override {
         Answers& now = ticks_.back();
         now.end = source_.settle(avatar, now.instant);
@@ -134,7 +134,7 @@ public:
         }
         return intent;
     }
-    void observe(std::span<const Event> events) override {
+    void on_events(std::span<const Event> events) override {
         for (const Event& event : events) {
             seen_ = seen_ || event.kind == EventKind::popup_open;
         }

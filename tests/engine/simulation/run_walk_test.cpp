@@ -44,7 +44,7 @@ TEST(RunWalk, NotifiesObserversOfBeginEveryTickAndEnd) {
     const std::vector<Recorder::TickState>& states = result.recorder.states();
     // 7.95 m: 340.7 ticks; the spawn before and the closing events after.
     ASSERT_EQ(states.size(), 1 + 341 + 1U);
-    Lines calls(states.size() + 2, "frame");
+    Lines calls(states.size() + 2, "tick");
     calls.front() = "begin";
     calls.back() = "end";
     EXPECT_EQ(result.recorder.calls(), calls);
@@ -62,7 +62,7 @@ public:
     CallNotes(std::string name, Lines& notes) : name_(std::move(name)), notes_(notes) {}
     void begin(const Walk& walk) override { notes_.push_back(name_ + " begin " + walk.name); }
     void on_tick(const TickRecord& record) override {
-        notes_.push_back(name_ + " frame " + std::to_string(record.tick));
+        notes_.push_back(name_ + " tick " + std::to_string(record.tick));
     }
     void end() override { notes_.push_back(name_ + " end"); }
 
@@ -77,8 +77,8 @@ TEST(RunWalk, NotifiesObserversInTheirOrder) {
     CallNotes b("b", notes);
     const std::array<Observer*, 2> observers = {&a, &b};
     run_walk(level_campus(), walk_of({spawn_at({0, 0, 0})}), observers);
-    EXPECT_EQ(notes, Lines({"a begin stroll", "b begin stroll", "a frame 0", "b frame 0", "a frame 0",
-                            "b frame 0", "a end", "b end"}));
+    EXPECT_EQ(notes, Lines({"a begin stroll", "b begin stroll", "a tick 0", "b tick 0", "a tick 0",
+                            "b tick 0", "a end", "b end"}));
 }
 
 /// Throws in tick 5.
@@ -104,7 +104,7 @@ TEST(RunWalk, PropagatesAnObserversException) {
     }
     EXPECT_EQ(before.states().size(), 6U);
     EXPECT_EQ(after.states().size(), 5U);
-    EXPECT_EQ(before.calls().back(), "frame") << "end() isn't called";
+    EXPECT_EQ(before.calls().back(), "tick") << "end() isn't called";
 }
 
 TEST(RunWalk, DoesNotDependOnItsObservers) {

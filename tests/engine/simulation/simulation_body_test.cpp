@@ -8,12 +8,14 @@
 
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::engine {
 namespace {
 
 using collision::Detection;
 using Eigen::Vector3d;
+using support::radians;
 using testing::AllOf;
 using testing::HasSubstr;
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/engine/short_walk.h"
@@ -93,6 +94,7 @@ TEST(Falls, OffTheWorldEndTheWalk) {
     EXPECT_FALSE(result.summary.passed);
     ASSERT_EQ(result.summary.failures.size(), 1U);
     EXPECT_EQ(result.summary.failures[0].code, "fell");
+    EXPECT_THAT(result.summary.failures[0].message, testing::HasSubstr("fell"));
     EXPECT_EQ(result.summary.failures[0].mark.file, "fall.walk.yaml");
     EXPECT_TRUE(result.recorder.events("snapshot.take").empty());
     EXPECT_EQ(event_line(result.recorder.events().back()), "walk.end stroll");

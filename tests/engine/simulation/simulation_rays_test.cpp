@@ -4,6 +4,7 @@
 
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/angles.h"
 
 // What the avatar looks at: one ray from its eyes, 1.65 m up, reaching 10 m.
 
@@ -12,6 +13,7 @@ namespace {
 
 using collision::Detection;
 using Eigen::Vector3d;
+using support::radians;
 
 const ObjectTraits kSeen{Detection::ray, "", true, ""};
 const ObjectTraits kSolid{Detection::solid, "", true, ""};

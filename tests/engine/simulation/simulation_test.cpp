@@ -9,11 +9,13 @@
 #include "engine/script/avatar_body.h"
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::engine {
 namespace {
 
 using Eigen::Vector3d;
+using support::radians;
 using testing::AllOf;
 using testing::HasSubstr;
 using Lines = std::vector<std::string>;

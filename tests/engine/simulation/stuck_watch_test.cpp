@@ -22,7 +22,7 @@ std::vector<int> stuck_ticks(double desired, int ticks, Place&& x_of) {
     StuckWatch watch(kRate);
     std::vector<int> stuck;
     for (int tick = 1; tick <= ticks; ++tick) {
-        if (watch.see(Vector3d(x_of(tick), 0, 0), desired)) {
+        if (watch.update(Vector3d(x_of(tick), 0, 0), desired)) {
             stuck.push_back(tick);
         }
     }

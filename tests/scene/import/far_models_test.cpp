@@ -8,6 +8,7 @@
 #include "scene/import/import_model.h"
 #include "tests/scene/import/gltf/gltf_text.h"
 #include "tests/scene/model_files.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -126,7 +127,7 @@ TEST_F(FarModels, UseTheTangentFrameOfAnEcefCenter) {
     EXPECT_NEAR(model.geographic->height, 10.0, 1e-4);
     // The file's axes are ECEF, converted to Y-up: +Y points to the north pole.
     const Vector3d pole = model.nodes.back().X_world_node.topLeftCorner<3, 3>() * Vector3d::UnitY();
-    const double latitude = model.geographic->latitude_deg * 3.14159265358979323846 / 180.0;
+    const double latitude = support::radians(model.geographic->latitude_deg);
     EXPECT_LT((pole - Vector3d(0, std::sin(latitude), -std::cos(latitude))).norm(), 1e-12);
     EXPECT_EQ(place_of(model), Vector3d(0, 0, 0));
     EXPECT_EQ(campus("tile.glb", {}).origin.geographic, model.geographic);

@@ -5,16 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/angles.h"
 #include "tests/support/dice.h"
 
 namespace campuswalk::scene {
 namespace {
 
 using Eigen::Vector3d;
+using support::radians;
 
 /// The points of a box of 12 x 4 x 5 m, turned by `degrees`.
 UprightBox box_of_turned(double degrees) {
-    const double yaw = degrees * std::numbers::pi / 180.0;
+    const double yaw = radians(degrees);
     const Vector3d along(std::cos(yaw), 0.0, -std::sin(yaw));
     const Vector3d across(std::sin(yaw), 0.0, std::cos(yaw));
     UprightBoxFit fit;
@@ -42,7 +44,7 @@ TEST(UprightBox, IsAxisAlignedUnlessRotationGainsMuch) {
     EXPECT_TRUE(box_of_turned(90.0).size.isApprox(Vector3d(5, 4, 12), 1e-9));
     UprightBoxFit disc;
     for (int i = 0; i < 360; ++i) {
-        const double angle = i * std::numbers::pi / 180.0;
+        const double angle = radians(i);
         disc.add(Vector3d(std::cos(angle), 0.0, std::sin(angle)));
     }
     EXPECT_EQ(disc.box().along, Vector3d::UnitX());
@@ -69,7 +71,7 @@ TEST(UprightBox, ContainsAllPointsWithTheSmallestFootprint) {
         ASSERT_GE(box.depth_of(p), -1e-9);
     }
     for (int degrees = -45; degrees <= 45; ++degrees) {
-        const double yaw = degrees * std::numbers::pi / 180.0;
+        const double yaw = radians(degrees);
         const Vector3d along(std::cos(yaw), 0.0, -std::sin(yaw));
         const Vector3d across(std::sin(yaw), 0.0, std::cos(yaw));
         Eigen::Vector2d low(1e300, 1e300);

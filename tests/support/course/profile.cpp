@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/angles.h"
+
 namespace campuswalk::support {
 
 namespace {
@@ -41,7 +43,7 @@ Profile flight(double x, double riser, double tread, int steps) {
 }
 
 Profile ramp(double x, double degrees, double run) {
-    const double high = run * std::tan(degrees * std::numbers::pi / 180.0);
+    const double high = run * std::tan(radians(degrees));
     return {{x - kLevel, 0.0}, {x, 0.0}, {x + run, high}, {x + run + kLevel, high}};
 }
 

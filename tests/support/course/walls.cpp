@@ -1,7 +1,8 @@
 #include "tests/support/course/walls.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "tests/support/angles.h"
 
 namespace campuswalk::support {
 
@@ -60,7 +61,7 @@ void add_wall_of_boxes(collision::World& world, double length, const collision::
 }
 
 void add_wedge(TriangleMesh& mesh, double degrees) {
-    const double half = 0.5 * degrees * std::numbers::pi / 180.0;
+    const double half = radians(0.5 * degrees);
     const Vector3d up(0, kHigh, 0);
     for (const double side : {-1.0, 1.0}) {
         const Vector3d end = 8.0 * Vector3d(-std::cos(half), 0, side * std::sin(half));

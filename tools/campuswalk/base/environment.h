@@ -7,7 +7,7 @@
 
 namespace campuswalk::tools {
 
-/// The value of a variable; nullopt when it isn't set or empty.
+/// The value of a variable; nullopt if it is unset or empty.
 using Environment = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// That of this process.

@@ -1,7 +1,7 @@
 #include "tools/campuswalk/base/read_lines.h"
 
+#include <array>
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -12,9 +12,9 @@ namespace {
 
 scene::InputError unreadable(const std::filesystem::path& file) {
     std::error_code ignored;
-    return error_about(
-        file, "unreadable",
-        std::filesystem::exists(file, ignored) ? "the file can't be read" : "there is no such file");
+    const bool missing =
+        std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found;
+    return error_about(file, "unreadable", missing ? "there is no such file" : "the file can't be read");
 }
 
 }  // namespace
@@ -33,8 +33,13 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
 
 std::string read_bytes(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) {
+    std::string bytes;
+    std::array<char, 1U << 16U> part;
+    do {
+        stream.read(part.data(), part.size());
+        bytes.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    } while (stream);
+    if (!stream.eof()) {
         throw unreadable(file);
     }
     return bytes;

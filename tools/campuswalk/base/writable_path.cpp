@@ -62,6 +62,15 @@ void require_writable_file(const fs::path& file, const std::string& message) {
     throw_if_any(why_file_unwritable(file), file, message);
 }
 
+void require_writable_png(const fs::path& file, const std::string& message) {
+    if (file.has_extension() && file.extension() != ".png") {
+        throw error_about(
+            file, "file-name",
+            "pictures are PNG files; name it " + fs::path(file).replace_extension(".png").string());
+    }
+    require_writable_file(file, message);
+}
+
 void require_writable_folder(const fs::path& folder, const std::string& message) {
     throw_if_any(why_folder_unwritable(folder), folder, message);
 }

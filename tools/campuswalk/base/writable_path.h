@@ -16,5 +16,8 @@ std::string why_folder_unwritable(const std::filesystem::path& folder);
 /// Throw scene::InputError output-unwritable in these cases, with the reason after `message`.
 void require_writable_file(const std::filesystem::path& file, const std::string& message);
 void require_writable_folder(const std::filesystem::path& folder, const std::string& message);
+/// Likewise for a picture, and file-name: a name with another ending than .png would lie about what is
+/// written.
+void require_writable_png(const std::filesystem::path& file, const std::string& message);
 
 }  // namespace campuswalk::tools

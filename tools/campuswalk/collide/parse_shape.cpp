@@ -15,6 +15,7 @@
 #include "config/loader/values/number.h"
 #include "config/loader/yaml/wording.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools::collide {
 
@@ -30,16 +31,6 @@ constexpr Range kSize{0.0, 1e6, true, "m"};
 constexpr Range kTranslation{-1e9, 1e9, false, "m"};
 constexpr Range kAngle{-36000.0, 36000.0, false, "degrees"};
 constexpr Range kMatrixEntry{-1e9, 1e9, false, ""};
-
-std::vector<std::string_view> split_at_commas(std::string_view list) {
-    std::vector<std::string_view> parts;
-    for (std::size_t comma = list.find(','); comma != std::string_view::npos; comma = list.find(',')) {
-        parts.push_back(list.substr(0, comma));
-        list.remove_prefix(comma + 1);
-    }
-    parts.push_back(list);
-    return parts;
-}
 
 /// One number of a list.
 struct Field {
@@ -60,7 +51,7 @@ struct Argument {
     /// The values of the fields; those after the first `least` may be omitted and are 0 then.
     std::vector<double> numbers(std::string_view list, std::span<const Field> fields,
                                 std::size_t least) const {
-        const std::vector<std::string_view> parts = split_at_commas(list);
+        const std::vector<std::string_view> parts = split(list, ',');
         const std::size_t count = list.empty() ? 0 : parts.size();
         if (count < least || count > fields.size()) {
             std::string needed = std::to_string(least);
@@ -201,7 +192,7 @@ Pose parse_pose_matrix(const std::string& argument) {
     const Mat3& R = pose.rotation;
     const bool is_orthonormal = (R * R.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() <= 1e-3;
     if (!is_orthonormal || R.determinant() < 0.0) {
-        read.refuse(is_orthonormal ? "the matrix is a mirror" : "the matrix is no rotation");
+        read.refuse(is_orthonormal ? "the matrix mirrors" : "the matrix isn't a rotation");
     }
     return pose;
 }

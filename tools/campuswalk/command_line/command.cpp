@@ -1,7 +1,6 @@
 #include "tools/campuswalk/command_line/command.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 
@@ -57,12 +56,9 @@ std::string failure_message(const CLI::App* app, const CLI::Error& error) {
 
 /// `choice` shows its words as "a|b|c"; no other placeholder of a value contains a '|'.
 std::vector<std::string> choices_in(const std::string& value) {
-    std::vector<std::string> words;
-    std::istringstream stream(value.find('|') == std::string::npos ? "" : value);
-    for (std::string word; std::getline(stream, word, '|');) {
-        words.push_back(word);
-    }
-    return words;
+    const std::vector<std::string_view> words = split(value, '|');
+    return words.size() > 1 ? std::vector<std::string>(words.begin(), words.end())
+                            : std::vector<std::string>();
 }
 
 OptionInfo describe_option(const CLI::Option& option) {
@@ -151,7 +147,7 @@ void Command::add_number(OptionSpec spec, Value& target, const Limits<Number>& l
     spec.value = spec.value.empty() ? "N" : spec.value;
     CLI::Option* option = app_->add_option(spec.names, target, spec.help);
     apply(*option, spec);
-    option->check(CLI::Range(limits.least, limits.most));
+    option->check(CLI::Range(limits.min, limits.max));
 }
 void Command::option(const OptionSpec& spec, int& target, const Limits<int>& limits) {
     add_number(spec, target, limits);

@@ -32,8 +32,8 @@ struct OptionSpec {
 
 template <typename Number>
 struct Limits {
-    Number least{};
-    Number most{};
+    Number min{};
+    Number max{};
 };
 
 /// An option, a flag or a positional argument as the user may type it.

@@ -42,7 +42,7 @@ Lines read_log(const fs::path& file) {
     if (lines.empty() || !is_log_header(lines.front())) {
         throw scene::InputError(
             {file.string(), 1, 1}, "no-log",
-            "this is no event log as JSON lines; make one with campuswalk run --jsonl FILE");
+            "this isn't an event log in JSON lines; make one with campuswalk run --jsonl FILE");
     }
     return lines;
 }

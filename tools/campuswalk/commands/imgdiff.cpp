@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/compare_image_files.h"
 
@@ -20,18 +21,16 @@ constexpr Limits<int> kPixels{0, 1'000'000'000};
 /// X,Y,WIDTH,HEIGHT as whole numbers; nullopt for anything else.
 std::optional<engine::PixelBox> parse_mask(const std::string& text) {
     std::array<int, 4> numbers{};
-    std::size_t from = 0;
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != numbers.size()) {
+        return std::nullopt;
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const std::size_t comma = i + 1 < numbers.size() ? text.find(',', from) : text.size();
-        if (comma == std::string::npos) {
+        const char* end = parts[i].data() + parts[i].size();
+        const auto [rest, error] = std::from_chars(parts[i].data(), end, numbers[i]);
+        if (error != std::errc() || rest != end || numbers[i] < 0 || numbers[i] > kPixels.max) {
             return std::nullopt;
         }
-        const char* end = text.data() + comma;
-        const auto [rest, error] = std::from_chars(text.data() + from, end, numbers[i]);
-        if (error != std::errc() || rest != end || numbers[i] < 0 || numbers[i] > kPixels.most) {
-            return std::nullopt;
-        }
-        from = comma + 1;
     }
     return engine::PixelBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
@@ -44,11 +43,13 @@ struct ImgdiffArguments {
 
 void add_tolerance(Command& command, ImgdiffArguments& arguments) {
     engine::ImageTolerance& tolerance = arguments.options.tolerance;
-    command.option({.names = "--threshold",
-                    .help = "Colours closer than this are the same: 0 the same bytes, 1 any",
-                    .value = "0..1",
-                    .show_default = true},
-                   tolerance.threshold, kShare);
+    command.option(
+        {.names = "--threshold",
+         .help =
+             "Colours that differ by no more than this count as equal: 0 is identical, 1 accepts anything",
+         .value = "0..1",
+         .show_default = true},
+        tolerance.threshold, kShare);
     command.option({.names = "--max-diff-pixels",
                     .help = "How many pixels may differ by more [0, unless there is a ratio]",
                     .value = "N"},

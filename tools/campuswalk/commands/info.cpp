@@ -189,7 +189,7 @@ int print_info(const InfoOptions& options) {
     }
     if (options.map) {
         require_images(options.backend);
-        require_writable_file(*options.map, "the picture can't be written here");
+        require_writable_png(*options.map, "the picture can't be written here");
     }
     scene::ImportedModel imported = read_model(options.scene, scene::EmptyModel::accept);
     const ModelReport report = scene::report(imported.model);

@@ -69,7 +69,7 @@ void add_running(Command& command, const Options& options) {
     command.flag({.names = "--require-identical", .help = "Repetitions that differ are failures"},
                  options->require_identical);
     command.option({.names = "--seed",
-                    .help = "Ignored: nothing draws random numbers; the next version won't have it",
+                    .help = "Ignored: nothing draws random numbers; it will be removed in the next version",
                     .value = "N"},
                    [](const std::string&) {
                        diagnostic_line(
@@ -77,10 +77,11 @@ void add_running(Command& command, const Options& options) {
                            "leave it out");
                    });
     add_tree(command, options->tree);
-    command.option({.names = "--timeout",
-                    .help = "Simulated seconds a walk without a timeout of its own may take",
-                    .value = "SECONDS"},
-                   options->timeout, kSeconds);
+    command.option(
+        {.names = "--timeout",
+         .help = "Simulated seconds that a walk may take at most, even if its own timeout is longer",
+         .value = "SECONDS"},
+        options->timeout, kSeconds);
     command.option({.names = "--kill-after",
                     .help = "Seconds of wall clock after which a walk is stopped, with exit code 3",
                     .value = "SECONDS"},
@@ -155,8 +156,7 @@ void add_output(Command& command, const Options& options) {
     add_sequence(command, options->sequence);
     command.choice_flag({.names = "-u,--update-snapshots",
                          .help = "Which golden logs and golden images are written; alone it means changed "
-                                 "[missing; none where "
-                                 "CI is set]"},
+                                 "[none: a missing one is a failure]"},
                         "changed", update_modes(), options->update);
     add_rendering_backend(command, options->backend);
     command.flag({.names = "-q,--quiet", .help = "Print no report and no log, only how the walks ended"},

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -11,6 +11,7 @@
 #include "engine/script/walk.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
@@ -52,12 +53,21 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
         "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
 }
 
+/// A plan shows whole buildings from far above; nothing is drawn over it.
+void refuse_overlays(const SnapshotOptions& options) {
+    if (!options.overlay_names.empty() || options.overlays.tree_level) {
+        throw error_about(options.overlay_names.empty() ? "--tree-level" : "--overlay", "bad-value",
+                          "nothing is drawn over a plan; give another --camera, such as a spawn");
+    }
+}
+
 /// Sets from where the image is taken.
 void set_viewpoint(const SnapshotOptions& options, const scene::CampusDescription& campus,
                    CampusImage& image) {
     image.camera.width = options.width;
     image.camera.height = options.height;
     if (options.camera == "top") {
+        refuse_overlays(options);
         image.plan = true;
         return;
     }
@@ -91,7 +101,7 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
 /// Draws one image of a campus without a visitor. Returns the exit code.
 int draw_snapshot(const SnapshotOptions& options) {
     require_images(options.backend);
-    require_writable_file(options.output, "the picture can't be written here");
+    require_writable_png(options.output, "the picture can't be written here");
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     CampusImage image;
@@ -111,8 +121,7 @@ int draw_snapshot(const SnapshotOptions& options) {
 /// Nullopt if a word isn't a channel.
 std::optional<engine::ImageChannels> channels_in(const std::string& list) {
     engine::ImageChannels channels;
-    std::istringstream words(list);
-    for (std::string word; std::getline(words, word, ',');) {
+    for (const std::string_view word : split(list, ',')) {
         if (word == "depth") {
             channels.depth = true;
         } else if (word == "ids") {
@@ -158,8 +167,9 @@ void add_snapshot(Command program, CommandAction& chosen) {
                    options->light);
     command.option(
         {.names = "--channels",
-         .help = "Of depth, ids and normals, with commas: kept beside the picture, FILE-depth.png, "
-                 "-ids.png, -ids.json, -normals.png",
+         .help =
+             "Comma-separated list of depth, ids and normals, to save beside the picture: FILE-depth.png, "
+             "-ids.png, -ids.json, -normals.png",
          .value = "LIST",
          .check = check_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });

@@ -49,6 +49,9 @@ constexpr std::array<std::pair<std::string_view, FileKind>, 6> kEndings = {{
     {".steps.yaml", FileKind::steps},
     {".config.yaml", FileKind::config},
 }};
+constexpr const char* kCheckedFiles =
+    "NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml, NAME.steps.yaml and "
+    "walks.config.yaml";
 
 std::optional<FileKind> kind_of(const fs::path& file) {
     const std::string name = file.filename().string();
@@ -77,9 +80,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     }
     std::ranges::sort(files, {}, [](const fs::path& file) { return file.generic_string(); });
     if (files.empty()) {
-        throw error_about(folder, "no-files",
-                          "there is no NAME.walk.yaml, .campus.yaml, .avatar.yaml, .light.yaml, .steps.yaml "
-                          "or walks.config.yaml in this folder");
+        throw error_about(folder, "no-files", std::string("none of ") + kCheckedFiles + " is in this folder");
     }
     return files;
 }
@@ -102,9 +103,9 @@ FileKind checked_kind(const fs::path& file) {
     const std::optional<FileKind> kind = kind_of(file);
     std::error_code ignored;
     if (!kind && fs::is_regular_file(file, ignored)) {
-        throw error_about(file, "file-name",
-                          "only NAME.walk.yaml, NAME.campus.yaml, NAME.avatar.yaml, NAME.light.yaml and "
-                          "NAME.steps.yaml are checked; name another file or rename this one");
+        throw error_about(
+            file, "file-name",
+            std::string("only ") + kCheckedFiles + " are checked; name another file or rename this one");
     }
     return kind.value_or(FileKind::walk);
 }

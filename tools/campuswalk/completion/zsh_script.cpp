@@ -25,14 +25,6 @@ else
 fi
 )";
 
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) {
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return result + "'";
-}
-
 std::string reply(const OptionInfo& option) {
     switch (offer_for(option)) {
         case Offer::words:
@@ -54,13 +46,13 @@ std::string zsh_script(const std::vector<CommandInfo>& commands) {
         std::string plain;
         for (const CommandInfo& other : commands) {
             if (command.name.empty() && !other.name.empty()) {
-                plain += " " + quoted(other.name + ":" + other.description);
+                plain += " " + shell_quoted(other.name + ":" + other.description);
             }
         }
         std::string options;
         for (const OptionInfo& option : command.options) {
             for (const std::string& word : is_positional(option) ? option.choices : option.names) {
-                (is_positional(option) ? plain : options) += " " + quoted(word + ":" + option.help);
+                (is_positional(option) ? plain : options) += " " + shell_quoted(word + ":" + option.help);
             }
         }
         return "        ('" + command.name + "') plain=(" + plain + " ) options=(" + options + " )" +

@@ -62,12 +62,12 @@ std::string events() {
   trigger.enter .stay .exit       the body is inside a trigger volume
   ray.enter .stay .exit           the visitor looks at an object, with nothing solid in between
   popup.open .close               a building's first contact has begun, its last one has ended
-  avatar.spawn .teleport          the avatar was put down
+  avatar.spawn .teleport          the avatar was placed
   avatar.arrive .blocked          a walk_to or follow has ended
   avatar.stuck                    it tried to move for a second and got less than 10 cm farther
   avatar.jump .crouch .stand      a step made the avatar jump, crouch or stand up
   avatar.landed .fell             the avatar has landed, or has fallen out of the world
-  avatar.depenetrated             it was put down inside an object and pushed out
+  avatar.depenetrated             it was placed inside an object and pushed out
   object.enable .disable          a step switched an object on or off
   snapshot.take                   a picture was requested
   expect.fail                     an expectation failed
@@ -102,7 +102,8 @@ walk and above it, then among those that come with the program (adult, child, de
 
 std::string exit_codes() {
     return R"(0    every walk passed; of 'collide': apart; of 'validate': no errors
-1    an expectation failed, or the visitor was blocked, fell or timed out; of 'collide': overlapping
+1    an expectation failed, or the visitor was blocked, fell or timed out; of 'diff', 'imgdiff' and
+     'replay --verify': different; of 'collide': overlapping
 2    bad usage or input, reported as FILE:LINE:COLUMN: error CODE: MESSAGE before that walk runs
 3    something failed while running: disk full, no OpenGL
 5    nothing was selected
@@ -184,8 +185,8 @@ report, with the same projects and timeouts, and compares hashes.
 
 Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and for a failure WALK/failure-eyes.png and
 failure-above.png. 'expect: [log: {golden: true}]' compares a walk's log with its golden log,
-NAME.walk.yaml-snapshots/log.jsonl. The first run writes it and 'run -u' updates it, except for a walk that
-fails, and except where CI is set.
+NAME.walk.yaml-snapshots/log.jsonl. 'run -u' writes it, except for a walk that fails for another reason, and
+except where CI is set; without it the walk fails.
 )";
 }
 

@@ -69,7 +69,7 @@ void print_json(const ImgdiffOptions& options, const render::Image& a, const Ver
 
 int compare_image_files(const ImgdiffOptions& options) {
     if (options.diff) {
-        require_writable_file(*options.diff, "the difference can't be drawn here");
+        require_writable_png(*options.diff, "the difference can't be drawn here");
     }
     const render::Image a = render::read_png(options.a);
     const render::Image b = render::read_png(options.b);

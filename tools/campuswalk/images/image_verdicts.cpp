@@ -85,7 +85,7 @@ public:
         if (missing) {
             fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
                  "there is no golden image '" + reference.string() +
-                     "' yet; run with --update-snapshots=missing where you develop, and commit it");
+                     "'; run with -u where you develop, and commit it");
             return;
         }
         const Comparison comparison =
@@ -162,8 +162,7 @@ private:
     }
 
     void update_reference(const fs::path& actual, const fs::path& reference) {
-        scene::write_file_atomically(reference, read_bytes(actual));
-        evaluated_.written.push_back(reference);
+        evaluated_.updates.push_back({reference, read_bytes(actual)});
     }
 
     void fail(const scene::SourceMark& mark, std::string code, const std::string& snapshot,

@@ -29,9 +29,9 @@ struct ImageEvaluation {
 };
 
 struct EvaluatedImages {
-    std::vector<engine::Failure> failures;       ///< in the order of the expectations
-    std::vector<engine::Artifact> artifacts;     ///< of those that differ
-    std::vector<std::filesystem::path> written;  ///< golden images, relative like the walk file
+    std::vector<engine::Failure> failures;    ///< in the order of the expectations
+    std::vector<engine::Artifact> artifacts;  ///< of those that differ
+    std::vector<GoldenUpdate> updates;        ///< golden images to write, if the mode allows it
 };
 
 /// Evaluates a walk's ExpectSnapshot and ExpectVisible. For a snapshot that differs from its golden image

@@ -7,7 +7,7 @@
 
 namespace campuswalk::tools {
 
-bool wants_images(Backend backend) {
+bool will_draw(Backend backend) {
     if (backend && backend != engine::render::RenderingBackend::automatic && !can_draw()) {
         throw error_about("--rendering-backend", "bad-value", "this build has no rendering: use none");
     }

@@ -9,8 +9,8 @@ namespace campuswalk::tools {
 /// What draws images, from `--rendering-backend`; nullopt: nothing.
 using Backend = std::optional<engine::render::RenderingBackend>;
 
-/// Whether images are to be drawn. Throws scene::InputError for a backend that this build lacks.
-bool wants_images(Backend backend);
+/// Whether images will be drawn. Throws scene::InputError for a backend that this build lacks.
+bool will_draw(Backend backend);
 
 /// For a command that has to draw. Throws scene::InputError for `none`, std::runtime_error in a build
 /// without rendering.

@@ -49,7 +49,7 @@ std::uint64_t max_bytes() {
                                                                        : std::nullopt;
     if (error != std::errc() || !shift || count > kMax) {
         throw error_about("CAMPUSWALK_CACHE_SIZE", "bad-value",
-                          "'" + text + "' is no size; write such as 500M or 8G, or 0 for no cache");
+                          "'" + text + "' isn't a size; use, for example, 500M or 8G, or 0 for no cache");
     }
     return count << *shift;
 }
@@ -68,7 +68,7 @@ std::atomic<bool>& warned() {
 /// A cache that can't be written isn't an error: only the time that the next start takes depends on it.
 void warn_once(const std::string& reason) {
     if (!warned().exchange(true)) {
-        diagnostic_line("warning cache-unwritable: models are imported anew each time: " + reason +
+        diagnostic_line("warning cache-unwritable: models are imported again each time: " + reason +
                         "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
     }
 }

@@ -93,18 +93,19 @@ engine::Failure failure_at(const fs::path& file, const ComparableLog& golden, co
     const std::size_t number = at < golden.numbers.size() ? golden.numbers[at]
                                : golden.numbers.empty()   ? 1
                                                           : golden.numbers.back() + 1;
-    failure.message = "the log is not the golden one (" + file.filename().string() + ", line " +
+    failure.message = "the log differs from the golden log (" + file.filename().string() + ", line " +
                       std::to_string(number) + "): " + how_they_differ(golden, run, at) +
-                      "; if that is meant, run with --update-snapshots=changed";
+                      "; if this is intended, run with --update-snapshots=changed";
     failure.scene = scene_of(run, at);
     return failure;
 }
 
-engine::Failure missing(const fs::path& file) {
+engine::Failure missing(const fs::path& file, const ComparableLog& run) {
     engine::Failure failure;
     failure.code = "log";
-    failure.message = "there is no golden log '" + file.string() +
-                      "' yet; run with --update-snapshots=missing where you develop, and commit it";
+    failure.message =
+        "there is no golden log '" + file.string() + "'; run with -u where you develop, and commit it";
+    failure.scene = scene_of(run, run.lines.size());
     return failure;
 }
 
@@ -138,27 +139,20 @@ fs::path golden_log_file(const fs::path& walk_file, const std::string& project) 
 }
 
 GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
-                         std::span<const std::string> lines, UpdateSnapshots mode, bool fails) {
+                         std::span<const std::string> lines, UpdateSnapshots mode) {
     GoldenCheck check;
     const fs::path file = golden_log_file(walk_file, project);
-    const auto update = [&] {
-        if (fails) {
-            check.withheld = file;
-            return;
-        }
-        scene::write_file_atomically(file, joined(lines));
-        check.written = file;
-    };
+    const auto update = [&] { return GoldenUpdate{file, joined(lines)}; };
     if (mode == UpdateSnapshots::all) {
-        update();
+        check.update = update();
         return check;
     }
     std::error_code error;
     if (!fs::exists(file, error) && !error) {
         if (mode == UpdateSnapshots::none) {
-            check.failure = missing(file);
+            check.failure = missing(file, without_verdicts(lines));
         } else {
-            update();
+            check.update = update();
         }
         return check;
     }
@@ -166,7 +160,7 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
     const ComparableLog run = without_verdicts(lines);
     const std::optional<std::size_t> at = first_divergence(golden.lines, run.lines);
     if (at && mode == UpdateSnapshots::changed) {
-        update();
+        check.update = update();
     } else if (at) {
         check.failure = failure_at(file, golden, run, *at);
     }

@@ -21,14 +21,18 @@ enum class UpdateSnapshots {
 /// The modes by their names on the command line.
 const std::map<std::string, UpdateSnapshots>& update_modes();
 
+/// A golden file that is to be written once the whole walk has been evaluated: it must have been right once.
+struct GoldenUpdate {
+    std::filesystem::path file;  ///< relative like the walk file
+    std::string bytes;
+};
+
 /// The result of comparing a run with a golden log.
 struct GoldenCheck {
-    /// The log differs or the golden one is missing; code "log". The caller sets the mark.
+    /// The log differs or the golden one is missing; code "log". Its scene has what the log tells: the tick
+    /// of the divergence or the last one, and the events before it. The caller sets the mark and the rest.
     std::optional<engine::Failure> failure;
-    /// The file that was written, relative like the walk file; empty when none was.
-    std::filesystem::path written;
-    /// The file that would have been written if the walk hadn't failed; likewise.
-    std::filesystem::path withheld;
+    std::optional<GoldenUpdate> update;  ///< instead of a failure, if the mode allows it
 };
 
 /// `NAME.walk.yaml-snapshots/[PROJECT-]FILE` beside the walk file: a reference that runs are compared with.
@@ -39,10 +43,9 @@ std::filesystem::path reference_file(const std::filesystem::path& walk_file, con
 std::filesystem::path golden_log_file(const std::filesystem::path& walk_file, const std::string& project);
 
 /// Compares a run's log, as engine::JsonLines writes it, with the walk's golden one. Verdicts are ignored:
-/// what is expected of a walk doesn't change where it goes. Nothing is written for a walk that `fails` for
-/// other reasons: a golden log must have been right once. Files are written atomically, also by several
-/// processes at the same time. Throws std::runtime_error when the file can't be read or written.
+/// what is expected of a walk doesn't change where it goes. Throws std::runtime_error when the file can't be
+/// read.
 GoldenCheck check_golden(const std::filesystem::path& walk_file, const std::string& project,
-                         std::span<const std::string> lines, UpdateSnapshots mode, bool fails);
+                         std::span<const std::string> lines, UpdateSnapshots mode);
 
 }  // namespace campuswalk::tools

@@ -1,11 +1,10 @@
 #include "tools/campuswalk/logs/log_lines.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 #include "engine/events/decimals.h"
+#include "engine/events/event_text.h"
 #include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
@@ -63,7 +62,7 @@ std::string shown(const std::string& name, const Json& value) {
 /// When and what, without the details.
 std::string short_text(const Json& json) {
     if (json.is_discarded()) {
-        return "a line that is no JSON";
+        return "a line that isn't JSON";
     }
     return is_event(json) ? shown("time", Json(json["time"].get<double>())) + " s " + text_in(json, "event") +
                                 " " + text_in(json, "object")
@@ -139,17 +138,14 @@ std::string as_text_line(std::string_view line) {
     if (!is_event(json)) {
         return std::string(line);
     }
-    std::ostringstream start;
-    start << std::setw(6) << std::setfill('0') << json["tick"].get<engine::Tick>() << std::setfill(' ') << ' '
-          << std::setw(11) << engine::fixed(json["time"].get<double>(), 6) << " " << std::left
-          << std::setw(16) << text_in(json, "event") << " " << std::setw(17) << text_in(json, "object");
-    std::string text = start.str();
+    std::string details;
     for (const auto& [name, value] : json.items()) {
         if (name != "tick" && name != "time" && name != "event" && name != "object") {
-            text += " " + name + "=" + shown(name, value);
+            details += " " + name + "=" + shown(name, value);
         }
     }
-    return text.substr(0, text.find_last_not_of(' ') + 1);
+    return engine::text_line(json["tick"].get<engine::Tick>(), json["time"].get<double>(),
+                             text_in(json, "event"), text_in(json, "object"), details);
 }
 
 std::optional<std::string> difference(std::string_view expected, std::string_view found) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "config/loader/load_run.h"
 #include "engine/report/result_json.h"
 #include "engine/report/walk_result.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -16,8 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kWalkSuffix = ".walk.yaml";
-
 scene::InputError about_line(const fs::path& file, std::size_t line, const char* code,
                              const std::string& message) {
     return scene::InputError(scene::SourceMark{file.string(), static_cast<int>(line), 1}, code, message);
@@ -26,7 +25,7 @@ scene::InputError about_line(const fs::path& file, std::size_t line, const char*
 std::map<std::string, fs::path> by_name(const std::vector<fs::path>& files) {
     std::map<std::string, fs::path> named;
     for (const fs::path& file : files) {
-        const std::string name = without_ending(file.filename().string(), kWalkSuffix);
+        const std::string name = without_ending(file.filename().string(), config::kWalkSuffix);
         if (!named.emplace(name, file).second) {
             throw error_about(file, "duplicate-name",
                               "two walks called " + name + ": give --walk one of them");
@@ -69,7 +68,7 @@ std::vector<RecordedWalk> walks_of_log(const fs::path& source, const std::vector
             if (file == files.end()) {
                 throw about_line(source, i + 1, "unknown-walk",
                                  "a log doesn't say where its walk is: add --walk .../" + header->walk +
-                                     std::string(kWalkSuffix));
+                                     std::string(config::kWalkSuffix));
             }
             walks.push_back({header->walk, header->project, fs::path(), file->second, header->timeout,
                              std::nullopt, "cut short", i + 1});

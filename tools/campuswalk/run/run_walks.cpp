@@ -69,11 +69,11 @@ public:
         : options_(options), settings_(std::move(settings)) {}
 
     int run() {
-        images_ = wants_images(options_.backend);
+        images_ = will_draw(options_.backend);
         check_sequence();
         read_last_run_if_needed();
-        Plan plan = make_plan(settings_,
-                              {selector_for(options_), selected_ids(), options_.repeat_each, options_.tree});
+        Plan plan = make_plan(settings_, {selector_for(options_), selected_ids(), options_.repeat_each,
+                                          options_.tree, options_.timeout});
         note_shard();
         if (plan.selected == 0) {
             return nothing_selected(plan);
@@ -212,12 +212,18 @@ private:
         if (options_.jsonl && plays) {
             events = std::make_unique<LogOutput>(false, options_.jsonl);
         }
+        const std::size_t left_out = plan.left_out;
         Scheduler scheduler(std::move(plan), scheduler_settings(reports, events != nullptr), reports,
                             events.get(), last_run.get());
         if (options_.resume) {
             scheduler.take_over(last_run_->results);
         }
-        return scheduler.run();
+        const int exit_code = scheduler.run();
+        if (left_out > 0) {
+            diagnostic_line(scene::plural(left_out, "walk") +
+                            " not run, because others are marked 'status: only'");
+        }
+        return exit_code;
     }
 
     SchedulerSettings scheduler_settings(const Reports& reports, bool events) const {
@@ -225,7 +231,7 @@ private:
         scheduler.play.output = settings_.output;
         scheduler.play.images = images_;
         scheduler.play.backend = options_.backend;
-        scheduler.play.log = reports.wants_log();
+        scheduler.play.log = reports.has_log();
         scheduler.play.events = events;
         scheduler.play.records = options_.records;
         scheduler.play.sequence = options_.sequence;
@@ -237,7 +243,7 @@ private:
         scheduler.require_identical = options_.require_identical;
         scheduler.print_verdicts = options_.verbose || !reports.prints_outcomes();
         scheduler.progress = !options_.quiet && isatty(STDERR_FILENO) == 1;
-        scheduler.play.place = scheduler.progress;
+        scheduler.play.progress = scheduler.progress;
         return scheduler;
     }
 

@@ -74,8 +74,8 @@ int Scheduler::run() {
     settings_.play.processes_each = settings_.pool.workers / workers;
     const StartWork start = [this] {
         const auto runner = std::make_shared<CaseRunner>(settings_.play);
-        return [this, runner](std::size_t index, const Say& say) {
-            say(Topic::result, engine::to_json_line(runner->run(plan_.cases[index], say)));
+        return [this, runner](std::size_t index, const Send& send) {
+            send(Topic::result, engine::to_json_line(runner->run(plan_.cases[index], send)));
         };
     };
     if (!over_.empty() && over_.front()) {
@@ -86,11 +86,11 @@ int Scheduler::run() {
 
 PoolListener Scheduler::listener() {
     PoolListener listener;
-    listener.result_received = [this](std::size_t index, const Ending& ending) { save(index, ending); };
-    listener.heard = [this](std::size_t index, Topic topic, std::string_view body) {
+    listener.on_result = [this](std::size_t index, const Ending& ending) { save(index, ending); };
+    listener.on_message = [this](std::size_t index, Topic topic, std::string_view body) {
         handle_message(index, topic, body);
     };
-    listener.ended = [this](std::size_t index, const Ending& ending) {
+    listener.on_end = [this](std::size_t index, const Ending& ending) {
         plan_.cases[index].result = result_of(index, ending);
         over_[index] = true;
         return report_up_to(index);
@@ -121,7 +121,7 @@ WalkResult Scheduler::result_of(std::size_t index, const Ending& ending) const {
 }
 
 void Scheduler::handle_message(std::size_t index, Topic topic, std::string_view body) {
-    if (topic == Topic::place) {
+    if (topic == Topic::progress) {
         const Case& played = plan_.cases[index];
         progress_.walk_is_at(played.result.name, std::stod(std::string(body)),
                              engine::planned_seconds(played.walk->walk));

@@ -75,8 +75,8 @@ std::string campus_yaml(const SuggestedCampus& campus) {
                                  : "colliders:\n  # Closed doors are left out: nobody could pass them.\n";
     text += "  - {id: world, nodes: \"*\"" + except_yaml(campus.doors) + ", shape: mesh, mode: solid}\n";
     if (campus.ground) {
-        const scene::UprightBox box{0.5 * (campus.ground->min + campus.ground->max),
-                                    campus.ground->max - campus.ground->min, Eigen::Vector3d::UnitX()};
+        const scene::UprightBox box{campus.ground->center(), campus.ground->max - campus.ground->min,
+                                    Eigen::Vector3d::UnitX()};
         text +=
             "  # The model has no ground. This box replaces it; pictures don't show it.\n"
             "  - {id: ground, " +

@@ -50,7 +50,7 @@ fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
     walk.replace_filename(name + ".walk.yaml");
     for (const fs::path& file : {campus_file, walk}) {
         if (!overwrite && fs::exists(file)) {
-            throw error_about(file, "file-exists", "it is there already; name another, or say --overwrite");
+            throw error_about(file, "file-exists", "the file exists; name another, or pass --overwrite");
         }
     }
     return walk;
@@ -118,7 +118,7 @@ Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
 
 /// Chooses a spawn, where to look from it and where to walk to. False if there is hardly any ground.
 bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampus& campus) {
-    Vector3d middle = 0.5 * (model.report.bounds.min + model.report.bounds.max);
+    Vector3d middle = model.report.bounds.center();
     if (const auto* building = nearest_building(campus.buildings, middle)) {
         middle = building->box.center;
     }
@@ -179,8 +179,8 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
     if (!placed) {
         throw error_about(
             model.file.file, "no-ground",
-            "nobody can stand anywhere in the middle of it; look at what `campuswalk info` says of its size "
-            "and axes, and give --scale or --up");
+            "there is no place to stand near its middle; check its size and axes with `campuswalk info`, "
+            "then pass --scale or --up");
     }
     scene::write_file_atomically(campus_file, campus_yaml(campus));
 }
@@ -264,15 +264,14 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
     scene::write_file_atomically(campus_file, campus_yaml(campus));
     scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-    std::printf("%s: %s\n%s: %s, walked\n", campus_file.string().c_str(),
+    std::printf("%s: %s\n%s: %s, played\n", campus_file.string().c_str(),
                 scene::plural(campus.buildings.size(), "building").c_str(), walk_file.string().c_str(),
-                scene::plural(visits, "way").c_str());
+                scene::plural(visits, "visit").c_str());
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {
         std::printf("%s left out of what is solid\n", scene::plural(left.opened, "closed door").c_str());
     }
-    std::printf("%s about the model as it stands there\n",
-                scene::plural(left.lints.size(), "warning").c_str());
+    std::printf("%s about the model\n", scene::plural(left.lints.size(), "warning").c_str());
     print_lints(left.lints);
     return kPass;
 }

@@ -32,7 +32,7 @@ UprightModel load_upright(const scene::SceneFile& file) {
     }
     if (has_lint(upright.report, "far-from-origin")) {
         const scene::Bounds& bounds = upright.report.bounds;
-        Vector3d middle = 0.5 * (bounds.min + bounds.max);
+        Vector3d middle = bounds.center();
         middle.y() = bounds.min.y();
         upright.origin = middle.array().round();
         scene::move_origin(upright.models[0], upright.origin);

@@ -33,31 +33,31 @@ public:
            std::size_t first)
         : model_(model), look_(look), views_(views), rounds_(rounds), first_(first) {}
 
-    void work(std::size_t task, const Say& say) {
-        std::ostringstream frames;
+    void work(std::size_t task, const Send& send) {
+        std::ostringstream lines;
         try {
             if (task == kWarmUp) {
                 engine::render::share_processors(drawing_processes());
                 renderer_ = std::make_unique<Renderer>(std::span(&model_, 1), look_.settings);
             }
             for (int round = 0; round < (task == kWarmUp ? 1 : rounds_); ++round) {
-                draw_views(frames);
+                draw_views(lines);
             }
         } catch (const std::exception& error) {
-            say(Topic::log, error.what());
+            send(Topic::log, error.what());
         }
-        say(Topic::result, frames.str());
+        send(Topic::result, lines.str());
     }
 
 private:
     // Each process begins with a different view; otherwise all would draw the expensive ones at the same
     // time.
-    void draw_views(std::ostringstream& frames) {
+    void draw_views(std::ostringstream& lines) {
         for (std::size_t i = 0; i < views_.size(); ++i) {
             const std::size_t view = (first_ + i) % views_.size();
             const double us =
                 microseconds_of([&] { renderer_->draw(views_[view], kDrawnWidth, kDrawnHeight); });
-            frames << view << ' ' << 1e-3 * us << '\n';
+            lines << view << ' ' << 1e-3 * us << '\n';
         }
     }
 
@@ -91,7 +91,7 @@ DrawTimes draw_look(const scene::Model& model, const Look& look, const std::vect
     for (std::size_t i = 0; i < drawing_processes(); ++i) {
         const StartWork start = [&, first = i * views.size() / drawing_processes()] {
             const auto drawer = std::make_shared<Drawer>(model, look, views, rounds, first);
-            return [drawer](std::size_t task, const Say& say) { drawer->work(task, say); };
+            return [drawer](std::size_t task, const Send& send) { drawer->work(task, send); };
         };
         workers.emplace_back(start, workers);
     }
@@ -99,11 +99,11 @@ DrawTimes draw_look(const scene::Model& model, const Look& look, const std::vect
     DrawTimes times;
     times.engine = kOurProcesses;
     times.look = look.name;
-    std::istringstream frames(wait_for(workers, kDraw));
-    TimedImage frame;
-    while (frames >> frame.view >> frame.ms) {
-        frame.ms /= static_cast<double>(drawing_processes());
-        times.frames.push_back(frame);
+    std::istringstream lines(wait_for(workers, kDraw));
+    TimedImage image;
+    while (lines >> image.view >> image.ms) {
+        image.ms /= static_cast<double>(drawing_processes());
+        times.images.push_back(image);
     }
     return times;
 }

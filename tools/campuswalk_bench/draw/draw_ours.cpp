@@ -38,11 +38,11 @@ DrawTimes draw_look(Renderer& renderer, const std::vector<Viewpoint>& views, int
         for (std::size_t i = 0; i < views.size(); ++i) {
             const double us = microseconds_of([&] { renderer.draw(views[i], kDrawnWidth, kDrawnHeight); });
             if (round > 0) {
-                times.frames.push_back({i, 1e-3 * us});
+                times.images.push_back({i, 1e-3 * us});
             }
         }
     }
-    times.cpu_ms = (cpu_ms() - start) / static_cast<double>(times.frames.size());
+    times.cpu_ms = (cpu_ms() - start) / static_cast<double>(times.images.size());
     return times;
 }
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/render/passes/render_settings.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk_bench/draw/looks.h"
 
 namespace campuswalk::tools::bench {
@@ -22,15 +23,6 @@ constexpr double kDegrees = 57.29577951308232;
 
 nlohmann::json list_of(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
-}
-
-/// Quoted for the shell.
-std::string quoted(const std::string& text) {
-    std::string word = "'";
-    for (const char c : text) {
-        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return word + "'";
 }
 
 }  // namespace
@@ -51,15 +43,15 @@ void write_views(const std::vector<DrawnView>& views, int rounds, const std::fil
     }
 }
 
-std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& printed) {
+std::vector<DrawTimes> parse_times(const std::string& peer, const std::string& printed) {
     std::vector<DrawTimes> looks;
     std::istringstream lines(printed);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
         std::string kind;
         std::string look;
-        TimedImage frame;
-        if (!(words >> kind >> look >> frame.view >> frame.ms) || kind != "frame") {
+        TimedImage image;
+        if (!(words >> kind >> look >> image.view >> image.ms) || kind != "frame") {
             continue;
         }
         auto times = std::find_if(looks.begin(), looks.end(),
@@ -67,7 +59,7 @@ std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& p
         if (times == looks.end()) {
             times = looks.insert(looks.end(), DrawTimes{peer, look, {}, {}});
         }
-        times->frames.push_back(frame);
+        times->images.push_back(image);
     }
     if (looks.empty()) {
         throw std::runtime_error("it drew no image");
@@ -76,7 +68,7 @@ std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& p
 }
 
 std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::path& folder) {
-    const std::string line = peer.command + " " + quoted(std::filesystem::absolute(folder).string());
+    const std::string line = peer.command + " " + shell_quoted(std::filesystem::absolute(folder).string());
     FILE* pipe = popen(line.c_str(), "r");  // NOLINT(cert-env33-c): the user's own command line
     if (pipe == nullptr) {
         throw std::runtime_error("its command can't be run");
@@ -90,7 +82,7 @@ std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::pa
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         throw std::runtime_error("its command failed");
     }
-    return read_frames(peer.name, printed);
+    return parse_times(peer.name, printed);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -25,6 +25,6 @@ void write_views(const std::vector<DrawnView>& views, int rounds, const std::fil
 std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::path& folder);
 
 /// The times in the output of a peer. Throws std::runtime_error when there are none.
-std::vector<DrawTimes> read_frames(const std::string& peer, const std::string& printed);
+std::vector<DrawTimes> parse_times(const std::string& peer, const std::string& printed);
 
 }  // namespace campuswalk::tools::bench

@@ -35,9 +35,9 @@ std::optional<double> ours_ms(const DrawnCampus& campus, const std::string& look
     return ours == nullptr ? std::nullopt : std::optional(median_ms(*ours));
 }
 
-/// The longest allowed times of an image of a campus of at most `most_triangles`.
+/// The longest allowed times of an image of a campus of at most `max_triangles`.
 struct Allowance {
-    std::size_t most_triangles = 0;
+    std::size_t max_triangles = 0;
     double fxaa_ms = 0.0;
     double msaa_ms = 0.0;
 };
@@ -48,7 +48,7 @@ void add_time_verdicts(const DrawnCampus& campus, const char* our_engine,
     const std::string of = ", " + campus.name + " of " + std::to_string(campus.triangles) + " triangles" +
                            (our_engine == std::string_view(kOurProcesses) ? ", by processes" : "");
     const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
-        return campus.triangles <= each.most_triangles;
+        return campus.triangles <= each.max_triangles;
     });
     if (allowed != std::end(kAllowances)) {
         verdicts.push_back({"an image, shadows+fxaa" + of,

@@ -7,16 +7,16 @@ namespace campuswalk::tools::bench {
 
 double mean_ms(const DrawTimes& times) {
     double sum = 0.0;
-    for (const TimedImage& frame : times.frames) {
-        sum += frame.ms;
+    for (const TimedImage& image : times.images) {
+        sum += image.ms;
     }
-    return sum / static_cast<double>(times.frames.size());
+    return sum / static_cast<double>(times.images.size());
 }
 
 double median_ms(const DrawTimes& times) {
     std::vector<double> ms;
-    for (const TimedImage& frame : times.frames) {
-        ms.push_back(frame.ms);
+    for (const TimedImage& image : times.images) {
+        ms.push_back(image.ms);
     }
     std::sort(ms.begin(), ms.end());
     const std::size_t half = ms.size() / 2;
@@ -25,9 +25,9 @@ double median_ms(const DrawTimes& times) {
 
 double least_ms(const DrawTimes& times) {
     std::map<std::size_t, double> least;
-    for (const TimedImage& frame : times.frames) {
-        const auto [entry, is_first] = least.emplace(frame.view, frame.ms);
-        entry->second = std::min(entry->second, frame.ms);
+    for (const TimedImage& image : times.images) {
+        const auto [entry, is_first] = least.emplace(image.view, image.ms);
+        entry->second = std::min(entry->second, image.ms);
     }
     double sum = 0.0;
     for (const auto& [view, ms] : least) {

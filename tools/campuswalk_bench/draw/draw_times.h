@@ -22,7 +22,7 @@ inline constexpr const char* kOurProcesses = "processes";
 struct DrawTimes {
     std::string engine;
     std::string look;  ///< "no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4", "default"
-    std::vector<TimedImage> frames;
+    std::vector<TimedImage> images;
     std::optional<double> cpu_ms;  ///< per image, of all threads; where it is known
 };
 

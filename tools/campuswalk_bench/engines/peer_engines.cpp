@@ -10,10 +10,10 @@ namespace campuswalk::tools::bench {
 namespace fs = std::filesystem;
 
 void* find_in_peer(const std::string& peer, const char* function) {
-    std::error_code none;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path() / "peers";
+    std::error_code ignored;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "peers";
     const fs::path file = folder / (peer + ".so");
-    if (!fs::exists(file, none)) {
+    if (!fs::exists(file, ignored)) {
         throw std::runtime_error("not built");
     }
     // Never closed: the libraries behind it keep threads and exit handlers.

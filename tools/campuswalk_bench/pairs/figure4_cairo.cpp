@@ -46,7 +46,7 @@ struct Line {
 class Scales {
 public:
     Scales(const std::vector<std::size_t>& pairs, const std::vector<Line>& lines) {
-        most_pairs_ = std::ceil(static_cast<double>(pairs.back()) / 200.0) * 200.0;
+        max_pairs_ = std::ceil(static_cast<double>(pairs.back()) / 200.0) * 200.0;
         double least = lines.front().microseconds.front();
         double most = least;
         for (const Line& line : lines) {
@@ -58,16 +58,16 @@ public:
         high_ = std::ceil(std::log10(most));
     }
 
-    double x(double pairs) const { return kLeft + (kRight - kLeft) * pairs / most_pairs_; }
+    double x(double pairs) const { return kLeft + (kRight - kLeft) * pairs / max_pairs_; }
     double y(double us) const {
         return kBottom - (kBottom - kTop) * (std::log10(us) - low_) / (high_ - low_);
     }
-    double most_pairs() const { return most_pairs_; }
+    double max_pairs() const { return max_pairs_; }
     int lowest_decade() const { return static_cast<int>(low_); }
     int highest_decade() const { return static_cast<int>(high_); }
 
 private:
-    double most_pairs_ = 1.0;
+    double max_pairs_ = 1.0;
     double low_ = 0.0;
     double high_ = 1.0;
 };
@@ -113,7 +113,7 @@ void draw_axes(cairo_t* cr, const Scales& scales) {
             }
         }
     }
-    for (int hundreds = 0; 100.0 * hundreds <= scales.most_pairs(); hundreds += 2) {
+    for (int hundreds = 0; 100.0 * hundreds <= scales.max_pairs(); hundreds += 2) {
         const double pairs = 100.0 * hundreds;
         const double x = scales.x(pairs);
         set_colour(cr, kGrid);

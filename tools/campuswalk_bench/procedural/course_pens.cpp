@@ -14,7 +14,7 @@ namespace {
 constexpr double kFront = 14.5;  ///< z
 constexpr double kBack = 18.0;
 constexpr double kHalf = 1.7;     ///< along x
-constexpr double kHigh = 2.3;     ///< walls
+constexpr double kHeight = 2.3;   ///< walls
 constexpr double kPlateau = 1.5;  ///< high
 
 /// A pen centred at x.
@@ -23,19 +23,19 @@ struct Pen {
     double x = 0.0;
 
     void add_sides() const {
-        ground.add_box({x - kHalf, -0.5, kFront}, {x - kHalf + 0.1, kHigh, kBack});
-        ground.add_box({x + kHalf - 0.1, -0.5, kFront}, {x + kHalf, kHigh, kBack});
-        ground.add_box({x - kHalf, -0.5, kBack - 0.1}, {x + kHalf, kHigh, kBack});
+        ground.add_box({x - kHalf, -0.5, kFront}, {x - kHalf + 0.1, kHeight, kBack});
+        ground.add_box({x + kHalf - 0.1, -0.5, kFront}, {x + kHalf, kHeight, kBack});
+        ground.add_box({x - kHalf, -0.5, kBack - 0.1}, {x + kHalf, kHeight, kBack});
     }
 
     /// A piece of the front wall, `thick` metres, or a single quad if 0.
     void add_front(double from, double to, double low, double thick) const {
         if (thick > 0.0) {
-            ground.add_box({x + from, low, kFront}, {x + to, kHigh, kFront + thick});
+            ground.add_box({x + from, low, kFront}, {x + to, kHeight, kFront + thick});
             return;
         }
         const auto at = [&](double side, double y) { return Vec3(ground.X * Vec3(x + side, y, kFront)); };
-        ground.parts.add_quad(at(from, low), at(from, kHigh), at(to, kHigh), at(to, low));
+        ground.parts.add_quad(at(from, low), at(from, kHeight), at(to, kHeight), at(to, low));
     }
 
     void add_path(const char* name, double height = 0.0, double before = 2.0) const {

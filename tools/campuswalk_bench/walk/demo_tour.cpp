@@ -20,8 +20,8 @@ constexpr int kSeconds = 120;
 std::filesystem::path tour_file() {
     const std::filesystem::path name = "walks/first-tour.walk.yaml";
     for (const std::filesystem::path& avatars : search_paths().avatars) {
-        std::error_code none;
-        if (auto file = avatars.parent_path() / name; std::filesystem::exists(file, none)) {
+        std::error_code ignored;
+        if (auto file = avatars.parent_path() / name; std::filesystem::exists(file, ignored)) {
             return file;
         }
     }

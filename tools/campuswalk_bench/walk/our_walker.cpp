@@ -50,7 +50,7 @@ void OurWalker::walk(const Vec3& desired) {
     mover_.move(state_, desired, body_.tick, cache_, trace_);
 }
 
-std::size_t OurWalker::release_mover() {
+std::size_t OurWalker::release_working_memory() {
     const std::size_t before = heap_in_use();
     cache_ = {};
     trace_ = {};

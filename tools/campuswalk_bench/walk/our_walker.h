@@ -18,9 +18,9 @@ public:
     void walk(const collision::Vec3& desired) override;
     collision::Vec3 foot() const override { return state_.foot; }
 
-    /// The memory of the mover, its cache and its trace after all the walks, bytes; releases it. Without what
-    /// is on the heap where heaps aren't counted (heap.h).
-    std::size_t release_mover();
+    /// Frees the cache and the trace; returns the bytes that the mover, its state, cache and trace took after
+    /// all the walks, without what is on the heap where heaps aren't counted (heap.h).
+    std::size_t release_working_memory();
 
 private:
     collision::World world_;

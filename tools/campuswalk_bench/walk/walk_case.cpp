@@ -72,7 +72,7 @@ WalkedCampus walk_campus(int lots, int rounds) {
         walkers.push_back({name, engine.get()});
     }
     walked.scores = run_walks(walkers, campus.paths, body, WalkScorer(campus.mesh), rounds);
-    walked.working_memory = ours.release_mover();
+    walked.working_memory = ours.release_working_memory();
     if (walked.scores.size() == 3) {
         WalkScore best = better(walked.scores[1], walked.scores[2]);
         best.controller = "bullet";

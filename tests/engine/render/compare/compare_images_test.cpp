@@ -3,17 +3,28 @@
 #include <random>
 #include <sstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/compare/synthetic_images.h"
+#include "tests/support/says.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
 
-std::string violations(const Image& a, const Image& b, const ImageTolerance& tolerance = {}) {
-    const ImageComparison comparison = compare_images(a, b, tolerance);
-    return describe_violations(comparison, tolerance);
+using support::mentions;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Each violated limit, in words.
+std::vector<std::string> violations(const Image& a, const Image& b, const ImageTolerance& tolerance = {}) {
+    std::istringstream description(describe_violations(compare_images(a, b, tolerance), tolerance));
+    std::vector<std::string> limits;
+    for (std::string limit; std::getline(description, limit, ';');) {
+        limits.push_back(limit);
+    }
+    return limits;
 }
 
 /// Makes the first `count` pixels white.
@@ -26,21 +37,6 @@ Image with_white(Image image, int count) {
     return image;
 }
 
-/// Whether the description lists these limits, each with its numbers.
-testing::AssertionResult names(const std::string& description,
-                               const std::vector<std::vector<std::string>>& limits) {
-    std::istringstream parts(description);
-    std::size_t count = 0;
-    for (std::string part; std::getline(parts, part, ';'); ++count) {
-        for (const std::string& number : count < limits.size() ? limits[count] : std::vector<std::string>()) {
-            if (part.find(number) == std::string::npos) {
-                return testing::AssertionFailure() << part << " lacks " << number;
-            }
-        }
-    }
-    return count == limits.size() ? testing::AssertionSuccess() : testing::AssertionFailure() << description;
-}
-
 const Image kBlack = plain_image(100, 100, {0, 0, 0});
 constexpr double kAny = -1.0;  // similarity
 
@@ -50,31 +46,33 @@ TEST(CompareImages, EqualImagesAreEqual) {
     ImageTolerance strict;
     strict.threshold = 0.0;
     strict.min_tile_ssim = 1.0;
-    EXPECT_EQ(violations(image, image, strict), "");
+    EXPECT_THAT(violations(image, image, strict), IsEmpty());
     strict.masks = {{0, 0, 3, 3}};
-    EXPECT_EQ(violations(image, image, strict), "");
+    EXPECT_THAT(violations(image, image, strict), IsEmpty());
     EXPECT_EQ(compare_images(image, image, {}).worst.ssim, 1.0);
 }
 
 TEST(CompareImages, WithoutLimitsNoPixelMayDiffer) {
     ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
-    EXPECT_TRUE(names(violations(kBlack, with_white(kBlack, 1), tolerance), {{"1 pixel ", "0.010 %", " 0"}}));
-    EXPECT_TRUE(
-        names(violations(kBlack, with_white(kBlack, 30), tolerance), {{"30 pixels ", "0.300 %", " 0"}}));
+    EXPECT_THAT(violations(kBlack, with_white(kBlack, 1), tolerance),
+                ElementsAre(mentions({"1 pixel ", "0.010 %", " 0"})));
+    EXPECT_THAT(violations(kBlack, with_white(kBlack, 30), tolerance),
+                ElementsAre(mentions({"30 pixels ", "0.300 %", " 0"})));
 }
 
 TEST(CompareImages, AllLimitsApply) {
     ImageTolerance tolerance;
     tolerance.min_tile_ssim = kAny;
     tolerance.max_diff_pixels = 30;
-    EXPECT_EQ(violations(kBlack, with_white(kBlack, 30), tolerance), "");
-    EXPECT_TRUE(
-        names(violations(kBlack, with_white(kBlack, 31), tolerance), {{"31 pixels ", "0.310 %", " 30"}}));
+    EXPECT_THAT(violations(kBlack, with_white(kBlack, 30), tolerance), IsEmpty());
+    EXPECT_THAT(violations(kBlack, with_white(kBlack, 31), tolerance),
+                ElementsAre(mentions({"31 pixels ", "0.310 %", " 30"})));
     tolerance.max_diff_pixel_ratio = 0.002;
-    EXPECT_TRUE(names(violations(kBlack, with_white(kBlack, 30), tolerance), {{"0.300 %", "0.200 %"}}));
+    EXPECT_THAT(violations(kBlack, with_white(kBlack, 30), tolerance),
+                ElementsAre(mentions({"0.300 %", "0.200 %"})));
     tolerance.max_diff_pixels.reset();
-    EXPECT_EQ(violations(kBlack, with_white(kBlack, 20), tolerance), "");
+    EXPECT_THAT(violations(kBlack, with_white(kBlack, 20), tolerance), IsEmpty());
 }
 
 TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
@@ -94,12 +92,13 @@ TEST(CompareImages, StructureIsComparedBelowTheThreshold) {
     const double expected =
         (2 * 100 * 110 + 6.5025) * 58.5225 / ((100 * 100 + 110 * 110 + 6.5025) * (100 + 58.5225));
     EXPECT_NEAR(comparison.worst.ssim, expected, 1e-9);
-    EXPECT_TRUE(names(violations(even, striped), {{"64x64", "0,0", "0.367", "0.970"}}));
+    EXPECT_THAT(violations(even, striped), ElementsAre(mentions({"64x64", "0,0", "0.367", "0.970"})));
 }
 
 TEST(CompareImages, DescribesAllViolations) {
-    const std::string both = violations(kBlack, plain_image(100, 100, {255, 255, 255}));
-    EXPECT_TRUE(names(both, {{"10000 pixels ", "100.000 %"}, {"64x64", "0,0", "0.000", "0.970", "4 of 4"}}));
+    const std::vector<std::string> both = violations(kBlack, plain_image(100, 100, {255, 255, 255}));
+    EXPECT_THAT(both, ElementsAre(mentions({"10000 pixels ", "100.000 %"}),
+                                  mentions({"64x64", "0,0", "0.000", "0.970", "4 of 4"})));
 }
 
 TEST(CompareImages, DefaultsAllowForAnotherProcessorsRounding) {
@@ -108,9 +107,9 @@ TEST(CompareImages, DefaultsAllowForAnotherProcessorsRounding) {
     for (int draw = 0; draw < 20; ++draw) {
         const Image even = plain_image(1280, 720, {90, 120, 150});
         const Image other = disturbed(even, 0.0024, 15, random);
-        EXPECT_EQ(violations(even, other), "");
+        EXPECT_THAT(violations(even, other), IsEmpty());
         const Image rough = noise(320, 180, random);
-        EXPECT_EQ(violations(rough, disturbed(rough, 0.0024, 15, random)), "");
+        EXPECT_THAT(violations(rough, disturbed(rough, 0.0024, 15, random)), IsEmpty());
     }
 }
 

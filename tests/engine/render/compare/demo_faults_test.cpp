@@ -18,6 +18,7 @@
 #include "tests/engine/render/campus_view.h"
 #include "tests/engine/render/compare/synthetic_images.h"
 #include "tests/engine/render/scratch_folder.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
@@ -117,7 +118,7 @@ TEST_F(DemoFaults, DetectASunOffByThreeDegrees) {
     for (const double turn : {3.0, -3.0}) {
         RenderSettings settings;
         settings.to_sun =
-            Eigen::AngleAxisd(turn * 3.141592653589793 / 180.0, Eigen::Vector3d::UnitY()) * settings.to_sun;
+            Eigen::AngleAxisd(support::radians(turn), Eigen::Vector3d::UnitY()) * settings.to_sun;
         EXPECT_TRUE(violated("avenue", draw_demo(models(), demo_view("avenue"), settings)));
         EXPECT_TRUE(violated("square", draw_demo(models(), demo_view("square"), settings)));
     }

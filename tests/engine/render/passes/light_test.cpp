@@ -11,11 +11,12 @@
 #include "engine/render/renderer.h"
 #include "tests/engine/render/color_names.h"
 #include "tests/engine/render/small_scenes.h"
+#include "tests/support/angles.h"
 
 namespace campuswalk::engine::render::test {
 namespace {
 
-constexpr double kDegree = 3.141592653589793 / 180.0;
+using support::radians;
 
 Image drawn(const LightSettings& light, int width = kWidth, int height = kHeight) {
     const scene::Model model = tower_scene();
@@ -30,8 +31,7 @@ TEST(Light, DefaultsToDaylight) {
 
 TEST(Light, AzimuthRunsFromNorthToEast) {
     const auto towards = [](double azimuth, double elevation) {
-        return apply_light({}, {.sun_azimuth = azimuth * kDegree, .sun_elevation = elevation * kDegree})
-            .to_sun;
+        return apply_light({}, {.sun_azimuth = radians(azimuth), .sun_elevation = radians(elevation)}).to_sun;
     };
     EXPECT_TRUE(towards(0, 1e-9).isApprox(Eigen::Vector3d(0, 0, -1), 1e-9));
     EXPECT_TRUE(towards(90, 1e-9).isApprox(Eigen::Vector3d(1, 0, 0), 1e-9));
@@ -78,7 +78,7 @@ TEST(Light, ShadowsFallAwayFromTheSun) {
     for (const auto& [azimuth, dark, bright] :
          {std::tuple(90.0, Eigen::Vector3d(-4, 0, 0), Eigen::Vector3d(4, 0, 0)),
           std::tuple(0.0, Eigen::Vector3d(0, 0, 4), Eigen::Vector3d(0, 0, -4))}) {
-        const LightSettings light{.sun_azimuth = azimuth * kDegree, .sun_elevation = 45 * kDegree};
+        const LightSettings light{.sun_azimuth = radians(azimuth), .sun_elevation = radians(45)};
         Renderer renderer(std::span(&model, 1), apply_light(quick_settings(), light));
         const Viewpoint view = plan(renderer.bounds(), 1.0);
         const Image image = renderer.draw(view, 120, 120);

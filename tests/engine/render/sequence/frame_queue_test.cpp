@@ -47,10 +47,10 @@ std::vector<std::unique_ptr<FrameSink>> sinks(std::unique_ptr<FrameSink> one) {
 TEST(FrameQueue, DeliversFramesInOrderOnItsOwnThread) {
     Seen seen;
     FrameQueue queue(sinks(std::make_unique<RecordingSink>(seen)));
-    int most_pending = 0;
+    int max_pending = 0;
     for (std::size_t i = 0; i < 100; ++i) {
         queue.add({{}, i, 0.0});
-        most_pending = std::max(most_pending, ++seen.pending);
+        max_pending = std::max(max_pending, ++seen.pending);
     }
     queue.finish();
     ASSERT_EQ(seen.numbers.size(), 100U);
@@ -59,7 +59,7 @@ TEST(FrameQueue, DeliversFramesInOrderOnItsOwnThread) {
         EXPECT_NE(seen.threads[i], std::this_thread::get_id());
     }
     EXPECT_TRUE(seen.finished);
-    EXPECT_LE(most_pending, 7) << "add blocks while the queue is full";
+    EXPECT_LE(max_pending, 7) << "add blocks while the queue is full";
 }
 
 TEST(FrameQueue, RethrowsSinkErrors) {

@@ -1,26 +1,27 @@
 #include "scene/import/source/tangent_frame.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include "tests/support/angles.h"
+
 namespace campuswalk::scene {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using support::radians;
 
 /// The inverse, which has a closed form by the definition of WGS 84.
 Eigen::Vector3d ecef_point(double latitude_deg, double longitude_deg, double height) {
     constexpr double kEquator = 6378137.0;
     constexpr double kFlattening = 1.0 / 298.257223563;
     constexpr double kSquared = kFlattening * (2.0 - kFlattening);
-    const double sine = std::sin(latitude_deg * kDegree);
-    const double cosine = std::cos(latitude_deg * kDegree);
+    const double sine = std::sin(radians(latitude_deg));
+    const double cosine = std::cos(radians(latitude_deg));
     const double curvature = kEquator / std::sqrt(1.0 - kSquared * sine * sine);
-    return {(curvature + height) * cosine * std::cos(longitude_deg * kDegree),
-            (curvature + height) * cosine * std::sin(longitude_deg * kDegree),
+    return {(curvature + height) * cosine * std::cos(radians(longitude_deg)),
+            (curvature + height) * cosine * std::sin(radians(longitude_deg)),
             (curvature * (1.0 - kSquared) + height) * sine};
 }
 

@@ -5,11 +5,16 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "engine/expect/failure_scene.h"
+#include "engine/expect/state_snapshot.h"
 #include "engine/report/outcome.h"
 #include "engine/script/player.h"
 #include "engine/simulation/run_walk.h"
+#include "engine/simulation/simulation.h"
+#include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/cases/case_stream.h"
@@ -35,39 +40,65 @@ const engine::ExpectLog* golden_log_of(const engine::Walk& walk) {
     return nullptr;
 }
 
-/// Whether the walk fails whatever the comparison of its log yields.
-bool fails_regardless_of_log(const std::vector<engine::Failure>& failures, const engine::WalkStatus& status) {
-    const bool log_may_decide =
-        status.kind == engine::WalkStatus::Kind::xfail &&
-        (status.codes.empty() ? failures.empty()
-                              : std::ranges::find(status.codes, "log") != status.codes.end());
-    return !log_may_decide && engine::outcome_of_failures(failures, status).outcome == Outcome::failed;
+/// Whether a failure says that the walk differs from a golden file.
+bool is_golden_code(std::string_view code) {
+    return code == engine::ExpectLog::kName || code == engine::ExpectSnapshot::kName;
 }
 
-/// Compares the log with the golden one if the walk expects that, and prints what was written.
-void add_golden_failure(const Case& played, const PlaySettings& settings, const std::vector<std::string>& log,
-                        std::vector<engine::Failure>& failures) {
+/// Whether the walk fails whatever its golden files are.
+bool fails_regardless_of_goldens(std::vector<engine::Failure> failures, const engine::WalkStatus& status) {
+    std::erase_if(failures, [](const engine::Failure& failure) { return is_golden_code(failure.code); });
+    const bool goldens_may_decide =
+        status.kind == engine::WalkStatus::Kind::xfail &&
+        (status.codes.empty() ? failures.empty() : std::ranges::any_of(status.codes, is_golden_code));
+    return !goldens_may_decide &&
+           engine::outcome_of_failures(std::move(failures), status).outcome == Outcome::failed;
+}
+
+/// What a log doesn't tell of a failure, by playing the walk again up to its tick.
+void complete_scene(const LoadedWalk& loaded, engine::FailureScene& scene) {
+    engine::Simulation simulation(*loaded.campus, loaded.walk);
+    engine::StateHistory history;
+    do {
+        history.on_tick(simulation.step());
+    } while (history.now().tick < scene.tick && !simulation.finished());
+    std::vector<std::string> events = std::move(scene.last_events);
+    scene = engine::scene_of(history.now(), *loaded.campus, loaded.walk.avatar);
+    scene.last_events = std::move(events);
+}
+
+/// Compares the log with the golden one if the walk expects that.
+void check_golden_log(const Case& played, UpdateSnapshots mode, const std::vector<std::string>& log,
+                      std::vector<engine::Failure>& failures, std::vector<GoldenUpdate>& updates) {
     const engine::ExpectLog* expected = golden_log_of(played.walk->walk);
     if (expected == nullptr) {
         return;
     }
-    GoldenCheck check = check_golden(played.result.file, played.result.project, log, settings.update,
-                                     fails_regardless_of_log(failures, played.walk->walk.status));
+    GoldenCheck check = check_golden(played.result.file, played.result.project, log, mode);
     if (check.failure) {
         check.failure->mark = expected->mark;
+        complete_scene(*played.walk, check.failure->scene);
         failures.push_back(std::move(*check.failure));
     }
-    if (!check.written.empty()) {
-        diagnostic_line("wrote " + check.written.generic_string());
+    if (check.update) {
+        updates.push_back(std::move(*check.update));
     }
-    if (!check.withheld.empty()) {
-        diagnostic_line("not written, because the walk fails: " + check.withheld.generic_string());
+}
+
+/// Writes and prints the golden files of a walk, unless it fails.
+void write_goldens(const std::vector<GoldenUpdate>& updates, bool fails) {
+    for (const GoldenUpdate& update : updates) {
+        if (!fails) {
+            scene::write_file_atomically(update.file, update.bytes);
+        }
+        diagnostic_line((fails ? "not written, because the walk fails: " : "wrote ") +
+                        update.file.generic_string());
     }
 }
 
 /// Plays a case only for its frames and draws one part of them; used as FrameHelpers::Draw.
 void draw_frames(const Case& played, const PlaySettings& settings, std::size_t part, std::size_t parts,
-                 const Say& say) {
+                 const Send& send) {
     std::string problem;
     try {
         share_processors(settings.drawing * parts);
@@ -75,13 +106,13 @@ void draw_frames(const Case& played, const PlaySettings& settings, std::size_t p
         const LoadedWalk& loaded = *played.walk;
         const std::unique_ptr<engine::Observer> frames = make_sequence_helper(
             *loaded.campus, loaded.walk, settings.sequence, part, parts,
-            [&say](std::string_view frame) { say(Topic::frame, frame); }, *renderers);
+            [&send](std::string_view frame) { send(Topic::frame, frame); }, *renderers);
         engine::Observer* const observers[] = {frames.get()};
         engine::run_walk(*loaded.campus, loaded.walk, observers);
     } catch (const std::exception& error) {
         problem = error.what();
     }
-    say(Topic::result, problem);
+    send(Topic::result, problem);
 }
 
 template <typename Value>
@@ -94,7 +125,7 @@ void append(std::vector<Value> from, std::vector<Value>& to) {
 CaseRunner::CaseRunner(const PlaySettings& settings)
     : settings_(settings), renderers_(settings.images ? make_renderers(settings.backend) : nullptr) {}
 
-WalkResult CaseRunner::run(const Case& played, const Say& say) {
+WalkResult CaseRunner::run(const Case& played, const Send& send) {
     const std::unique_ptr<FrameHelpers> helpers =
         std::exchange(may_fork_, false) ? frame_helpers_for(played) : nullptr;
     WalkResult result = played.result;
@@ -103,7 +134,7 @@ WalkResult CaseRunner::run(const Case& played, const Say& say) {
         result.status_reason = "it must fail in its pictures, and none are drawn";
         return result;
     }
-    CaseStream stream(say, settings_, golden_log_of(played.walk->walk) != nullptr);
+    CaseStream stream(send, settings_, golden_log_of(played.walk->walk) != nullptr);
     try {
         play_into(result, played, helpers.get(), stream);
     } catch (const Interrupted&) {
@@ -134,8 +165,8 @@ std::unique_ptr<FrameHelpers> CaseRunner::frame_helpers_for(const Case& played) 
         return nullptr;
     }
     try {
-        auto helpers = std::make_unique<FrameHelpers>(parts, [&, parts](std::size_t part, const Say& say) {
-            draw_frames(played, settings_, part, parts, say);
+        auto helpers = std::make_unique<FrameHelpers>(parts, [&, parts](std::size_t part, const Send& send) {
+            draw_frames(played, settings_, part, parts, send);
         });
         share_processors(settings_.drawing * parts);
         return helpers;
@@ -162,11 +193,16 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     result.distance = summary.distance;
     result.hash = summary.hash;
 
-    add_golden_failure(played, settings_, stream.saved_lines(), summary.failures);
+    std::vector<GoldenUpdate> updates;
+    check_golden_log(played, settings_.update, stream.saved_lines(), summary.failures, updates);
     std::vector<engine::Artifact> compared;
     if (images) {
-        compared = images->evaluate(summary.failures);
+        EvaluatedImages evaluated = images->evaluate();
+        append(std::move(evaluated.failures), summary.failures);
+        append(std::move(evaluated.updates), updates);
+        compared = std::move(evaluated.artifacts);
     }
+    write_goldens(updates, fails_regardless_of_goldens(summary.failures, loaded.walk.status));
     engine::EvaluatedWalk evaluated =
         engine::outcome_of_failures(std::move(summary.failures), loaded.walk.status);
     result.outcome = evaluated.outcome;

@@ -26,9 +26,9 @@ struct PlaySettings {
     Backend backend;                   ///< of images
     bool log = false;                  ///< send the text log, as Topic::log
     bool events = false;               ///< send the log as JSON lines, as Topic::events
-    bool place = false;                ///< send the walk's progress now and then, as Topic::place
+    bool progress = false;             ///< send the walk's simulated time now and then, as Topic::progress
     std::vector<std::string> records;  ///< names of record_kinds()
-    UpdateSnapshots update = UpdateSnapshots::missing;
+    UpdateSnapshots update = UpdateSnapshots::none;
     SequenceRequest sequence;
     engine::ImageTolerance tolerance;  ///< of snapshots, unless a walk says otherwise
     std::size_t processes_each = 1;    ///< processes that may draw the frames of one walk
@@ -43,7 +43,7 @@ public:
 
     /// Plays a case that has a walk. The result contains whatever goes wrong. Messages that are sent before
     /// it consist of whole lines.
-    engine::WalkResult run(const Case& played, const Say& say);
+    engine::WalkResult run(const Case& played, const Send& send);
 
 private:
     /// Null if this process draws all frames of the case.

@@ -4,8 +4,8 @@
 
 namespace campuswalk::tools {
 
-CaseStream::CaseStream(const Say& say, const PlaySettings& settings, bool save_lines)
-    : say_(say),
+CaseStream::CaseStream(const Send& send, const PlaySettings& settings, bool save_lines)
+    : send_(send),
       settings_(settings),
       save_lines_(save_lines),
       text_([this](std::string_view line) { add(log_, line); }),
@@ -28,9 +28,9 @@ void CaseStream::on_tick(const engine::TickRecord& record) {
         json_.on_tick(record);
     }
     const Clock::time_point now = Clock::now();
-    if (settings_.place && now - place_sent_ > std::chrono::milliseconds(200)) {
-        place_sent_ = now;
-        say_(Topic::place, engine::fixed(record.time, 1));
+    if (settings_.progress && now - progress_sent_ > std::chrono::milliseconds(200)) {
+        progress_sent_ = now;
+        send_(Topic::progress, engine::fixed(record.time, 1));
     }
     send_if_old(log_, now);
     send_if_old(events_, now);
@@ -61,7 +61,7 @@ void CaseStream::add_event(std::string_view line) {
 
 void CaseStream::send(Batch& batch) {
     if (!batch.lines.empty()) {
-        say_(batch.topic, batch.lines);
+        send_(batch.topic, batch.lines);
         batch.lines.clear();
     }
 }

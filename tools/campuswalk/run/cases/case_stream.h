@@ -17,8 +17,8 @@ namespace campuswalk::tools {
 /// line would cost more than the walk.
 class CaseStream final : public engine::Observer {
 public:
-    /// `say` and `settings` must outlive it. With `save_lines`, it also stores the JSON lines.
-    CaseStream(const Say& say, const PlaySettings& settings, bool save_lines);
+    /// `send` and `settings` must outlive it. With `save_lines`, it also stores the JSON lines.
+    CaseStream(const Send& send, const PlaySettings& settings, bool save_lines);
 
     void begin(const engine::Walk& walk) override;
     void on_tick(const engine::TickRecord& record) override;
@@ -44,12 +44,12 @@ private:
     /// So that the log of a slow walk appears while it is played.
     void send_if_old(Batch& batch, Clock::time_point now);
 
-    const Say& say_;
+    const Send& send_;
     const PlaySettings& settings_;
     bool save_lines_;
     Batch log_{Topic::log};
     Batch events_{Topic::events};
-    Clock::time_point place_sent_ = Clock::now();
+    Clock::time_point progress_sent_ = Clock::now();
     engine::TextLog text_;
     engine::JsonLines json_;
     std::vector<std::string> saved_lines_;

@@ -15,8 +15,8 @@ namespace {
 void detach_from_terminal() {
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGTERM, SIG_IGN);
-    if (const scene::Descriptor nowhere = scene::open_null_device(); nowhere.open()) {
-        dup2(nowhere.number(), STDERR_FILENO);
+    if (const scene::Descriptor null_device = scene::open_null_device(); null_device.open()) {
+        dup2(null_device.number(), STDERR_FILENO);
     }
 }
 

@@ -17,7 +17,7 @@ public:
 
     /// Draws one part of the frames, in a process of its own: sends each as Topic::frame, and at the end an
     /// error message as Topic::result, which is empty if all went well. Throws nothing.
-    using Draw = std::function<void(std::size_t part, const Say& say)>;
+    using Draw = std::function<void(std::size_t part, const Send& send)>;
 
     /// Part 0 is this process. Must be made before it draws anything, as drivers don't survive a fork. Throws
     /// std::runtime_error when no process can be started.

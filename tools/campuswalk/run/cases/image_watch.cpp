@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <utility>
-
-#include "tools/campuswalk/base/report_diagnostics.h"
-#include "tools/campuswalk/images/image_verdicts.h"
 
 namespace campuswalk::tools {
 
@@ -57,19 +53,14 @@ std::vector<engine::Observer*> ImageWatch::observers() {
     return all;
 }
 
-std::vector<engine::Artifact> ImageWatch::evaluate(std::vector<engine::Failure>& failures) const {
+EvaluatedImages ImageWatch::evaluate() const {
     const engine::Walk& walk = played_.walk->walk;
     if (!expects_images(walk)) {
         return {};
     }
-    EvaluatedImages evaluated =
-        evaluate_images({played_.result.file, *played_.walk->campus, walk, settings_.output, played_.folder,
-                         settings_.update, settings_.tolerance, moments_, *taker_.visible_buildings});
-    for (const std::filesystem::path& file : evaluated.written) {
-        diagnostic_line("wrote " + file.generic_string());
-    }
-    std::ranges::move(evaluated.failures, std::back_inserter(failures));
-    return std::move(evaluated.artifacts);
+    return evaluate_images({played_.result.file, *played_.walk->campus, walk, settings_.output,
+                            played_.folder, settings_.update, settings_.tolerance, moments_,
+                            *taker_.visible_buildings});
 }
 
 std::vector<engine::Artifact> ImageWatch::snapshot_files() const {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/expect/failure.h"
 #include "engine/observers/snapshot_states.h"
 #include "engine/record/observer.h"
 #include "engine/report/walk_result.h"
+#include "tools/campuswalk/images/image_verdicts.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/run/cases/case_runner.h"
 #include "tools/campuswalk/run/plan/plan.h"
@@ -28,9 +28,8 @@ public:
     /// This and the observers that it needs, which live as long as this.
     std::vector<engine::Observer*> observers();
 
-    /// To be called when the walk has ended: appends the failures of its image expectations, prints which
-    /// golden images were written, and returns the images that show differences.
-    std::vector<engine::Artifact> evaluate(std::vector<engine::Failure>& failures) const;
+    /// Evaluates the walk's image expectations; to be called when it has ended.
+    EvaluatedImages evaluate() const;
 
     /// The snapshots that the walk took, in order.
     std::vector<engine::Artifact> snapshot_files() const;

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <variant>
 
+#include "config/loader/load_run.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 
@@ -94,7 +95,7 @@ std::vector<fs::path> Dependencies::walks_of(const std::set<fs::path>& changed) 
         Paths users;
         if (const auto known = walks_by_file_.find(file); known != walks_by_file_.end()) {
             users = known->second;
-        } else if (file.string().ends_with(".walk.yaml")) {
+        } else if (file.string().ends_with(config::kWalkSuffix)) {
             users = {file};
         } else if (file.extension() != ".yaml") {
             users = walks_of_model_at(file);

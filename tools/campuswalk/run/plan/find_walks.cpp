@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "config/loader/load_run.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 
@@ -14,11 +15,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kSuffix = ".walk.yaml";
-
 bool is_walk(const fs::path& file) {
     const std::string name = file.filename().string();
-    return name.size() > kSuffix.size() && name.ends_with(kSuffix) && name.front() != '.';
+    return name.size() > config::kWalkSuffix.size() && name.ends_with(config::kWalkSuffix) &&
+           name.front() != '.';
 }
 
 class Search {
@@ -107,7 +107,7 @@ std::vector<std::string> output_names(const std::vector<fs::path>& files) {
     std::vector<std::string> names;
     names.reserve(absolute.size());
     for (const fs::path& file : absolute) {
-        names.push_back(without_ending(file.lexically_relative(root).generic_string(), kSuffix));
+        names.push_back(without_ending(file.lexically_relative(root).generic_string(), config::kWalkSuffix));
     }
     return names;
 }

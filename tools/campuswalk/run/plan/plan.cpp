@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "config/loader/load_run.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -39,7 +40,7 @@ public:
             selectors_.push_back(selector_of(project));
         }
         read_all(plan);
-        keep_only_marked();
+        plan.left_out = keep_only_marked();
         if (options_.ids) {
             std::erase_if(candidates_,
                           [&](const Candidate& candidate) { return !has_selected_id(candidate); });
@@ -71,7 +72,7 @@ private:
         Candidate candidate;
         WalkResult& result = candidate.result;
         result.file = file.generic_string();
-        result.name = without_ending(file.filename().generic_string(), ".walk.yaml");
+        result.name = without_ending(file.filename().generic_string(), config::kWalkSuffix);
         result.project = project.name;
         result.config = project.name.empty() ? "" : settings_.config.generic_string();
         result.id = result.file + (project.name.empty() ? "" : " " + project.name);
@@ -92,6 +93,9 @@ private:
         walk.sim.tree = options_.tree.value_or(walk.sim.tree);
         if (!walk.timeout) {
             walk.timeout = project.timeout ? project.timeout : settings_.timeout;
+        }
+        if (options_.max_timeout) {
+            walk.timeout = std::min(walk.timeout.value_or(*options_.max_timeout), *options_.max_timeout);
         }
     }
 
@@ -124,18 +128,19 @@ private:
         return candidate.run && candidate.run->walk.status.kind == WalkStatus::Kind::only;
     }
 
-    /// A walk that can't be read might be marked `only`, so it stays.
-    void keep_only_marked() {
+    /// Returns how many walks it removes. A walk that can't be read might be marked `only`, so it stays.
+    std::size_t keep_only_marked() {
         const auto first = std::ranges::find_if(candidates_, is_only);
         if (first == candidates_.end()) {
-            return;
+            return 0;
         }
         if (settings_.forbid_only) {
-            throw InputError(
-                first->run->walk.status.mark, "only-forbidden",
-                "'status: only' keeps the other walks from being run; take it out (--forbid-only)");
+            throw InputError(first->run->walk.status.mark, "only-forbidden",
+                             "'status: only' keeps the other walks from being run, which --forbid-only and "
+                             "CI don't allow; "
+                             "remove it");
         }
-        std::erase_if(candidates_, [](const Candidate& candidate) {
+        return std::erase_if(candidates_, [](const Candidate& candidate) {
             return candidate.run.has_value() && !is_only(candidate);
         });
     }
@@ -206,7 +211,7 @@ private:
 std::string remark(const WalkResult& result) {
     const std::string reason = result.status_reason.empty() ? "" : ": " + result.status_reason;
     if (result.outcome == Outcome::bad_input) {
-        return " (has mistakes)";
+        return " (has errors)";
     }
     if (result.outcome == Outcome::skipped) {
         return " (skip" + reason + ")";

@@ -27,6 +27,7 @@ struct Plan {
     std::vector<Case> cases;
     std::size_t selected = 0;  ///< number of cases before the division into shards
     std::size_t files = 0;     ///< number of walk files found
+    std::size_t left_out = 0;  ///< number of selected walks that aren't marked `only` where others are
 };
 
 struct PlanOptions {
@@ -34,6 +35,7 @@ struct PlanOptions {
     std::optional<std::set<std::string>> ids;  ///< only these cases
     int repeat_each = 1;
     std::optional<collision::TreeKind> tree;
+    std::optional<double> max_timeout;  ///< seconds; limits the walks' own timeouts, too
 };
 
 /// Which walks a project plays. Throws scene::InputError (bad-regex).

@@ -108,17 +108,19 @@ bool uses_color(ColorChoice choice, const Environment& environment) {
     return isatty(STDOUT_FILENO) == 1 && !environment("NO_COLOR") && environment("TERM") != "dumb";
 }
 
+bool is_ci(const Environment& environment) {
+    const std::string ci = environment("CI").value_or("false");
+    return ci != "false" && ci != "0";
+}
+
 /// References are written and checked by a person, never by a CI machine.
 UpdateSnapshots updates_for(const RunOptions& options, const Environment& environment) {
-    const std::string ci = environment("CI").value_or("false");
-    if (ci == "false" || ci == "0") {
-        return options.update.value_or(UpdateSnapshots::missing);
-    }
-    if (options.update.value_or(UpdateSnapshots::none) != UpdateSnapshots::none) {
+    const UpdateSnapshots update = options.update.value_or(UpdateSnapshots::none);
+    if (update != UpdateSnapshots::none && is_ci(environment)) {
         throw InputError(option("--update-snapshots"), "bad-value",
                          "golden logs aren't written where CI is set; unset it if this isn't CI");
     }
-    return UpdateSnapshots::none;
+    return update;
 }
 
 std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& config) {
@@ -159,7 +161,7 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
                                                    : config.max_failures;
     settings.timeout = options.timeout ? options.timeout : config.timeout;
     settings.kill_after = options.kill_after ? options.kill_after : config.kill_after;
-    settings.forbid_only = options.forbid_only || config.forbid_only;
+    settings.forbid_only = options.forbid_only || config.forbid_only || is_ci(environment);
     settings.tolerance = engine::changed({}, config.snapshots);
     settings.output = as_seen_from_here(options.output.value_or(config.output.value_or("out")));
     settings.reports = reports_for(options, config, settings.single);

@@ -35,7 +35,7 @@ struct RunSettings {
     bool forbid_only = false;
     std::filesystem::path output;
     std::vector<ReportTarget> reports;  ///< that to standard output first, if there is one
-    UpdateSnapshots update = UpdateSnapshots::missing;
+    UpdateSnapshots update = UpdateSnapshots::none;
     engine::ImageTolerance tolerance;  ///< of snapshots, unless a walk says otherwise
     bool color = false;
 };

@@ -14,7 +14,7 @@ std::shared_ptr<const re2::RE2> compiled(const std::string& regex, const scene::
     auto expression = std::make_shared<const re2::RE2>(regex, options);
     if (!expression->ok()) {
         throw scene::InputError(mark, "bad-regex",
-                                "'" + regex + "' is no regular expression: " + expression->error());
+                                "'" + regex + "' isn't a valid regular expression: " + expression->error());
     }
     return expression;
 }

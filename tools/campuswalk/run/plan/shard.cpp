@@ -19,37 +19,38 @@ std::optional<int> parse_int(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const std::string& variable, const std::string& why) {
-    throw error_about(variable, "bad-shard", why + "; mend the variables, or say --shard=1/1 for all walks");
+    throw error_about(variable, "bad-shard",
+                      why + "; correct the variables, or pass --shard=1/1 for all walks");
 }
 
 int number_in(const Environment& environment, const std::string& name) {
     const std::optional<std::string> text = environment(name);
     if (!text) {
-        refuse(name, "the variable isn't set, but others are that only make sense with it");
+        refuse(name, "the variable isn't set, but others that require it are");
     }
     const std::optional<int> value = parse_int(*text);
     if (!value) {
-        refuse(name, "'" + *text + "' is no whole number");
+        refuse(name, "'" + *text + "' isn't a whole number");
     }
     return *value;
 }
 
 Shard checked(int index, int count, const std::string& from) {
     if (count < 1 || count > kMaxShards || index >= count) {
-        refuse(from, "index " + std::to_string(index) + ", from 0, is none of " + std::to_string(count) +
-                         " shards");
+        refuse(from, "index " + std::to_string(index) + " (from 0) is out of range for " +
+                         std::to_string(count) + " shards");
     }
     return {index, count, from, ""};
 }
 
 Shard slurm_shard(const Environment& environment) {
     const std::string name = "SLURM_ARRAY_TASK_ID";
-    const int least = number_in(environment, "SLURM_ARRAY_TASK_MIN");
+    const int first = number_in(environment, "SLURM_ARRAY_TASK_MIN");
     const int step =
         environment("SLURM_ARRAY_TASK_STEP") ? number_in(environment, "SLURM_ARRAY_TASK_STEP") : 1;
-    const int offset = number_in(environment, name) - least;
+    const int offset = number_in(environment, name) - first;
     if (step < 1 || offset < 0 || offset % step != 0) {
-        refuse(name, "it is none of those from SLURM_ARRAY_TASK_MIN on in SLURM_ARRAY_TASK_STEPs");
+        refuse(name, "it isn't SLURM_ARRAY_TASK_MIN plus a multiple of SLURM_ARRAY_TASK_STEP");
     }
     return checked(offset / step, number_in(environment, "SLURM_ARRAY_TASK_COUNT"), name);
 }

@@ -33,7 +33,7 @@ double seconds_now() {
 
 [[noreturn]] void refuse(const fs::path& file, int line, const std::string& why) {
     throw scene::InputError({file.generic_string(), line, line > 0 ? 1 : 0}, "bad-last-run",
-                            why + "; delete the file and run everything once more");
+                            why + "; delete the file and run everything again");
 }
 
 /// Reads every file once, and models not at all.

@@ -23,7 +23,7 @@ public:
     /// `with_logs`.
     Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs);
 
-    bool wants_log() const { return !logs_.empty(); }
+    bool has_log() const { return !logs_.empty(); }
     /// Whether a report on standard output says how the walks ended.
     bool prints_outcomes() const { return prints_outcomes_; }
 

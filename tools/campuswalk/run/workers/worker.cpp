@@ -26,14 +26,14 @@ std::optional<std::size_t> read_task(int from) {
 
 /// A worker's whole life, in its process.
 [[noreturn]] void serve(const StartWork& start, int tasks, int answers) {
-    const Say say = [&](Topic topic, std::string_view body) {
+    const Send send = [&](Topic topic, std::string_view body) {
         if (!scene::write_all(answers, framed(topic, body))) {
             _exit(1);  // nobody reads any more
         }
     };
     const Work work = start();
     while (const std::optional<std::size_t> task = read_task(tasks)) {
-        work(*task, say);
+        work(*task, send);
     }
     _exit(0);  // skips freeing the memory
 }

@@ -15,11 +15,11 @@ namespace campuswalk::tools {
 
 /// What a worker's message is about.
 enum class Topic : std::uint8_t {
-    log,     ///< lines of the text log
-    events,  ///< JSON lines of the log
-    place,   ///< the walk's simulated time in seconds, to show progress
-    frame,   ///< what SequenceSharing::take returns, from a FrameHelpers process
-    result,  ///< the last: engine::to_json_line, or the error of a FrameHelpers process
+    log,       ///< lines of the text log
+    events,    ///< JSON lines of the log
+    progress,  ///< the walk's simulated time in seconds
+    frame,     ///< what SequenceSharing::take returns, from a FrameHelpers process
+    result,    ///< the last: engine::to_json_line, or the error of a FrameHelpers process
 };
 
 struct Message {
@@ -44,9 +44,9 @@ private:
 };
 
 /// Sends a message about the current task from the worker's process.
-using Say = std::function<void(Topic topic, std::string_view body)>;
+using Send = std::function<void(Topic topic, std::string_view body)>;
 /// Does a task; must finally send Topic::result. Throws nothing.
-using Work = std::function<void(std::size_t task, const Say& say)>;
+using Work = std::function<void(std::size_t task, const Send& send)>;
 /// Called once in the worker's process to create what the work needs, which the worker shares with nobody.
 using StartWork = std::function<Work()>;
 

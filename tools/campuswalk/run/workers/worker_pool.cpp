@@ -23,7 +23,7 @@ WorkerPool::WorkerPool(const StartWork& start, std::vector<std::size_t> tasks, P
                        const PoolSettings& settings)
     : tasks_(std::move(tasks)),
       start_([this, start] {
-          return [this, work = start()](std::size_t place, const Say& say) { work(tasks_[place], say); };
+          return [this, work = start()](std::size_t index, const Send& send) { work(tasks_[index], send); };
       }),
       listener_(std::move(listener)),
       settings_(settings) {}
@@ -48,7 +48,7 @@ bool WorkerPool::run() {
 /// for it forever.
 void WorkerPool::hand_out() {
     while (next_ < tasks_.size() && pending_.size() < kMaxWaiting) {
-        if (buffered_ > settings_.most_buffered && next_ != reported_) {
+        if (buffered_ > settings_.max_buffered && next_ != reported_) {
             return;
         }
         auto idle = std::ranges::find_if(workers_, [](const Worker& worker) { return !worker.task(); });
@@ -70,7 +70,7 @@ void WorkerPool::hand_out() {
 }
 
 bool WorkerPool::may_read_from(const Worker& worker) const {
-    return buffered_ <= settings_.most_buffered || worker.task() == reported_;
+    return buffered_ <= settings_.max_buffered || worker.task() == reported_;
 }
 
 void WorkerPool::wait_for_answers() {
@@ -95,35 +95,35 @@ void WorkerPool::wait_for_answers() {
 
 void WorkerPool::read_from(Worker& worker) {
     const bool alive = worker.read();
-    while (const std::optional<std::size_t> place = worker.task()) {
+    while (const std::optional<std::size_t> index = worker.task()) {
         std::optional<Message> message = worker.next_message();
         if (!message) {
             break;
         }
-        take(*place, std::move(*message));
+        take(*index, std::move(*message));
     }
     if (!alive) {
-        const std::optional<std::size_t> place = worker.task();
+        const std::optional<std::size_t> index = worker.task();
         const std::string reason = scene::to_string(worker.wait());
-        if (place) {
-            end_task(*place, {false, "the process that played the walk is gone: " + reason});
+        if (index) {
+            end_task(*index, {false, "the process that played the walk is gone: " + reason});
         }
     }
 }
 
-void WorkerPool::take(std::size_t place, Message message) {
+void WorkerPool::take(std::size_t index, Message message) {
     if (message.topic == Topic::result) {
-        end_task(place, {true, std::move(message.body)});
+        end_task(index, {true, std::move(message.body)});
         return;
     }
     buffered_ += message.body.size();
-    pending_.at(place).messages.push_back(std::move(message));
+    pending_.at(index).messages.push_back(std::move(message));
 }
 
-void WorkerPool::end_task(std::size_t place, Ending ending) {
-    listener_.result_received(tasks_[place], ending);
+void WorkerPool::end_task(std::size_t index, Ending ending) {
+    listener_.on_result(tasks_[index], ending);
     buffered_ += ending.text.size();
-    pending_.at(place).ending = std::move(ending);
+    pending_.at(index).ending = std::move(ending);
 }
 
 void WorkerPool::kill_slow_workers() {
@@ -132,11 +132,11 @@ void WorkerPool::kill_slow_workers() {
     }
     const Clock::time_point now = Clock::now();
     for (Worker& worker : workers_) {
-        const std::optional<std::size_t> place = worker.task();
-        if (place && now > pending_.at(*place).deadline) {
+        const std::optional<std::size_t> index = worker.task();
+        if (index && now > pending_.at(*index).deadline) {
             worker.send_signal(SIGKILL);
             worker.wait();
-            end_task(*place, {false, "stopped: it took more than " + engine::fixed(*settings_.kill_after, 1) +
+            end_task(*index, {false, "stopped: it took more than " + engine::fixed(*settings_.kill_after, 1) +
                                          " s of wall clock (--kill-after)"});
         }
     }
@@ -150,7 +150,7 @@ bool WorkerPool::report() {
         Pending& pending = first->second;
         for (; !pending.messages.empty(); pending.messages.pop_front()) {
             buffered_ -= pending.messages.front().body.size();
-            listener_.heard(task, pending.messages.front().topic, pending.messages.front().body);
+            listener_.on_message(task, pending.messages.front().topic, pending.messages.front().body);
         }
         if (!pending.ending) {
             return true;
@@ -159,7 +159,7 @@ bool WorkerPool::report() {
         buffered_ -= ending.text.size();
         pending_.erase(first);
         ++reported_;
-        if (!listener_.ended(task, ending)) {
+        if (!listener_.on_end(task, ending)) {
             return false;
         }
     }
@@ -181,9 +181,9 @@ bool WorkerPool::finish_interrupted() {
         wants_more = report();
     }
     // Also report tasks that finished after one that didn't.
-    for (auto& [place, pending] : pending_) {
+    for (auto& [index, pending] : pending_) {
         if (wants_more && pending.ending) {
-            wants_more = listener_.ended(tasks_[place], *pending.ending);
+            wants_more = listener_.on_end(tasks_[index], *pending.ending);
         }
     }
     workers_.clear();

@@ -1,4 +1,4 @@
-// Corrects the length and the checksum of damaged files, as a forger would: `seal_anew FILE…`.
+// Corrects the length and the checksum of damaged files, as a forger would: `correct_checksums FILE…`.
 
 #include <cstring>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "tests/tools/procedural/placement_flood_fill.h"
+#include "tests/tools/campuswalk_bench/procedural/placement_flood_fill.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/effort.h"
-#include "tests/tools/procedural/placement_flood_fill.h"
+#include "tests/tools/campuswalk_bench/procedural/placement_flood_fill.h"
 #include "tools/campuswalk_bench/procedural/walkable_campus.h"
 
 namespace campuswalk::tools::bench {

@@ -1,5 +1,5 @@
-// Reads files as answers of the import helper, and uses the models as a campus does: `take_answers FILE…`
-// prints one line per file, "taken" or why it was refused.
+// Reads files as responses of the import helper, and uses the models as a campus does: `read_responses FILE…`
+// prints one line per file, "accepted" or why it was refused.
 
 #include <cstdio>
 #include <filesystem>
@@ -34,15 +34,15 @@ void use(const std::vector<scene::Model>& models) {
     const std::size_t triangles = baked.mesh.triangles.size();
     if (triangles > 0) {
         const collision::MeshCollider collider(std::move(baked.mesh));
-        std::printf("taken: %zu triangles, %zu, %d\n", triangles, texels, collider.closed_parts().empty());
+        std::printf("accepted: %zu triangles, %zu, %d\n", triangles, texels, collider.closed_parts().empty());
     } else {
-        std::printf("taken: no triangle\n");
+        std::printf("accepted: no triangle\n");
     }
 }
 
-void take(const char* file) {
+void read_response(const char* file) {
     scene::SceneFile request;
-    request.file = "answer.glb";
+    request.file = "response.glb";
     request.path = file;
     try {
         const scene::Importer importer = scene::import_in_process({"/bin/cat", {file}});
@@ -59,7 +59,7 @@ void take(const char* file) {
 
 int main(int argc, char** argv) {
     for (const char* file : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
-        take(file);
+        read_response(file);
         std::fflush(stdout);
     }
     return 0;
