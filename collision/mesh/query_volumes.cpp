@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "collision/geometry/closest.h"
 #include "collision/hybrid/volume_overlap.h"
 
 namespace campuswalk::collision {
@@ -71,17 +70,25 @@ double PointVolume::bound(const OrientedBox& inner) const {
     return box_bound(*this, inner);
 }
 
-PathVolume::PathVolume(const Segment& segment, double radius, const Vec3& move)
-    : half_(0.5 * (segment.b - segment.a)), radius_(radius), reach_(half_.norm() + radius), thick_(true) {
-    const Vec3 middle = 0.5 * (segment.a + segment.b);
-    path_ = {middle, middle + move};
+PathVolume::PathVolume(const Ray& ray) : path_(ray), along_(ray.to - ray.from) {
+    const double length2 = along_.squaredNorm();
+    inverse_length2_ = length2 > 0.0 ? 1.0 / length2 : 0.0;
 }
 
+PathVolume::PathVolume(const Segment& segment, double radius, const Vec3& move)
+    : PathVolume(Ray{0.5 * (segment.a + segment.b), 0.5 * (segment.a + segment.b) + move}) {
+    half_ = 0.5 * (segment.b - segment.a);
+    radius_ = radius;
+    reach_ = half_.norm() + radius;
+    thick_ = true;
+}
+
+// closest_on_segment() with what is the same for all nodes computed once.
 double PathVolume::bound(const BoundingSphere& outer) const {
-    const Segment path{path_.from - outer.center, path_.to - outer.center};
-    const double size = path.a.cwiseAbs().sum() + path.b.cwiseAbs().sum();
+    const Vec3 from = path_.from - outer.center;
+    const Vec3 nearest = from + std::clamp(-from.dot(along_) * inverse_length2_, 0.0, 1.0) * along_;
+    const double size = 2.0 * from.cwiseAbs().sum() + along_.cwiseAbs().sum();
     const double reach = outer.radius + reach_ + kOutward * (size + reach_);
-    const Vec3 nearest = closest_on_segment(path, Vec3::Zero());
     return nearest.squaredNorm() > reach * reach ? kApart<double> : 0.0;
 }
 

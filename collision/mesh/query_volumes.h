@@ -150,7 +150,7 @@ private:
 /// The volume that a ray or a moving capsule sweeps. Bounds are fractions of the motion.
 class PathVolume {
 public:
-    explicit PathVolume(const Ray& ray) : path_(ray) {}
+    explicit PathVolume(const Ray& ray);
     PathVolume(const Segment& segment, double radius, const Vec3& move);
 
     double bound(const BoundingSphere& outer) const;
@@ -167,8 +167,10 @@ public:
     }
 
 private:
-    Ray path_;                  ///< of the body's centre
-    Vec3 half_ = Vec3::Zero();  ///< from the centre to the segment's end
+    Ray path_;  ///< of the body's centre
+    Vec3 along_ = Vec3::Zero();
+    double inverse_length2_ = 0.0;  ///< of the path; 0 if it has no length
+    Vec3 half_ = Vec3::Zero();      ///< from the centre to the segment's end
     double radius_ = 0.0;
     double reach_ = 0.0;  ///< from the centre to the farthest point
     bool thick_ = false;
