@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "scene/base/content_hash.h"
+#include "scene/base/checksum.h"
 
 namespace campuswalk::scene {
 namespace {

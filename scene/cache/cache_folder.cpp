@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kSuffix = ".campuswalk";
-constexpr std::size_t kHashDigits = 32;
+constexpr std::size_t kHashDigits = 64;
 
 struct Entry {
     timespec used{};
@@ -60,15 +60,15 @@ fs::path CacheFolder::path_of(const ContentHash& key, const Kind& kind) const {
     return folder_ / (to_string(key) + "." + kind + std::string(kSuffix));
 }
 
-std::shared_ptr<const MappedFile> CacheFolder::find(const ContentHash& key, const Kind& kind) const {
+std::shared_ptr<const FileContents> CacheFolder::find(const ContentHash& key, const Kind& kind) const {
     const fs::path file = path_of(key, kind);
-    std::optional<MappedFile> found = MappedFile::open_unchanging(file);
+    std::optional<FileContents> found = is_own_folder(folder_) ? FileContents::read_own(file) : std::nullopt;
     if (!found) {
         return nullptr;
     }
     // Not every file system records access times.
     utimensat(AT_FDCWD, file.c_str(), nullptr, 0);
-    return std::make_shared<const MappedFile>(std::move(*found));
+    return std::make_shared<const FileContents>(std::move(*found));
 }
 
 void CacheFolder::store(const ContentHash& key, const Kind& kind,
@@ -84,18 +84,26 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
     if (fs::create_directories(folder_, error)) {
         fs::permissions(folder_, fs::perms::owner_all, error);  // models may be confidential
     }
+    if (fs::is_directory(folder_, error) && !is_own_folder(folder_)) {
+        report("'" + folder_.string() + "' isn't used: another user owns it or may write to it (chmod go-w)");
+        return;
+    }
     const fs::path file = path_of(key, kind);
     try {
         write_file_atomically(file, buffers);
-        // Files that others may write to have to be copied when they are read.
+        // Whatever the umask is: files that others may write to aren't read.
         fs::permissions(file, fs::perms::group_write | fs::perms::others_write, fs::perm_options::remove,
                         error);
     } catch (const std::runtime_error& failure) {
-        if (on_write_error_) {
-            on_write_error_(failure.what());
-        }
+        report(failure.what());
     }
     evict();
+}
+
+void CacheFolder::report(const std::string& error) const {
+    if (on_write_error_) {
+        on_write_error_(error);
+    }
 }
 
 void CacheFolder::evict() const {

@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "scene/base/content_hash.h"
-#include "scene/cache/mapped_file.h"
+#include "scene/cache/content_hash.h"
+#include "scene/cache/file_contents.h"
 
 namespace campuswalk::scene {
 
@@ -18,7 +18,8 @@ namespace campuswalk::scene {
 /// the same file write the same contents.
 ///
 /// The contents are untrusted: callers validate them. Read and write errors never fail the caller: they count
-/// as cache misses.
+/// as cache misses. So does everything in a folder that another user owns or may write to: files there could
+/// be valid and yet of another model.
 class CacheFolder {
 public:
     static constexpr std::uint64_t kDefaultLimit = std::uint64_t{4} << 30U;
@@ -31,9 +32,9 @@ public:
     /// Such as "model"; letters only.
     using Kind = std::string;
 
-    /// The file, which becomes the most recently used; null if there is none. Its bytes don't change during
-    /// its lifetime.
-    std::shared_ptr<const MappedFile> find(const ContentHash& key, const Kind& kind) const;
+    /// The file, which becomes the most recently used; null if there is none, or if another user may have
+    /// written it.
+    std::shared_ptr<const FileContents> find(const ContentHash& key, const Kind& kind) const;
 
     /// Stores the bytes, then removes the least recently used files until the rest fits the limit. A file
     /// larger than the limit is not stored.
@@ -42,6 +43,7 @@ public:
 
 private:
     std::filesystem::path path_of(const ContentHash& key, const Kind& kind) const;
+    void report(const std::string& error) const;
     void evict() const;
 
     std::filesystem::path folder_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/base/binary_archive.h"
+#include "scene/cache/file_contents.h"
 #include "scene/cache/program_hash.h"
 #include "scene/import/source/scene_folder.h"
 #include "scene/model/model_file.h"
@@ -36,12 +37,6 @@ std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
     }
     in.finish();
     return requests;
-}
-
-/// nullopt if the file can't be read.
-std::optional<ContentHash> hash_of_file(const std::filesystem::path& file) {
-    const std::optional<MappedFile> mapped = MappedFile::open(file);
-    return mapped ? std::optional(hash_of(mapped->bytes())) : std::nullopt;
 }
 
 /// The hash of the scene file, its settings and the program.
@@ -81,19 +76,31 @@ ContentHash key_with_files(const ContentHash& key, const SceneFile& file, const 
     return hasher.result();
 }
 
+std::vector<std::filesystem::path> files_of(const SceneFile& file, const std::vector<FileRequest>& requests) {
+    std::vector<std::filesystem::path> files = {file.path};
+    const SceneFolder folder(file.path);
+    for (const FileRequest& request : requests) {
+        if (const std::optional<std::filesystem::path> found = folder.find(request)) {
+            files.push_back(*found);
+        }
+    }
+    return files;
+}
+
 std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& key,
                                       const ContentHash& contents, const CacheFolder& cache) {
     try {
-        const auto requests = cache.find(key, kRequestsKind);
-        if (!requests) {
+        const auto requests_file = cache.find(key, kRequestsKind);
+        if (!requests_file) {
             return std::nullopt;
         }
-        const ContentHash model_key = key_with_files(key, file, contents, read_requests(requests->bytes()));
+        const std::vector<FileRequest> requests = read_requests(requests_file->bytes());
+        const ContentHash model_key = key_with_files(key, file, contents, requests);
         const auto cached = cache.find(model_key, kModelKind);
         if (!cached) {
             return std::nullopt;
         }
-        LoadedModel loaded{read_model_file(cached->bytes(), cached), model_key};
+        LoadedModel loaded{read_model_file(cached->bytes(), cached), model_key, files_of(file, requests)};
         for (Diagnostic& warning : loaded.imported.warnings) {
             warning.mark = file.mark;  // the file may be named on another line now
         }
@@ -103,9 +110,15 @@ std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& 
     }
 }
 
+LoadedModel imported(const SceneFile& file, EmptyModel if_empty, const Importer& importer) {
+    ImportedModel model = importer(file, if_empty);
+    std::vector<std::filesystem::path> files = files_of(file, model.requests);
+    return {std::move(model), std::nullopt, std::move(files)};
+}
+
 LoadedModel import_and_cache(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
                              const CacheFolder& cache, const ContentHash& contents) {
-    LoadedModel loaded{importer(file, if_empty), {}};
+    LoadedModel loaded = imported(file, if_empty, importer);
     const ContentHash key = key_of(file, if_empty, contents);
     if (hash_of_file(file.path) == contents) {  // it didn't change meanwhile
         loaded.contents = key_with_files(key, file, contents, loaded.imported.requests);
@@ -123,7 +136,7 @@ LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importe
                        const CacheFolder* cache) {
     const std::optional<ContentHash> contents = cache != nullptr ? hash_of_file(file.path) : std::nullopt;
     if (!contents) {
-        return {importer(file, if_empty), {}};  // an unreadable file is its error
+        return imported(file, if_empty, importer);  // an unreadable file is its error
     }
     const ContentHash key = key_of(file, if_empty, *contents);
     if (std::optional<LoadedModel> cached = find_model(file, key, *contents, *cache)) {

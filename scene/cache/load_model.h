@@ -1,7 +1,11 @@
 #pragma once
 
-#include "scene/base/content_hash.h"
+#include <filesystem>
+#include <optional>
+#include <vector>
+
 #include "scene/cache/cache_folder.h"
+#include "scene/cache/content_hash.h"
 #include "scene/import/import_model.h"
 #include "scene/model/scene_file.h"
 
@@ -12,6 +16,7 @@ struct LoadedModel {
     /// The hash of everything that the model depends on: all files that the import looked up, the settings,
     /// the program. nullopt without a cache, or if the file changed during the import.
     std::optional<ContentHash> contents;
+    std::vector<std::filesystem::path> files;  ///< those that it was read from; the scene file first
 };
 
 /// The result of `importer`, or the cached result of an earlier import of the same files with the same

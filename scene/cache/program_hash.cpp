@@ -1,14 +1,11 @@
 #include "scene/cache/program_hash.h"
 
-#include "scene/cache/mapped_file.h"
+#include "scene/cache/file_contents.h"
 
 namespace campuswalk::scene {
 
 const ContentHash& program_hash() {
-    static const ContentHash hash = [] {
-        const auto program = MappedFile::open("/proc/self/exe");
-        return program ? hash_of(program->bytes()) : ContentHash{};
-    }();
+    static const ContentHash hash = hash_of_file("/proc/self/exe").value_or(ContentHash{});
     return hash;
 }
 

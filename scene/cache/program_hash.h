@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/base/content_hash.h"
+#include "scene/cache/content_hash.h"
 
 namespace campuswalk::scene {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "scene/base/content_hash.h"
 #include "scene/cache/cache_folder.h"
+#include "scene/cache/content_hash.h"
 #include "scene/cache/tree_file.h"
 #include "scene/campus/campus_description.h"
 #include "scene/campus/collider_shapes.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/base/binary_archive.h"
-#include "scene/base/content_hash.h"
+#include "scene/base/checksum.h"
 
 using namespace campuswalk::scene;
 

@@ -80,7 +80,7 @@ class Cache(ProgramCase):
     def test_a_full_disk_is_reported_once_and_the_cache_is_filled_later(self):
         """On a disk of 4 kB in its own mount namespace, which needs no root where the system allows user namespaces."""
         os.mkdir(self.cache)
-        script = """mount -t tmpfs -o size=4k full cache || exit 77
+        script = """mount -t tmpfs -o size=4k,mode=700 full cache || exit 77
             "$0" run short.walk.yaml >full.log 2>full.err || exit 1
             ls cache >full.names
             mount -o remount,size=1m cache

@@ -114,6 +114,7 @@ THIRD_PARTY = {
     "assimp/": ["scene/import", "tools/campuswalk_bench/peers"],
     "stb/": ["scene/import"],
     "xxhash.h": ["scene/base"],
+    "nettle/": ["scene/cache"],
     "draco/": ["scene/import/gltf", "tests/scene/import/gltf"],
     "meshoptimizer.h": ["scene/import/gltf", "tests/scene/import/gltf"],
     "webp/": ["scene/import", "tests/scene/import/gltf"],

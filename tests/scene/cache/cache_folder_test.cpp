@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ContentHash kA{1, 1};
-constexpr ContentHash kB{2, 2};
-constexpr ContentHash kC{3, 3};
+constexpr ContentHash kA{{1}};
+constexpr ContentHash kB{{2}};
+constexpr ContentHash kC{{3}};
 
 class CacheFolderTest : public testing::Test {
 protected:
@@ -117,12 +117,9 @@ TEST_F(CacheFolderTest, ReadsRegularFilesOnly) {
     EXPECT_EQ(diagnostics_.size(), 1U);
 }
 
-/// Found files are used without copying, so they must not change.
-TEST_F(CacheFolderTest, FoundBytesStayTheSameIfOthersWriteToTheFile) {
+TEST_F(CacheFolderTest, FoundBytesStayTheSameWhenTheFileIsRewrittenOrTruncated) {
     const CacheFolder cache(where_);
     store(cache, kA, 5000);
-    EXPECT_EQ(fs::status(file_of(kA)).permissions() & fs::perms(022), fs::perms::none);
-    fs::permissions(file_of(kA), fs::perms::others_write, fs::perm_options::add);
     const auto found = cache.find(kA, "model");
     ASSERT_TRUE(found);
     ASSERT_EQ(found->bytes().size(), 5000U);
@@ -130,6 +127,42 @@ TEST_F(CacheFolderTest, FoundBytesStayTheSameIfOthersWriteToTheFile) {
     fs::resize_file(file_of(kA), 100);
     EXPECT_EQ(found->bytes()[0], std::byte{7});
     EXPECT_EQ(found->bytes()[4999], std::byte{7});
+}
+
+TEST_F(CacheFolderTest, RefusesWhatOthersMayWriteTo) {
+    const CacheFolder cache = reporting_cache(where_);
+    const auto others_may_write = [](const fs::path& path, bool may) {
+        fs::permissions(path, fs::perms::others_write,
+                        may ? fs::perm_options::add : fs::perm_options::remove);
+    };
+    store(cache, kA, 5);
+    EXPECT_EQ(fs::status(file_of(kA)).permissions() & fs::perms(022), fs::perms::none);
+    others_may_write(file_of(kA), true);
+    EXPECT_FALSE(cache.find(kA, "model"));
+    others_may_write(file_of(kA), false);
+    EXPECT_TRUE(cache.find(kA, "model"));
+    others_may_write(where_, true);
+    EXPECT_FALSE(cache.find(kA, "model"));
+    EXPECT_TRUE(diagnostics_.empty());
+    store(cache, kB, 5);
+    ASSERT_EQ(diagnostics_.size(), 1U);
+    EXPECT_NE(diagnostics_[0].find(where_.string()), std::string::npos) << diagnostics_[0];
+    EXPECT_FALSE(fs::exists(file_of(kB)));
+}
+
+TEST_F(CacheFolderTest, RefusesWhatAnotherUserOwns) {
+    if (geteuid() != 0) {
+        GTEST_SKIP() << "only root can give files away";
+    }
+    const CacheFolder cache = reporting_cache(where_);
+    constexpr uid_t kNobody = 65534;
+    store(cache, kA, 5);
+    ASSERT_EQ(chown(file_of(kA).c_str(), kNobody, kNobody), 0);
+    EXPECT_FALSE(cache.find(kA, "model"));
+    ASSERT_EQ(chown(file_of(kA).c_str(), 0, 0), 0);
+    EXPECT_TRUE(cache.find(kA, "model"));
+    ASSERT_EQ(chown(where_.c_str(), kNobody, kNobody), 0);
+    EXPECT_FALSE(cache.find(kA, "model"));
 }
 
 TEST_F(CacheFolderTest, ReadsAnEmptyFile) {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/mesh/mesh_query.h"
-#include "scene/base/content_hash.h"
+#include "scene/base/checksum.h"
 #include "tests/support/dice.h"
 #include "tests/support/mesh_pieces.h"
 

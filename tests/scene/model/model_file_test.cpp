@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/base/content_hash.h"
+#include "scene/base/checksum.h"
 #include "tests/scene/model_files.h"
 
 namespace campuswalk::scene {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/base/binary_archive.h"
-#include "scene/base/content_hash.h"
+#include "scene/base/checksum.h"
 #include "tests/scene/model_files.h"
 #include "tests/support/effort.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,22 +10,19 @@
 
 namespace campuswalk::scene {
 
-/// 64-bit XXH3: detects damage, not forgery.
-std::uint64_t checksum_of(std::span<const std::byte> bytes);
-/// Of the concatenation of buffers.
-std::uint64_t checksum_of(std::span<const std::span<const std::byte>> buffers);
-
-/// 128-bit XXH3 that identifies contents. Not collision resistant against an adversary.
+/// SHA-256 (FIPS 180-4): identifies contents, even if somebody chose them to be mistaken for others.
 struct ContentHash {
-    std::uint64_t high = 0;
-    std::uint64_t low = 0;
+    std::array<std::uint8_t, 32> bytes{};
 
     friend bool operator==(const ContentHash&, const ContentHash&) = default;
 };
 
 ContentHash hash_of(std::span<const std::byte> bytes);
 
-/// 32 lower-case hexadecimal digits.
+/// HMAC-SHA256 (RFC 2104): only somebody who has the key can compute it.
+ContentHash keyed_hash_of(std::span<const std::byte> bytes, std::span<const std::byte> key);
+
+/// 64 lower-case hexadecimal digits.
 std::string to_string(const ContentHash& hash);
 
 /// Hashes a sequence of values.
