@@ -68,19 +68,24 @@ engine::LightSettings open_light(const fs::path& path, const SourceMark& named_a
     return light;
 }
 
+/// Adds the profile's file to `profiles`.
 engine::LightSettings named_light(const CheckedNode& node, const fs::path& folder,
-                                  const std::vector<fs::path>& more) {
+                                  const std::vector<fs::path>& more, std::vector<fs::path>& profiles) {
     const std::optional<std::string> name = kebab_name(node);
     const auto file =
         name ? find_profile(kLights, node, *name, profile_folders(kLights, folder, more)) : std::nullopt;
-    return file ? open_light(*file, node.mark(), node.diagnostics()) : engine::LightSettings{};
+    if (!file) {
+        return {};
+    }
+    profiles.push_back(*file);
+    return open_light(*file, node.mark(), node.diagnostics());
 }
 
 /// A profile's name, or a map that overrides keys of a profile (without one, of the default light).
 engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& folder,
-                                    const std::vector<fs::path>& more) {
+                                    const std::vector<fs::path>& more, std::vector<fs::path>& profiles) {
     if (node.is_scalar()) {
-        return named_light(node, folder, more);
+        return named_light(node, folder, more, profiles);
     }
     if (!node.is_map()) {
         node.diagnose("wrong-type", "'light' must be a profile's name or {profile: NAME, …}");
@@ -88,7 +93,7 @@ engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& fol
     }
     CheckedMap map(node, "'light'");
     const auto name = map.find("profile");
-    engine::LightSettings light = name ? named_light(*name, folder, more) : engine::LightSettings{};
+    engine::LightSettings light = name ? named_light(*name, folder, more, profiles) : engine::LightSettings{};
     read_light_fields(map, light);
     map.refuse_other_keys();
     return light;
@@ -119,12 +124,12 @@ public:
             run.walk.avatar = read_avatar_of(*avatar, folder_, names);
         }
         if (const auto light = map.find("light")) {
-            run.walk.light = read_light_of(*light, folder_, search_.lights);
+            run.walk.light = read_light_of(*light, folder_, search_.lights, profiles_);
         }
         read_walk(map, names, walk_file_, run.walk);
         map.refuse_other_keys();
         replace_spawn(names, run.walk);
-        run.avatar_file = avatar_file_;
+        run.profiles = std::move(profiles_);
         return run;
     }
 
@@ -212,8 +217,11 @@ private:
         const auto file =
             name ? find_profile(kAvatars, node, *name, profile_folders(kAvatars, folder, search_.avatars))
                  : std::nullopt;
-        avatar_file_ = file.value_or(fs::path());
-        return file ? open_avatar(*file, node.mark(), diagnostics_) : AvatarProfile{};
+        if (!file) {
+            return {};
+        }
+        profiles_.push_back(*file);
+        return open_avatar(*file, node.mark(), diagnostics_);
     }
 
     void replace_spawn(const CampusNames& names, engine::Walk& walk) {
@@ -228,7 +236,7 @@ private:
 
     fs::path walk_file_;  ///< empty without a walk
     fs::path folder_;
-    fs::path avatar_file_;
+    std::vector<fs::path> profiles_;
     const SearchPaths& search_;
     const Overrides& overrides_;
     CampusDescriptions& campuses_;
@@ -247,6 +255,11 @@ SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides)
     }
     run.walk.mark = mark;
     throw_in_order(diagnostics, mark);
+    if (!engine::expects_something(run.walk)) {
+        diagnostics.warning(
+            mark, "expects-nothing",
+            "the walk passes whatever it meets, if it comes to its end; add what you 'expect'");
+    }
     run.warnings = diagnostics.all();
     return run;
 }
@@ -290,6 +303,7 @@ engine::CameraSettings read_camera_text(const std::string& text, const std::stri
     if (const auto root = parse_yaml(text, source, diagnostics)) {
         CheckedMap map(CheckedNode(*root, "the camera", source, diagnostics), "a camera");
         read_camera_fields(map, CampusNames(&campus), read);
+        refuse_unused_keys(map, read.settings().view);
         map.refuse_other_keys();
     }
     throw_in_order(diagnostics, {source, 0, 0});
@@ -317,7 +331,9 @@ engine::LightSettings read_light_text(const std::string& text, const std::string
     DiagnosticList diagnostics;
     engine::LightSettings light;
     if (const auto root = parse_yaml(text, source, diagnostics)) {
-        light = read_light_of(CheckedNode(*root, "'light'", source, diagnostics), folder, search.lights);
+        std::vector<fs::path> profiles;
+        light = read_light_of(CheckedNode(*root, "'light'", source, diagnostics), folder, search.lights,
+                              profiles);
     }
     throw_in_order(diagnostics, {source, 0, 0});
     return light;

@@ -90,6 +90,26 @@ TEST_F(ReadCamera, ResolvesCameraTargets) {
     EXPECT_FALSE(c.yaw) << "replaced by look_at";
 }
 
+TEST_F(ReadCamera, DiagnosesKeysThatASnapshotsViewDoesNotUse) {
+    const auto about = [&](const std::string& snapshot) {
+        return folder_.about_walk("campus: a.campus.yaml\nsteps:\n  - spawn: gate\n  - snapshot: {name: a, " +
+                                  snapshot + "}\n");
+    };
+    const std::vector<std::pair<std::string, std::string>> unused = {
+        {"pitch_deg: -10", "first_person"},       {"view: third_person, yaw_deg: 5", "third_person"},
+        {"view: top, distance: 5", "top"},        {"view: orbit, height_above: 5", "orbit"},
+        {"view: orbit, look_at: gate", "orbit"},  {"view: third_person, around: gate", "third_person"},
+        {"view: top, position: [1, 2, 3]", "top"}};
+    for (const auto& [keys, view] : unused) {
+        EXPECT_THAT(about(keys), ElementsAre(testing::AllOf(testing::HasSubstr("a.walk.yaml:4:"),
+                                                            testing::HasSubstr("bad-value"),
+                                                            testing::HasSubstr(" " + view + " "))))
+            << keys;
+    }
+    EXPECT_THAT(about("view: third_person, distance: 5"), ElementsAre());
+    EXPECT_THAT(about("view: fixed, position: [1, 2, 3], pitch_deg: 10"), ElementsAre());
+}
+
 TEST_F(ReadCamera, ReadsChannels) {
     ASSERT_THAT(folder_.about_walk("campus: a.campus.yaml\n"
                                    "steps: [{spawn: gate}, {snapshot: {name: a, channels: [ids, depth]}}, "

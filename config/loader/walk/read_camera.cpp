@@ -1,6 +1,8 @@
 #include "config/loader/walk/read_camera.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -90,6 +92,30 @@ void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& c
     }
     map.vector("position", kCoordinate, camera.position);
     read_direction(map, names, camera);
+}
+
+void refuse_unused_keys(CheckedMap& map, const View& view) {
+    constexpr std::size_t kMaxViews = 2;
+    struct KeyOfViews {
+        const char* key;
+        std::array<const char*, kMaxViews> views;
+    };
+    constexpr std::array<KeyOfViews, 7> kKeys = {{{"height_above", {"top", ""}},
+                                                  {"distance", {"third_person", "orbit"}},
+                                                  {"around", {"orbit", ""}},
+                                                  {"position", {"fixed", ""}},
+                                                  {"look_at", {"fixed", ""}},
+                                                  {"yaw_deg", {"orbit", "fixed"}},
+                                                  {"pitch_deg", {"orbit", "fixed"}}}};
+    const std::string name(kViews[view.index()].name);
+    for (const auto& [key, views] : kKeys) {
+        const auto node = map.find(key);
+        if (node && std::ranges::find(views, name) == views.end()) {
+            const std::string others = std::string(views[0]) + (*views[1] != '\0' ? " or " : "") + views[1];
+            node->diagnose("bad-value", std::string("'") + key + "' has no effect on a " + name +
+                                            " view; it is for view: " + others);
+        }
+    }
 }
 
 engine::ImageChannels read_channels(const CheckedNode& node) {

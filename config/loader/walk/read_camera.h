@@ -31,6 +31,9 @@ struct CameraKeys {
 /// Sets the fields of `camera` whose keys are in the map.
 void read_camera_fields(CheckedMap& map, const CampusNames& names, CameraKeys& camera);
 
+/// Reports the keys in the map that a camera with this view doesn't use.
+void refuse_unused_keys(CheckedMap& map, const engine::View& view);
+
 /// `channels`: one of depth, ids and normals, or a list of them.
 engine::ImageChannels read_channels(const CheckedNode& node);
 

@@ -155,6 +155,9 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
     CameraKeys camera = context.camera;
     read_camera_fields(map, context.names, camera);
     step.camera = camera.settings();
+    if (map.has("view") || !context.standalone) {
+        refuse_unused_keys(map, step.camera.view);
+    }
     if (const auto overlays = map.find("overlays")) {
         read_overlays(*overlays, step.overlays);
     }

@@ -19,6 +19,7 @@ struct StepContext {
     const engine::AvatarProfile& avatar;
     const CameraKeys& camera;
     std::vector<std::filesystem::path> files;  ///< being read: the walk's, the one it includes, and so on
+    bool standalone = false;                   ///< steps that any walk may include, with any camera
     UniqueNames snapshots{"snapshot"};
     bool first = true;     ///< no step has been read yet
     int repeats = 0;       ///< nesting depth of `repeat`

@@ -153,6 +153,7 @@ std::vector<Step> read_standalone_steps(const CheckedNode& root, const fs::path&
     const CameraKeys camera;
     std::vector<Step> steps;
     StepContext context{unknown, avatar, camera, {steps_file}};
+    context.standalone = true;
     context.first = false;
     read_steps_file(root, context, steps);
     return steps;
