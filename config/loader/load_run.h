@@ -33,7 +33,7 @@ struct Run {
 struct SharedRun {
     engine::Walk walk;
     std::shared_ptr<const scene::CampusDescription> campus;
-    std::filesystem::path avatar_file;  ///< empty if the walk names no profile
+    std::vector<std::filesystem::path> profiles;  ///< files of the avatar and the light, if it names some
     std::vector<scene::Diagnostic> warnings;
 };
 

@@ -24,6 +24,7 @@ namespace {
 constexpr const char* kFileName = "walks.config.yaml";
 constexpr int kMaxWorkers = 1024;
 constexpr int kMaxFailures = 1'000'000;
+constexpr int kMaxCases = 1'000'000;
 
 class WalksConfigReader {
 public:
@@ -52,6 +53,10 @@ public:
         map.number("timeout", kTimeout, config.timeout);
         map.number("kill_after", kTimeout, config.kill_after);
         map.as_bool("forbid_only", config.forbid_only);
+        map.as_bool("strict", config.strict);
+        if (const auto least = map.find("min_cases")) {
+            config.min_cases = least->as_int(1, kMaxCases);
+        }
         if (const auto snapshots = map.find("snapshots")) {
             CheckedMap tolerance(*snapshots, "'snapshots'");
             read_tolerance(tolerance, config.snapshots);

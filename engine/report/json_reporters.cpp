@@ -14,7 +14,7 @@ class JsonlReporter final : public Reporter {
 public:
     explicit JsonlReporter(TextSink sink) : sink_(std::move(sink)) {}
 
-    void begin(std::size_t cases) override { sink_(results_header(cases) + "\n"); }
+    void begin(const RunPlan& plan) override { sink_(to_header_line(plan) + "\n"); }
     void result(const WalkResult& result) override { sink_(to_json_line(result) + "\n"); }
 
 private:
@@ -25,6 +25,7 @@ class JsonReporter final : public Reporter {
 public:
     explicit JsonReporter(TextSink sink) : sink_(std::move(sink)) {}
 
+    void begin(const RunPlan& plan) override { plan_ = plan; }
     void result(const WalkResult&) override {}
 
     void end(const RunReport& report) override {
@@ -32,7 +33,8 @@ public:
         for (const WalkResult& result : report.results) {
             tally.add(result);
         }
-        sink_("{\"campuswalk_report\":1,\n\"summary\":" + summary_json(tally) + ",\n\"results\":[");
+        sink_("{\"campuswalk_report\":1,\n\"plan\":" + to_json(plan_) +
+              ",\n\"summary\":" + summary_json(tally) + ",\n\"results\":[");
         const char* between = "\n";
         for (const WalkResult& result : report.results) {
             sink_(between + to_json_line(result));
@@ -50,12 +52,14 @@ private:
                                       {"broken", tally.broken},
                                       {"interrupted", tally.interrupted},
                                       {"expected_failures", tally.expected_failures},
+                                      {"not_evaluated", tally.not_evaluated},
                                       {"simulated_seconds", tally.seconds},
                                       {"distance", tally.distance}}
             .dump();
     }
 
     TextSink sink_;
+    RunPlan plan_;
 };
 
 }  // namespace

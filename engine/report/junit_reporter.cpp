@@ -114,9 +114,14 @@ void append_case(pugi::xml_node suite, const WalkResult& result) {
             append_error(test, result);
     }
     append_text(test, "system-out", attachments_of(result));
-    if (failed_as_expected(result)) {
-        append_text(test, "system-err", "failed as expected: " + printable(result.status_reason));
+    std::string remarks =
+        failed_as_expected(result) ? "failed as expected: " + printable(result.status_reason) : "";
+    if (result.not_evaluated > 0) {
+        remarks += (remarks.empty() ? "" : "\n") +
+                   not_evaluated_in_words(static_cast<std::size_t>(result.not_evaluated)) +
+                   ": nothing draws pictures";
     }
+    append_text(test, "system-err", remarks);
 }
 
 class JunitReporter final : public Reporter {

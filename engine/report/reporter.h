@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-
+#include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {
@@ -11,7 +10,7 @@ namespace campuswalk::engine {
 class Reporter {
 public:
     virtual ~Reporter() = default;
-    virtual void begin(std::size_t cases) { static_cast<void>(cases); }
+    virtual void begin(const RunPlan& plan) { static_cast<void>(plan); }
     virtual void result(const WalkResult& result) = 0;
     /// Once; everything must be written when this returns.
     virtual void end(const RunReport& report) { static_cast<void>(report); }

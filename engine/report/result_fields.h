@@ -3,6 +3,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {
@@ -17,9 +18,9 @@ struct Hash {
     Number& value;
 };
 
-// The fields of a result in JSON, with their names and in their order. Writing and reading use the same
-// lists, so that neither can miss a field. `Fields` is called as (name, member). Names of angles end in their
-// unit.
+// The fields of a result and of a plan in JSON, with their names and in their order. Writing and reading use
+// the same lists, so that neither can miss a field. `Fields` is called as (name, member). Names of angles end
+// in their unit.
 
 template <typename Fields>
 void list_fields(Fields& fields, MaybeConst<FailureScene> auto& scene) {
@@ -71,8 +72,19 @@ void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
     fields("ticks", result.ticks);
     fields("events", result.events);
     fields("distance", result.distance);
+    fields("not_evaluated", result.not_evaluated);
     fields("hash", Hash(result.hash));
     fields("artifacts", result.artifacts);
+}
+
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<RunPlan> auto& plan) {
+    fields("cases", plan.cases);
+    fields("shard", plan.shard);
+    fields("shards", plan.shards);
+    fields("all_cases", plan.all_cases);
+    fields("contents", plan.contents);
+    fields("division", plan.division);
 }
 
 }  // namespace campuswalk::engine

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,9 @@ namespace campuswalk::engine {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kHeaderKey = "campuswalk_results";
+constexpr int kHeaderVersion = 2;
 
 /// JSON has no such numbers; a reader of reports must not fail on a result because of them.
 constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{
@@ -97,11 +101,14 @@ requires std::is_class_v<Struct> Json json_of(const Struct& value) {
 
 /// `where` is the path to the value: "failures[0].scene.tick".
 [[noreturn]] void refuse(const std::string& where, const std::string& expected, const Json& json) {
-    std::string found = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    // Lists and objects may be nested more deeply than dump() can recurse.
+    std::string found = json.is_array()    ? "a list"
+                        : json.is_object() ? "an object"
+                                           : json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (found.size() > 40) {
         found = found.substr(0, 40) + "…";
     }
-    throw std::runtime_error("not a walk's result: " + where + " must be " + expected + ", not " + found);
+    throw std::runtime_error(where + " must be " + expected + ", not " + found);
 }
 
 void read(const Json& json, const std::string& where, std::string& value) {
@@ -190,7 +197,7 @@ public:
     void operator()(const char* name, Value&& value) {
         const auto found = json_.find(name);
         if (found == json_.end()) {
-            throw std::runtime_error("not a walk's result: " + path(name) + " is missing");
+            throw std::runtime_error(path(name) + " is missing");
         }
         read(*found, path(name), value);
         names_.emplace_back(name);
@@ -200,7 +207,7 @@ public:
     void finish() const {
         for (const auto& [name, value] : json_.items()) {
             if (std::ranges::find(names_, name) == names_.end()) {
-                throw std::runtime_error("not a walk's result: unknown field " + path(name));
+                throw std::runtime_error("unknown field " + path(name));
             }
         }
     }
@@ -233,18 +240,17 @@ void read(const Json& json, const std::string& where, Struct& value) {
 
 /// The parser would accept repeated keys and use the last.
 Json parsed_without_repeated_keys(std::string_view line) {
-    std::vector<std::vector<std::string>> keys;
+    std::vector<std::set<std::string>> keys;  // of the objects that the parser is in
     return Json::parse(line, [&](int, Json::parse_event_t event, Json& json) {
         if (event == Json::parse_event_t::object_start) {
             keys.emplace_back();
         } else if (event == Json::parse_event_t::object_end) {
             keys.pop_back();
         } else if (event == Json::parse_event_t::key) {
-            std::string key = json.get<std::string>();
-            if (std::ranges::find(keys.back(), key) != keys.back().end()) {
-                throw std::runtime_error("not a walk's result: " + key + " is repeated");
+            const std::string key = json.get<std::string>();
+            if (!keys.back().insert(key).second) {
+                throw std::runtime_error(key + " is repeated");
             }
-            keys.back().push_back(std::move(key));
         }
         return true;
     });
@@ -259,28 +265,41 @@ std::string to_json_line(const WalkResult& result) {
 WalkResult result_from_json_line(std::string_view line) {
     WalkResult result;
     try {
-        Json json = parsed_without_repeated_keys(line);
-        if (json.is_object()) {
-            json.erase("seed");  // of reports from when walks had one
-        }
-        read(json, "", result);
+        read(parsed_without_repeated_keys(line), "", result);
     } catch (const Json::parse_error& error) {
         throw std::runtime_error(std::string("not a walk's result: not JSON: ") + error.what());
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string("not a walk's result: ") + error.what());
     }
     return result;
 }
 
-std::string results_header(std::size_t cases) {
-    return Json{{"campuswalk_results", 1}, {"cases", cases}}.dump();
+std::string to_json(const RunPlan& plan) {
+    return json_of(plan).dump();
 }
 
-std::optional<std::size_t> cases_of_header(std::string_view line) {
-    const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || json.size() != 2 || json.value("campuswalk_results", Json()) != 1 ||
-        !json.contains("cases") || !json["cases"].is_number_unsigned()) {
+std::string to_header_line(const RunPlan& plan) {
+    Json header{{kHeaderKey, kHeaderVersion}};
+    header.update(json_of(plan));
+    return header.dump();
+}
+
+std::optional<RunPlan> plan_from_header_line(std::string_view line) {
+    Json header = Json::parse(line, nullptr, false);
+    if (!header.is_object() || !header.contains(kHeaderKey)) {
         return std::nullopt;
     }
-    return json["cases"].get<std::size_t>();
+    if (header[kHeaderKey] != kHeaderVersion) {
+        throw std::runtime_error("a report of another version of campuswalk");
+    }
+    header.erase(kHeaderKey);
+    RunPlan plan;
+    try {
+        read(header, "", plan);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string("not a report's header: ") + error.what());
+    }
+    return plan;
 }
 
 }  // namespace campuswalk::engine

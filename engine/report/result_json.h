@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {
@@ -18,10 +18,14 @@ std::string to_json_line(const WalkResult& result);
 /// unknown, repeated or of another type, or a number is out of range.
 WalkResult result_from_json_line(std::string_view line);
 
-/// The first line of a jsonl report, with the planned number of cases.
-std::string results_header(std::size_t cases);
+/// As in a json report.
+std::string to_json(const RunPlan& plan);
 
-/// The number of cases in such a line; none for any other line.
-std::optional<std::size_t> cases_of_header(std::string_view line);
+/// The first line of a jsonl report, without the line's end.
+std::string to_header_line(const RunPlan& plan);
+
+/// The inverse; nullopt for lines of other files. Throws std::runtime_error, saying what is wrong, for a
+/// header that isn't as above, such as another version's.
+std::optional<RunPlan> plan_from_header_line(std::string_view line);
 
 }  // namespace campuswalk::engine

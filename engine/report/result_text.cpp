@@ -1,5 +1,6 @@
 #include "engine/report/result_text.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -51,6 +52,13 @@ std::string verdict_in_words(const WalkResult& result) {
     }
 }
 
+std::string not_evaluated_in_words(std::size_t not_evaluated) {
+    return not_evaluated == 0
+               ? ""
+               : std::to_string(not_evaluated) + (not_evaluated == 1 ? " expectation" : " expectations") +
+                     " not evaluated";
+}
+
 std::string title_of(const WalkResult& result) {
     return printable(result.id);
 }
@@ -78,6 +86,7 @@ std::string place_of(const FailureScene& scene) {
 void Tally::add(const WalkResult& result) {
     ++count_of(*this, result.outcome);
     expected_failures += failed_as_expected(result) ? 1U : 0U;
+    not_evaluated += static_cast<std::size_t>(std::max(result.not_evaluated, 0));
     seconds += seconds_of(result);
     distance += result.distance;
 }
@@ -96,6 +105,9 @@ std::string summary_of(const Tally& tally) {
         if (count > 0) {
             text += ", " + std::to_string(count) + what;
         }
+    }
+    if (tally.not_evaluated > 0) {
+        text += ", " + not_evaluated_in_words(tally.not_evaluated);
     }
     return text + ": " + fixed(tally.seconds, 1) + " simulated seconds, " + fixed(tally.distance, 1) + " m";
 }

@@ -20,6 +20,9 @@ double seconds_of(const WalkResult& result);
 /// if those say everything.
 std::string verdict_in_words(const WalkResult& result);
 
+/// "2 expectations not evaluated"; empty if all were.
+std::string not_evaluated_in_words(std::size_t not_evaluated);
+
 /// FILE[ PROJECT][ #REPETITION], printable.
 std::string title_of(const WalkResult& result);
 
@@ -38,8 +41,9 @@ struct Tally {
     std::size_t bad_input = 0;
     std::size_t broken = 0;
     std::size_t interrupted = 0;
-    double seconds = 0.0;   ///< simulated
-    double distance = 0.0;  ///< metres
+    std::size_t not_evaluated = 0;  ///< expectations about images where none are drawn
+    double seconds = 0.0;           ///< simulated
+    double distance = 0.0;          ///< metres
 
     void add(const WalkResult& result);
 };

@@ -33,9 +33,9 @@ class TapReporter final : public Reporter {
 public:
     explicit TapReporter(TextSink sink) : sink_(std::move(sink)) {}
 
-    void begin(std::size_t cases) override {
+    void begin(const RunPlan& plan) override {
         write("TAP version 14");
-        write("1.." + std::to_string(cases));
+        write("1.." + std::to_string(plan.cases));
     }
 
     void result(const WalkResult& result) override {
@@ -47,6 +47,9 @@ public:
             line += result.status_reason.empty() ? "" : " " + printable(result.status_reason);
         }
         write(line);
+        if (result.not_evaluated > 0) {
+            write("# " + not_evaluated_in_words(static_cast<std::size_t>(result.not_evaluated)));
+        }
         if (!ok) {
             explain(result);
         }

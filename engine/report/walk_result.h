@@ -70,6 +70,7 @@ struct WalkResult {
     Tick ticks = 0;
     std::int64_t events = 0;
     double distance = 0.0;  ///< metres
+    int not_evaluated = 0;  ///< expectations about images where none are drawn
     std::uint64_t hash = 0;
     std::vector<Artifact> artifacts;
 };

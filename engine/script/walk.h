@@ -71,4 +71,7 @@ struct Walk {
     std::vector<Expectation> expectations;
 };
 
+/// Whether the walk can fail in another way than by not coming to its end; an xfail must fail somehow.
+bool expects_something(const Walk& walk);
+
 }  // namespace campuswalk::engine

@@ -30,6 +30,7 @@ collision::Detection to_detection(const DetectionModes& modes) {
 struct ImportedScenes {
     std::vector<Model> models;
     std::vector<ContentHash> contents;  ///< fewer than models if some are unknown
+    std::set<std::filesystem::path> files;
 };
 
 ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
@@ -52,6 +53,7 @@ ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList
             }
             LoadedModel& loaded = models[i];
             scenes.models.push_back(std::move(loaded.imported.model));
+            scenes.files.insert(loaded.files.begin(), loaded.files.end());
             if (loaded.contents) {
                 scenes.contents.push_back(*loaded.contents);
             }
@@ -211,6 +213,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
 
     Campus campus{
         std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
+    campus.files = std::move(scenes.files);
     campus.origin = move_to_origin(campus.description.origin, campus.models);
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,8 @@ struct Campus {
     /// The offset subtracted from the scenes' coordinates. Its location on the Earth is the campus file's, or
     /// else that of the first scene that has one.
     Origin origin = {};
+    /// What the models were read from: scene files, buffers and textures.
+    std::set<std::filesystem::path> files = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
     std::uint32_t layer_index(const std::string& layer) const {

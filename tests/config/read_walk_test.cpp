@@ -44,10 +44,10 @@ TEST_F(ReadWalk, ReadsTheSimulation) {
 TEST_F(ReadWalk, WarnsAboutADeprecatedSeed) {
     EXPECT_THAT(about_sim("{seed: 7}"), ElementsAre());
     const SharedRun run = RunLoader({}).load(folder_.path("a.walk.yaml"));
-    ASSERT_EQ(run.warnings.size(), 1U);
-    EXPECT_EQ(run.warnings.front().code, "deprecated");
-    EXPECT_EQ(run.warnings.front().mark.line, 2);
-    EXPECT_THAT(run.warnings.front().message, HasSubstr("'seed'"));
+    const auto warning = std::ranges::find(run.warnings, "deprecated", &scene::Diagnostic::code);
+    ASSERT_NE(warning, run.warnings.end());
+    EXPECT_EQ(warning->mark.line, 2);
+    EXPECT_THAT(warning->message, HasSubstr("'seed'"));
 }
 
 TEST_F(ReadWalk, DiagnosesTheSimulation) {

@@ -133,7 +133,8 @@ std::multimap<std::string, json> light_defaults() {
 
 std::multimap<std::string, json> loader_defaults() {
     std::multimap<std::string, json> all = {
-        {"walks-config/properties/forbid_only", WalksConfig().forbid_only}};
+        {"walks-config/properties/forbid_only", WalksConfig().forbid_only},
+        {"walks-config/properties/strict", WalksConfig().strict}};
     for (auto part : {avatar_defaults(), campus_defaults(), walk_defaults(), step_defaults(),
                       expectation_defaults(), light_defaults()}) {
         all.merge(part);

@@ -49,6 +49,8 @@ max_failures: 5
 timeout: 120
 kill_after: 30.5
 forbid_only: true
+strict: true
+min_cases: 7
 projects:
   young: {avatar: child, tags: [smoke, stairs], timeout: 10}
   grown-up: {campus: b.campus.yaml, spawn: gate, grep: "stairs|ramp", grep_invert: slow}
@@ -69,6 +71,8 @@ projects:
     EXPECT_EQ(read.timeout, 120.0);
     EXPECT_EQ(read.kill_after, 30.5);
     EXPECT_TRUE(read.forbid_only);
+    EXPECT_TRUE(read.strict);
+    EXPECT_EQ(read.min_cases, 7);
 }
 
 TEST_F(ReadWalksConfig, ReadsProjectsInTheOrderOfTheirNames) {

@@ -45,7 +45,8 @@ spawns: {start: {at: [0, 0, 0]}}
 places: {end: [1, 0, 0]}
 """
 
-FIELD_WALK = "campus: field.campus.yaml\navatar: adult\nsteps: [{spawn: start}, {walk_to: end}]\n"
+FIELD_WALK = ("campus: field.campus.yaml\navatar: adult\nsteps: [{spawn: start}, {walk_to: end}]\n"
+              "expect: [{never: avatar.fell}]\n")
 
 
 class BrokenInput(ProgramCase):

@@ -127,10 +127,13 @@ class Replay(Compare):
                            "config": "", "timeout": None, "repetition": 0, "tags": [], "status_reason": "", "expected_to_fail": False,
                            "outcome": "passed", "failures": [], "complaints": [], "campus": "small",
                            "ticks_per_second": 60, "ticks": end["tick"], "events": end["events"],
-                           "distance": end["dist"], "hash": end["hash"], "artifacts": [], **changes})
+                           "distance": end["dist"], "not_evaluated": 0, "hash": end["hash"], "artifacts": [], **changes})
 
-    def report(self, *results):
-        self.write("r.jsonl", "\n".join((json.dumps({"campuswalk_results": 1, "cases": len(results)}), *results)))
+    def report(self, *results, missing=0):
+        planned = len(results) + missing
+        header = {"campuswalk_results": 2, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
+                  "contents": "0a", "division": "1b"}
+        self.write("r.jsonl", "\n".join((json.dumps(header), *results)) + "\n")
 
     def test_a_replayed_log_prints_the_same(self):
         outcome = self.passes("replay", "--walk", "short.walk.yaml", "a.jsonl", "--no-cache")
@@ -170,6 +173,21 @@ class Replay(Compare):
         outcome = self.run_program("replay", "r.jsonl", "--verify")
         self.assertEqual(outcome.code, 1)
         self.assertRegex(outcome.lines[1], "^DIFFERS short.walk.yaml: .*[0-9a-f]{16}.* 00000000000000ab$")
+
+    def test_a_report_is_verified_only_if_every_walk_has_a_hash(self):
+        for outcome in ("interrupted", "broken", "bad_input"):
+            self.report(self.result(), self.result(outcome=outcome, hash="0" * 16))
+            verified = self.run_program("replay", "r.jsonl", "--verify")
+            self.assertEqual((verified.code, verified.lines[1]), (1, f"no hash short.walk.yaml: {outcome}"))
+        self.report(self.result(), missing=2)
+        verified = self.run_program("replay", "r.jsonl", "--verify")
+        self.assertEqual(verified.code, 1)
+        self.assertRegex(verified.lines[1], "^MISSING .* 2 walks: ")
+        self.assertTrue(verified.lines[2].startswith("1 of 3 "), verified.lines)
+        log = self.read("a.jsonl")
+        self.write("c.jsonl", log + log[:log.rindex(b"\n", 0, -1) + 1])
+        verified = self.run_program("replay", "c.jsonl", "--verify", "--walk", "short.walk.yaml")
+        self.assertEqual((verified.code, verified.lines[1]), (1, "no hash short.walk.yaml: cut short"))
 
     def verifies_both(self, *arguments):
         lines = self.passes(*arguments).lines

@@ -195,4 +195,5 @@ def main():
         os.environ.pop(name, None)
     with tempfile.TemporaryDirectory(prefix="campuswalk-cache-") as cache:
         os.environ["CAMPUSWALK_CACHE_DIR"] = cache  # not the user's own
+        os.environ["XDG_STATE_HOME"] = os.path.join(cache, "state")
         unittest.main(verbosity=2)

@@ -199,6 +199,65 @@ class Again(ManyWalks):
         self.assertTrue(after.startswith(before[:before.rindex(b"\n") + 1]))
         self.assertEqual(len(after.splitlines()), 7)  # no walk was played twice
 
+    def test_reports_of_a_killed_run_have_what_was_known(self):
+        self.write("e.walk.yaml", ENDLESS)
+        running = self.start("-j", "1", "--reporter", "jsonl=now.jsonl", "--reporter", "tap=now.tap")
+        self.wait_for(lambda: self.recorded_lines() == 5)
+        self.wait_for(lambda: self.read("now.tap").count(b"\nok ") + self.read("now.tap").count(b"\nnot ok ") == 4)
+        running.kill()
+        self.assertEqual([result["name"] for result in self.results("now.jsonl")], ["a", "b", "c", "d"])
+
+    def test_resumes_only_the_same_run(self):
+        def changes():
+            """Of everything that results depend on, keeping sizes and dates."""
+            for name in ("room.obj", "small.campus.yaml", "avatars/adult.avatar.yaml", "b.walk.yaml",
+                         "a.walk.yaml-snapshots/log.jsonl"):
+                before, status = self.read(name), os.stat(self.path(name))
+                at = before.index(b"8") if b"8" in before else before.index(b"0")
+                self.write(name, before[:at] + b"7" + before[at + 1:])
+                os.utime(self.path(name), ns=(status.st_atime_ns, status.st_mtime_ns))
+                yield name
+                self.write(name, before)
+                os.utime(self.path(name), ns=(status.st_atime_ns, status.st_mtime_ns))
+
+        self.write("a.walk.yaml-snapshots/log.jsonl", "0\n")
+        code = self.run_walks("-q").code
+        self.assertEqual(self.run_walks("--resume", "-q").code, code)
+        for name in changes():
+            outcome = self.run_walks("--resume", "-q")
+            self.assertEqual(outcome.code, 2, name)
+            self.assertIn("out/last-run.jsonl: error other-run: ", outcome.err, name)
+        for options in (("--strict",), ("--record", "csv"), ("--timeout", "3"), ("--repeat-each", "2")):
+            self.assertIn("error other-run: ", self.run_walks("--resume", "-q", *options).err, options)
+
+    def test_resumes_no_results_that_others_have_written(self):
+        def resumed(**variables):
+            outcome = self.run_walks("--resume", "-q", env={**os.environ, **variables})
+            return outcome.code, re.findall("error ([a-z-]*): ", outcome.err.replace("error never", ""))
+
+        secret = "0123456789abcdef"
+        self.run_walks("-q")
+        code = self.run_walks("-q").code
+        self.assertEqual(resumed(), (code, []))
+        genuine = self.read("out/last-run.jsonl")
+        # Somebody who has no key turns a failure into a pass.
+        self.assertIn(b'"outcome":"failed"', genuine)
+        self.write("out/last-run.jsonl", genuine.replace(b'"outcome":"failed"', b'"outcome":"passed"'))
+        self.assertEqual(resumed(), (2, ["foreign-results"]))
+        self.assertIn(self.run_walks("--last-failed", "--list").code, (0, 5), "it only selects")
+        self.write("out/last-run.jsonl", genuine)
+        self.assertEqual(resumed(CAMPUSWALK_RUN_KEY=secret), (2, ["foreign-results"]))
+        self.assertEqual(resumed(XDG_STATE_HOME=self.path("elsewhere")), (2, ["foreign-results"]))
+        self.assertEqual(resumed(XDG_STATE_HOME="", HOME=""), (2, ["foreign-results"]))
+        self.assertEqual(resumed(CAMPUSWALK_RUN_KEY="short"), (2, ["bad-value"]))
+        self.run_walks("-q", env={**os.environ, "CAMPUSWALK_RUN_KEY": secret})
+        self.assertEqual(resumed(CAMPUSWALK_RUN_KEY=secret, XDG_STATE_HOME=self.path("elsewhere")), (code, []))
+
+    def test_the_key_is_nobody_elses_to_read(self):
+        self.run_walks("-q", env={**os.environ, "XDG_STATE_HOME": self.path("state")})
+        self.assertEqual(os.stat(self.path("state/campuswalk/run.key")).st_mode & 0o777, 0o600)
+        self.assertEqual(len(self.read("state/campuswalk/run.key")), 32)
+
     def test_watch_replays_a_changed_walk(self):
         watching = self.start("--watch", "--reporter", "dot")
         lines = []

@@ -131,6 +131,89 @@ class Status(ProgramCase):
         self.assertEqual(self.run_walks("-q").code, 1)
 
 
+class Strict(ProgramCase):
+    """`--strict` and `--min-cases`: nothing passes that wasn't evaluated."""
+
+    SNAPSHOT = WALK.replace("turn: 180", "snapshot: view") + "  - visible: {building: hut, in: view}\n"
+
+    def run_walks(self, *arguments):
+        return self.run_program("run", "-q", "--rendering-backend", "none", *arguments)
+
+    def refused(self, text, expected, *arguments):
+        self.write("short.walk.yaml", text)
+        self.assertNotEqual(self.run_walks().code, 2, "without --strict")
+        outcome = self.run_walks("--strict", *arguments)
+        self.assert_refused(outcome, "short.walk.yaml:" + expected)
+
+    def test_a_walk_that_judges_what_it_says_passes(self):
+        self.assertEqual(self.run_walks("--strict").code, 0)
+
+    def test_a_walk_must_run_and_may_fail_in_one_way_only(self):
+        self.refused(WALK + "status: {is: skip, because: painting}\n", "10:9: error strict: skip")
+        self.refused(WALK + "status: xfail\n", "10:9: error strict: xfail failures")
+        self.refused(WALK + "status: only\n", "10:9: error only-forbidden: only")
+
+    def test_a_walk_that_expects_nothing_is_warned_of_and_refused(self):
+        nothing = WALK[:WALK.index("expect:")]
+        self.write("short.walk.yaml", nothing)
+        warned = self.run_walks()
+        self.assertEqual(warned.code, 0)
+        self.assert_diagnostics(warned.err_lines[:1], "short.walk.yaml: warning expects-nothing: expect")
+        self.assertIn("expects-nothing", self.passes("validate", "short.walk.yaml").err)
+        self.write("short.walk.yaml", nothing + "  - expect: {popup: hut}\n")
+        self.assertEqual(self.run_walks("--strict").code, 0)
+        self.write("short.walk.yaml", nothing)
+        outcome = self.run_walks("--strict")
+        self.assertEqual(outcome.code, 2)
+        self.assertRegex(outcome.err, "short.walk.yaml: error strict: ")
+
+    def test_tolerances_are_the_default_or_tighter(self):
+        walk = WALK.replace("turn: 180", "snapshot: view") + "  - snapshot: %s\n"
+        for looser in ("threshold: 0.3", "max_diff_pixels: 1", "max_diff_pixel_ratio: 0.01", "min_tile_ssim: 0.9",
+                       "masks: [[0, 0, 10, 10]]"):
+            self.refused(walk % ("{name: view, " + looser + "}"), "10:22: error strict: tolerance")
+        self.write("short.walk.yaml", walk % "{name: view, threshold: 0.1, max_diff_pixels: 0}")
+        self.assertNotIn("error strict", self.run_walks("--strict").err)
+        self.write("walks.config.yaml", "snapshots: {threshold: 0.3}\n")
+        self.refused(walk % "view", "10:15: error strict: tolerance")
+
+    def test_images_that_nothing_draws_are_counted_and_fail(self):
+        self.write("short.walk.yaml", self.SNAPSHOT)
+        names = ("json", "jsonl", "junit", "tap", "dot", "list", "github")
+        reporters = [argument for name in names for argument in ("--reporter", f"{name}={name}")]
+        self.assertEqual(self.run_walks(*reporters).code, 0)
+        self.assertEqual(json.loads(self.read("json"))["summary"]["not_evaluated"], 1)
+        self.assertEqual(json.loads(self.read("jsonl").splitlines()[1])["not_evaluated"], 1)
+        for name in ("junit", "tap", "dot", "list", "github"):
+            self.assertIn(b"1 expectation not evaluated", self.read(name), name)
+        outcome = self.run_walks("--strict")
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.err, r"short.walk.yaml:10:\d+: error not-evaluated: ")
+
+    def test_a_walk_that_must_fail_in_images_is_not_left_out(self):
+        self.write("short.walk.yaml", self.SNAPSHOT + "status: {is: xfail, failures: [visible]}\n")
+        self.assertEqual(self.run_walks().code, 0)
+        self.assertEqual(self.run_walks("--strict").code, 1)
+
+    def test_a_configuration_file_can_ask_for_it(self):
+        self.write("short.walk.yaml", WALK + "status: xfail\n")
+        self.write("strict.config.yaml", "strict: true\nmin_cases: 2\n")
+        outcome = self.run_walks("--config", "strict.config.yaml", "--min-cases", "1")
+        self.assertEqual(outcome.code, 2)
+        self.assertIn("error strict: ", outcome.err)
+        outcome = self.run_walks("--config", "strict.config.yaml")
+        self.assert_refused(outcome, *outcome.err_lines[:-1], "--min-cases: error too-few-cases: 1 2")
+
+    def test_fewer_cases_than_asked_for_are_an_error(self):
+        self.write("other.walk.yaml", WALK)
+        for shard in (), ("--shard", "2/2"):
+            self.assertEqual(self.run_walks("--min-cases", "2", *shard).code, 0)
+            self.assert_refused(self.run_walks("--min-cases", "3", *shard), "--min-cases: error too-few-cases: 2 3")
+        self.assert_refused(self.run_walks("--min-cases", "2", "-g", "other"),
+                            "--min-cases: error too-few-cases: 1 2")
+        self.assertEqual(self.run_walks("--min-cases", "1", "-g", "nothing").code, 2)
+
+
 class GoldenLog(ProgramCase):
     """`expect: log`, `-u` and CI."""
 

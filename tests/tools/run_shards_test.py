@@ -60,15 +60,81 @@ class Shards(ProgramCase):
 
     def test_files_that_are_not_reports_are_refused(self):
         self.run_walks("--reporter", "jsonl=a.jsonl", "-g", "w0")
-        self.write("b.jsonl", self.read("a.jsonl"))
         self.refused("none.jsonl", expected="none.jsonl: error missing-file:")
         self.refused("room.obj", expected="room.obj:1:1: error bad-report: --reporter")
         self.refused("avatars", expected="avatars: error bad-report: --reporter")
-        self.refused("a.jsonl", "b.jsonl", expected="b.jsonl: error bad-report: 'sub/w0.walk.yaml near'")
-        self.write("b.jsonl", self.read("a.jsonl") + b'{"id":')
-        outcome = self.run_program("merge-reports", "b.jsonl")
-        self.assertEqual((outcome.code, outcome.out), (2, ""))
-        self.assertRegex(outcome.err, r"^b.jsonl:6:1: error bad-report: ")
+        self.write("empty.jsonl", "")
+        self.refused("empty.jsonl", expected="empty.jsonl:1:1: error bad-report: --reporter")
+        self.write("b.jsonl", self.read("a.jsonl") + b'{"id":\n')
+        self.refused("b.jsonl", expected="b.jsonl:6:1: error bad-report:")
+        self.write("b.jsonl", '{"campuswalk_results":1,"cases":3}\n')
+        self.refused("b.jsonl", expected="b.jsonl:1:1: error bad-report: version")
+
+    def shards(self, count, *arguments):
+        """The names of their reports. All walks pass."""
+        names = [f"{i}-of-{count}.jsonl" for i in range(1, count + 1)]
+        for i, name in enumerate(names, 1):
+            self.assertEqual(self.run_walks(f"--shard={i}/{count}", "--reporter", f"jsonl={name}", "-g", "w[03]",
+                                            *arguments).code, 0)
+        return names
+
+    def assert_fails(self, reports, *expected):
+        outcome = self.run_program("merge-reports", *reports)
+        self.assertEqual(outcome.code, 1, outcome.err)
+        self.assert_diagnostics(outcome.err_lines, *expected)
+        self.assertIn(" passed", outcome.out)
+
+    def test_a_run_whose_shards_are_not_all_there_once_does_not_pass(self):
+        one, two, three = self.shards(3)
+        self.assertEqual(self.run_program("merge-reports", three, one, two).code, 0)
+        self.assert_fails([one, three], one + ": error missing-shard: 3 2")
+        self.assert_fails([two], two + ": error missing-shard: 3 1, 3")
+        self.assert_fails([one, two, two, three], two + ": error duplicate-shard: " + two + " 2")
+        self.write("twice.jsonl", self.read(two) + self.read(two).split(b"\n", 1)[1])
+        self.assert_fails([one, "twice.jsonl", three], "twice.jsonl: error incomplete-report: 4 2 2")
+        self.write("foreign.jsonl", self.read(two).replace(b"w0.walk.yaml", b"w9.walk.yaml")
+                   .replace(b"w3.walk.yaml", b"w9.walk.yaml"))
+        self.assert_fails([one, "foreign.jsonl", three], one + ": error other-plan:")
+
+    def test_a_report_that_is_cut_anywhere_does_not_pass(self):
+        one, two = self.shards(2)
+        whole = self.read(two)
+        ends = [i + 1 for i, byte in enumerate(whole) if byte == ord("\n")]
+        for end in sorted({at + by for at in ends for by in (-40, -1, 0, 1)} - {len(whole), len(whole) + 1}):
+            self.write("cut.jsonl", whole[:end])
+            outcome = self.run_program("merge-reports", one, "cut.jsonl")
+            self.assertEqual(outcome.code, 1 if end >= ends[0] else 2, end)
+            self.assertRegex(outcome.err, r"cut.jsonl(:1:1)?: error (incomplete-report|bad-report): ")
+
+    def test_reports_of_runs_that_differ_are_not_merged(self):
+        one, two = self.shards(2)
+        (whole,) = self.shards(1)
+        self.assert_fails([one, whole], whole + ": error other-plan:", one + ": error missing-shard: 2 2")
+        before = self.read("w3.walk.yaml")
+        for change in (lambda: self.write("w3.walk.yaml", before + b"# changed\n"),
+                       lambda: self.write("avatars/adult.avatar.yaml", "height: 1.81\nradius: 0.3\n"),
+                       lambda: self.write("small.campus.yaml", self.read("small.campus.yaml") + b"# changed\n")):
+            earlier = self.read(one)
+            change()
+            _, later = self.shards(2)
+            self.write("earlier.jsonl", earlier)
+            self.assert_fails(["earlier.jsonl", later], later + ": error other-plan:",
+                              "earlier.jsonl: error missing-shard: 2 2")
+
+    def test_a_header_cannot_claim_any_number_of_shards(self):
+        (whole,) = self.shards(1)
+        self.write("huge.jsonl", self.read(whole).replace(b'"shards":1', b'"shards":2147483647'))
+        self.assert_fails(["huge.jsonl"], "huge.jsonl: error missing-shard: 2147483647 2, 3")
+        self.write("none.jsonl", self.read(whole).replace(b'"shards":1', b'"shards":-1'))
+        outcome = self.run_program("merge-reports", "none.jsonl")
+        self.assertEqual(outcome.code, 1)
+        self.assert_diagnostics(outcome.err_lines, "none.jsonl: error other-plan:")
+
+    def test_a_run_that_ended_early_does_not_pass(self):
+        self.run_walks("--reporter", "jsonl=a.jsonl", "-g", "w[01]", "-x")
+        outcome = self.run_program("merge-reports", "a.jsonl")
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.err, r"^a.jsonl: error incomplete-report: ")
 
 
 if __name__ == "__main__":

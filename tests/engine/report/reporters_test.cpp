@@ -50,7 +50,7 @@ TEST(Reporters, PropagateExceptionsOfTheirSink) {
             make_reporter(name, [](std::string_view) { throw std::runtime_error("disk full"); });
         const RunReport report = mixed_report();
         const auto run = [&] {
-            reporter->begin(report.results.size());
+            reporter->begin(plan_of(report));
             for (const WalkResult& result : report.results) {
                 reporter->result(result);
             }
@@ -145,7 +145,7 @@ TEST(DotReporter, PrintsOneCharacterPerCaseInLinesOfEighty) {
 TEST(DotReporter, PrintsEachCaseAsItEnds) {
     std::string text;
     const auto dots = make_reporter("dot", [&](std::string_view part) { text += part; });
-    dots->begin(2);
+    dots->begin({.cases = 2});
     dots->result(passed_result("a"));
     EXPECT_EQ(text, ".");
     dots->result(failed_result("b"));
@@ -228,11 +228,10 @@ TEST(JsonlReporter, PrintsAHeaderAndOneLinePerResult) {
     const RunReport report = mixed_report();
     const std::vector<std::string> lines = lines_of(written("jsonl", report));
     ASSERT_EQ(lines.size(), report.results.size() + 1);
-    EXPECT_EQ(lines[0], R"({"campuswalk_results":1,"cases":9})");
-    EXPECT_EQ(cases_of_header(lines[0]), 9U);
+    EXPECT_EQ(lines[0], R"({"campuswalk_results":2,"cases":9,"shard":1,"shards":1,"all_cases":9,)"
+                        R"("contents":"0a1b","division":"2c3d"})");
     for (std::size_t i = 0; i < report.results.size(); ++i) {
         EXPECT_EQ(lines[i + 1], to_json_line(report.results[i]));
-        EXPECT_FALSE(cases_of_header(lines[i + 1]));
     }
 }
 
@@ -240,9 +239,10 @@ TEST(JsonReporter, ContainsTheResultsAndTheirCounts) {
     const RunReport report = mixed_report();
     const Json json = Json::parse(written("json", report));
     EXPECT_EQ(json["campuswalk_report"], 1);
+    EXPECT_EQ(json["plan"].dump(), to_json(plan_of(report)));
     EXPECT_EQ(json["summary"].dump(),
               R"({"passed":3,"failed":2,"skipped":1,"bad_input":1,"broken":1,"interrupted":1,)"
-              R"("expected_failures":1,"simulated_seconds":20.0,"distance":25.0})");
+              R"("expected_failures":1,"not_evaluated":0,"simulated_seconds":20.0,"distance":25.0})");
     ASSERT_EQ(json["results"].size(), report.results.size());
     for (std::size_t i = 0; i < report.results.size(); ++i) {
         EXPECT_EQ(json["results"][i].dump(), to_json_line(report.results[i]));

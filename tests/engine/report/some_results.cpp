@@ -132,11 +132,16 @@ RunReport hostile_report() {
     return {{result, broken, xfail, skipped}};
 }
 
+RunPlan plan_of(const RunReport& report) {
+    const std::size_t cases = report.results.size();
+    return {.cases = cases, .all_cases = cases, .contents = "0a1b", .division = "2c3d"};
+}
+
 std::string written(std::string_view reporter, const RunReport& report, const ReportStyle& style) {
     std::string text;
     const auto made = make_reporter(
         reporter, [&](std::string_view part) { text += part; }, style);
-    made->begin(report.results.size());
+    made->begin(plan_of(report));
     for (const WalkResult& result : report.results) {
         made->result(result);
     }

@@ -26,6 +26,9 @@ RunReport mixed_report();
 /// UTF-8.
 RunReport hostile_report();
 
+/// Of a run with these results, in one shard.
+RunPlan plan_of(const RunReport& report);
+
 /// What a reporter writes about a run.
 std::string written(std::string_view reporter, const RunReport& report, const ReportStyle& style = {});
 

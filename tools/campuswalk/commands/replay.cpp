@@ -14,6 +14,7 @@
 #include "engine/observers/text_log.h"
 #include "engine/simulation/run_walk.h"
 #include "scene/base/diagnostic.h"
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/log_output.h"
 #include "tools/campuswalk/base/read_lines.h"
@@ -132,31 +133,39 @@ bool has_same_hash(const RecordedWalk& recorded, const LoadedWalk& loaded) {
     return false;
 }
 
-int verify(const std::vector<RecordedWalk>& recorded, const std::vector<LoadedWalk>& loaded) {
+/// Passes only if every walk that the recording announces is there and went the same. Walks that were skipped
+/// have nothing to compare.
+int verify(const Recording& recording, const std::vector<LoadedWalk>& loaded) {
     std::size_t same = 0;
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < recorded.size(); ++i) {
-        if (!recorded[i].hash) {
-            std::printf("no hash %s: %s\n", title_of(recorded[i]).c_str(), recorded[i].why_no_hash.c_str());
+    std::size_t skipped = 0;
+    for (std::size_t i = 0; i < recording.walks.size(); ++i) {
+        const RecordedWalk& recorded = recording.walks[i];
+        if (recorded.hash) {
+            same += has_same_hash(recorded, loaded[i]) ? 1U : 0U;
         } else {
-            ++(has_same_hash(recorded[i], loaded[i]) ? same : different);
+            std::printf("no hash %s: %s\n", title_of(recorded).c_str(), recorded.why_no_hash.c_str());
+            skipped += recorded.skipped ? 1U : 0U;
         }
     }
-    std::printf("%zu of %zu walks went the same again\n", same, recorded.size());
-    return different == 0 ? kPass : kDifferent;
+    if (recording.missing > 0) {
+        std::printf("MISSING the results of %s: the report was cut short or the run ended early\n",
+                    scene::plural(recording.missing, "walk").c_str());
+    }
+    const std::size_t all = recording.walks.size() + recording.missing;
+    std::printf("%zu of %zu walks went the same again\n", same, all);
+    return same + skipped == all ? kPass : kDifferent;
 }
 
 /// Simulates the walks of a log or a report again. Returns the exit code.
 int replay_run(const ReplayOptions& options) {
-    const std::vector<RecordedWalk> recorded =
-        recorded_walks(options.run, read_lines(options.run), options.walks);
+    const Recording recording = recorded_walks(options.run, read_lines(options.run), options.walks);
     const bool some =
-        std::ranges::any_of(recorded, [](const RecordedWalk& walk) { return walk.hash.has_value(); });
-    if (recorded.empty() || (options.verify && !some)) {
+        std::ranges::any_of(recording.walks, [](const RecordedWalk& walk) { return walk.hash.has_value(); });
+    if (recording.walks.empty() || (options.verify && !some)) {
         throw error_about(options.run, "nothing-to-replay", "no walk in it has come to its end");
     }
-    const std::vector<LoadedWalk> loaded = load_all(options, recorded);
-    return options.verify ? verify(recorded, loaded) : print_logs(loaded);
+    const std::vector<LoadedWalk> loaded = load_all(options, recording.walks);
+    return options.verify ? verify(recording, loaded) : print_logs(loaded);
 }
 
 }  // namespace
@@ -182,7 +191,8 @@ void add_replay(Command program, CommandAction& chosen) {
     add_tree(command, options->tree);
     add_cache_flag(command);
     command.footer(
-        "Exit code: 0 all the same, 1 something differs, 2 bad usage or input, 3 something failed.");
+        "Exit code: 0 all the same, 1 something differs or has no hash, 2 bad usage or input, 3 something "
+        "failed.");
     command.choose(chosen, [options] { return replay_run(*options); });
 }
 

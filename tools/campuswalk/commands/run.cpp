@@ -51,6 +51,14 @@ void add_selection(Command& command, const Options& options) {
     command.flag({.names = "--list", .help = "List what would be run"}, options->list);
     command.flag({.names = "--forbid-only", .help = "Refuse walks with 'status: only'"},
                  options->forbid_only);
+    command.flag({.names = "--strict",
+                  .help = "Refuse walks that are skipped, may fail in any way, expect nothing or have looser "
+                          "tolerances than the defaults; pictures that can't be evaluated are failures"},
+                 options->strict);
+    command.option({.names = "--min-cases",
+                    .help = "A run of fewer cases, in all shards together, is an error",
+                    .value = "N"},
+                   options->min_cases, kTimes);
     command.flag({.names = "--pass-with-no-tests", .help = "Exit code 0 when nothing is selected"},
                  options->pass_with_no_tests);
 }

@@ -180,7 +180,8 @@ Reports don't depend on the number of workers, and contain no wall-clock time an
   campuswalk run --shard=2/2 --reporter jsonl=2.jsonl      on another
   campuswalk merge-reports 1.jsonl 2.jsonl --reporter junit=junit.xml
 
-gives what a single run would have reported. 'campuswalk replay 1.jsonl --verify' repeats the walks of a
+gives what a single run would have reported, and exit code 1 if a shard's report is missing, incomplete,
+there twice or of another run. 'campuswalk replay 1.jsonl --verify' repeats the walks of a
 report, with the same projects and timeouts, and compares hashes.
 
 Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and for a failure WALK/failure-eyes.png and

@@ -1,5 +1,6 @@
 #include "tools/campuswalk/logs/recorded_walks.h"
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 #include <utility>
@@ -41,6 +42,15 @@ std::optional<std::uint64_t> hash_of(const std::string& digits) {
     return read ? std::optional(hash) : std::nullopt;
 }
 
+/// nullopt if the line isn't the header of a report.
+std::optional<engine::RunPlan> plan_of(const fs::path& source, const std::string& line) {
+    try {
+        return engine::plan_from_header_line(line);
+    } catch (const std::runtime_error& error) {
+        throw about_line(source, 1, "bad-report", std::string(error.what()) + "; create the report again");
+    }
+}
+
 std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::vector<std::string>& lines) {
     std::vector<RecordedWalk> walks;
     for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -50,7 +60,8 @@ std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::vec
                 result.outcome == engine::Outcome::passed || result.outcome == engine::Outcome::failed;
             walks.push_back({result.name, result.project, result.config, result.file, result.timeout,
                              ended ? std::optional(result.hash) : std::nullopt,
-                             std::string(engine::name_of(result.outcome)), i + 1});
+                             std::string(engine::name_of(result.outcome)),
+                             result.outcome == engine::Outcome::skipped, i + 1});
         } catch (const std::runtime_error& error) {
             throw about_line(source, i + 1, "no-result", error.what());
         }
@@ -71,7 +82,7 @@ std::vector<RecordedWalk> walks_of_log(const fs::path& source, const std::vector
                                      std::string(config::kWalkSuffix));
             }
             walks.push_back({header->walk, header->project, fs::path(), file->second, header->timeout,
-                             std::nullopt, "cut short", i + 1});
+                             std::nullopt, "cut short", false, i + 1});
         } else if (const std::optional<LoggedEvent> event = logged_event(lines[i]);
                    event && event->kind == "walk.end") {
             walks.back().hash = hash_of(event->hash);
@@ -82,19 +93,23 @@ std::vector<RecordedWalk> walks_of_log(const fs::path& source, const std::vector
 
 }  // namespace
 
-std::vector<RecordedWalk> recorded_walks(const fs::path& source, const std::vector<std::string>& lines,
-                                         const std::vector<fs::path>& walk_files) {
-    if (!lines.empty() && engine::cases_of_header(lines.front())) {
-        if (!walk_files.empty()) {
-            throw error_about("--walk", "bad-value", "a report names its walks itself");
-        }
-        return walks_of_report(source, lines);
+Recording recorded_walks(const fs::path& source, const std::vector<std::string>& lines,
+                         const std::vector<fs::path>& walk_files) {
+    const std::string first = lines.empty() ? "" : lines.front();
+    if (is_log_header(first)) {
+        return {walks_of_log(source, lines, walk_files), 0};
     }
-    if (!lines.empty() && is_log_header(lines.front())) {
-        return walks_of_log(source, lines, walk_files);
+    const std::optional<engine::RunPlan> plan = plan_of(source, first);
+    if (!plan) {
+        throw about_line(source, 1, "no-log",
+                         "this is neither a log (run --jsonl FILE) nor a report (run --reporter jsonl=FILE)");
     }
-    throw about_line(source, 1, "no-log",
-                     "this is neither a log (run --jsonl FILE) nor a report (run --reporter jsonl=FILE)");
+    if (!walk_files.empty()) {
+        throw error_about("--walk", "bad-value", "a report names its walks itself");
+    }
+    std::vector<RecordedWalk> walks = walks_of_report(source, lines);
+    const std::size_t missing = plan->cases - std::min(plan->cases, walks.size());
+    return {std::move(walks), missing};
 }
 
 }  // namespace campuswalk::tools

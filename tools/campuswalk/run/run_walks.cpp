@@ -12,13 +12,16 @@
 
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/run/cases/run_fingerprint.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/last_run.h"
 #include "tools/campuswalk/run/results/reports.h"
+#include "tools/campuswalk/run/results/run_key.h"
 #include "tools/campuswalk/run/scheduler.h"
 #include "tools/campuswalk/run/watch.h"
 
@@ -75,7 +78,8 @@ public:
         Plan plan = make_plan(settings_, {selector_for(options_), selected_ids(), options_.repeat_each,
                                           options_.tree, options_.timeout});
         note_shard();
-        if (plan.selected == 0) {
+        check_number_of_cases(plan);
+        if (plan.summary.all_cases == 0) {
             return nothing_selected(plan);
         }
         if (options_.list) {
@@ -111,11 +115,16 @@ private:
             return;
         }
         const fs::path file = last_run_file(settings_.output);
-        last_run_ = read_last_run(file);
+        last_run_ = read_last_run(file, run_key(environment_variable));
         if (!last_run_) {
             throw error_about(
                 file, "missing-file",
                 "there are no results of a previous run; run without --last-failed and --resume first");
+        }
+        if (options_.resume && !last_run_->authentic) {
+            throw error_about(file, "foreign-results",
+                              "these results weren't saved on this machine, nor with the same "
+                              "CAMPUSWALK_RUN_KEY; run without --resume");
         }
         if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
             throw error_about(
@@ -140,6 +149,15 @@ private:
         if (shard.from != "--shard") {
             diagnostic_line("shard " + std::to_string(shard.index + 1) + " of " +
                             std::to_string(shard.count) + " (" + shard.from + ")");
+        }
+    }
+
+    void check_number_of_cases(const Plan& plan) const {
+        if (plan.summary.all_cases < static_cast<std::size_t>(settings_.min_cases)) {
+            throw error_about("--min-cases", "too-few-cases",
+                              "only " + std::to_string(plan.summary.all_cases) + " of at least " +
+                                  scene::plural(static_cast<std::size_t>(settings_.min_cases), "case") +
+                                  " would be run; see --list");
         }
     }
 
@@ -174,14 +192,31 @@ private:
         }
     }
 
+    /// Besides files and cases, what results depend on.
+    std::string settings_of_results() const {
+        const engine::ImageTolerance& tolerance = settings_.tolerance;
+        const SequenceRequest& sequence = options_.sequence;
+        Json masks = Json::array();
+        for (const engine::PixelBox& mask : tolerance.masks) {
+            masks.push_back({mask.x, mask.y, mask.width, mask.height});
+        }
+        return json_text(
+            Json{images_, settings_.strict, static_cast<int>(settings_.update), options_.require_identical,
+                 options_.records, tolerance.threshold, tolerance.max_diff_pixels.value_or(-1),
+                 tolerance.max_diff_pixel_ratio.value_or(-1.0), tolerance.min_tile_ssim, masks,
+                 sequence.every.value_or(0.0), sequence.contact_sheet, sequence.animations, sequence.video,
+                 sequence.view ? static_cast<int>(sequence.view->index()) : -1, sequence.width.value_or(0)});
+    }
+
     std::unique_ptr<LastRunWriter> open_last_run(const Plan& plan) const {
         if (settings_.single) {
             return nullptr;
         }
         const fs::path file = last_run_file(settings_.output);
-        const std::string plan_hash = fingerprint(plan);
+        const std::string plan_hash = run_fingerprint(plan, settings_of_results());
+        std::string key = run_key(environment_variable);
         if (!options_.resume) {
-            return std::make_unique<LastRunWriter>(file, plan_hash);
+            return std::make_unique<LastRunWriter>(file, plan_hash, std::move(key));
         }
         if (last_run_->plan != plan_hash) {
             throw error_about(
@@ -189,7 +224,7 @@ private:
                 "the last run used different walks, files or options, so it can't be continued; "
                 "run without --resume");
         }
-        return std::make_unique<LastRunWriter>(file, *last_run_);
+        return std::make_unique<LastRunWriter>(file, *last_run_, std::move(key));
     }
 
     int play(Plan plan) {
@@ -230,6 +265,7 @@ private:
         SchedulerSettings scheduler;
         scheduler.play.output = settings_.output;
         scheduler.play.images = images_;
+        scheduler.play.strict = settings_.strict;
         scheduler.play.backend = options_.backend;
         scheduler.play.log = reports.has_log();
         scheduler.play.events = events;

@@ -61,7 +61,7 @@ std::vector<std::size_t> Scheduler::to_play() const {
 
 int Scheduler::run() {
     watch_for_interrupts();
-    reports_.begin(plan_.cases.size());
+    reports_.begin(plan_.summary);
     check_standard_output();  // workers would inherit unwritten output
     for (const Case& each : plan_.cases) {
         if (last_run_ != nullptr && each.walk == nullptr) {

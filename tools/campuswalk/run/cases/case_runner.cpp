@@ -85,6 +85,21 @@ void check_golden_log(const Case& played, UpdateSnapshots mode, const std::vecto
     }
 }
 
+/// Where nothing is drawn.
+std::vector<engine::Failure> failures_not_evaluated(const engine::Walk& walk) {
+    std::vector<engine::Failure> failures;
+    for (const engine::Expectation& expectation : walk.expectations) {
+        if (engine::is_about_images(expectation)) {
+            const auto* snapshot = std::get_if<engine::ExpectSnapshot>(&expectation);
+            const engine::SourceMark& mark =
+                snapshot != nullptr ? snapshot->mark : std::get<engine::ExpectVisible>(expectation).mark;
+            failures.push_back(
+                {mark, "not-evaluated", "nothing draws pictures, and --strict wants all evaluated", {}});
+        }
+    }
+    return failures;
+}
+
 /// Writes and prints the golden files of a walk, unless it fails.
 void write_goldens(const std::vector<GoldenUpdate>& updates, bool fails) {
     for (const GoldenUpdate& update : updates) {
@@ -129,7 +144,11 @@ WalkResult CaseRunner::run(const Case& played, const Send& send) {
     const std::unique_ptr<FrameHelpers> helpers =
         std::exchange(may_fork_, false) ? frame_helpers_for(played) : nullptr;
     WalkResult result = played.result;
-    if (!settings_.images && must_fail_in_images(played.walk->walk)) {
+    if (!settings_.images) {
+        result.not_evaluated =
+            static_cast<int>(std::ranges::count_if(played.walk->walk.expectations, engine::is_about_images));
+    }
+    if (!settings_.images && !settings_.strict && must_fail_in_images(played.walk->walk)) {
         result.outcome = Outcome::skipped;
         result.status_reason = "it must fail in its pictures, and none are drawn";
         return result;
@@ -193,6 +212,9 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     result.distance = summary.distance;
     result.hash = summary.hash;
 
+    if (settings_.strict && !settings_.images) {
+        append(failures_not_evaluated(loaded.walk), summary.failures);
+    }
     std::vector<GoldenUpdate> updates;
     check_golden_log(played, settings_.update, stream.saved_lines(), summary.failures, updates);
     std::vector<engine::Artifact> compared;

@@ -23,6 +23,7 @@ class CaseStream;
 struct PlaySettings {
     std::filesystem::path output;
     bool images = false;
+    bool strict = false;               ///< images that can't be evaluated are failures
     Backend backend;                   ///< of images
     bool log = false;                  ///< send the text log, as Topic::log
     bool events = false;               ///< send the log as JSON lines, as Topic::events

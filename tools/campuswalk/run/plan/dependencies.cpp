@@ -62,8 +62,8 @@ void Dependencies::add_walk(WalkLoader& loader, const fs::path& walk, const conf
     try {
         const config::SharedRun run = loader.read(walk, overrides);
         add_dependency(walk, run.walk.campus);
-        if (!run.avatar_file.empty()) {
-            add_dependency(walk, run.avatar_file);
+        for (const fs::path& profile : run.profiles) {
+            add_dependency(walk, profile);
         }
         for (const scene::SceneFile& scene : run.campus->scenes) {
             add_folder(scene.path.parent_path());

@@ -9,6 +9,8 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/run/plan/plan_hash.h"
+#include "tools/campuswalk/run/plan/strict_rules.h"
 
 namespace campuswalk::tools {
 
@@ -45,11 +47,12 @@ public:
             std::erase_if(candidates_,
                           [&](const Candidate& candidate) { return !has_selected_id(candidate); });
         }
-        plan.selected = candidates_.size() * static_cast<std::size_t>(options_.repeat_each);
+        plan.summary = summarized();
         keep_shard();
         for (Candidate& candidate : candidates_) {
             add_cases(candidate, plan.cases);
         }
+        plan.summary.cases = plan.cases.size();
         return plan;
     }
 
@@ -80,6 +83,9 @@ private:
         try {
             config::SharedRun run = loader_.read(file, project.overrides);
             apply_settings(run.walk, project);
+            if (settings_.strict) {
+                refuse(strict_errors(run.walk, settings_.tolerance));
+            }
             describe(run.walk, result);
             candidate.run = std::move(run);
         } catch (const InputError& error) {
@@ -96,6 +102,12 @@ private:
         }
         if (options_.max_timeout) {
             walk.timeout = std::min(walk.timeout.value_or(*options_.max_timeout), *options_.max_timeout);
+        }
+    }
+
+    static void refuse(std::vector<scene::Diagnostic> errors) {
+        if (!errors.empty()) {
+            throw InputError(std::move(errors));
         }
     }
 
@@ -157,6 +169,29 @@ private:
             }
         }
         return false;
+    }
+
+    /// Of all shards.
+    engine::RunPlan summarized() const {
+        Shard shard = settings_.shard.value_or(Shard());
+        engine::RunPlan plan;
+        plan.shard = shard.index + 1;
+        plan.shards = shard.count;
+        PlanContents contents;
+        Division division;
+        for (shard.index = 0; shard.index < shard.count; ++shard.index) {
+            const Slice slice = slice_of(candidates_.size(), shard);
+            for (std::size_t i = slice.first; i < slice.last; ++i) {
+                contents.add(candidates_[i].result, candidates_[i].run ? &*candidates_[i].run : nullptr);
+                for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
+                    division.add(shard.index + 1, id_of(candidates_[i], repetition));
+                    ++plan.all_cases;
+                }
+            }
+        }
+        plan.contents = contents.hash();
+        plan.division = division.hash();
+        return plan;
     }
 
     /// Repetitions stay together, so that they can be compared.

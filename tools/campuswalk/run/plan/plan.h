@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -25,7 +26,7 @@ struct Case {
 /// The cases of a run in the order in which they are reported: by file, project and repetition.
 struct Plan {
     std::vector<Case> cases;
-    std::size_t selected = 0;  ///< number of cases before the division into shards
+    engine::RunPlan summary;   ///< for reports
     std::size_t files = 0;     ///< number of walk files found
     std::size_t left_out = 0;  ///< number of selected walks that aren't marked `only` where others are
 };

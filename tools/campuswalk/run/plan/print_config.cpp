@@ -51,6 +51,8 @@ std::string to_json(const RunSettings& settings, const RunOptions& options) {
     json["repeat_each"] = options.repeat_each;
     json["require_identical"] = options.require_identical;
     json["forbid_only"] = settings.forbid_only;
+    json["strict"] = settings.strict;
+    json["min_cases"] = settings.min_cases;
     json["timeout"] = or_null(settings.timeout);
     json["kill_after"] = or_null(settings.kill_after);
     json["output"] = settings.output.generic_string();

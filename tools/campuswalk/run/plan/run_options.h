@@ -26,6 +26,8 @@ struct RunOptions {
     std::optional<std::string> shard;   ///< "i/n"
     bool last_failed = false;
     bool forbid_only = false;
+    bool strict = false;
+    std::optional<int> min_cases;
     bool pass_with_no_tests = false;
     bool list = false;          ///< list what would be run
     bool print_config = false;  ///< print the settings of the run

@@ -161,7 +161,9 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
                                                    : config.max_failures;
     settings.timeout = options.timeout ? options.timeout : config.timeout;
     settings.kill_after = options.kill_after ? options.kill_after : config.kill_after;
-    settings.forbid_only = options.forbid_only || config.forbid_only || is_ci(environment);
+    settings.strict = options.strict || config.strict;
+    settings.min_cases = options.min_cases.value_or(config.min_cases.value_or(0));
+    settings.forbid_only = options.forbid_only || config.forbid_only || settings.strict || is_ci(environment);
     settings.tolerance = engine::changed({}, config.snapshots);
     settings.output = as_seen_from_here(options.output.value_or(config.output.value_or("out")));
     settings.reports = reports_for(options, config, settings.single);

@@ -4,15 +4,14 @@
 
 #include <cerrno>
 #include <chrono>
-#include <map>
 #include <span>
 #include <stdexcept>
 #include <system_error>
-#include <variant>
+#include <utility>
 
 #include "engine/report/result_json.h"
-#include "scene/base/content_hash.h"
 #include "scene/base/diagnostic.h"
+#include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
 
@@ -25,6 +24,8 @@ using engine::Outcome;
 namespace {
 
 constexpr const char* kHeaderKey = "campuswalk_last_run";
+const std::string kCodeBegin = "{\"code\":\"";
+const std::string kCodeEnd = "\",";
 constexpr double kSyncEvery = 0.2;  // seconds: a sync takes a disk milliseconds, and a walk takes less
 
 double seconds_now() {
@@ -36,60 +37,28 @@ double seconds_now() {
                             why + "; delete the file and run everything again");
 }
 
-/// Reads every file once, and models not at all.
-class PlanDigest {
-public:
-    void add(const Case& each) {
-        hasher_.add_text(each.result.id);
-        if (!each.walk) {
-            return;
-        }
-        const engine::Walk& walk = each.walk->walk;
-        add_contents(walk.mark.file);
-        for (const engine::Step& step : walk.steps) {
-            add_contents(std::visit([](const auto& any) { return any.mark.file; }, step));
-        }
-        add_contents(walk.campus);
-        for (const scene::SceneFile& scene : each.walk->campus->description.scenes) {
-            add_stamp(scene.path);
-        }
-        add_avatar(walk.avatar);
-        hasher_.add_number(walk.timeout.value_or(-1.0));
+std::span<const std::byte> bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+/// A line's JSON object begins with a code that only somebody with the key can compute from the plan and the
+/// rest of the line.
+std::string with_code(const std::string& object, const std::string& plan, const std::string& key) {
+    const std::string signed_text = plan + "\n" + object;
+    return kCodeBegin + to_string(scene::keyed_hash_of(bytes_of(signed_text), bytes_of(key))) + kCodeEnd +
+           object.substr(1);
+}
+
+/// The object without its code, as it was written. Throws std::runtime_error if the line has none.
+std::string without_code(const std::string& line) {
+    const std::size_t code_size = 2 * sizeof(scene::ContentHash);
+    const std::size_t prefix = kCodeBegin.size() + code_size + kCodeEnd.size();
+    if (!line.starts_with(kCodeBegin) || line.size() < prefix ||
+        line.compare(kCodeBegin.size() + code_size, kCodeEnd.size(), kCodeEnd) != 0) {
+        throw std::runtime_error("not a line that a run has saved");
     }
-
-    std::string text() const { return to_string(hasher_.result()); }
-
-private:
-    void add_contents(const fs::path& file) {
-        const auto [known, is_new] = known_.try_emplace(file.generic_string());
-        if (is_new) {
-            const std::string contents = read_bytes(file);
-            known->second = scene::hash_of(std::as_bytes(std::span(contents)));
-        }
-        hasher_.add_hash(known->second);
-    }
-
-    void add_stamp(const fs::path& file) {
-        std::error_code ignored;
-        hasher_.add_number(std::uint64_t{fs::file_size(file, ignored)});
-        hasher_.add_number(
-            static_cast<std::uint64_t>(fs::last_write_time(file, ignored).time_since_epoch().count()));
-    }
-
-    void add_avatar(const engine::AvatarProfile& avatar) {
-        for (const double number : {avatar.height, avatar.radius, avatar.eye_height, avatar.speed,
-                                    avatar.run_speed.value_or(-1.0), avatar.step_height, avatar.max_slope,
-                                    avatar.skin_width, avatar.turn_speed, avatar.look_distance}) {
-            hasher_.add_number(number);
-        }
-        for (const std::string& layer : avatar.ignore_layers) {
-            hasher_.add_text(layer);
-        }
-    }
-
-    scene::ContentHasher hasher_;
-    std::map<std::string, scene::ContentHash> known_;
-};
+    return "{" + line.substr(prefix);
+}
 
 }  // namespace
 
@@ -97,13 +66,14 @@ fs::path last_run_file(const fs::path& output) {
     return output / "last-run.jsonl";
 }
 
-std::optional<LastRun> read_last_run(const fs::path& file) {
+std::optional<LastRun> read_last_run(const fs::path& file, const std::string& key) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) {
         return std::nullopt;
     }
     const std::string bytes = read_bytes(file);
     LastRun run;
+    run.authentic = !key.empty();
     int number = 0;
     for (std::size_t start = 0; start < bytes.size();) {
         const std::size_t end = bytes.find('\n', start);
@@ -113,11 +83,13 @@ std::optional<LastRun> read_last_run(const fs::path& file) {
         const std::string line = bytes.substr(start, end - start);
         ++number;
         try {
+            const std::string object = without_code(line);
             if (number == 1) {
-                run.plan = Json::parse(line).at(kHeaderKey).get<std::string>();
+                run.plan = Json::parse(object).at(kHeaderKey).get<std::string>();
             } else {
-                run.results.push_back(engine::result_from_json_line(line));
+                run.results.push_back(engine::result_from_json_line(object));
             }
+            run.authentic = run.authentic && with_code(object, run.plan, key) == line;
         } catch (const std::exception& error) {
             refuse(file, number, error.what());
         }
@@ -142,15 +114,8 @@ std::set<std::string> failed_ids(const LastRun& run) {
     return ids;
 }
 
-std::string fingerprint(const Plan& plan) {
-    PlanDigest digest;
-    for (const Case& each : plan.cases) {
-        digest.add(each);
-    }
-    return digest.text();
-}
-
-LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan) : name_(file) {
+LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan, std::string key)
+    : name_(file), plan_(plan), key_(std::move(key)) {
     std::error_code ignored;
     if (!file.parent_path().empty()) {
         fs::create_directories(file.parent_path(), ignored);
@@ -160,7 +125,8 @@ LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan) : na
     sync();
 }
 
-LastRunWriter::LastRunWriter(const fs::path& file, const LastRun& run) : name_(file) {
+LastRunWriter::LastRunWriter(const fs::path& file, const LastRun& run, std::string key)
+    : name_(file), plan_(run.plan), key_(std::move(key)) {
     fs::resize_file(file, run.whole_bytes);
     file_.reset(std::fopen(file.c_str(), "ab"));
 }
@@ -170,7 +136,8 @@ void LastRunWriter::add(const std::string& result_line) {
     sync_if_due();
 }
 
-void LastRunWriter::write_line(const std::string& line) {
+void LastRunWriter::write_line(const std::string& object) {
+    const std::string line = with_code(object, plan_, key_);
     const bool written = file_ && std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
                          std::fputc('\n', file_.get()) != EOF && std::fflush(file_.get()) == 0;
     if (!written) {

@@ -9,29 +9,26 @@
 #include <vector>
 
 #include "engine/report/walk_result.h"
-#include "tools/campuswalk/run/plan/plan.h"
 
 namespace campuswalk::tools {
 
 /// What the output folder records of the previous run: its results in the order in which they came.
 struct LastRun {
-    std::string plan;  ///< fingerprint of what was run
+    std::string plan;  ///< run_fingerprint() of what was run
     std::vector<engine::WalkResult> results;
     std::uintmax_t whole_bytes = 0;  ///< up to a last line that was cut short when the run was killed
+    bool authentic = false;          ///< all lines were written with the same key
 };
 
 /// `OUTPUT/last-run.jsonl`.
 std::filesystem::path last_run_file(const std::filesystem::path& output);
 
 /// Nullopt if there is no such file. Throws scene::InputError (bad-last-run) for a file that isn't valid.
-std::optional<LastRun> read_last_run(const std::filesystem::path& file);
+/// `key`: see run_key.h; with none nothing is authentic.
+std::optional<LastRun> read_last_run(const std::filesystem::path& file, const std::string& key);
 
 /// The ids of cases that neither passed nor were skipped.
 std::set<std::string> failed_ids(const LastRun& run);
-
-/// Identifies everything that the results depend on: cases, walks, campuses, avatars, models (by size and
-/// date).
-std::string fingerprint(const Plan& plan);
 
 /// Saves results as they come, so that they survive the end of this process, whatever causes it. They are on
 /// the disk after at most a fifth of a second, or once it is closed. Throws std::runtime_error when that
@@ -39,22 +36,24 @@ std::string fingerprint(const Plan& plan);
 class LastRunWriter {
 public:
     /// Creates or replaces the file, with the folders that it needs.
-    LastRunWriter(const std::filesystem::path& file, const std::string& plan);
+    LastRunWriter(const std::filesystem::path& file, const std::string& plan, std::string key);
     /// Continues a file that has been read.
-    LastRunWriter(const std::filesystem::path& file, const LastRun& run);
+    LastRunWriter(const std::filesystem::path& file, const LastRun& run, std::string key);
 
     void add(const std::string& result_line);
     void sync_if_due();
     void close();
 
 private:
-    void write_line(const std::string& line);
+    void write_line(const std::string& object);
     void sync();
 
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
     std::filesystem::path name_;
+    std::string plan_;
+    std::string key_;
     std::unique_ptr<std::FILE, Close> file_;
     bool unsynced_ = false;
     double synced_at_ = 0.0;  ///< seconds of a steady clock

@@ -75,9 +75,9 @@ Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportS
     }
 }
 
-void Reports::begin(std::size_t cases) {
+void Reports::begin(const engine::RunPlan& plan) {
     for (const auto& reporter : reporters_) {
-        reporter->begin(cases);
+        reporter->begin(plan);
     }
 }
 
@@ -91,8 +91,8 @@ void Reports::result(const engine::WalkResult& result) {
     for (const auto& reporter : reporters_) {
         reporter->result(result);
     }
-    for (LogOutput* output : logs_) {
-        output->flush();
+    for (const auto& output : outputs_) {
+        output->flush();  // what is known must not be lost with this process
     }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -27,7 +26,7 @@ public:
     /// Whether a report on standard output says how the walks ended.
     bool prints_outcomes() const { return prints_outcomes_; }
 
-    void begin(std::size_t cases);
+    void begin(const engine::RunPlan& plan);
     void log(std::string_view lines);
     void result(const engine::WalkResult& result);
     void end(const engine::RunReport& report);

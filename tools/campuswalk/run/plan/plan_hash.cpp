@@ -1,0 +1,49 @@
+#include "tools/campuswalk/run/plan/plan_hash.h"
+
+#include <cstdint>
+#include <set>
+#include <variant>
+
+#include "scene/cache/file_contents.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+void PlanContents::add(const engine::WalkResult& planned, const config::SharedRun* run) {
+    hasher_.add_text(planned.id);
+    // In an order that doesn't depend on the paths: those of the program's own profiles are another
+    // machine's.
+    std::set<fs::path> added;
+    const auto add_once = [&](const fs::path& file) {
+        if (!file.empty() && added.insert(file).second) {
+            add_file(file);
+        }
+    };
+    add_once(planned.file);
+    add_once(planned.config);
+    if (run != nullptr) {
+        add_once(run->walk.campus);
+        for (const fs::path& profile : run->profiles) {
+            add_once(profile);
+        }
+        for (const engine::Step& step : run->walk.steps) {
+            add_once(std::visit([](const auto& any) { return any.mark.file; }, step));
+        }
+    }
+}
+
+void PlanContents::add_file(const fs::path& file) {
+    const auto [known, is_new] = known_.try_emplace(file);
+    if (is_new) {
+        known->second = scene::hash_of_file(file).value_or(scene::ContentHash());
+    }
+    hasher_.add_hash(known->second);
+}
+
+void Division::add(int shard, std::string_view case_id) {
+    hasher_.add_number(static_cast<std::uint64_t>(shard));
+    hasher_.add_text(case_id);
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "tools/campuswalk/base/environment.h"
+
+namespace campuswalk::tools {
+
+/// The secret that marks results as this machine's own, so that a checkout can't bring results of its own
+/// making: CAMPUSWALK_RUN_KEY, which machines that continue each other's runs share, or else
+/// `campuswalk/run.key` in XDG_STATE_HOME (~/.local/state), which is made the first time. Empty if there is
+/// no such folder. Throws scene::InputError (bad-value) for a variable that is too short to be a secret.
+std::string run_key(const Environment& environment);
+
+}  // namespace campuswalk::tools
