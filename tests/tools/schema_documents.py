@@ -7,6 +7,11 @@ FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "c
 UNKNOWN_KEY = "no-such-key-here"  # similar to no known key, so that the loader lists them all
 
 
+# A camera's keys, each with a view that uses it: the view may also be that of the walk, which no schema can say.
+VIEWS = {"height_above": "top", "distance": "orbit", "around": "orbit", "position": "fixed", "look_at": "fixed",
+         "yaw_deg": "fixed", "pitch_deg": "fixed"}
+
+
 def load_all():
     """The schemas by file name."""
     found = {}
@@ -104,6 +109,8 @@ class Documents:
         beside = {} if schema.get("maxProperties") == 1 else self.minimal(name, schema)
         for other in schema.get("dependencies", {}).get(key, []):
             beside[other] = self.minimal(name, schema["properties"][other])
+        if key in VIEWS and "view" in schema["properties"]:
+            beside["view"] = VIEWS[key]
         return lambda value: wrap({**beside, key: value})
 
     def _with_first_step(self, key, value):
