@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <map>
 
 #include "scene/cache/load_model.h"
@@ -31,6 +32,7 @@ struct ImportedScenes {
     std::vector<Model> models;
     std::vector<ContentHash> contents;  ///< fewer than models if some are unknown
     std::set<std::filesystem::path> files;
+    std::vector<Diagnostic> texture_warnings;
 };
 
 ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
@@ -57,6 +59,8 @@ ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList
             if (loaded.contents) {
                 scenes.contents.push_back(*loaded.contents);
             }
+            std::ranges::copy_if(loaded.imported.warnings, std::back_inserter(scenes.texture_warnings),
+                                 [](const Diagnostic& warning) { return warning.code == "bad-texture"; });
             warnings.insert(warnings.end(), loaded.imported.warnings.begin(), loaded.imported.warnings.end());
         } catch (const InputError& error) {
             diagnostics.append(error.diagnostics());
@@ -214,6 +218,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     Campus campus{
         std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
     campus.files = std::move(scenes.files);
+    campus.texture_warnings = std::move(scenes.texture_warnings);
     campus.origin = move_to_origin(campus.description.origin, campus.models);
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);

@@ -40,6 +40,8 @@ struct Campus {
     Origin origin = {};
     /// What the models were read from: scene files, buffers and textures.
     std::set<std::filesystem::path> files = {};
+    /// Textures that are missing or can't be decoded: images don't show the campus as it should look.
+    std::vector<Diagnostic> texture_warnings = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
     std::uint32_t layer_index(const std::string& layer) const {

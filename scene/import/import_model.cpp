@@ -1,5 +1,6 @@
 #include "scene/import/import_model.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <new>
@@ -20,11 +21,12 @@ class TextureLoader {
 public:
     explicit TextureLoader(ModelSource& source) : source_(source) {}
 
-    /// nullopt if the image is missing or cannot be decoded; `reason` then says which.
+    /// nullopt if the image is missing or cannot be decoded; `reason` then says which, the first time.
     std::optional<TextureIndex> load(const TextureReference& reference, std::string& reason) {
         const std::pair key(reference.uri, reference.repeat);
-        if (const auto found = loaded_.find(key); found != loaded_.end()) {
-            return found->second;
+        const auto [known, is_new] = loaded_.try_emplace(key);
+        if (!is_new) {
+            return known->second;
         }
         auto image = source_.load_image(reference, reason);
         if (!image) {
@@ -33,7 +35,7 @@ public:
         const auto index = static_cast<TextureIndex>(textures_.size());
         textures_.push_back(
             {reference.uri, image->width, image->height, std::move(image->rgba), reference.repeat});
-        loaded_.emplace(key, index);
+        known->second = index;
         return index;
     }
 
@@ -43,7 +45,7 @@ public:
 private:
     ModelSource& source_;
     std::vector<Texture> textures_;
-    std::map<std::pair<std::string, bool>, TextureIndex> loaded_;  // by uri and wrap mode
+    std::map<std::pair<std::string, bool>, std::optional<TextureIndex>> loaded_;  // by uri and wrap mode
 };
 
 /// Whether the image has transparent and opaque pixels.
@@ -79,6 +81,7 @@ public:
 private:
     std::optional<MeshIndex> convert_one(std::size_t number, const std::string& node);
     void load_texture(const SourceImage& image, SourceMaterial& source);
+    void report_bad_texture(const std::string& message);
     void report_repairs(const SanitizedMesh& sanitized, const std::string& node);
     void error(const char* code, const std::string& message) {
         diagnostics_.error(file_.mark, code, file_.file + ": " + message);
@@ -98,6 +101,7 @@ private:
     std::map<std::size_t, std::optional<MeshIndex>> mesh_of_;  // by number in the source; nullopt: unusable
     std::size_t points_and_lines_ = 0;
     std::string points_and_lines_node_;  // the first node that has any
+    std::size_t bad_textures_ = 0;
 };
 
 void Import::check_nodes() {
@@ -187,22 +191,41 @@ void Import::load_textures() {
     }
 }
 
-/// A surface can do without normal and emissive textures, but not without its base colour.
+/// What a surface looks like whose base colour, or glow, only its texture knew.
+void make_plain(Material& material, std::optional<TextureIndex> Material::*use) {
+    if (use == &Material::emissive_texture) {
+        material.emissive = {0, 0, 0};
+    } else if (use == &Material::base_color_texture) {
+        constexpr float kGrey = 0.5F;
+        constexpr float kWhite = 0.99F;
+        auto& color = material.base_color;
+        if (std::min({color[0], color[1], color[2]}) >= kWhite) {
+            color = {kGrey, kGrey, kGrey, color[3]};
+        }
+        material.alpha_mode = AlphaMode::opaque;
+    }
+}
+
+/// The first few; the models of some archives come without any of their hundreds of textures.
+void Import::report_bad_texture(const std::string& message) {
+    constexpr std::size_t kReported = 5;
+    if (++bad_textures_ <= kReported) {
+        warning("bad-texture", message + "; the surface is plain");
+    } else if (bad_textures_ == kReported + 1) {
+        warning("bad-texture", "more textures are missing or can't be decoded");
+    }
+}
+
 void Import::load_texture(const SourceImage& image, SourceMaterial& source) {
     Material& material = source.material;
     std::string reason;
     const auto texture = textures_.load(image.reference, reason);
     if (!texture) {
-        const std::string message =
-            "material '" + material.name + "': texture '" + image.reference.uri + "' " + reason;
-        if (image.use == &Material::base_color_texture) {
-            error("bad-texture", message);
-            return;
+        if (!reason.empty()) {
+            report_bad_texture("material '" + material.name + "': texture '" + image.reference.uri + "' " +
+                               reason);
         }
-        warning("bad-texture", message + "; drawn without the texture");
-        if (image.use == &Material::emissive_texture) {
-            material.emissive = {0, 0, 0};  // the texture says where it glows; without it, nowhere
-        }
+        make_plain(material, image.use);
         return;
     }
     material.*image.use = texture;

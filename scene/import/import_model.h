@@ -20,8 +20,8 @@ enum class EmptyModel { refuse, accept };
 ///   bad-model      unsupported format or feature, damaged, or too large
 ///   empty-mesh     the file or one of its meshes has no triangles
 ///   bad-vertex     a position or a node's transform is NaN or infinite; names the node
-///   bad-texture    a texture is missing or cannot be decoded; names the material
 /// Repairs and omissions become warnings:
+///   bad-texture          a texture is missing or cannot be decoded: the surface is plain; names the material
 ///   points-and-lines     ignored primitives
 ///   repaired-normals     zero or non-finite normals, replaced by face normals
 ///   repaired-uvs         non-finite texture coordinates, set to 0

@@ -44,6 +44,16 @@ class Snapshots(ImageCase):
         """Makes the image of the next run differ."""
         self.write("small.campus.yaml", self.read("small.campus.yaml").replace(b"end: [0, 0, -2]", b"end: [0, 0, 0]"))
 
+    def test_pictures_without_their_textures_are_not_compared(self):
+        self.write("room.mtl", "newmtl brick\nmap_Kd gone.png\n")
+        self.write("room.obj", b"mtllib room.mtl\nusemtl brick\n" + self.read("room.obj"))
+        self.write("short.walk.yaml", WALK)
+        self.assertEqual(self.run_walk().code, 0)
+        self.walk("visible: {building: hut, in: hut}")
+        outcome = self.run_walk()
+        self.assertEqual(outcome.code, 2)
+        self.assertRegex(outcome.err_lines[-1], r"^small.campus.yaml:2:\d+: error bad-texture: .*'gone.png'")
+
     def test_a_missing_reference_fails_and_is_written_on_request(self):
         for ci in ("", "1"):
             outcome = self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": ci})

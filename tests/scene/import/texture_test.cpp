@@ -17,11 +17,12 @@ constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 0 -1\nvt 0 0\nvt 1 0\nv
 class TextureTest : public testing::Test {
 protected:
     /// An OBJ of one triangle with one material, whose lines follow `newmtl wood`.
-    Model import_with(const std::string& material) {
+    ImportedModel imported_with(const std::string& material) {
         folder_.write("x.mtl", "newmtl wood\n" + material);
         folder_.write("x.obj", "mtllib x.mtl\n" + std::string(kTriangle) + "usemtl wood\nf 1/1 2/2 3/3\n");
-        return import_model(scene_file(folder_, "x.obj")).model;
+        return import_model(scene_file(folder_, "x.obj"));
     }
+    Model import_with(const std::string& material) { return imported_with(material).model; }
     static const Material& material_of(const Model& model) {
         return model.materials[index_of(model.meshes[0].material)];
     }
@@ -75,18 +76,42 @@ TEST_F(TextureTest, TexturesWithHolesSetTheMaskMode) {
     EXPECT_EQ(material_of(import_with("map_Kd leaf.tga\n")).alpha_mode, AlphaMode::mask);
 }
 
-TEST_F(TextureTest, ReportsMissingAndBrokenImagesWithTheirMaterial) {
-    const auto missing = test::errors_of([&] { import_with("map_Kd gone.png\n"); });
+TEST_F(TextureTest, WarnsAboutMissingAndBrokenImagesWithTheirMaterial) {
+    const auto missing = imported_with("map_Kd gone.png\n").warnings;
     ASSERT_EQ(missing.size(), 1U);
     EXPECT_EQ(missing[0].code, "bad-texture");
     EXPECT_NE(missing[0].message.find("'wood'"), std::string::npos) << missing[0].message;
     EXPECT_NE(missing[0].message.find("'gone.png'"), std::string::npos) << missing[0].message;
 
     folder_.write("broken.png", "\x89PNG\r\n\x1a\n and then nothing");
-    const auto broken = test::errors_of([&] { import_with("map_Kd broken.png\n"); });
+    const auto broken = imported_with("map_Kd broken.png\n").warnings;
     ASSERT_EQ(broken.size(), 1U);
     EXPECT_EQ(broken[0].code, "bad-texture");
     EXPECT_NE(broken[0].message.find("decoded"), std::string::npos) << broken[0].message;
+}
+
+TEST_F(TextureTest, SurfacesWithoutTheirTextureArePlain) {
+    const Model white = import_with("Kd 1 1 1\nmap_Kd gone.png\n");
+    EXPECT_FALSE(material_of(white).base_color_texture);
+    EXPECT_EQ(material_of(white).base_color, (std::array<float, 4>{0.5F, 0.5F, 0.5F, 1.0F}));
+    const Model tinted = import_with("Kd 1 0 0\nmap_Kd gone.png\n");
+    EXPECT_EQ(material_of(tinted).base_color, (std::array<float, 4>{1.0F, 0.0F, 0.0F, 1.0F}));
+}
+
+TEST_F(TextureTest, ReportsManyMissingImagesOnceEach) {
+    std::string materials;
+    std::string faces = kTriangle;
+    for (int i = 0; i < 20; ++i) {
+        const std::string number = std::to_string(i);
+        materials += "newmtl m" + number + "\nmap_Kd gone" + std::to_string(i / 2) + ".png\n";
+        faces += "usemtl m" + number + "\nf 1/1 2/2 3/3\n";
+    }
+    folder_.write("many.mtl", materials);
+    folder_.write("many.obj", "mtllib many.mtl\n" + faces);
+    const auto warnings = import_model(scene_file(folder_, "many.obj")).warnings;
+    ASSERT_EQ(warnings.size(), 6U);
+    EXPECT_NE(warnings[4].message.find("'gone4.png'"), std::string::npos) << warnings[4].message;
+    EXPECT_NE(warnings[5].message.find("more textures"), std::string::npos) << warnings[5].message;
 }
 
 TEST_F(TextureTest, IgnoresMissingImagesOfUnusedMaterials) {

@@ -76,7 +76,7 @@ public:
         check_sequence();
         read_last_run_if_needed();
         Plan plan = make_plan(settings_, {selector_for(options_), selected_ids(), options_.repeat_each,
-                                          options_.tree, options_.timeout});
+                                          options_.tree, options_.timeout, images_});
         note_shard();
         check_number_of_cases(plan);
         if (plan.summary.all_cases == 0) {

@@ -105,6 +105,20 @@ private:
         }
     }
 
+    /// A walk may do without textures, unless its images are evaluated.
+    std::vector<scene::Diagnostic> texture_errors(const LoadedWalk& loaded) const {
+        const bool evaluates_images =
+            options_.images && std::ranges::any_of(loaded.walk.expectations, engine::is_about_images);
+        if (!settings_.strict && !evaluates_images) {
+            return {};
+        }
+        std::vector<scene::Diagnostic> errors = loaded.campus->texture_warnings;
+        for (scene::Diagnostic& error : errors) {
+            error.severity = scene::Severity::error;
+        }
+        return errors;
+    }
+
     static void refuse(std::vector<scene::Diagnostic> errors) {
         if (!errors.empty()) {
             throw InputError(std::move(errors));
@@ -209,7 +223,9 @@ private:
         std::shared_ptr<const LoadedWalk> walk;
         if (candidate.run && candidate.result.outcome != Outcome::skipped) {
             try {
-                walk = std::make_shared<LoadedWalk>(loader_.ready(std::move(*candidate.run)));
+                LoadedWalk loaded = loader_.ready(std::move(*candidate.run));
+                refuse(texture_errors(loaded));
+                walk = std::make_shared<LoadedWalk>(std::move(loaded));
             } catch (const InputError& error) {
                 note_errors(candidate.result, error);
             }

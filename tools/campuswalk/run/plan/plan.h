@@ -37,6 +37,7 @@ struct PlanOptions {
     int repeat_each = 1;
     std::optional<collision::TreeKind> tree;
     std::optional<double> max_timeout;  ///< seconds; limits the walks' own timeouts, too
+    bool images = false;                ///< images will be drawn
 };
 
 /// Which walks a project plays. Throws scene::InputError (bad-regex).
