@@ -15,13 +15,15 @@
 namespace campuswalk::collision {
 
 // One traversal for all queries of one mesh, whichever tree it has; only rays have a faster one of the BVH8
-// (collision/bvh8/kernels/bvh8_rays.h). A query is a volume and a function that visits triangles. The volume
-// returns lower bounds of what the query looks for (a fraction, a squared distance), or kApart; the visitor
-// returns the limit above which nothing interests the query any more:
+// (collision/bvh8/kernels/bvh8_rays.cpp). A query is a volume and a function that visits triangles. The
+// volume returns lower bounds of what the query looks for, or kApart; the visitor returns the limit above
+// which nothing interests the query any more. Both are fractions of a ray's or sweep's path and squared
+// distances from a point, capsule or box; in the hybrid tree a capsule's or box's bounds are 0 or kApart:
 //
 //     double bound(const BoundingSphere&) const          of a node's outer layer, or of a whole mesh
 //     double bound(const OrientedBox&) const             of a node's inner layer
-//     void bounds(frame, centers, halves, bounds) const  of N float32 boxes side by side
+//     void bounds(frame, centers, halves, bounds) const  of N boxes side by side: float32 in a BVH8, one in
+//                                                        doubles for a node of the hybrid tree
 //     double visit(triangle, limit)                      returns the new limit
 //     double visit(leaf, slot, limit)                    likewise, if the query prefers a BVH8 leaf's copy
 //

@@ -46,7 +46,7 @@ private:
 };
 
 /// Nodes and leaves that are still to be visited; of one node's children, the nearest on top.
-class TraversalStack {
+class RayStack {
 public:
     /// Pushes a child of the node whose children start at `first`.
     HWY_INLINE void push(const StackEntry& part, std::size_t first) {
@@ -149,7 +149,7 @@ private:
     Shear shear_;
     double limit_ = 1.0;
     float reach_;
-    TraversalStack stack_;
+    RayStack stack_;
 };
 
 void trace(const TriangleMesh& mesh, const Bvh8& tree, const Ray& ray, const RayVisitor& visit,
